@@ -28,7 +28,9 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
             "load",
             "penetration",
             "jkr_abscissa",
-            "jkr_ordinate"
+            "jkr_ordinate",
+            "contact_stiffness",
+            "moving_stiffness"
         ]
     );
     assert_eq!(direct.columns(), looked_up.columns());

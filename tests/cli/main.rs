@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod afm_curves;
+mod contact_stiffness;
 mod cost;
 mod cost_effects;
 mod cost_lookup;
@@ -15,6 +16,7 @@ mod fit_doubts;
 mod fit_files;
 mod fit_plots;
 mod fit_shapes;
+mod friction;
 mod help;
 mod history;
 mod hostile_text;

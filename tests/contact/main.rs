@@ -9,6 +9,7 @@ mod equilibria;
 mod gradient;
 mod half_space;
 mod hostile;
+mod moving_stiffness;
 mod rings;
 mod shapes;
 mod sphere_radius;

@@ -9,6 +9,7 @@ use solve::Compliance;
 use solve::solve;
 use tabulate::cost::approximations::{
     bulk_jkr, dimitriadis, dimitriadis_incompressible, film_jkr, gao, garcia, hay_crawford,
+    springs_in_series,
 };
 
 const MATERIALS: [[f64; 4]; 5] = [
@@ -52,7 +53,7 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
         thin = larger(thin, off(1e6, bulk_jkr(&material)));
         // The weights of Gao and of Hay and Crawford have both limits, that of thick films only if
         // the substrate is not so stiff that a ten-thousandth of its modulus matters.
-        for form in [gao, hay_crawford]
+        for form in [gao, hay_crawford, springs_in_series]
             .into_iter()
             .filter(|_| material.film_over_substrate() > 1e-2)
         {

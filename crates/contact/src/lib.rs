@@ -29,7 +29,8 @@
 //! # Results of a contact
 //!
 //! * At a contact radius: [`Contact::load`], [`Contact::load_and_penetration`],
-//!   [`Contact::stiffness`], [`Contact::stress_intensity`].
+//!   [`Contact::stiffness`] of a contact line that stays, [`Contact::moving_stiffness`] of one that
+//!   moves, [`Contact::stress_intensity`].
 //! * At a load, a penetration or a position of a spring ([`Control`]): [`Contact::equilibria`]
 //!   finds the contacts and their stability, whole force-displacement curves with their jumps
 //!   ([`Equilibria::force_displacement`]), [`Contact::pull_off`] and [`Contact::zero_load`].
@@ -59,14 +60,15 @@
 //! `shape` knows the shape of the probe, which only the contact without adhesion depends on.
 //! `equilibria` and `force_displacement` find the states under a load, a penetration or a spring,
 //! `branch` those at many values, `radii` the contact radii among which they search.
-//! `energy_release` starts from measured values, `gradient` differentiates, `jkr_fit` fits a
-//! straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
+//! `energy_release` starts from measured values, `moving_stiffness` is the slope of the force
+//! curve, `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
 //! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
 //! steps of `implicit_step`. `finite_range` corrects for an attraction of short range by the
 //! `line_energy` of such a law. `history` holds bodies that relax. `root` finds zeros for all of them.
 
 #![forbid(unsafe_code)]
 
+mod bodies;
 mod branch;
 mod contact;
 mod contact_line;
@@ -81,6 +83,7 @@ mod history;
 mod implicit_step;
 mod jkr_fit;
 mod line_energy;
+mod moving_stiffness;
 mod radii;
 mod root;
 mod shape;

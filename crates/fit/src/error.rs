@@ -134,6 +134,26 @@ pub enum Error {
         /// What a JKR plot needs.
         reason: &'static str,
     },
+    /// A loss tangent beyond the expansion that finds it.
+    #[error(
+        "{experiment}: the loss tangent of the film is {tangent:.3}, and the expansion that finds it \
+         holds up to 1: fit the absolute value of the stiffness without phases, or measure where the \
+         film is less viscous"
+    )]
+    Loss {
+        /// The name of the measurement.
+        experiment: String,
+        /// The loss tangent.
+        tangent: f64,
+    },
+    /// Phases on a stack whose top layer has no name.
+    #[error(
+        "{experiment}: phases are those of the top layer of the stack, which has no name: name it"
+    )]
+    NoLoss {
+        /// The name of the measurement.
+        experiment: String,
+    },
     /// A contact on a stack of layers that cannot be computed.
     #[error(transparent)]
     Layers(Cause),

@@ -51,6 +51,7 @@
 //! | `PenetrationRadius` | `delta(a) + contact point` |
 //! | `LoadPenetration` | `F + load offset + baseline + slope (x - contact point)` at the penetration `x - contact point` |
 //! | `ForceHeight` | `F + load offset + baseline + slope (x - contact point)` at `contact point - x = delta + F/k` |
+//! | `StiffnessRadius`, `StiffnessLoad`, `StiffnessDepth` | `S` of a line that stays, at a contact radius: see [`Indentation`] |
 //!
 //! `F` is 0 where the data show no contact. Which points are in contact is read from the data, not
 //! from the model: see [`Branch`].
@@ -75,7 +76,8 @@ pub use estimate::{
 };
 pub use magnitude::Magnitude;
 pub use model::{
-    Bodies, Branch, Cause, DirectSolver, Direction, Experiment, Fixed, Free, Interruptible, Kind,
-    Known, Layer, LayerName, Layered, LayeredSolver, Loss, Measurement, Options, Parameter, Point,
-    PointErrors, Prediction, Prior, Reach, Scope, simulate, stack_of, system_on,
+    AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
+    Free, Indentation, Interruptible, Kind, Known, Layer, LayerName, Layered, LayeredSolver, Loss,
+    LossAngle, MOST_COEFFICIENTS, Measurement, Options, Parameter, Point, PointErrors, Prediction,
+    Prior, Reach, Scope, StickSolver, simulate, simulate_experiment, stack_of, system_on,
 };

@@ -141,7 +141,16 @@ impl Experiment {
         };
         let abscissae = range(|point| point.abscissa);
         let mut lengths = vec![(abscissa, abscissae)];
-        let ordinates = range(|point| point.ordinate);
+        let mut ordinates = range(|point| point.ordinate);
+        let mut ordinate = ordinate;
+        match self.measurement.kind {
+            Kind::StiffnessLoad => {
+                lengths.clear();
+                (ordinate, ordinates) = (abscissa, abscissae);
+            }
+            Kind::StiffnessRadius | Kind::StiffnessDepth => ordinates = 0.0,
+            _ => {}
+        }
         if self.measurement.kind == Kind::PenetrationRadius {
             lengths.push((ordinate, ordinates));
         } else if ordinates > LARGEST_LOAD {

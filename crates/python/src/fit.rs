@@ -18,6 +18,7 @@ use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::error::{Failure, OrRaise as _};
+use crate::indentation::{GivenIndentation, loss};
 use crate::interruption::interruptible;
 use crate::table::Table;
 
@@ -39,6 +40,7 @@ pub struct Given<'py> {
     stiffness: Option<f64>,
     noise: Option<GivenNoise<'py>>,
     abscissa_noise: GivenNoise<'py>,
+    indentation: Option<GivenIndentation>,
 }
 
 /// A standard deviation, or one for each point.
@@ -233,6 +235,9 @@ pub fn experiment(
         "penetration-radius" => Kind::PenetrationRadius,
         "load-penetration" => Kind::LoadPenetration,
         "force-height" => Kind::ForceHeight,
+        "stiffness-radius" => Kind::StiffnessRadius,
+        "stiffness-load" => Kind::StiffnessLoad,
+        "stiffness-depth" => Kind::StiffnessDepth,
         other => return Err(unknown("kind", other)),
     };
     let (x, y) = (given.abscissa.as_slice()?, given.ordinate.as_slice()?);
@@ -270,7 +275,7 @@ pub fn experiment(
     let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
     let (noise, of_ordinates) = given_noise.unwrap_or_default();
     let (abscissa_noise, of_abscissae) = given.abscissa_noise.read()?;
-    Ok(Experiment {
+    let mut made = Experiment {
         work_of_adhesion: given.work_of_adhesion,
         work_of_adhesion_receding: given.work_of_adhesion_receding,
         load_offset: given.load_offset,
@@ -285,7 +290,11 @@ pub fn experiment(
             ordinate: of_ordinates,
         },
         ..Experiment::new(measurement, bodies)
-    })
+    };
+    if let Some(indentation) = &given.indentation {
+        indentation.complete(py, &mut made)?;
+    }
+    Ok(made)
 }
 
 /// Makes the layers of an experiment.
@@ -474,6 +483,7 @@ fn points<'py>(
     let retract = retract.map(|retract| PyArray1::from_vec(py, retract));
     fields.set_item("retract", retract)?;
     fields.set_item("_jkr", jkr(py, jkr_plot(found, given, number))?)?;
+    fields.set_item("loss", loss(py, experiment.loss)?)?;
     fields.set_item("noise", experiment.noise)?;
     fields.set_item("noise_is_estimated", experiment.noise_is_estimated)?;
     fields.set_item("abscissa_noise", experiment.abscissa_noise)?;

@@ -3,7 +3,7 @@
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
-//! `interruption`; `line`, `history`, `short_range`, `read`, `fit`, `model`,
+//! `interruption`; `indentation`, `line`, `history`, `short_range`, `read`, `fit`, `model`,
 //! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
 //! of them.
 
@@ -17,6 +17,7 @@ mod error;
 mod fit;
 mod generate;
 mod history;
+mod indentation;
 mod interruption;
 mod line;
 mod model;
@@ -58,7 +59,7 @@ mod _core {
         short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,
     };
     #[pymodule_export]
-    use super::solve::{solve, solve_stack};
+    use super::solve::{solve, solve_stack, solve_stick_punch};
     #[pymodule_export]
     use super::table::Table;
 

@@ -80,7 +80,7 @@ pub fn predict<'py>(
     Ok(fields)
 }
 
-/// Returns the ordinates of synthetic data.
+/// Returns the ordinates of synthetic data, and the loads of a contact stiffness at depths.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,
@@ -88,15 +88,16 @@ pub fn simulate<'py>(
     given: Given<'py>,
     noise: f64,
     seed: u64,
-) -> PyResult<Output<'py>> {
+) -> PyResult<[Output<'py>; 2]> {
     let table = table.get();
     let experiment = experiment(py, &given, &table.layered_solver(py)?)?;
-    let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
-    let points = made.or_raise(py)?.points;
-    Ok(PyArray1::from_iter(
-        py,
-        points.iter().map(|point| point.ordinate),
-    ))
+    let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
+    let made = made.or_raise(py)?;
+    let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
+    Ok([
+        PyArray1::from_iter(py, ordinates),
+        PyArray1::from_vec(py, made.indentation.loads),
+    ])
 }
 
 /// Returns the estimates that planned experiments would give, their correlation, and what would not

@@ -22,6 +22,7 @@ pub struct GivenFormat {
     sensitivity: Option<f64>,
     segments: String,
     only: Option<String>,
+    between: Option<[f64; 2]>,
 }
 
 /// Reads a file. Returns the fields of the experiment, and the doubt about a sign.
@@ -35,6 +36,8 @@ pub fn read_file<'py>(
     let Reading {
         measurement,
         errors,
+        loads,
+        phases,
         notes,
     } = py.detach(|| read(&path, &format)).or_raise(py)?;
     let points = &measurement.points;
@@ -55,6 +58,8 @@ pub fn read_file<'py>(
     for (name, list) in [
         ("abscissa_noise", errors.abscissa),
         ("noise", errors.ordinate),
+        ("loads", loads),
+        ("phases", phases),
     ] {
         if !list.is_empty() {
             fields.set_item(name, PyArray1::from_vec(py, list))?;
@@ -105,6 +110,7 @@ fn format(given: GivenFormat) -> PyResult<Format> {
             other => return Err(unknown(other)),
         },
         only: given.only.map(only).transpose()?,
+        between: given.between,
     })
 }
 

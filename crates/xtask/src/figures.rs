@@ -19,12 +19,13 @@ const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
 const TIGHTEST: [&str; 2] = ["1e-8", "1e-4"];
 
 /// The figures of `tabulate plot`, and the measurement that each is drawn from.
-const FIGURES: [(&str, Option<&str>); 12] = [
+const FIGURES: [(&str, Option<&str>); 13] = [
     ("fig2", None),
     ("fig3", None),
     ("fig4", None),
     ("force-displacement", None),
     ("pull-off", None),
+    ("contact-stiffness", None),
     ("interface", None),
     ("relaxation", None),
     ("error-map", None),
@@ -36,7 +37,7 @@ const FIGURES: [(&str, Option<&str>); 12] = [
 
 /// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
 /// `tabulate simulate` and those of `tabulate fit`.
-const FITS: [(&str, &str, &str); 4] = [
+const FITS: [(&str, &str, &str); 6] = [
     (
         "lens",
         "--specimen paper --kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
@@ -70,6 +71,23 @@ const FITS: [(&str, &str, &str); 4] = [
          --value primer.modulus=5e5 --seed 1",
         "--sphere-radius 1mm --stack crates/fit/data/primer.toml --noise 1uN \
          --free sphere-modulus,primer.modulus,work-of-adhesion",
+    ),
+    (
+        "silicon",
+        "--kind stiffness-depth --half-space --film-modulus 1.7e11 --film-poisson-ratio 0.28 \
+         --sphere-modulus 1.147e12 --beta 1.034 --hardness 1.15e10 --tip-rounding 6e-9 \
+         --from 4e-8 --to 2.5e-7 --noise 1% --seed 1",
+        "--kind stiffness-depth --half-space --film-modulus 170GPa --film-poisson-ratio 0.28 \
+         --sphere-modulus 1147GPa --beta 1.034 --free tip-rounding",
+    ),
+    (
+        "oxide",
+        "--kind stiffness-depth --film-thickness 5e-7 --film-modulus 7.2e10 --film-poisson-ratio 0.17 \
+         --substrate-modulus 1.7e11 --substrate-poisson-ratio 0.28 --sphere-modulus 1.147e12 \
+         --beta 1.034 --hardness 1e10 --tip-rounding 6e-9 --from 4e-8 --to 2.5e-7 --noise 1% --seed 2",
+        "--kind stiffness-depth --film-thickness 500nm --film-poisson-ratio 0.17 \
+         --substrate-modulus 170GPa --substrate-poisson-ratio 0.28 --sphere-modulus 1147GPa \
+         --beta 1.034 --reference crates/fit/data/silicon.csv --free film-modulus,tip-rounding",
     ),
 ];
 

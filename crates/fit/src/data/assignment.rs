@@ -1,5 +1,6 @@
 //! Which column of a file holds what.
 
+use super::beside;
 use super::column::{Column, Role};
 use super::failure::{Found, Missing, Problem};
 use super::heading::Heading;
@@ -35,6 +36,8 @@ pub struct Pair {
     pub ordinate: Source,
     /// The standard deviations of both, where there are columns of them.
     pub errors: [Option<Source>; 2],
+    /// The columns beside them: of a contact stiffness.
+    pub beside: Vec<Source>,
 }
 
 /// What the columns of a file hold.
@@ -64,14 +67,13 @@ pub fn assign(
         uncalibrated,
     };
     let kind = columns.kind()?;
-    let roles = roles(kind);
     let mut pairs = Vec::new();
     for direction in DIRECTIONS {
         // Columns without a direction are all points; else each direction has its own.
         if direction.is_some() && pairs.iter().any(|pair: &Pair| pair.direction.is_none()) {
             break;
         }
-        pairs.extend(columns.pair(roles, direction)?);
+        pairs.extend(columns.pair(kind, direction)?);
     }
     if pairs.is_empty() {
         let mut roles = columns.missing(kind);
@@ -100,6 +102,9 @@ pub const fn roles(kind: Kind) -> [Role; 2] {
         Kind::PenetrationRadius => [Role::ContactRadius, Role::Penetration],
         Kind::LoadPenetration => [Role::Penetration, Role::Load],
         Kind::ForceHeight => [Role::Height, Role::Load],
+        Kind::StiffnessRadius => [Role::ContactRadius, Role::ContactStiffness],
+        Kind::StiffnessLoad => [Role::Load, Role::ContactStiffness],
+        Kind::StiffnessDepth => [Role::Penetration, Role::ContactStiffness],
     }
 }
 
@@ -139,6 +144,9 @@ impl Columns<'_> {
             self.format.columns.iter().all(|column| {
                 let of = |role: Role| role.error() == Some(column.role);
                 column.role == Role::Segment
+                    || beside::needed(*kind).contains(&column.role)
+                    || beside::optional(*kind).contains(&column.role)
+                    || (column.role == Role::ContactArea && *kind == Kind::StiffnessRadius)
                     || of(abscissa)
                     || of(ordinate)
                     || column.role == abscissa
@@ -149,6 +157,17 @@ impl Columns<'_> {
         let mut meant: Vec<Kind> = Kind::ALL.into_iter().filter(is_meant).collect();
         if meant.is_empty() {
             meant = Kind::ALL.to_vec();
+        }
+        // A contact stiffness is measured where there is one, and nothing else is complete.
+        let others: Vec<Kind> = meant
+            .iter()
+            .copied()
+            .filter(|one| !one.is_stiffness())
+            .collect();
+        let has_stiffness = !matches!(self.find(Role::ContactStiffness, None), Ok(None));
+        let is_complete = |kind: &Kind| self.missing(*kind).is_empty();
+        if !others.is_empty() && (!has_stiffness || others.iter().any(is_complete)) {
+            meant = others;
         }
         let mut kinds: Vec<Missing> = meant
             .into_iter()
@@ -184,25 +203,34 @@ impl Columns<'_> {
             let by_deflection = *role == Role::Load
                 && (kind == Kind::ForceHeight || self.format.kind.is_some())
                 && is_there(Role::Deflection);
-            !is_there(*role) && !by_deflection
+            let by_area = *role == Role::ContactRadius
+                && kind == Kind::StiffnessRadius
+                && is_there(Role::ContactArea);
+            !is_there(*role) && !by_deflection && !by_area
         };
-        roles(kind).into_iter().filter(is_missing).collect()
+        let needed = beside::needed(kind).iter().copied();
+        let roles = roles(kind).into_iter().chain(needed);
+        roles.filter(is_missing).collect()
     }
 
     /// Returns the columns of abscissa and ordinate in a direction. A column without a direction
     /// serves both; one at least must have it.
-    fn pair(
-        &self,
-        [abscissa, ordinate]: [Role; 2],
-        direction: Option<Direction>,
-    ) -> Result<Option<Pair>, Failure> {
+    fn pair(&self, kind: Kind, direction: Option<Direction>) -> Result<Option<Pair>, Failure> {
+        let [abscissa, ordinate] = roles(kind);
         let of = |role: Role| -> Result<Option<Source>, Failure> {
             Ok(match self.force_or(role, direction)? {
                 None if direction.is_some() => self.force_or(role, None)?,
                 found => found,
             })
         };
-        let (Some(abscissa), Some(ordinate)) = (of(abscissa)?, of(ordinate)?) else {
+        let abscissa = match of(abscissa)? {
+            None if kind == Kind::StiffnessRadius => of(Role::ContactArea)?,
+            found => found,
+        };
+        let (Some(abscissa), Some(ordinate)) = (abscissa, of(ordinate)?) else {
+            return Ok(None);
+        };
+        let Some(beside) = self.beside(kind, direction)? else {
             return Ok(None);
         };
         let errors = [
@@ -214,6 +242,7 @@ impl Columns<'_> {
             abscissa,
             ordinate,
             errors,
+            beside,
         }))
     }
 
@@ -230,7 +259,11 @@ impl Columns<'_> {
     }
 
     /// Returns the column that the user names, or the one that is recognised.
-    fn find(&self, role: Role, direction: Option<Direction>) -> Result<Option<Source>, Failure> {
+    pub(super) fn find(
+        &self,
+        role: Role,
+        direction: Option<Direction>,
+    ) -> Result<Option<Source>, Failure> {
         let unique = |indices: &[usize]| match indices {
             [] => Ok(None),
             [index] => Ok(Some(*index)),

@@ -27,11 +27,21 @@ pub enum Role {
     PenetrationError,
     /// The standard deviation of the height.
     HeightError,
+    /// The contact stiffness; where there is a phase, its storage part.
+    ContactStiffness,
+    /// The contact area, in place of the contact radius.
+    ContactArea,
+    /// The phase between contact stiffness and oscillation, the angle of the complex stiffness.
+    PhaseShift,
+    /// The loss part of the contact stiffness.
+    LossStiffness,
+    /// The standard deviation of the contact stiffness.
+    ContactStiffnessError,
 }
 
 impl Role {
     /// All roles.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 15] = [
         Self::ContactRadius,
         Self::Load,
         Self::Penetration,
@@ -42,6 +52,11 @@ impl Role {
         Self::LoadError,
         Self::PenetrationError,
         Self::HeightError,
+        Self::ContactStiffness,
+        Self::ContactArea,
+        Self::PhaseShift,
+        Self::LossStiffness,
+        Self::ContactStiffnessError,
     ];
 
     /// Returns the name on the command line and in messages.
@@ -57,6 +72,11 @@ impl Role {
             Self::LoadError => "load_error",
             Self::PenetrationError => "penetration_error",
             Self::HeightError => "height_error",
+            Self::ContactStiffness => "contact_stiffness",
+            Self::ContactArea => "contact_area",
+            Self::PhaseShift => "phase_shift",
+            Self::LossStiffness => "loss_stiffness",
+            Self::ContactStiffnessError => "contact_stiffness_error",
         }
     }
 
@@ -67,6 +87,7 @@ impl Role {
             Self::Load => Self::LoadError,
             Self::Penetration => Self::PenetrationError,
             Self::Height => Self::HeightError,
+            Self::ContactStiffness => Self::ContactStiffnessError,
             _ => return None,
         })
     }
@@ -75,6 +96,11 @@ impl Role {
     pub const fn dimension(self) -> Dimension {
         match self {
             Self::Load | Self::LoadError => Dimension::Force,
+            Self::ContactStiffness | Self::LossStiffness | Self::ContactStiffnessError => {
+                Dimension::ForcePerLength
+            }
+            Self::ContactArea => Dimension::Area,
+            Self::PhaseShift => Dimension::Angle,
             _ => Dimension::Length,
         }
     }
@@ -90,6 +116,9 @@ impl Role {
         match self {
             Self::Load | Self::LoadError => "mN",
             Self::ContactRadius | Self::ContactRadiusError => "um",
+            Self::ContactStiffness | Self::LossStiffness | Self::ContactStiffnessError => "N/m",
+            Self::ContactArea => "nm^2",
+            Self::PhaseShift => "deg",
             _ => "nm",
         }
     }
@@ -102,6 +131,10 @@ impl Role {
             Self::Load => &["load", "force"],
             Self::Penetration => &["penetration"],
             Self::Height => &["height", "height (measured)", "height (piezo)"],
+            Self::ContactStiffness => &["contact_stiffness"],
+            Self::ContactArea => &["contact_area"],
+            Self::PhaseShift => &["phase_shift"],
+            Self::LossStiffness => &["loss_stiffness"],
             _ => &[],
         };
         names.contains(&heading)

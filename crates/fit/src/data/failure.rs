@@ -149,7 +149,10 @@ pub enum Problem {
         start: String,
     },
     /// There are no points after those left out.
-    #[error("{0} rows, but no point is left to fit: they are missing values or of another segment")]
+    #[error(
+        "{0} rows, but no point is left to fit: they are missing values, of another segment, or \
+         outside the range asked for"
+    )]
     NoPoints(u64),
     /// The columns have no headings.
     #[error(

@@ -20,7 +20,8 @@ pub struct Heading {
 const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
 
 impl Heading {
-    /// Reads a heading: `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, `Extend Force(nN)`.
+    /// Reads a heading: `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, `Extend Force(nN)`,
+    /// `stiffness_N_per_m`.
     pub fn parse(text: &str) -> Self {
         let text = text.trim();
         let (rest, mut unit) = bracketed_unit(text);
@@ -37,6 +38,17 @@ impl Heading {
                 }
                 _ => true,
             });
+        }
+        // `stiffness_N_per_m`.
+        if unit.is_none()
+            && let [.., above, per, below] = words[..]
+            && per.eq_ignore_ascii_case("per")
+            && words.len() > 3
+        {
+            unit = Unit::parse(&format!("{above}/{below}"));
+            if unit.is_some() {
+                words.truncate(words.len() - 3);
+            }
         }
         if unit.is_none() && words.len() > 1 {
             unit = words.last().and_then(|word| Unit::parse(word));
@@ -76,5 +88,31 @@ fn direction_of_heading(word: &str) -> Option<Direction> {
         "approach" | "extend" | "ex" | "trace" | "loading" => Some(Direction::Approach),
         "retract" | "retraction" | "rt" | "retrace" | "unloading" => Some(Direction::Retract),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_quotient_in_words_is_a_unit() {
+        for (text, name, unit) in [
+            ("stiffness_N_per_m", "stiffness", Unit::parse("N/m")),
+            (
+                "stiffness_sd_mN_per_nm",
+                "stiffness sd",
+                Unit::parse("mN/nm"),
+            ),
+            ("N_per_m", "n per", Unit::parse("m")),
+            ("points per frame", "points per frame", None),
+        ] {
+            let heading = Heading::parse(text);
+            assert_eq!(
+                (heading.name.as_str(), heading.unit),
+                (name, unit),
+                "{text}"
+            );
+        }
     }
 }

@@ -20,10 +20,11 @@
 //! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
 //! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading,
 //! `quantity` reads a number with a unit, and `assignment` decides which column holds what, with
-//! `deviation` those of standard deviations. `segment` finds the directions, and `remedy` what a user
+//! `deviation` those of standard deviations and `beside` those of a contact stiffness. `segment` finds the directions, and `remedy` what a user
 //! can give where a file is not read.
 
 mod assignment;
+mod beside;
 mod cells;
 mod column;
 mod deviation;
@@ -69,8 +70,11 @@ pub struct Format {
     pub cantilever: Cantilever,
     /// Where the directions come from.
     pub segments: Segments,
-    /// The only direction to be kept.
+    /// The only direction to be kept. `None`: all, but of a contact stiffness at loads or depths
+    /// that of approach.
     pub only: Option<Direction>,
+    /// The least and the largest abscissa to be kept, in SI units.
+    pub between: Option<[f64; 2]>,
 }
 
 /// A cantilever.
@@ -102,6 +106,11 @@ pub struct Reading {
     pub measurement: Measurement,
     /// The standard deviations of the points, as far as the file has columns of them.
     pub errors: PointErrors,
+    /// The load of each point, N, where a contact stiffness is measured at depths: those of
+    /// [`Indentation`](crate::Indentation).
+    pub loads: Vec<f64>,
+    /// The phase of each point, rad, where a contact stiffness has one.
+    pub phases: Vec<f64>,
     /// How it was read.
     pub notes: Notes,
 }
@@ -118,6 +127,8 @@ pub struct Notes {
     /// The number of rows that were left out because they are of the direction that was not asked
     /// for.
     pub other_segments: u64,
+    /// The number of rows that were left out because their abscissa is not between those asked for.
+    pub outside: u64,
     /// The number of times that headings with rows below them stand in the file.
     pub blocks: u64,
     /// Whether the points were split at the largest load.

@@ -14,6 +14,8 @@ impl Role {
                 // Nanoindenters of MTS, Agilent, Keysight and KLA. Their raw load still has the
                 // spring of the indenter in it.
                 "load on sample",
+                // Hysitron.
+                "indent act load",
                 "force on sample",
                 "force on surface",
                 "load on surface",
@@ -31,6 +33,7 @@ impl Role {
                 "indentation",
                 "indentation depth",
                 "displacement into surface",
+                "indent disp",
                 "displacement into sample",
                 "depth into surface",
                 "displacement",
@@ -88,12 +91,28 @@ impl Role {
                 // Optics11.
                 "cantilever",
             ],
-            Self::Segment => &["segment", "phase", "direction"],
+            Self::Segment => &["segment", "segment type", "phase", "direction"],
+            Self::ContactStiffness => &[
+                "contact stiffness",
+                // MTS, Agilent, Keysight and KLA.
+                "harmonic contact stiffness",
+                "harmonic stiffness",
+                // Hysitron.
+                "storage stiff",
+                "storage stiffness",
+                "dynamic stiffness",
+                "stiffness",
+                "s dp dh",
+            ],
+            Self::ContactArea => &["contact area", "area of contact", "projected contact area"],
+            Self::PhaseShift => &["phase shift", "phase angle", "harmonic phase angle"],
+            Self::LossStiffness => &["loss stiff", "loss stiffness"],
             // Recognised by the name of their quantity: see `deviation`.
             Self::ContactRadiusError
             | Self::LoadError
             | Self::PenetrationError
-            | Self::HeightError => &[],
+            | Self::HeightError
+            | Self::ContactStiffnessError => &[],
         }
     }
 

@@ -3,7 +3,9 @@
 use std::io::BufRead;
 
 use super::assignment::{Assignment, Pair, Source, assign, roles};
+use super::beside::{Beside, beside};
 use super::cells::{Delimiter, comment};
+use super::column::Role;
 use super::failure::Problem;
 use super::head::Head;
 use super::heading::Heading;
@@ -12,7 +14,10 @@ use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
 use super::segment::{Segment, split};
 use super::{Format, Notes, Reading, Segments, sign};
-use crate::{Kind, Measurement, Point, PointErrors};
+use crate::{Direction, Kind, Measurement, Point, PointErrors};
+
+/// The rounding of a number in its unit.
+const ROUNDING: f64 = 1e-12;
 
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
@@ -63,6 +68,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
             headings: titles.headings,
             points: vec![Vec::new(); assignment.pairs.len()],
             errors: vec![PointErrors::default(); assignment.pairs.len()],
+            beside: vec![Vec::new(); assignment.pairs.len()],
             assignment,
         }],
         waiting: Waiting::default(),
@@ -159,6 +165,8 @@ struct Columns {
     points: Vec<Vec<Point>>,
     /// Their standard deviations.
     errors: Vec<PointErrors>,
+    /// What stands beside them: of a contact stiffness.
+    beside: Vec<Vec<Beside>>,
 }
 
 /// Lines below the first rows that may be the head of further rows.
@@ -251,6 +259,7 @@ impl Rows<'_> {
                         headings: titles.headings,
                         points: vec![Vec::new(); assignment.pairs.len()],
                         errors: vec![PointErrors::default(); assignment.pairs.len()],
+                        beside: vec![Vec::new(); assignment.pairs.len()],
                         assignment,
                     });
                     self.waiting = Waiting::default();
@@ -288,6 +297,7 @@ impl Rows<'_> {
             assignment,
             points,
             errors,
+            beside: all_beside,
         } = self
             .columns
             .last_mut()
@@ -317,6 +327,10 @@ impl Rows<'_> {
                 let segment = Segment::parse(word);
                 let unknown = || failure(index, Problem::Segment(word.to_owned()));
                 self.segment = Some(segment.ok_or_else(unknown)?);
+                // Before the surface is found there is no contact.
+                if assignment.kind.is_stiffness() && word.to_lowercase().contains("surface") {
+                    self.segment = Some(Segment::Pause);
+                }
             }
         }
         let direction = match self.segment {
@@ -340,13 +354,25 @@ impl Rows<'_> {
                     found.push(None);
                     continue;
                 }
+                // Not all rows of a nanoindenter have a stiffness.
+                [_, None] if assignment.kind.is_stiffness() => {
+                    found.push(None);
+                    continue;
+                }
                 [None, _] => return Err(failure(pair.abscissa.index, Problem::MissingValue)),
                 [_, None] => return Err(failure(pair.ordinate.index, Problem::MissingValue)),
             };
-            let of_radius = matches!(assignment.kind, Kind::LoadRadius | Kind::PenetrationRadius);
-            if of_radius && abscissa < 0.0 {
+            if assignment.kind.at_radii() && abscissa < 0.0 {
                 return Err(failure(pair.abscissa.index, Problem::Radius(abscissa)));
             }
+            let abscissa = match pair.abscissa.role {
+                Role::ContactArea => (abscissa / std::f64::consts::PI).sqrt(),
+                _ => abscissa,
+            };
+            let Some(beside) = beside(&pair.beside, ordinate, &mut value)? else {
+                found.push(None);
+                continue;
+            };
             let mut deviations = [None; 2];
             for (k, source) in pair.errors.iter().enumerate() {
                 let Some(source) = source else { continue };
@@ -366,12 +392,16 @@ impl Rows<'_> {
                 ordinate,
                 direction: pair.direction.or(direction),
             };
-            found.push(Some((point, deviations)));
+            found.push(Some((point, deviations, beside)));
         }
         self.count += 1;
-        for ((points, errors), point) in points.iter_mut().zip(errors).zip(found) {
+        let lists = points.iter_mut().zip(errors).zip(all_beside);
+        for (((points, errors), all_beside), point) in lists.zip(found) {
             match point {
-                Some((point, [of_abscissa, of_ordinate])) => {
+                Some((point, [of_abscissa, of_ordinate], beside)) => {
+                    if assignment.kind.is_stiffness() {
+                        all_beside.push(beside);
+                    }
                     points.push(point);
                     errors.abscissa.extend(of_abscissa);
                     errors.ordinate.extend(of_ordinate);
@@ -401,6 +431,8 @@ impl Rows<'_> {
             errors.abscissa.append(&mut more.abscissa);
             errors.ordinate.append(&mut more.ordinate);
         }
+        let lists = self.columns.iter_mut().flat_map(|one| &mut one.beside);
+        let mut beside: Vec<Beside> = lists.flat_map(std::mem::take).collect();
         for (list, source) in [
             (&errors.abscissa, &pair.abscissa),
             (&errors.ordinate, &pair.ordinate),
@@ -418,23 +450,36 @@ impl Rows<'_> {
         if split_now {
             split(&mut points);
         }
-        if let Some(only) = self.format.only {
-            let before = points.len();
-            for list in [&mut errors.abscissa, &mut errors.ordinate] {
-                let mut of_points = points.iter();
-                let is_kept = |point: &Point| point.direction == Some(only);
-                list.retain(|_| of_points.next().is_some_and(is_kept));
-            }
-            points.retain(|point| point.direction == Some(only));
-            self.other_segments += (before - points.len()) as u64;
+        // While a sample is unloaded its load and its depth do not tell the contact radius.
+        let is_of_loading = matches!(kind, Kind::StiffnessLoad | Kind::StiffnessDepth)
+            && points.iter().any(|point| point.direction.is_some());
+        let only = self
+            .format
+            .only
+            .or(is_of_loading.then_some(Direction::Approach));
+        let mut keep = |is_kept: &dyn Fn(&Point) -> bool| {
+            let kept: Vec<bool> = points.iter().map(is_kept).collect();
+            retain(&mut points, &kept);
+            retain(&mut errors.abscissa, &kept);
+            retain(&mut errors.ordinate, &kept);
+            retain(&mut beside, &kept);
+            kept.iter().filter(|kept| !**kept).count() as u64
+        };
+        if let Some(only) = only {
+            self.other_segments += keep(&|point| point.direction == Some(only));
         }
+        let outside = self.format.between.map_or(0, |[least, most]| {
+            // Numbers in another unit than those of the ends are rounded.
+            let slack = ROUNDING * least.abs().max(most.abs());
+            keep(&|point| (least - slack..=most + slack).contains(&point.abscissa))
+        });
         if points.is_empty() {
             return Err(Problem::NoPoints(self.count).into());
         }
         check_constant(&points, &pair)?;
         let mut columns: Vec<Source> = Vec::new();
         for pair in self.columns.iter().flat_map(|one| &one.assignment.pairs) {
-            let errors = pair.errors.iter().flatten();
+            let errors = pair.errors.iter().flatten().chain(&pair.beside);
             for source in [&pair.abscissa, &pair.ordinate].into_iter().chain(errors) {
                 if !columns.contains(source) {
                     columns.push(source.clone());
@@ -446,6 +491,7 @@ impl Rows<'_> {
             missing: self.missing,
             pauses: self.pauses,
             other_segments: self.other_segments,
+            outside,
             blocks,
             split: split_now,
             cantilever: self.format.cantilever,
@@ -457,9 +503,16 @@ impl Rows<'_> {
             kind,
             points,
         };
+        let loads = beside
+            .iter()
+            .map(|one| one.load)
+            .filter(|load| !load.is_nan());
+        let phases = beside.iter().map(|one| one.phase);
         Ok(Reading {
             measurement,
             errors,
+            loads: loads.collect(),
+            phases: phases.filter(|phase| !phase.is_nan()).collect(),
             notes,
         })
     }
@@ -492,6 +545,12 @@ impl Failure {
             Problem::NotANumber(_) | Problem::CellCount { .. } | Problem::Segment(_)
         ) && cells.iter().any(is_word)
     }
+}
+
+/// Retains the items of a list that belong to kept points. An empty list stays empty.
+fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
+    let mut kept = kept.iter();
+    list.retain(|_| kept.next().is_some_and(|kept| *kept));
 }
 
 /// Returns the value of a cell in SI units; none if it is missing.

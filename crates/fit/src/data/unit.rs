@@ -18,6 +18,12 @@ pub enum Dimension {
     ForcePerLength,
     /// In metres per volt: the sensitivity of a deflection.
     LengthPerVoltage,
+    /// In metres per newton: the compliance of a frame.
+    Compliance,
+    /// In square metres.
+    Area,
+    /// In radians.
+    Angle,
     /// In pascals per metre: the stiffness of an interface, per area.
     ModulusPerLength,
 }
@@ -32,6 +38,9 @@ impl Dimension {
             Self::Modulus => "Pa",
             Self::ForcePerLength => "N/m or J/m^2",
             Self::LengthPerVoltage => "m/V",
+            Self::Compliance => "m/N",
+            Self::Area => "m^2",
+            Self::Angle => "rad",
             Self::ModulusPerLength => "Pa/m",
         }
     }
@@ -45,6 +54,9 @@ impl Dimension {
             Self::Modulus => "3.5MPa or 70GPa",
             Self::ForcePerLength => "0.1N/m or 40mJ/m^2",
             Self::LengthPerVoltage => "30nm/V",
+            Self::Compliance => "0.2nm/mN",
+            Self::Area => "2e6nm^2",
+            Self::Angle => "12deg",
             Self::ModulusPerLength => "2e14 Pa/m or 200GPa/mm",
         }
     }
@@ -59,6 +71,9 @@ impl fmt::Display for Dimension {
             Self::Modulus => "a modulus",
             Self::ForcePerLength => "a stiffness or a work of adhesion",
             Self::LengthPerVoltage => "a sensitivity",
+            Self::Compliance => "a compliance",
+            Self::Area => "an area",
+            Self::Angle => "an angle",
             Self::ModulusPerLength => "a stiffness per area",
         })
     }
@@ -99,11 +114,12 @@ const BASES: [(&str, &[&str], Dimension); 4] = [
 ];
 
 /// Quotients of two symbols: numerator, denominator and its power, dimension.
-const QUOTIENTS: [(&str, &str, i32, Dimension); 6] = [
+const QUOTIENTS: [(&str, &str, i32, Dimension); 7] = [
     ("N", "m", 1, Dimension::ForcePerLength),
     ("J", "m", 2, Dimension::ForcePerLength),
     ("N", "m", 2, Dimension::Modulus),
     ("m", "V", 1, Dimension::LengthPerVoltage),
+    ("m", "N", 1, Dimension::Compliance),
     ("Pa", "m", 1, Dimension::ModulusPerLength),
     ("N", "m", 3, Dimension::ModulusPerLength),
 ];
@@ -120,10 +136,24 @@ impl Unit {
     /// Reads a symbol, `mN`, a name, `micrometres`, or a quotient of symbols, `mJ/m^2`. Symbols must
     /// have the case of the SI: `mN` and `MN` differ.
     pub fn parse(text: &str) -> Option<Self> {
+        if let Some(size) = angle(text) {
+            let dimension = Dimension::Angle;
+            return Some(Self { dimension, size });
+        }
         let (dimension, exponent) = power_of_ten(text)?;
         let size = power(exponent);
         Some(Self { dimension, size })
     }
+}
+
+/// Returns the size of an angle in radians.
+fn angle(text: &str) -> Option<f64> {
+    Some(match text.trim() {
+        "rad" => 1.0,
+        "mrad" => 1e-3,
+        "deg" | "degree" | "degrees" | "\u{b0}" => std::f64::consts::PI / 180.0,
+        _ => return None,
+    })
 }
 
 /// Returns the dimension of a unit, and the power of ten that it is in the SI unit.
@@ -139,6 +169,9 @@ pub(super) fn power_of_ten(text: &str) -> Option<(Dimension, i32)> {
     }
     if let Some((above, below)) = text.split_once('/') {
         return quotient(above.trim(), below.trim());
+    }
+    if let Some(length) = without_square(text) {
+        return Some((Dimension::Area, 2 * prefixed(length, "m")?));
     }
     BASES.into_iter().find_map(|(symbol, names, dimension)| {
         let of_name = |(_, name, exponent): &(&str, &str, i32)| {
@@ -179,6 +212,14 @@ fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
             let below = prefixed(below, denominator)?;
             Some((dimension, above - exponent * below))
         })
+}
+
+/// Returns a symbol without its power of 2, if it has this power.
+fn without_square(symbol: &str) -> Option<&str> {
+    let squares = ["^2", "\u{b2}", "2"].into_iter();
+    squares
+        .filter_map(|square| symbol.strip_suffix(square))
+        .next()
 }
 
 /// Returns the size of a prefix of the SI, by its symbol; 1 of none.
@@ -227,6 +268,11 @@ mod tests {
             ("mJ/m2", Dimension::ForcePerLength, 1e-3),
             ("J / cm\u{b2}", Dimension::ForcePerLength, 1e4),
             ("nm/V", Dimension::LengthPerVoltage, 1e-9),
+            ("nm/mN", Dimension::Compliance, 1e-6),
+            ("nm^2", Dimension::Area, 1e-18),
+            ("um\u{b2}", Dimension::Area, 1e-12),
+            ("deg", Dimension::Angle, std::f64::consts::PI / 180.0),
+            ("mrad", Dimension::Angle, 1e-3),
             ("GPa/um", Dimension::ModulusPerLength, 1e15),
             ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {

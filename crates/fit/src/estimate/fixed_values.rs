@@ -179,9 +179,9 @@ fn residuals_with(
             let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, None);
             let predicted = predicted.ok()?;
             let counts = |i: &usize| branches[*i] != Branch::LeftOut;
-            let points = &experiment.measurement.points;
             for (row, i) in (row..).zip((0..branches.len()).filter(counts)) {
-                residuals[row] = (predicted.values[i] - points[i].ordinate) / assigned.deviation(i);
+                residuals[row] =
+                    (predicted.values[i] - experiment.compared(i)) / assigned.deviation(i);
             }
         }
         row += count;

@@ -69,6 +69,12 @@ pub fn forecast(
                     .into(),
             });
         }
+        if experiment.measurement.kind.is_stiffness() {
+            // The stiffness itself tells contact depths.
+            experiment.reach_contacts();
+            experiment.make(table)?;
+            experiment.accept_stiffness()?;
+        }
         let contact = experiment.bodies.contact(table, true)?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
         assigned.push(Assigned {
@@ -77,6 +83,7 @@ pub fn forecast(
             order,
             noise,
             abscissa_parts: Vec::new(),
+            factors: Vec::new(),
         });
     }
     let mut slots = slots(experiments, &free)?;

@@ -47,6 +47,7 @@ pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homog
         Kind::LoadRadius => of_loads_at_radii(assigned, unknown),
         Kind::PenetrationRadius => of_penetrations_at_radii(assigned, unknown),
         Kind::LoadPenetration | Kind::ForceHeight => of_loads_at_positions(assigned, unknown),
+        Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => None,
     }
 }
 
@@ -101,7 +102,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
     });
     match measurement.kind {
         Kind::LoadRadius | Kind::PenetrationRadius => bodies.paraboloid(most, false),
-        Kind::LoadPenetration | Kind::ForceHeight => bodies.paraboloid(0.5 * (most - least), true),
+        _ => bodies.paraboloid(0.5 * (most - least), true),
     }
 }
 

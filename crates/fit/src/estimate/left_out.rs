@@ -3,7 +3,7 @@
 use super::minima::Minimum;
 use super::problem::Assigned;
 use super::search::{Data, End, ends};
-use crate::{Branch, Error, Kind, LeftOut, LeftOutReason};
+use crate::{Branch, Error, LeftOut, LeftOutReason};
 
 /// The largest part of the points in contact that may be left out unless more are allowed.
 const MOST: f64 = 1.0 / 3.0;
@@ -49,10 +49,7 @@ pub(super) fn left_out(found: &Minimum<'_>, data: &Data) -> Vec<Vec<LeftOut>> {
 fn reason(whole: &Assigned, ends: &[End], i: usize) -> LeftOutReason {
     let experiment = &whole.experiment;
     let point = &experiment.measurement.points[i];
-    let at_radii = matches!(
-        experiment.measurement.kind,
-        Kind::LoadRadius | Kind::PenetrationRadius
-    );
+    let at_radii = experiment.measurement.kind.at_radii();
     match whole.branches[i] {
         Branch::LeftOut if at_radii && point.abscissa == 0.0 => LeftOutReason::NoContact,
         Branch::LeftOut if at_radii => LeftOutReason::Turn,

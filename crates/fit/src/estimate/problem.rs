@@ -32,13 +32,15 @@ pub(crate) struct Assigned {
     /// What errors of the abscissae add to the deviation of each ordinate; empty where they are
     /// exact.
     pub abscissa_parts: Vec<f64>,
+    /// The factors of the deviations of ordinates that also tell the contact depth; empty are 1.
+    pub factors: Vec<f64>,
 }
 
 impl Assigned {
     /// Returns the standard deviation of the residual of a point.
     pub fn deviation(&self, i: usize) -> f64 {
-        let own = self.experiment.errors.ordinate.get(i);
-        let own = own.copied().unwrap_or(self.noise);
+        let own = self.experiment.own_deviation(i).unwrap_or(self.noise);
+        let own = own * self.factors.get(i).copied().unwrap_or(1.0);
         match self.abscissa_parts.get(i) {
             Some(part) => own.hypot(*part),
             None => own,
@@ -236,7 +238,8 @@ impl<'a> Problem<'a> {
             let parts = own
                 .experiment
                 .abscissa_parts(&contact_of, &own.branches, &own.order)?;
-            if parts.is_empty() {
+            let factors = own.experiment.noise_factors(&contact_of, &own.branches)?;
+            if parts.is_empty() && factors.is_empty() {
                 continue;
             }
             let deviations = |own: &Assigned| -> Vec<f64> {
@@ -246,6 +249,7 @@ impl<'a> Problem<'a> {
             };
             let before = deviations(own);
             self.assigned[e].abscissa_parts = parts;
+            self.assigned[e].factors = factors;
             let after = deviations(&self.assigned[e]);
             let changes = before.iter().zip(&after).map(|(b, a)| (a / b - 1.0).abs());
             largest = changes.fold(largest, f64::max);
@@ -271,8 +275,8 @@ impl<'a> Problem<'a> {
             .rows()
             .map(|(e, i)| {
                 let assigned = &self.assigned[e];
-                let ordinate = assigned.experiment.measurement.points[i].ordinate;
-                (predicted[e].values[i] - ordinate) / assigned.deviation(i)
+                let compared = assigned.experiment.compared(i);
+                (predicted[e].values[i] - compared) / assigned.deviation(i)
             })
             .collect();
         residuals.extend(self.slots.iter().enumerate().filter_map(|(slot, of)| {

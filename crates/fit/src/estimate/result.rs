@@ -1,6 +1,6 @@
 //! The result of a fit.
 
-use crate::{Branch, Fixed, Parameter};
+use crate::{Branch, Fixed, LossAngle, Parameter};
 
 /// The result of a fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,7 +101,8 @@ impl Estimate {
 pub struct FittedExperiment {
     /// The name of the measurement.
     pub name: String,
-    /// The standard deviation of an ordinate, in N or m; the median of those given for each point.
+    /// The standard deviation of an ordinate, in N or m, and of a contact stiffness relative to it;
+    /// the median of those given for each point.
     pub noise: f64,
     /// Whether the noise was estimated from the residuals.
     pub noise_is_estimated: bool,
@@ -110,6 +111,9 @@ pub struct FittedExperiment {
     pub abscissa_noise: f64,
     /// The points, in the order measured.
     pub points: Vec<FittedPoint>,
+    /// The loss angle of the film or top layer, where phases are measured. Then its modulus is the
+    /// absolute value of the complex one.
+    pub loss: Option<LossAngle>,
     /// The points that were left out, by reason.
     pub left_out: Vec<LeftOut>,
 }
@@ -312,8 +316,14 @@ pub enum WarningKind {
     LongRange,
     /// A penetration that is large beside the thickness of the film.
     LargeStrain,
+    /// Friction, which may change the modulus by more than its standard error.
+    Friction,
     /// Contacts so small or so large beside the film that they hardly tell it.
     FilmNotSeen,
+    /// The definition of the contact depth changes a modulus by more than its standard error.
+    ContactDepth,
+    /// An indenter in more than half of its film.
+    DeepContact,
     /// A stiffness of an interface that the data do not tell from 0 (it slides) or from infinity (it
     /// is bonded).
     InterfaceNotSeen,
@@ -349,7 +359,10 @@ impl WarningKind {
             Self::LargeContact => "large-contact",
             Self::LongRange => "long-range",
             Self::LargeStrain => "large-strain",
+            Self::Friction => "friction",
             Self::FilmNotSeen => "film-not-seen",
+            Self::ContactDepth => "contact-depth",
+            Self::DeepContact => "deep-contact",
             Self::InterfaceNotSeen => "interface-not-seen",
             Self::AssumesBonding => "assumes-bonding",
             Self::EndOfTable => "end-of-table",

@@ -58,6 +58,7 @@ impl Data {
             branches: assignment.branches,
             order: assignment.order,
             abscissa_parts: Vec::new(),
+            factors: Vec::new(),
         });
         Self {
             assigned: assigned.collect(),
@@ -68,7 +69,8 @@ impl Data {
 
 /// Returns the range of the ordinates.
 fn range(experiment: &Experiment) -> f64 {
-    let readings = experiment.measurement.points.iter().map(|p| p.ordinate);
+    let count = experiment.measurement.points.len();
+    let readings = (0..count).map(|i| experiment.compared(i));
     let [least, most] = readings.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], y| {
         [l.min(y), m.max(y)]
     });

@@ -175,6 +175,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             let own = experiments[e].get(one.parameter);
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
+                Parameter::Hardness => experiments[e].hardness_to_start_from(),
                 Parameter::LayerInterfaceStiffness(name) => {
                     experiments[e].layer(name).map(Layer::own_stiffness)
                 }

@@ -3,7 +3,7 @@
 use interp::Table;
 
 use super::minima::{Minimum, minimum};
-use super::problem::{Ending, Problem};
+use super::problem::{Assigned, Ending, Problem};
 use super::search::Data;
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
@@ -11,8 +11,8 @@ use super::{fixed_values, left_out, loss, profile, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
-    Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
-    Options, Parameter,
+    Bodies, Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
+    LossAngle, Options, Parameter,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -49,11 +49,7 @@ pub fn fit(
 ) -> Result<Fit, Error> {
     accept(options)?;
     let (data, slots) = prepare(experiments, free)?;
-    let points: usize = data
-        .assigned
-        .iter()
-        .map(super::problem::Assigned::counting)
-        .sum();
+    let points: usize = data.assigned.iter().map(Assigned::counting).sum();
     let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
     if points + priors <= slots.len() {
         return Err(Error::TooFewPoints {
@@ -69,13 +65,20 @@ pub fn fit(
         left_out::accept(&data, &left_out)?;
     }
     accept_errors(&found)?;
+    let losses = losses(&found.problem)?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
-    Ok(result(
-        &found,
-        &data,
-        options,
-        (intervals, without_film, left_out),
-    ))
+    let mut fit = result(&found, &data, options, (intervals, without_film, left_out));
+    for (one, loss) in fit.experiments.iter_mut().zip(losses) {
+        one.loss = loss;
+    }
+    Ok(fit)
+}
+
+/// Returns the loss angle of each experiment with phases.
+fn losses(problem: &Problem<'_>) -> Result<Vec<Option<LossAngle>>, Error> {
+    let contact_of = |bodies: &Bodies, gradient| problem.contact(bodies, gradient);
+    let of = |one: &Assigned| one.experiment.loss_angle(&contact_of, &one.branches);
+    problem.assigned.iter().map(of).collect()
 }
 
 /// Finds the intervals asked for. One that leads to a lower minimum starts the fit again from there.
@@ -140,6 +143,10 @@ pub(crate) fn prepare(
     for experiment in &mut experiments {
         experiment.accept_instrument()?;
         accept_numbers(experiment)?;
+        if is_free(Parameter::Hardness) && experiment.indentation.hardness.is_none() {
+            experiment.indentation.hardness = experiment.hardness_to_start_from();
+        }
+        experiment.reach_contacts();
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let receding = experiment.work_of_adhesion_receding;
             let receding = receding.unwrap_or(experiment.work_of_adhesion);
@@ -330,14 +337,16 @@ fn experiment(
     let point = |(i, point): (usize, &crate::Point)| {
         let counts = assigned.branches[i] != Branch::LeftOut;
         let predicted = predicted.filter(|_| counts);
-        let fit = predicted.map(|predicted| predicted.values[i]);
+        let of = &assigned.experiment;
+        let fit = predicted.map(|predicted| of.ordinate_of(predicted.values[i]));
+        let deviation = of.deviation_of_ordinate(i, assigned.deviation(i));
         let is_pinned = predicted.is_some_and(|predicted| predicted.pinned[i]);
         FittedPoint {
             line: point.line,
             abscissa: point.abscissa,
             ordinate: point.ordinate,
             fit,
-            deviation: assigned.deviation(i),
+            deviation,
             contact_radius: predicted
                 .map(|predicted| predicted.radii[i])
                 .filter(|&radius| radius > 0.0),
@@ -347,8 +356,7 @@ fn experiment(
             } else {
                 assigned.branches[i]
             },
-            outlier: fit
-                .is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * assigned.deviation(i)),
+            outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * deviation),
         }
     };
     FittedExperiment {
@@ -358,5 +366,6 @@ fn experiment(
         abscissa_noise: assigned.experiment.usual_abscissa_noise(),
         points: measurement.points.iter().enumerate().map(point).collect(),
         left_out: Vec::new(),
+        loss: None,
     }
 }

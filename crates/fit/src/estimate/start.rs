@@ -3,6 +3,7 @@
 use contact::Control;
 use interp::Table;
 
+use super::indentation;
 use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::problem::{Assigned, Problem};
 use super::slot::Slot;
@@ -15,6 +16,11 @@ const ACCURACY: f64 = 0.02;
 /// The smallest work of adhesion to start from, relative to that of which the largest load would be
 /// the pull-off load.
 const SMALLEST_WORK: f64 = 1e-6;
+
+/// The size of a tip rounding over the range of the depths, and that of the compliance of a frame
+/// over the inverse of the range of the stiffnesses.
+const TIP: f64 = 0.1;
+const FRAME: f64 = 0.01;
 
 /// How a start differs from the one that the data show first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,14 +86,26 @@ pub(crate) fn problem<'a>(
         {
             at.experiment.replace(parameter, factor * value)?;
         }
-        let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
-            experiment: one.experiment.measurement.name.clone(),
-        })?;
+        let found = if one.experiment.measurement.kind.is_stiffness() {
+            None
+        } else {
+            let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
+                experiment: one.experiment.measurement.name.clone(),
+            })?;
+            Some(found)
+        };
         if let Variation::Thickness(part) = variation {
-            let thickness = part * found.largest[0];
-            at.experiment.replace(Parameter::FilmThickness, thickness)?;
+            let largest = match &found {
+                Some(found) => found.largest[0],
+                None => at.experiment.largest_radius(),
+            };
+            at.experiment
+                .replace(Parameter::FilmThickness, part * largest)?;
         }
-        let mut starts = starts(table, &mut at, found, matched, is_unknown)?;
+        let mut starts = match found {
+            Some(found) => starts(table, &mut at, found, matched, is_unknown)?,
+            None => indentation::starts(table, &mut at, matched, is_unknown)?,
+        };
         if let Some((parameter, factor)) = multiplied
             && let Some(value) = at.experiment.get(parameter)
         {
@@ -181,6 +199,8 @@ pub(super) fn unit(assigned: &Assigned, parameter: Parameter) -> f64 {
         Parameter::BaselineSlope => loads / range(|point| point.abscissa, false),
         Parameter::ContactPoint if measurement.kind == Kind::PenetrationRadius => loads,
         Parameter::ContactPoint => range(|point| point.abscissa, true),
+        Parameter::TipRounding => TIP * range(|point| point.abscissa, true),
+        Parameter::FrameCompliance => FRAME / loads,
         _ => 1.0,
     }
 }

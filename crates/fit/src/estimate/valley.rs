@@ -5,7 +5,7 @@ use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use crate::{Bodies, Prior};
+use crate::{Bodies, Kind, Prior};
 
 /// The relative error of a positive value from which on its valley is looked at: below it the
 /// problem is linear as far as the data allow the value to move.
@@ -143,9 +143,14 @@ fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
     let mut exact = problem.clone();
     if let Some(predicted) = &problem.predicted {
         for (assigned, predicted) in exact.assigned.iter_mut().zip(predicted) {
-            let points = &mut assigned.experiment.measurement.points;
-            for (point, value) in points.iter_mut().zip(&predicted.values) {
-                point.ordinate = *value;
+            // The stiffness at a depth also tells the contact radius, and stays: with its noise, no
+            // growth of the sum of squares is too small.
+            if assigned.experiment.measurement.kind == Kind::StiffnessDepth {
+                continue;
+            }
+            for (i, value) in predicted.values.iter().enumerate() {
+                let ordinate = assigned.experiment.ordinate_of(*value);
+                assigned.experiment.measurement.points[i].ordinate = ordinate;
             }
         }
     }

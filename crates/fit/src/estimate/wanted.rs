@@ -32,6 +32,9 @@ pub(super) fn add(
     let score = Score::new(problem, uncertainty, residuals);
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
+        if experiment.measurement.kind.is_stiffness() {
+            continue;
+        }
         let name = &experiment.measurement.name;
         let is_fitted = |parameter: Parameter| {
             problem

@@ -48,6 +48,8 @@ pub(crate) fn without_film(
                 ..system.without_film()
             },
             Bodies::Coated(system) => system.without_film(),
+            // A bare reference sample has no film to be left out.
+            Bodies::Layered(layered) if layered.layers.is_empty() => continue,
             Bodies::Layered(layered) => HalfSpace {
                 probe: layered.probe.clone(),
                 sphere_modulus: layered.sphere_modulus,
@@ -158,7 +160,7 @@ fn predictions(fitted: &Problem<'_>) -> Vec<Vec<Option<f64>>> {
             .map(|(i, branch)| {
                 values
                     .filter(|_| counts(branch))
-                    .map(|values| values[i])
+                    .map(|values| fitted.assigned[e].experiment.ordinate_of(values[i]))
                     .filter(|value| value.is_finite())
             })
             .collect()

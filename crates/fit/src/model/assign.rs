@@ -58,6 +58,7 @@ impl Experiment {
     pub(crate) fn assign(&self, freedom: Freedom) -> Result<Assignment, Error> {
         let points = &self.measurement.points;
         self.accept_points()?;
+        self.accept_stiffness()?;
         let sense = self.sense();
         let key = |i: &usize| sense * points[*i].abscissa;
         let mut order: Vec<usize> = (0..points.len()).collect();
@@ -77,6 +78,11 @@ impl Experiment {
                         .map(|&i| points[i].ordinate)
                         .collect::<Vec<_>>(),
                 );
+            }
+            Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => {
+                branches.fill(Branch::Advancing);
+                let compared: Vec<f64> = order.iter().map(|&i| self.compared(i)).collect();
+                local_noise = noise_of(&compared);
             }
             Kind::LoadPenetration | Kind::ForceHeight => {
                 let segments = self.segments();
@@ -147,7 +153,7 @@ impl Experiment {
     fn accept_points(&self) -> Result<(), Error> {
         let measurement = &self.measurement;
         let points = &measurement.points;
-        let at_radii = matches!(measurement.kind, Kind::LoadRadius | Kind::PenetrationRadius);
+        let at_radii = measurement.kind.at_radii();
         let [abscissa, ordinate] = measurement.kind.names();
         let refuse = |line, name, value, allowed| self.refused(line, name, value, allowed);
         self.accept_abscissae()?;

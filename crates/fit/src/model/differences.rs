@@ -30,6 +30,9 @@ impl Experiment {
         order: &[usize],
         parameters: Option<&[Parameter]>,
     ) -> Result<Predicted, Error> {
+        if self.measurement.kind.is_stiffness() {
+            return self.stiffness_and_differences(contact_of, branches, parameters);
+        }
         let exact = self.bodies.has_derivatives();
         let contact = contact_of(&self.bodies, exact && parameters.is_some())?;
         let Some(columns) = parameters.filter(|_| !exact) else {
@@ -38,10 +41,33 @@ impl Experiment {
         let mut predicted = self.predict(&contact, branches, order, None)?;
         predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
         for (column, &parameter) in columns.iter().enumerate() {
-            let values = |experiment: &Self, contact: &Contact| {
-                Ok(experiment.predict(contact, branches, order, None)?.values)
+            let values = |experiment: &Self| {
+                let contact = contact_of(&experiment.bodies, false)?;
+                Ok(experiment.predict(&contact, branches, order, None)?.values)
             };
-            let by = self.differences(parameter, contact_of, values)?;
+            let by = self.differences(parameter, values)?;
+            let rows = predicted.derivatives.chunks_exact_mut(columns.len());
+            for (row, by) in rows.zip(by) {
+                row[column] = by;
+            }
+        }
+        Ok(predicted)
+    }
+
+    /// Predicts a contact stiffness, with derivatives by differences.
+    fn stiffness_and_differences(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+        parameters: Option<&[Parameter]>,
+    ) -> Result<Predicted, Error> {
+        let mut predicted = self.predict_stiffness(contact_of, branches)?;
+        let columns = parameters.unwrap_or_default();
+        predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
+        for (column, &parameter) in columns.iter().enumerate() {
+            let values =
+                |experiment: &Self| Ok(experiment.predict_stiffness(contact_of, branches)?.values);
+            let by = self.differences(parameter, values)?;
             let rows = predicted.derivatives.chunks_exact_mut(columns.len());
             for (row, by) in rows.zip(by) {
                 row[column] = by;
@@ -66,12 +92,13 @@ impl Experiment {
         let Some(mut end) = self.branch_end(&contact, branch, &[])? else {
             return Ok(None);
         };
-        let abscissa = |experiment: &Self, contact: &Contact| {
-            let end = experiment.branch_end(contact, branch, &[])?;
+        let abscissa = |experiment: &Self| {
+            let contact = contact_of(&experiment.bodies, false)?;
+            let end = experiment.branch_end(&contact, branch, &[])?;
             Ok(end.into_iter().map(|end| end.abscissa).collect())
         };
         for &parameter in columns {
-            let by = self.differences(parameter, contact_of, abscissa)?;
+            let by = self.differences(parameter, abscissa)?;
             end.derivatives.push(by.first().copied().unwrap_or(0.0));
         }
         Ok(Some(end))
@@ -82,15 +109,13 @@ impl Experiment {
     fn differences(
         &self,
         parameter: Parameter,
-        contact_of: &ContactOf<'_>,
-        numbers: impl Fn(&Self, &Contact) -> Result<Vec<f64>, Error>,
+        numbers: impl Fn(&Self) -> Result<Vec<f64>, Error>,
     ) -> Result<Vec<f64>, Error> {
         let value = self.get(parameter).unwrap_or(0.0);
         let at = |value: f64| {
             let mut moved = self.clone();
             moved.replace(parameter, value)?;
-            let contact = contact_of(&moved.bodies, false)?;
-            numbers(&moved, &contact)
+            numbers(&moved)
         };
         let ends = if parameter.is_positive() {
             let step: f64 = if parameter.is_of_bodies() {
@@ -101,7 +126,12 @@ impl Experiment {
             [-step, step].map(|step| value * step.exp())
         } else {
             let step = STEP * self.range_of(parameter);
-            [value - step, value + step]
+            if parameter == Parameter::FilmPoissonRatio {
+                // An incompressible film has no larger ratio.
+                [value - step, (value + step).min(0.5)]
+            } else {
+                [value - step, value + step]
+            }
         };
         let [before, after] = [at(ends[0])?, at(ends[1])?];
         let width = ends[1] - ends[0];
@@ -128,8 +158,10 @@ impl Experiment {
         let abscissae = range(&mut points.iter().map(|point| point.abscissa));
         let ordinates = range(&mut points.iter().map(|point| point.ordinate));
         match parameter {
-            Parameter::ContactPoint => abscissae,
+            Parameter::ContactPoint | Parameter::TipRounding => abscissae,
             Parameter::BaselineSlope => ordinates / abscissae,
+            Parameter::FilmPoissonRatio => 1.0,
+            Parameter::FrameCompliance => 1.0 / ordinates,
             _ => ordinates,
         }
     }

@@ -1,7 +1,7 @@
 //! Contacts on layers by direct solves.
 
 use contact::Contact;
-use interp::System;
+use interp::{HalfSpace, System};
 use solve::stack::{Layer, Stack};
 use solve::{A_OVER_T, Error, stack_curve};
 
@@ -75,6 +75,14 @@ pub struct DirectSolver;
 
 impl LayeredSolver for DirectSolver {
     fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
+        if layered.layers.is_empty() {
+            // The base alone, as a reference sample.
+            return Ok(Contact::half_space(&HalfSpace {
+                probe: layered.probe.clone(),
+                sphere_modulus: layered.sphere_modulus,
+                solid: layered.base,
+            })?);
+        }
         let stack = stack_of(layered)?;
         let (thickness, top) = (stack.thickness(), stack.top().thickness);
         let end = layered

@@ -4,7 +4,7 @@
 //! effective variance is `sigma_y^2 + (dy/dx)^2 sigma_x^2` (Orear, Am. J. Phys. 50, 912, 1982).
 
 use super::differences::ContactOf;
-use super::{Branch, Experiment, Kind};
+use super::{Branch, Experiment};
 use crate::Error;
 use crate::statistics::median;
 
@@ -18,7 +18,7 @@ const STEP: f64 = 1e-4;
 pub struct PointErrors {
     /// Those of the abscissae, m; 0 is exact.
     pub abscissa: Vec<f64>,
-    /// Those of the ordinates, in N or m.
+    /// Those of the ordinates, in N or m; of a contact stiffness in N/m.
     pub ordinate: Vec<f64>,
 }
 
@@ -28,7 +28,8 @@ impl Experiment {
         if self.errors.ordinate.is_empty() {
             return self.noise;
         }
-        Some(median(self.errors.ordinate.clone()))
+        let own = (0..self.errors.ordinate.len()).filter_map(|i| self.own_deviation(i));
+        Some(median(own.collect()))
     }
 
     /// Returns the standard deviation of a usual abscissa; 0 if they are exact.
@@ -106,10 +107,8 @@ impl Experiment {
             return Ok(Vec::new());
         }
         let points = &self.measurement.points;
-        let at_radii = matches!(
-            self.measurement.kind,
-            Kind::LoadRadius | Kind::PenetrationRadius
-        );
+        let at_radii = self.measurement.kind.at_radii();
+        let is_relative = at_radii || self.measurement.kind.is_stiffness();
         let [least, most] = points
             .iter()
             .map(|point| point.abscissa)
@@ -117,20 +116,19 @@ impl Experiment {
                 [l.min(x), m.max(x)]
             });
         let step = |i: usize| {
-            STEP * if at_radii {
+            STEP * if is_relative {
                 points[i].abscissa
             } else {
                 most - least
             }
         };
-        let contact = contact_of(&self.bodies, false)?;
         let here = || {
-            let here = self.predict(&contact, branches, order, None)?;
+            let here = self.predict_with(contact_of, branches, order, None)?;
             Ok::<_, Error>(here.values)
         };
         // The contact at the turn is that of the point of the largest imposed value, and the others
         // do not move it. Its own slope is that of its neighbour.
-        let turn = order.first().copied().filter(|_| !at_radii);
+        let turn = order.first().copied().filter(|_| !is_relative);
         let moved = |by: f64| {
             let mut moved = self.clone();
             for (i, point) in moved.measurement.points.iter_mut().enumerate() {
@@ -138,14 +136,14 @@ impl Experiment {
                     point.abscissa += by * step(i);
                 }
             }
-            moved.predict(&contact, branches, order, None)
+            moved.predict_with(contact_of, branches, order, None)
         };
         // At the end of a table one side has no contact.
         let (above, below, steps) = match (moved(1.0), moved(-1.0)) {
             (Ok(above), Ok(below)) => (above.values, below.values, 2.0),
             (Ok(above), Err(_)) => (above.values, here()?, 1.0),
             (Err(_), Ok(below)) => (here()?, below.values, 1.0),
-            (Err(error), Err(_)) => return Err(error.into()),
+            (Err(error), Err(_)) => return Err(error),
         };
         let slope = |i: usize| {
             let neighbour = order.get(1).filter(|_| Some(i) == turn);

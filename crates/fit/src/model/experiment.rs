@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use contact::Contact;
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
-use super::{Kind, Layer, LayerName, Layered, Measurement, Parameter, PointErrors};
+use super::{Indentation, Kind, Layer, LayerName, Layered, Measurement, Parameter, PointErrors};
 use crate::Error;
 
 /// The bodies in contact.
@@ -89,12 +89,23 @@ impl Bodies {
         }
     }
 
-    /// Returns the thickness of the film or of all layers, m; `None` on a half-space.
+    /// Returns the thickness of the film or of all layers, m; `None` on a half-space and on a base
+    /// without layers.
     pub(crate) fn thickness(&self) -> Option<f64> {
         match self {
             Self::Coated(system) => Some(system.film_thickness),
             Self::HalfSpace(_) => None,
+            Self::Layered(layered) if layered.layers.is_empty() => None,
             Self::Layered(layered) => Some(layered.thickness()),
+        }
+    }
+
+    /// Returns the thickness of the film or of the top layer, m; `None` on a half-space.
+    pub(crate) fn top_thickness(&self) -> Option<f64> {
+        match self {
+            Self::Coated(system) => Some(system.film_thickness),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) => layered.layers.last().map(|layer| layer.thickness),
         }
     }
 
@@ -173,13 +184,15 @@ pub struct Experiment {
     pub baseline_slope: f64,
     /// The stiffness of the cantilever, N/m, which [`Kind::ForceHeight`] needs.
     pub stiffness: Option<f64>,
-    /// The standard deviation of an ordinate, in N or m; `None` if it is to be estimated from the
-    /// residuals.
+    /// The standard deviation of an ordinate, in N or m, and of a contact stiffness relative to it
+    /// (0.01 is 1 %); `None` if it is to be estimated from the residuals.
     pub noise: Option<f64>,
     /// The standard deviation of an abscissa, m; 0 is exact.
     pub abscissa_noise: f64,
     /// Standard deviations that differ from point to point, which stand for those above.
     pub errors: PointErrors,
+    /// What is known of a measurement of contact stiffness; other kinds do not use it.
+    pub indentation: Indentation,
 }
 
 impl Experiment {
@@ -203,6 +216,7 @@ impl Experiment {
                 abscissa: Vec::new(),
                 ordinate: Vec::new(),
             },
+            indentation: Indentation::NEW,
         }
     }
 
@@ -219,7 +233,15 @@ impl Experiment {
             Parameter::FilmModulus | Parameter::FilmPoissonRatio | Parameter::FilmThickness
                 if matches!(self.bodies, Bodies::Layered(_)) =>
             {
-                return None;
+                let Bodies::Layered(layered) = &self.bodies else {
+                    return None;
+                };
+                let film = layered.film()?;
+                match parameter {
+                    Parameter::FilmModulus => film.solid.young(),
+                    Parameter::FilmPoissonRatio => film.solid.poisson(),
+                    _ => film.thickness,
+                }
             }
             Parameter::LayerModulus(name) => self.layer(name)?.solid.young(),
             Parameter::LayerThickness(name) => self.layer(name)?.thickness,
@@ -239,6 +261,9 @@ impl Experiment {
             Parameter::Baseline => self.baseline,
             Parameter::BaselineSlope => self.baseline_slope,
             Parameter::Stiffness => return self.stiffness,
+            Parameter::Hardness => return self.indentation.hardness,
+            Parameter::TipRounding => self.indentation.tip_rounding,
+            Parameter::FrameCompliance => self.indentation.frame_compliance,
         })
     }
 
@@ -281,6 +306,9 @@ impl Experiment {
             Parameter::Baseline => self.baseline = value,
             Parameter::BaselineSlope => self.baseline_slope = value,
             Parameter::Stiffness => self.stiffness = Some(value),
+            Parameter::Hardness => self.indentation.hardness = Some(value),
+            Parameter::TipRounding => self.indentation.tip_rounding = value,
+            Parameter::FrameCompliance => self.indentation.frame_compliance = value,
             _ => self.bodies = self.bodies.clone().with(parameter, value)?,
         }
         Ok(())
@@ -294,6 +322,14 @@ impl Experiment {
         };
         match (&self.bodies, parameter) {
             (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
+            (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness)
+                if layered.film().is_some() =>
+            {
+                None
+            }
+            (Bodies::Layered(layered), Parameter::WorkOfAdhesionReceding) => {
+                layered.solver.why_not_receding().map(Into::into)
+            }
             (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
                 Some(format!("it has layers instead of one film; {}", names(layered)).into())
             }
@@ -317,6 +353,11 @@ impl Experiment {
             return Some(reason);
         }
         let kind = self.measurement.kind;
+        if kind.is_stiffness()
+            && let Some(reason) = self.why_without_effect_on_stiffness(parameter)
+        {
+            return Some(reason);
+        }
         let has_load = kind != Kind::PenetrationRadius;
         let has_position = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
         let reason = match parameter {
@@ -325,6 +366,11 @@ impl Experiment {
             }
             Parameter::FilmModulus if self.get(parameter) == Some(f64::INFINITY) => {
                 "the half-space is rigid; give it a modulus to fit one"
+            }
+            Parameter::Hardness | Parameter::TipRounding | Parameter::FrameCompliance
+                if !kind.is_stiffness() =>
+            {
+                "no contact stiffness is measured"
             }
             Parameter::LoadOffset if !has_load => "no load is measured",
             Parameter::ContactPoint if kind == Kind::LoadRadius => {

@@ -107,7 +107,9 @@ impl Experiment {
         let mut parameters = Parameter::ALL.to_vec();
         if let Bodies::Layered(layered) = &self.bodies {
             parameters.extend(layered.parameters());
-            for (i, layer) in layered.layers.iter().enumerate() {
+            // The parameters of a film are its own.
+            let stacked = layered.film().is_none().then_some(&layered.layers);
+            for (i, layer) in stacked.into_iter().flatten().enumerate() {
                 if layer.name.is_none() {
                     all.extend([Fixed::LayerModulus(i + 1), Fixed::LayerThickness(i + 1)]);
                 }
@@ -127,7 +129,9 @@ impl Experiment {
                     (parameter.is_positive() || one.is_poisson_ratio())
                         && self.why_without_effect(*parameter).is_none()
                 }
-                Fixed::SphereRadius => true,
+                Fixed::SphereRadius => {
+                    !self.measurement.kind.is_stiffness() || self.is_elastic_load()
+                }
                 _ => !in_table,
             };
             let is_usual = |value: f64| one.is_poisson_ratio() || value > 0.0;

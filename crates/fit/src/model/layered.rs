@@ -122,7 +122,12 @@ impl Reach {
         });
         let largest = probe.radius().unwrap_or(f64::INFINITY);
         match measurement.kind {
-            Kind::LoadRadius | Kind::PenetrationRadius => up_to((MARGIN * most).min(largest)),
+            Kind::LoadRadius | Kind::PenetrationRadius | Kind::StiffnessRadius => {
+                up_to((MARGIN * most).min(largest))
+            }
+            // What they need depends on the hardness and the area function: see
+            // `Experiment::reach_of_stiffness`.
+            Kind::StiffnessLoad | Kind::StiffnessDepth => up_to(0.0),
             Kind::LoadPenetration | Kind::ForceHeight => Self {
                 needed: 0.0,
                 expected: (WIDEST * (largest * (most - least)).sqrt()).min(largest),
@@ -146,6 +151,11 @@ pub trait LayeredSolver: fmt::Debug + Send + Sync {
 
     /// Returns why no modulus or thickness of a layer can be free, if none can, in words for the user.
     fn why_layers_are_fixed(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Returns why the contacts have no work of adhesion of their own on retract, if they have none.
+    fn why_not_receding(&self) -> Option<&'static str> {
         None
     }
 }
@@ -201,6 +211,15 @@ impl Layered {
             .collect()
     }
 
+    /// Returns the film: the only layer, if it has no name. The parameters of the film are its
+    /// parameters.
+    pub(crate) fn film(&self) -> Option<&Layer> {
+        match &self.layers[..] {
+            [film] if film.name.is_none() => Some(film),
+            _ => None,
+        }
+    }
+
     /// Returns the layer with a name.
     pub(crate) fn layer(&self, name: LayerName) -> Option<&Layer> {
         self.layers.iter().find(|layer| layer.name == Some(name))
@@ -209,6 +228,17 @@ impl Layered {
     /// Replaces the value of a parameter of the bodies. Other parameters change nothing.
     pub(crate) fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), interp::Error> {
         let of = |name: LayerName| move |layer: &&mut Layer| layer.name == Some(name);
+        if self.film().is_some() {
+            let film = &mut self.layers[0];
+            match parameter {
+                Parameter::FilmModulus => film.solid = Elastic::new(value, film.solid.poisson())?,
+                Parameter::FilmPoissonRatio => {
+                    film.solid = Elastic::new(film.solid.young(), value)?
+                }
+                Parameter::FilmThickness => film.thickness = value,
+                _ => {}
+            }
+        }
         match parameter {
             Parameter::SphereModulus => self.sphere_modulus = value,
             Parameter::LayerModulus(name) => {

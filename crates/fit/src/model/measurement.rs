@@ -12,15 +12,24 @@ pub enum Kind {
     /// Height of the cantilever's base (m) and force (N): an AFM. The height is smaller when the
     /// base is closer to the sample; contact point - height = penetration + force/stiffness.
     ForceHeight,
+    /// Contact radius (m) and contact stiffness (N/m): see [`Indentation`](crate::Indentation).
+    StiffnessRadius,
+    /// Load (N) and contact stiffness (N/m), in an elastic contact or with a hardness.
+    StiffnessLoad,
+    /// Penetration (m) and contact stiffness (N/m) of an indenter, with the load of each point.
+    StiffnessDepth,
 }
 
 impl Kind {
     /// All kinds.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 7] = [
         Self::LoadRadius,
         Self::PenetrationRadius,
         Self::LoadPenetration,
         Self::ForceHeight,
+        Self::StiffnessRadius,
+        Self::StiffnessLoad,
+        Self::StiffnessDepth,
     ];
 
     /// Returns the name, as on the command line.
@@ -30,6 +39,9 @@ impl Kind {
             Self::PenetrationRadius => "penetration-radius",
             Self::LoadPenetration => "load-penetration",
             Self::ForceHeight => "force-height",
+            Self::StiffnessRadius => "stiffness-radius",
+            Self::StiffnessLoad => "stiffness-load",
+            Self::StiffnessDepth => "stiffness-depth",
         }
     }
 
@@ -40,7 +52,26 @@ impl Kind {
             Self::PenetrationRadius => ["contact radius", "penetration"],
             Self::LoadPenetration => ["penetration", "load"],
             Self::ForceHeight => ["height", "force"],
+            Self::StiffnessRadius => ["contact radius", "contact stiffness"],
+            Self::StiffnessLoad => ["load", "contact stiffness"],
+            Self::StiffnessDepth => ["penetration", "contact stiffness"],
         }
+    }
+
+    /// Tells whether a contact stiffness is measured.
+    pub const fn is_stiffness(self) -> bool {
+        matches!(
+            self,
+            Self::StiffnessRadius | Self::StiffnessLoad | Self::StiffnessDepth
+        )
+    }
+
+    /// Tells whether the abscissa is the contact radius.
+    pub const fn at_radii(self) -> bool {
+        matches!(
+            self,
+            Self::LoadRadius | Self::PenetrationRadius | Self::StiffnessRadius
+        )
     }
 }
 
@@ -71,9 +102,9 @@ impl Direction {
 pub struct Point {
     /// The line of the file that the point comes from, counted from 1.
     pub line: u64,
-    /// The contact radius, penetration or height (m), by the [`Kind`].
+    /// The contact radius, penetration or height (m), or the load (N), by the [`Kind`].
     pub abscissa: f64,
-    /// The load or force (N), or the penetration (m), by the [`Kind`].
+    /// The load or force (N), the penetration (m) or the stiffness (N/m), by the [`Kind`].
     pub ordinate: f64,
     /// The direction, where it is known.
     pub direction: Option<Direction>,

@@ -39,6 +39,12 @@ pub enum Parameter {
     BaselineSlope,
     /// The stiffness `k` of the cantilever, N/m.
     Stiffness,
+    /// The hardness `H` (Pa), load over contact area, of a measurement of contact stiffness.
+    Hardness,
+    /// The depth `h0` (m) by which the tip of an indenter is blunter than its area function.
+    TipRounding,
+    /// The compliance `Cf` of the frame of an indenter, m/N.
+    FrameCompliance,
     /// Young's modulus of a layer of a stack, Pa.
     LayerModulus(LayerName),
     /// The thickness of a layer of a stack, m.
@@ -49,7 +55,7 @@ pub enum Parameter {
 
 impl Parameter {
     /// All parameters but those of the layers of a stack.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 14] = [
         Self::SphereModulus,
         Self::FilmModulus,
         Self::FilmPoissonRatio,
@@ -61,6 +67,9 @@ impl Parameter {
         Self::Baseline,
         Self::BaselineSlope,
         Self::Stiffness,
+        Self::Hardness,
+        Self::TipRounding,
+        Self::FrameCompliance,
     ];
 
     /// Returns the name, as on the command line: that of a layer begins with the name of the layer,
@@ -78,6 +87,9 @@ impl Parameter {
             Self::Baseline => "baseline",
             Self::BaselineSlope => "baseline-slope",
             Self::Stiffness => "stiffness",
+            Self::Hardness => "hardness",
+            Self::TipRounding => "tip-rounding",
+            Self::FrameCompliance => "frame-compliance",
             Self::LayerModulus(layer) => return format!("{layer}{MODULUS}").into(),
             Self::LayerThickness(layer) => return format!("{layer}{THICKNESS}").into(),
             Self::LayerInterfaceStiffness(layer) => return format!("{layer}{INTERFACE}").into(),
@@ -87,22 +99,34 @@ impl Parameter {
     /// Returns the SI unit; `"1"` for a Poisson ratio.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::SphereModulus | Self::FilmModulus | Self::LayerModulus(_) => "Pa",
+            Self::SphereModulus | Self::FilmModulus | Self::Hardness | Self::LayerModulus(_) => {
+                "Pa"
+            }
             Self::FilmPoissonRatio => "1",
-            Self::FilmThickness | Self::LayerThickness(_) | Self::ContactPoint => "m",
+            Self::FilmThickness
+            | Self::LayerThickness(_)
+            | Self::ContactPoint
+            | Self::TipRounding => "m",
             Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding => "J/m^2",
             Self::LayerInterfaceStiffness(_) => "Pa/m",
             Self::LoadOffset | Self::Baseline => "N",
             Self::BaselineSlope | Self::Stiffness => "N/m",
+            Self::FrameCompliance => "m/N",
         }
     }
 
     /// Returns the dimension; `None` for a Poisson ratio.
     pub const fn dimension(self) -> Option<Dimension> {
         Some(match self {
-            Self::SphereModulus | Self::FilmModulus | Self::LayerModulus(_) => Dimension::Modulus,
+            Self::SphereModulus | Self::FilmModulus | Self::Hardness | Self::LayerModulus(_) => {
+                Dimension::Modulus
+            }
             Self::FilmPoissonRatio => return None,
-            Self::FilmThickness | Self::LayerThickness(_) | Self::ContactPoint => Dimension::Length,
+            Self::FilmThickness
+            | Self::LayerThickness(_)
+            | Self::ContactPoint
+            | Self::TipRounding => Dimension::Length,
+            Self::FrameCompliance => Dimension::Compliance,
             Self::LayerInterfaceStiffness(_) => Dimension::ModulusPerLength,
             Self::LoadOffset | Self::Baseline => Dimension::Force,
             Self::WorkOfAdhesion
@@ -122,6 +146,7 @@ impl Parameter {
                 | Self::WorkOfAdhesion
                 | Self::WorkOfAdhesionReceding
                 | Self::Stiffness
+                | Self::Hardness
                 | Self::LayerModulus(_)
                 | Self::LayerThickness(_)
                 | Self::LayerInterfaceStiffness(_)

@@ -70,6 +70,8 @@ impl Experiment {
             Kind::LoadRadius | Kind::PenetrationRadius => {
                 self.predict_at_radii(contact, branches, parameters, &mut predicted)?;
             }
+            // A contact stiffness is predicted by `predict_stiffness`.
+            Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => {}
             Kind::LoadPenetration | Kind::ForceHeight => {
                 let turn = self.turn(contact, branches, order, columns)?;
                 for branch in [Branch::Advancing, Branch::Receding] {
@@ -314,12 +316,7 @@ impl Experiment {
         columns: &[Parameter],
     ) -> Result<Option<BranchEnd>, interp::Error> {
         let w = self.work_of(branch);
-        if w == 0.0
-            || matches!(
-                self.measurement.kind,
-                Kind::LoadRadius | Kind::PenetrationRadius
-            )
-        {
+        if w == 0.0 || self.measurement.kind.at_radii() || self.measurement.kind.is_stiffness() {
             return Ok(None);
         }
         let control = self.control();

@@ -3,7 +3,7 @@
 
 use interp::Table;
 
-use super::{Bodies, Branch, Experiment, Freedom, Parameter};
+use super::{Bodies, Branch, Experiment, Freedom, Kind, Parameter};
 use crate::Error;
 
 /// The ordinates that the values of an experiment give at its points.
@@ -76,6 +76,10 @@ impl Experiment {
             }
         }
         let count = self.measurement.points.len();
+        if self.measurement.kind == Kind::StiffnessDepth {
+            // The measured stiffness tells the contact depth.
+            self.accept_stiffness()?;
+        }
         let contact = self.bodies.contact(table, true)?;
         let contact_of = |bodies: &Bodies, gradient| {
             if bodies == &self.bodies {
@@ -93,7 +97,16 @@ impl Experiment {
                 allowed: format!("that of the points, {count}"),
             });
         }
-        let predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
+        let mut predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
+        if self.measurement.kind.is_stiffness() {
+            let width = parameters.len();
+            for (i, value) in predicted.values.iter_mut().enumerate() {
+                *value = self.ordinate_of(*value);
+                for by in &mut predicted.derivatives[i * width..][..width] {
+                    *by *= *value;
+                }
+            }
+        }
         let kept = |i: usize, value: f64| {
             if branches[i] == Branch::LeftOut {
                 f64::NAN

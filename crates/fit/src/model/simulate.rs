@@ -6,7 +6,7 @@ use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Branch, Direction, Experiment, Kind, Measurement};
+use super::{Branch, Direction, Experiment, Measurement};
 use crate::Error;
 
 /// Makes the measurement that the values of an experiment would give.
@@ -16,7 +16,9 @@ use crate::Error;
 /// direction, it lasts to the end of the stable branch. It is pinned after the turn if the receding
 /// work of adhesion is the larger one; the turn is at the largest imposed value. Points at contact
 /// radii are always in contact (a radius of 0 is none). `noise` is the standard deviation of the
-/// normal noise that is added to each ordinate; one `seed` always gives one measurement.
+/// normal noise that is added to each ordinate; one `seed` always gives one measurement. Of a contact
+/// stiffness it is relative, 0.01 is 1 %, and its logarithm is normal; [`simulate_experiment`] also
+/// makes the loads of depths.
 ///
 /// # Errors
 /// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
@@ -28,6 +30,20 @@ pub fn simulate(
     noise: f64,
     seed: u64,
 ) -> Result<Measurement, Error> {
+    Ok(simulate_experiment(table, experiment, noise, seed)?.measurement)
+}
+
+/// Makes the experiment that the values of an experiment would give: the measurement of [`simulate`],
+/// and the loads of depths, which follow from the hardness.
+///
+/// # Errors
+/// As [`simulate`], and [`Error::Setting`] for depths without a hardness.
+pub fn simulate_experiment(
+    table: &Table,
+    experiment: &Experiment,
+    noise: f64,
+    seed: u64,
+) -> Result<Experiment, Error> {
     if !(0.0..f64::INFINITY).contains(&noise) {
         return Err(Error::Setting {
             name: "noise".into(),
@@ -37,23 +53,37 @@ pub fn simulate(
     }
     experiment.accept_instrument()?;
     experiment.accept_abscissae()?;
-    let contact = experiment.bodies.contact(table, true)?;
-    let (branches, order) = experiment.branches_of_model(&contact)?;
-    let predicted = experiment.predict(&contact, &branches, &order, None)?;
+    let mut made = experiment.clone();
+    made.reach_contacts();
+    made.make(table)?;
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     // The method of Box and Muller.
     let mut normal = || {
         let radius = (-2.0 * random.random_range(f64::MIN_POSITIVE..1.0).ln()).sqrt();
         radius * (TAU * random.random_range(0.0..1.0)).cos()
     };
-    let mut measurement = experiment.measurement.clone();
-    for (point, value) in measurement.points.iter_mut().zip(predicted.values) {
-        point.ordinate = value + noise * normal();
+    for i in 0..made.measurement.points.len() {
+        let noisy = made.compared(i) + noise * normal();
+        made.measurement.points[i].ordinate = made.ordinate_of(noisy);
     }
-    Ok(measurement)
+    Ok(made)
 }
 
 impl Experiment {
+    /// Gives the points the ordinates of the model.
+    pub(crate) fn make(&mut self, table: &Table) -> Result<(), Error> {
+        if self.measurement.kind.is_stiffness() {
+            return self.make_stiffness(&|bodies, gradient| bodies.contact(table, gradient));
+        }
+        let contact = self.bodies.contact(table, true)?;
+        let (branches, order) = self.branches_of_model(&contact)?;
+        let predicted = self.predict(&contact, &branches, &order, None)?;
+        for (point, value) in self.measurement.points.iter_mut().zip(predicted.values) {
+            point.ordinate = value;
+        }
+        Ok(())
+    }
+
     /// Returns the branches on which the model has the points, and the points by descending imposed
     /// value.
     pub(crate) fn branches_of_model(
@@ -70,10 +100,10 @@ impl Experiment {
             .map(|branch| self.branch_end(contact, branch, &[]));
         let [advancing, receding] = ends;
         let [advancing, receding] = [advancing?, receding?];
-        let at_radii = matches!(
-            self.measurement.kind,
-            Kind::LoadRadius | Kind::PenetrationRadius
-        );
+        if self.measurement.kind.is_stiffness() {
+            return Ok((vec![Branch::Advancing; points.len()], order));
+        }
+        let at_radii = self.measurement.kind.at_radii();
         let branches = points
             .iter()
             .map(|point| {

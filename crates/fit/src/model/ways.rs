@@ -10,6 +10,9 @@ impl Experiment {
     /// `None` where the data do not have both. Points without a direction have them if they come in
     /// the order of a loading and an unloading.
     pub(crate) fn ways(&self) -> Option<[Vec<usize>; 2]> {
+        if self.measurement.kind.is_stiffness() {
+            return None;
+        }
         let points = &self.measurement.points;
         let segments: [Vec<usize>; 2] = self.segments().try_into().ok()?;
         let directions = [0, 1].map(|way| points[segments[way][0]].direction);

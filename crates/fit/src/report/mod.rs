@@ -6,6 +6,7 @@
 //! of the reduced JKR plot.
 
 mod fixed_values;
+mod indentation;
 mod jkr_plot;
 mod unit;
 
@@ -90,7 +91,7 @@ fn write_report(
     if let Some(young) = young_of_sphere(fit, &experiments[0], asked) {
         writeln!(out, "\n{:<1$} {young}", "sphere", NAME + 2)?;
     }
-    writeln!(out, "\n{}", agreement(fit))?;
+    writeln!(out, "\n{}", agreement(fit, experiments))?;
     for one in fit
         .experiments
         .iter()
@@ -102,6 +103,9 @@ fn write_report(
             one.name,
             left_out_text(&one.left_out)
         )?;
+    }
+    for text in indentation::lines(fit, experiments) {
+        writeln!(out, "{text}")?;
     }
     if let Some(text) = film(fit, &experiments[0].bodies) {
         writeln!(out, "{text}")?;
@@ -143,6 +147,7 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
         (notes.missing, "without values"),
         (notes.pauses, "of a pause"),
         (notes.other_segments, "of another segment"),
+        (notes.outside, "outside the range asked for"),
     ] {
         if count > 0 {
             text += &format!("; {count} rows {what} left out");
@@ -179,10 +184,14 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     };
     let probe = experiment.bodies.probe();
     let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
+    let kind = experiment.measurement.kind;
     if !matches!(probe, Probe::Paraboloid { .. }) {
         rows.push(("probe".into(), probe.name().to_owned()));
     }
-    if let Some(radius) = probe.radius() {
+    // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
+    let has_hardness = fit.estimate(Parameter::Hardness).is_some();
+    let has_shape = !kind.is_stiffness() || experiment.is_elastic_load() && !has_hardness;
+    if let Some(radius) = probe.radius().filter(|_| has_shape) {
         rows.push(("sphere-radius".into(), text(radius, "m")));
     }
     let young = |value: f64| format!("{}, Young's modulus", text(value, "Pa"));
@@ -233,11 +242,16 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         if let Some(value) = experiment.get(parameter)
             && fit.estimate(parameter).is_none()
             && (value != 0.0 || parameter.is_positive())
+            && (!kind.is_stiffness() || experiment.why_without_effect(parameter).is_none())
+            && (has_shape || parameter != Parameter::WorkOfAdhesion)
         {
             let label = which_modulus(parameter);
             let value = format!("{}{label}", text(value, parameter.unit()));
             rows.push((parameter.name(), value));
         }
+    }
+    if kind.is_stiffness() {
+        rows.extend(indentation::fixed(experiment));
     }
     rows
 }
@@ -352,8 +366,10 @@ fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
 }
 
 /// Says how well the fit agrees with the data.
-fn agreement(fit: &Fit) -> String {
-    let noises = fit.experiments.iter().map(|experiment| {
+fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
+    let noises = fit.experiments.iter().zip(experiments);
+    let noises = noises.map(|(experiment, of)| {
+        let is_relative = of.measurement.kind.is_stiffness();
         let ordinate = if experiment.noise_is_estimated {
             ", from the residuals"
         } else {
@@ -363,17 +379,26 @@ fn agreement(fit: &Fit) -> String {
             0.0 => String::new(),
             noise => format!(", of the abscissa {noise:.2e}"),
         };
-        format!("{:.2e}{ordinate}{abscissa}", experiment.noise)
+        let noise = if is_relative {
+            format!("{:.2} %", 1e2 * experiment.noise)
+        } else {
+            format!("{:.2e}", experiment.noise)
+        };
+        format!("{noise}{ordinate}{abscissa}")
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
     let freedom = fit.degrees_of_freedom;
+    let is_stiffness = |one: &Experiment| one.measurement.kind.is_stiffness();
+    let what = if experiments.iter().all(is_stiffness) {
+        "noise"
+    } else {
+        "noise (SI)"
+    };
     match fit.reduced_chi_squared {
         Some(reduced) => {
-            format!(
-                "reduced chi^2 {reduced:.2} with {freedom} degrees of freedom; noise (SI) {noise}"
-            )
+            format!("reduced chi^2 {reduced:.2} with {freedom} degrees of freedom; {what} {noise}")
         }
-        None => format!("noise (SI) {noise}; {freedom} degrees of freedom"),
+        None => format!("{what} {noise}; {freedom} degrees of freedom"),
     }
 }
 

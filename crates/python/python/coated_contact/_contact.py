@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, final, overload
+from typing import TYPE_CHECKING, Any, Literal, final, overload
 
 from numpy.typing import ArrayLike
 
@@ -184,6 +184,45 @@ class Contact(Remade):
             Stiffness, N/m.
         """
         (stiffness,) = evaluate(self._native.stiffness, errors, contact_radius=a)
+        return scalar_or_array(stiffness)
+
+    @overload
+    def moving_stiffness(self, a: float, w: float, *, errors: Errors = "raise") -> float: ...
+    @overload
+    def moving_stiffness(
+        self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise"
+    ) -> float | Array: ...
+    def moving_stiffness(
+        self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise"
+    ) -> float | Array:
+        """Return the slope K = dF/d delta of the force curve, where the contact line moves.
+
+        It is the stiffness of slow loading, in equilibrium at a work of adhesion. A small fast
+        oscillation, under which the line stays, measures :meth:`stiffness`. Without adhesion both
+        are equal. K is 0 at the pull-off under a load, and negative below it.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radius, m.
+        w : array_like
+            Work of adhesion, J/m^2.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            Stiffness, N/m.
+
+        Raises
+        ------
+        OtherProbeError
+            For a flat punch, whose contact line cannot move.
+        """
+        (stiffness,) = evaluate(
+            self._native.moving_stiffness, errors, contact_radius=a, work_of_adhesion=w
+        )
         return scalar_or_array(stiffness)
 
     def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
@@ -505,6 +544,17 @@ class SolvedCurve:
         The smallest and the largest contact radius over the thickness of the film or stack.
     tolerance : float
         The largest relative error of the quantities.
+    friction : {"none", "stick"}
+        Whether the surfaces slide freely, or never slide where they have touched. A sphere that
+        sticks is solved where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5
+        under a rigid sphere or one of Poisson ratio 0.5, or sphere and film of one material; up to
+        an a/t of 30.
+    sphere_poisson_ratio : float
+        With ``friction="stick"``: the Poisson ratio of the sphere. A rigid one needs none.
+    advancing : float
+        With ``friction="stick"``: the work of adhesion with which the contact has grown over that
+        with which it recedes, the ``w`` of all questions. 1 is a contact with one work of adhesion;
+        0 one that was pressed on without attraction.
 
     Examples
     --------
@@ -521,11 +571,16 @@ class SolvedCurve:
 
     a_over_t: tuple[float, float]
     tolerance: float = 1e-8
+    friction: Literal["none", "stick"] = "none"
+    sphere_poisson_ratio: float = 0.5
+    advancing: float = 1.0
 
     def __post_init__(self) -> None:
         first, last = self.a_over_t
         set_field(self, "a_over_t", (number("a_over_t", first), number("a_over_t", last)))
-        set_numbers(self, "tolerance")
+        set_numbers(self, "tolerance", "sphere_poisson_ratio", "advancing")
+        if self.friction not in ("none", "stick"):
+            raise ValueError(f'friction is {self.friction!r}, but must be "none" or "stick"')
 
     def contact(self, system: System | StackSystem) -> Contact:
         """Solve the contact of a system.
@@ -536,6 +591,8 @@ class SolvedCurve:
             For a range, a tolerance or a material outside the domain of the solver.
         NotConvergedError
             Where double precision does not allow the tolerance.
+        FrictionError
+            For a sphere that sticks where Dundurs' beta is not 0.
         """
         return Contact(system=system, table=self)
 
@@ -551,6 +608,17 @@ def _native(system: object, table: object) -> Any:
             return native.contact_on_stack(system._native, own and own._native)
     if isinstance(system, HalfSpace) and table is None:
         return _core.Contact.half_space(system._native)
+    if isinstance(table, SolvedCurve) and table.friction == "stick":
+        settings = (
+            table.a_over_t,
+            table.tolerance,
+            table.sphere_poisson_ratio,
+            table.advancing,
+        )
+        if isinstance(system, System):
+            return _core.Contact.stuck(system._native, *settings)
+        if isinstance(system, StackSystem):
+            return _core.Contact.stuck_on_stack(system._native, *settings)
     if isinstance(table, SolvedCurve):
         if isinstance(system, System):
             return _core.Contact.solved(system._native, table.a_over_t, table.tolerance)

@@ -11,10 +11,19 @@ from numpy.typing import NDArray
 from ._arrays import number, real
 from ._bodies import HalfSpace, System
 from ._errors import FitError
+from ._indentation import Indentation
 from ._stack import StackSystem
 from ._values import OneLine, Remade
 
-Kind = Literal["load-radius", "penetration-radius", "load-penetration", "force-height"]
+Kind = Literal[
+    "load-radius",
+    "penetration-radius",
+    "load-penetration",
+    "force-height",
+    "stiffness-radius",
+    "stiffness-load",
+    "stiffness-depth",
+]
 # The name of a parameter: one of UNITS_OF, or LAYER.modulus, LAYER.thickness or
 # LAYER.interface_stiffness of the layer of a stack that has the name LAYER.
 ParameterName = str
@@ -31,6 +40,9 @@ UNITS_OF: dict[str, str] = {
     "baseline": "N",
     "baseline_slope": "N/m",
     "stiffness": "N/m",
+    "hardness": "Pa",
+    "tip_rounding": "m",
+    "frame_compliance": "m/N",
 }
 
 
@@ -68,13 +80,16 @@ class Experiment(Remade, OneLine):
 
     Parameters
     ----------
-    kind : {"load-radius", "penetration-radius", "load-penetration", "force-height"}
-        What is measured: the ordinate, then the abscissa. Heights are those of the base of a
+    kind : {"load-radius", "penetration-radius", "load-penetration", "force-height", \
+"stiffness-radius", "stiffness-load", "stiffness-depth"}
+        What is measured: the ordinate, then the abscissa. A contact stiffness is described by the
+        ``indentation``. Heights are those of the base of a
         cantilever: contact point - height = penetration + force / stiffness.
     abscissa : array_like
-        Contact radii, penetrations or heights, m, in the order measured.
+        Contact radii, penetrations or heights, m, or loads, N, in the order measured.
     ordinate : array_like, optional
-        Loads or forces, N, positive in compression; or penetrations, m. None where they are not
+        Loads or forces, N, positive in compression; penetrations, m; or contact stiffnesses, N/m.
+        None where they are not
         measured yet: then they are NaN, which :func:`simulate` and :func:`forecast` accept.
     system : System, HalfSpace or StackSystem
         The bodies. On a half-space the parameters of the film are those of the solid. On a stack
@@ -98,10 +113,13 @@ class Experiment(Remade, OneLine):
         Stiffness of the cantilever, N/m, which ``"force-height"`` needs.
     noise : float or array_like, optional
         Standard deviation of an ordinate, N or m, or one for each point; None estimates it from
-        the residuals.
+        the residuals. One number for a contact stiffness is relative to it, 0.01 is 1 %.
     abscissa_noise : float or array_like
         Standard deviation of an abscissa, m, or one for each point; 0 is exact. It counts by the
         slope of the model: a point has the variance ``noise**2 + (slope * abscissa_noise)**2``.
+    indentation : Indentation, optional
+        What is known of a measurement of contact stiffness; None is the usual. Other kinds do not
+        use it.
     name : str
         The name of the measurement in messages.
     reading : str
@@ -122,11 +140,14 @@ class Experiment(Remade, OneLine):
     stiffness: float | None = None
     noise: Any = None
     abscissa_noise: Any = 0.0
+    indentation: Indentation | None = None
     name: str = "experiment"
     reading: str = ""
 
     def __post_init__(self) -> None:
         one_of("kind", self.kind, get_args(Kind))
+        if self.indentation is not None and not isinstance(self.indentation, Indentation):
+            raise TypeError(f"indentation must be an Indentation, not {self.indentation!r}")
         if not isinstance(self.system, System | HalfSpace | StackSystem):
             raise TypeError(
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"

@@ -76,7 +76,7 @@ class FittedExperiment(OneLine):
     kind : str
         What was measured, such as ``"load-radius"``.
     noise : float
-        Standard deviation of an ordinate, N or m.
+        Standard deviation of an ordinate, N or m; of a contact stiffness relative to it.
     noise_is_estimated : bool
         Whether the noise was estimated from the residuals.
     abscissa_noise : float
@@ -101,6 +101,9 @@ class FittedExperiment(OneLine):
         ``"near-end"``, ``"beyond-end"``.
     retract : numpy.ndarray or None
         Whether each point was measured on retract; None where that is not known.
+    loss : dict of str to float or None
+        ``angle`` (rad), ``tangent`` and its ``standard_error`` of the complex modulus of the film,
+        where phases are measured.
     """
 
     name: str
@@ -118,6 +121,7 @@ class FittedExperiment(OneLine):
     outlier: NDArray[np.bool_]
     left_out: dict[str, int]
     retract: NDArray[np.bool_] | None
+    loss: dict[str, float] | None
     _jkr: tuple[Array, ...] | str = field(repr=False)
 
     @property

@@ -15,6 +15,7 @@ from ._columns import Array
 from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
 from ._fit import experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
+from ._indentation import Indentation
 from ._table import Table
 from ._values import OneLine
 
@@ -155,7 +156,8 @@ def simulate(
     experiment : Experiment
         Where to measure, and the true values. Its ordinates are not used.
     noise : float
-        Standard deviation of the normal noise that is added to each ordinate, N or m.
+        Standard deviation of the normal noise that is added to each ordinate, N or m. Of a contact
+        stiffness it is relative, 0.01 is 1 %, and its logarithm is normal.
     seed : int
         One seed always gives one measurement, that of ``tabulate simulate``.
     table : Table, optional
@@ -165,7 +167,7 @@ def simulate(
     Returns
     -------
     Experiment
-        A copy with ordinates.
+        A copy with ordinates, and with the loads of a contact stiffness at depths.
 
     Examples
     --------
@@ -180,8 +182,11 @@ def simulate(
     experiments_of([experiment])
     native = (table or Table.embedded())._native
     whole = integer("seed", seed, 0, 2**63)
-    ordinate = _core.simulate(native, experiment, number("noise", noise), whole)
-    return replace(experiment, ordinate=ordinate)
+    ordinate, loads = _core.simulate(native, experiment, number("noise", noise), whole)
+    if loads.size == 0:
+        return replace(experiment, ordinate=ordinate)
+    indentation = replace(experiment.indentation or Indentation(), loads=loads)
+    return replace(experiment, ordinate=ordinate, indentation=indentation)
 
 
 def forecast(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args
 
 from . import _core
@@ -13,6 +13,7 @@ from ._arrays import number
 from ._bodies import HalfSpace, System
 from ._errors import FitError
 from ._experiment import Experiment, Kind, one_of
+from ._indentation import Indentation
 from ._stack import StackSystem
 
 Role = Literal[
@@ -26,6 +27,11 @@ Role = Literal[
     "load_error",
     "penetration_error",
     "height_error",
+    "contact_stiffness",
+    "contact_area",
+    "phase_shift",
+    "loss_stiffness",
+    "contact_stiffness_error",
 ]
 Segments = Literal["auto", "file", "split"]
 Direction = Literal["approach", "retract"]
@@ -41,6 +47,7 @@ class _Format:
     sensitivity: float | None
     segments: Segments
     only: Direction | None
+    between: tuple[float, float] | None
 
 
 def read_experiment(
@@ -51,6 +58,7 @@ def read_experiment(
     columns: Mapping[Role, str | Sequence[str]] | None = None,
     segments: Segments = "auto",
     only: Direction | None = None,
+    between: tuple[float, float] | None = None,
     stiffness: float | None = None,
     sensitivity: float | None = None,
     **known: Any,
@@ -67,20 +75,25 @@ def read_experiment(
     ----------
     path : str or os.PathLike
         The file.
-    kind : {"load-radius", "penetration-radius", "load-penetration", "force-height"}, optional
+    kind : {"load-radius", "penetration-radius", "load-penetration", "force-height", \
+"stiffness-radius", "stiffness-load", "stiffness-depth"}, optional
         What is measured; by default the only kind that the columns fit.
     system : System, HalfSpace or StackSystem
         The bodies.
     columns : mapping, optional
         Columns that are not recognised: the heading, with a unit if the file has none, or the
         number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
-        ``"deflection"`` or ``"segment"``. A minus before it turns the sign. Where approach and
-        retract have columns of their own, give both headings.
+        ``"deflection"``, ``"segment"``, ``"contact_stiffness"``, ``"contact_area"``,
+        ``"phase_shift"`` or ``"loss_stiffness"``. A minus before it turns the sign. Where approach
+        and retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}
         Where the directions come from: the file, the largest load, or by default from the file, and
         heights without a direction are split at the largest load.
     only : {"approach", "retract"}, optional
-        The only direction that is kept.
+        The only direction that is kept. Of a contact stiffness at loads or depths it is the
+        approach, unless another is asked for.
+    between : tuple of float, optional
+        The least and the largest abscissa that are kept, m or N.
     stiffness : float, optional
         Stiffness of the cantilever, N/m; by default that which the head of the file names.
     sensitivity : float, optional
@@ -128,13 +141,26 @@ def read_experiment(
         sensitivity=None if sensitivity is None else number("sensitivity", sensitivity),
         segments=segments,
         only=only,
+        between=None if between is None else _ends(between),
     )
     fields, doubt = _core.read_file(os.fspath(path), given)
     if doubt is not None:
         warnings.warn(f"{fields['name']}: {doubt}", stacklevel=2)
     if stiffness is not None:
         fields["stiffness"] = stiffness
+    beside = {name: fields.pop(name) for name in ("loads", "phases") if name in fields}
+    if beside:
+        indentation = known.pop("indentation", None) or Indentation()
+        fields["indentation"] = replace(indentation, **beside)
     return Experiment(system=system, **{**fields, **known})
+
+
+def _ends(between: tuple[float, float]) -> tuple[float, float]:
+    """Return the ends of a range."""
+    least, most = (number("between", end) for end in between)
+    if not least < most:
+        raise FitError(f"between = {between!r} cannot be used: the first must be below the second")
+    return least, most
 
 
 def _columns(given: Mapping[Role, str | Sequence[str]]) -> list[tuple[str, str]]:

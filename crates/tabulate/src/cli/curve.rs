@@ -8,6 +8,7 @@ use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
+use super::friction::HistoryArguments;
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
@@ -28,8 +29,17 @@ use solve::{curve as adaptive, solve};
 /// negative load an equilibrium may be unstable. Under a probe without a radius of curvature the
 /// coordinates of the plot are NaN; a flat punch has one row.
 ///
-/// With --interaction-range the attraction is not that of JKR, and there is a column outer_radius (m):
-/// the radius within which it acts.
+/// Two columns are slopes dF/d delta (N/m): contact_stiffness where the contact line stays, which a
+/// small fast oscillation measures, and moving_stiffness where it moves in equilibrium, which the
+/// force curve itself has. Without adhesion they are equal; under a flat punch, whose line cannot
+/// move, the second is NaN.
+///
+/// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
+/// is a column outer_radius (m): the radius within which it acts.
+///
+/// With --friction stick, surfaces that have touched never slide: the rows are those of a contact that
+/// has grown from radius 0 with --work-of-adhesion, and with --work-of-adhesion-receding those of its
+/// retreat. The sphere is solved where Dundurs' beta of sphere and film is 0.
 ///
 /// Values that are not given are those of Barthel's Tables 1 and 2, an elastomer sphere of 1 mm on an
 /// elastomer film of 1 um on silicon, and a comment line on standard error names them. With
@@ -41,6 +51,7 @@ use solve::{curve as adaptive, solve};
     "tabulate curve --specimen paper --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.4",
     "tabulate curve embedded --specimen paper --work-of-adhesion 100mJ/m^2 -o curve.csv",
     "tabulate curve --specimen paper --stack tables/stacks/primer.toml --from 10um --to 90um --points 9",
+    "tabulate curve --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
     "tabulate curve --specimen paper --probe rounded-cone --half-angle 70 --sphere-radius 1um --to 5um",
 ))]
 pub struct Arguments {
@@ -51,6 +62,8 @@ pub struct Arguments {
     table: Option<TableName>,
     #[command(flatten)]
     attracting: AttractingArguments,
+    #[command(flatten)]
+    history: HistoryArguments,
     /// Smallest contact radius, m
     #[arg(long, default_value = "1e-6", value_parser = length, allow_hyphen_values = true)]
     from: f64,
@@ -115,11 +128,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "jkr_abscissa",
         "jkr_ordinate",
     ];
-    let outer_radius = arguments
-        .attracting
-        .interaction_range
-        .map(|_| "outer_radius");
-    writer.write_record(columns.into_iter().chain(outer_radius))?;
+    let further: &[&str] = match states.source {
+        Source::Range(_) => &["outer_radius"],
+        _ => &["contact_stiffness", "moving_stiffness"],
+    };
+    writer.write_record(columns.iter().chain(further))?;
     for row in rows {
         writer.write_record(row.into_iter().map(number))?;
     }
@@ -128,8 +141,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 /// What answers for the state at a contact radius.
 enum Source {
-    /// A solve for each radius.
-    Solves,
+    /// A solve for each radius; with adhesion a curve tells the slopes of the quantities.
+    Solves(Option<Box<Contact>>),
     /// A curve, from a table or from solves of one material.
     Curve(Box<Contact>),
     /// Solves with an attraction of finite range.
@@ -156,7 +169,20 @@ impl<'a> States<'a> {
         } = *arguments;
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
-        let source = if let Some(range) = attracting.interaction_range {
+        let mut work_of_adhesion = bodies.work_of_adhesion;
+        let source = if let Some(nu2) = arguments.history.sticks()? {
+            ensure!(
+                arguments.table.is_none() && attracting.interaction_range.is_none(),
+                "--friction stick is solved directly, and without a range of the attraction: leave \
+                 out the table and --interaction-range"
+            );
+            let (contact, receding) =
+                arguments
+                    .history
+                    .contact(bodies, nu2, [from, to], tolerance)?;
+            work_of_adhesion = receding;
+            Source::Curve(Box::new(contact))
+        } else if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(Contact::in_table(name.read()?.as_ref(), system)?))
@@ -171,7 +197,11 @@ impl<'a> States<'a> {
             Source::Curve(Box::new(Contact::new(system, curve)?))
         } else {
             match system.probe {
-                Probe::Paraboloid { .. } => Source::Solves,
+                Probe::Paraboloid { .. } => {
+                    let slopes = (bodies.work_of_adhesion > 0.0)
+                        .then(|| of_slopes(system, [from, to], tolerance));
+                    Source::Solves(slopes.transpose()?.map(Box::new))
+                }
                 Probe::FlatPunch { radius } => {
                     Source::Curve(Box::new(of_shape(system, radius, tolerance)?))
                 }
@@ -181,32 +211,54 @@ impl<'a> States<'a> {
         Ok(Self {
             source,
             system,
-            work_of_adhesion: bodies.work_of_adhesion,
+            work_of_adhesion,
             tolerance,
         })
     }
 
     /// Computes the row of a contact radius.
     fn row(&self, a: f64, mechanics: &Mechanics) -> anyhow::Result<Vec<f64>> {
-        let mut outer_radius = None;
-        let (load, penetration) = match &self.source {
+        let w = self.work_of_adhesion;
+        let (load, penetration, further) = match &self.source {
             Source::Range(cohesive) => {
                 let state = cohesive.state(a)?;
-                outer_radius = Some(state.outer_radius);
-                (state.load, state.penetration)
+                (state.load, state.penetration, vec![state.outer_radius])
             }
-            Source::Curve(contact) => contact.load_and_penetration(a, self.work_of_adhesion)?,
-            Source::Solves => {
-                let edge = mechanics.edge_singularity(a, self.work_of_adhesion)?;
+            Source::Curve(contact) => {
+                let (load, penetration) = contact.load_and_penetration(a, w)?;
+                let moving = match self.system.probe {
+                    Probe::FlatPunch { .. } => f64::NAN,
+                    _ => contact.moving_stiffness(a, w)?,
+                };
+                (load, penetration, vec![contact.stiffness(a)?, moving])
+            }
+            Source::Solves(slopes) => {
+                let edge = mechanics.edge_singularity(a, w)?;
                 let material = self.system.material()?;
                 let solution = solve(a / self.system.film_thickness, &material, self.tolerance)?;
-                mechanics.load_and_penetration(a, edge, &solution.quantities)
+                let (load, penetration) =
+                    mechanics.load_and_penetration(a, edge, &solution.quantities);
+                let pinned = mechanics.stiffness(a, solution.quantities.eeq);
+                let moving = match slopes {
+                    Some(contact) => contact.moving_stiffness(a, w)?,
+                    None => pinned,
+                };
+                (load, penetration, vec![pinned, moving])
             }
         };
         let jkr = JkrPoint::new(a, load, mechanics.sphere_radius());
         let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
-        Ok(row.into_iter().chain(outer_radius).collect())
+        Ok(row.into_iter().chain(further).collect())
     }
+}
+
+/// Makes the contact whose curve tells the slopes of the quantities between two contact radii.
+fn of_slopes(system: &System, radii: [f64; 2], tolerance: f64) -> anyhow::Result<Contact> {
+    /// The smallest relative tolerance of the curve. Slopes lose digits to it.
+    const LEAST: f64 = 1e-10;
+    let range = radii.map(|a| a / system.film_thickness);
+    let curve = adaptive(&system.material()?, range, tolerance.max(LEAST))?;
+    Ok(Contact::new(system, curve)?)
 }
 
 /// Makes the contact of any shape up to contact radius `most` from solves of its material alone.

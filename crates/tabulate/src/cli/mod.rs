@@ -15,6 +15,7 @@ mod cost;
 mod curve;
 mod default_table;
 mod fit;
+mod friction;
 mod generate;
 mod history;
 mod info;

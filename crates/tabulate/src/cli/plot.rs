@@ -16,8 +16,8 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    effects, error_map, fig2, fig3, fig4, force_displacement, interface, lookup_cost, pull_off,
-    relaxation, table_cost, work_precision,
+    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, friction,
+    interface, lookup_cost, pull_off, relaxation, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -63,6 +63,16 @@ enum Figure {
     /// Pull-off load against Tabor's parameter, from DMT to JKR, on a half-space and on two films
     #[command(after_help = super::examples!("tabulate plot pull-off -o pull-off.svg"))]
     PullOff(Picture),
+    /// Contact stiffness of an oxide on silicon under diamond against a/t: exact, film and substrate
+    /// as springs in series, and the closed form of Gao, Chiu and Lee
+    #[command(after_help = super::examples!(
+        "tabulate plot contact-stiffness -o contact-stiffness.svg",
+    ))]
+    ContactStiffness(Picture),
+    /// Change of stiffness, load and pull-off load by full friction in the paper's system, against
+    /// the film's thickness
+    #[command(after_help = super::examples!("tabulate plot friction -o friction.svg"))]
+    Friction(Picture),
     /// Load in time on gels of three thicknesses that relax, with the load on a half-space times the
     /// elastic effect of the thickness (`tabulate history`)
     #[command(after_help = super::examples!("tabulate plot relaxation -o relaxation.svg"))]
@@ -190,6 +200,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             Ok(force_displacement::figure(&films, &probe))
         }),
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
+        Figure::ContactStiffness(output) => output.write(None, || {
+            Ok(contact_stiffness::figure(&contact_stiffness::data()?))
+        }),
+        Figure::Friction(output) => output.write(None, || Ok(friction::figure(&friction::data()?))),
         Figure::Relaxation(output) => {
             output.write(None, || Ok(relaxation::figure(&relaxation::data()?)))
         }

@@ -3,23 +3,26 @@
 use std::env;
 use std::path::PathBuf;
 
-use ::fit::data::{Quantity, Role, roles};
+use ::fit::data::{Dimension, Quantity, Role, roles};
 use ::fit::report::{self, UnitOf};
-use ::fit::{Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate};
-use anyhow::ensure;
+use ::fit::{
+    Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate_experiment,
+};
+use anyhow::{Context, ensure};
 use clap::builder::TypedValueParser;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
 
 use super::allow;
 use super::fit::experiments::{FreeArguments, KnownArguments};
+use super::fit::indentation::{self, Noise};
 use super::fit::object::{Estimates, matrix};
 use super::fit::setting::unit_of;
-use super::fit::{kinds, one_of, standard_deviation};
+use super::fit::{kinds, one_of};
 use super::json::{self, Number};
 use super::output::Output;
 use super::points::{evenly, number};
-use super::quantity::{any, length};
+use super::quantity::any;
 use super::table_name::{self, TableName};
 
 /// Make the data that an experiment would give, or the errors that its fit would have
@@ -45,12 +48,12 @@ pub struct Arguments {
     /// The two quantities that are measured
     #[arg(long, value_parser = kinds())]
     kind: Kind,
-    /// First abscissa, m: of the contact radii, penetrations or heights
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
-    from: f64,
-    /// Last abscissa, m, where an approach ends
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
-    to: f64,
+    /// First abscissa: of the contact radii, penetrations or heights (m), or loads (N)
+    #[arg(long, value_parser = any, allow_hyphen_values = true)]
+    from: Quantity,
+    /// Last abscissa, where an approach ends
+    #[arg(long, value_parser = any, allow_hyphen_values = true)]
+    to: Quantity,
     /// Number of points, equally spaced; of a cycle, on each way
     #[arg(long, default_value_t = 40, value_parser = value_parser!(u32).range(2..=10_000_000))]
     points: u32,
@@ -58,9 +61,9 @@ pub struct Arguments {
     /// [default: none for contact radii, cycle otherwise]
     #[arg(long, value_parser = ways())]
     segments: Option<&'static [Option<Direction>]>,
-    /// Standard deviation of a load (N) or penetration (m)
-    #[arg(long, value_parser = any, allow_hyphen_values = true)]
-    noise: Quantity,
+    /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%)
+    #[arg(long, value_parser = indentation::noise, allow_hyphen_values = true)]
+    noise: Noise,
     /// Seed of the noise
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -111,25 +114,42 @@ fn ways() -> impl TypedValueParser<Value = &'static [Option<Direction>]> {
     ])
 }
 
+impl Arguments {
+    /// Returns the first and the last abscissa, lengths or loads.
+    fn ends(&self) -> anyhow::Result<[f64; 2]> {
+        let dimension: Dimension = roles(self.kind)[0].dimension();
+        let end = |quantity: &Quantity| quantity.of(Some(dimension));
+        Ok([
+            end(&self.from).context("--from")?,
+            end(&self.to).context("--to")?,
+        ])
+    }
+}
+
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let [stack, profile] = arguments.known.bodies.files();
     let inputs = [arguments.table.path(), stack, profile];
     let output = Output::new(arguments.output.as_deref(), inputs)?;
-    let [from, to] = [arguments.from, arguments.to];
+    let [from, to] = arguments.ends()?;
     ensure!(
         from.is_finite() && to.is_finite() && from != to,
         "--from {from:?} and --to {to:?} must be two different numbers"
     );
-    let noise = standard_deviation(&arguments.noise, arguments.kind)?;
-    let measurement = plan(arguments);
+    let noise = arguments.noise.of(arguments.kind)?;
+    let measurement = plan(arguments, [from, to]);
     let mut experiments = arguments.known.experiments(vec![measurement])?;
     experiments[0].noise = Some(noise);
+    let free = if arguments.expect {
+        arguments.free.of(&experiments, &[])?
+    } else {
+        Vec::new()
+    };
+    arguments.known.forget_shapes(&mut experiments, &free);
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
     let table = arguments.table.read()?;
     if arguments.expect {
-        let free = arguments.free.of(&experiments, &[])?;
         let expected = forecast(&table, &experiments, &free)?;
-        arguments.known.name_example();
+        arguments.known.name_example(&experiments[0]);
         return if arguments.json {
             json::print(&ForecastObject::new(&expected))
         } else {
@@ -140,26 +160,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.free.is_empty(),
         "--free, --bounds, --prior, --own and --shared are for --expect; add it"
     );
-    let measurement = simulate(&table, &experiments[0], noise, arguments.seed)?;
-    let text = csv(&measurement, &experiments[0])?;
-    arguments.known.name_example();
+    let made = simulate_experiment(&table, &experiments[0], noise, arguments.seed)?;
+    let text = csv(&made)?;
+    arguments.known.name_example(&experiments[0]);
     output.write(&text)
 }
 
 /// Returns the measurement to be made, without ordinates.
-fn plan(arguments: &Arguments) -> Measurement {
+fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
     let Arguments { kind, points, .. } = *arguments;
     let usual = match kind {
-        Kind::LoadRadius | Kind::PenetrationRadius => NONE,
         Kind::LoadPenetration | Kind::ForceHeight => CYCLE,
+        _ => NONE,
     };
     let way = |&direction: &Option<Direction>| {
         let back = direction == Some(Direction::Retract);
-        let ends = if back {
-            [arguments.to, arguments.from]
-        } else {
-            [arguments.from, arguments.to]
-        };
+        let ends = if back { [to, from] } else { [from, to] };
         (0..points).map(move |i| Point {
             line: 0,
             abscissa: evenly(ends, i, points),
@@ -180,7 +196,8 @@ fn plan(arguments: &Arguments) -> Measurement {
 }
 
 /// Writes a measurement as a table that `tabulate fit` reads.
-fn csv(measurement: &Measurement, experiment: &Experiment) -> anyhow::Result<Vec<u8>> {
+fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
+    let (measurement, loads) = (&made.measurement, &made.indentation.loads);
     let mut writer = csv::Writer::from_writer(Vec::new());
     let command: Vec<String> = env::args().skip(1).collect();
     let command = command.join(" ");
@@ -189,13 +206,15 @@ fn csv(measurement: &Measurement, experiment: &Experiment) -> anyhow::Result<Vec
         .points
         .iter()
         .any(|point| point.direction.is_some());
-    let names = roles(experiment.measurement.kind).map(Role::name);
+    let names = roles(measurement.kind).map(Role::name);
+    let load = (!loads.is_empty()).then_some(Role::Load.name());
     let segment = has_segments.then_some(Role::Segment.name());
-    writer.write_record(names.into_iter().chain(segment))?;
-    for point in &measurement.points {
-        let numbers = [point.abscissa, point.ordinate].map(number);
+    writer.write_record(names.into_iter().chain(load).chain(segment))?;
+    for (i, point) in measurement.points.iter().enumerate() {
+        let numbers = [point.abscissa, point.ordinate].into_iter();
+        let numbers = numbers.chain(loads.get(i).copied()).map(number);
         let direction = point.direction.map(|direction| direction.name().to_owned());
-        writer.write_record(numbers.into_iter().chain(direction))?;
+        writer.write_record(numbers.chain(direction))?;
     }
     let mut bytes = note.into_bytes();
     bytes.extend(writer.into_inner()?);

@@ -83,6 +83,26 @@ pub fn hay_crawford(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     Ok(weighted.compound(1.0 / ((1.0 - share) / (mu0 + PARALLEL * share * mu1) + share / mu1)))
 }
 
+/// Returns the modulus of film and substrate as springs in series under a punch, whose stress spreads
+/// in the film (Mercier, Mandrillon, Verdier and Brechet, Mater. Tech. 99, 169, 2011), in series with
+/// the sphere:
+///
+/// ```text
+/// 1/E = 1 + s/e1 + (1 - s)/e0      s = y/(1 + y), y = 2 t/(pi a)
+/// ```
+///
+/// Both limits are exact, and so is a film of the substrate's material. In the units of
+/// [`Material::normalisation`].
+///
+/// # Errors
+/// [`Error::Domain`] for an `a_over_t` outside [`A_OVER_T`].
+pub fn springs_in_series(a_over_t: f64, material: &Material) -> Result<f64, Error> {
+    Error::check("a_over_t", a_over_t, A_OVER_T)?;
+    let share = 1.0 / (1.0 + 0.5 * PI * a_over_t);
+    let compliance = share / film_jkr(material) + (1.0 - share) / bulk_jkr(material);
+    Ok(1.0 / compliance)
+}
+
 /// The weighted quantities that [`gao`] and [`hay_crawford`] share.
 struct Weighted {
     /// The shear moduli of film and substrate.

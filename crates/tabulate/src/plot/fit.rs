@@ -70,7 +70,8 @@ pub fn jkr_figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, ::fit
 
 /// Says without what the dashed curves are.
 fn without_what(experiments: &[Experiment]) -> &'static str {
-    let has_layers = |one: &Experiment| matches!(one.bodies, Bodies::Layered(_));
+    // A bare reference sample has no layers.
+    let has_layers = |one: &Experiment| matches!(&one.bodies, Bodies::Layered(layered) if !layered.layers.is_empty());
     if experiments.iter().any(has_layers) {
         "without layers"
     } else {
@@ -155,15 +156,22 @@ fn is_retract(point: &FittedPoint, measured: &Measured) -> bool {
 /// what the dashed curves are.
 fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     let [abscissa, ordinate] = kind.names();
-    let unit = if kind == Kind::PenetrationRadius {
-        'm'
+    let unit = match kind {
+        Kind::PenetrationRadius => "m",
+        _ if kind.is_stiffness() => "N/m",
+        _ => "N",
+    };
+    let of_abscissa = if kind == Kind::StiffnessLoad {
+        "N"
     } else {
-        'N'
+        "m"
     };
     let marks = || members.iter().flat_map(|one| &one.marks);
-    let x = Scale::new(abscissa, 'm', marks().map(|mark| mark.x));
+    let x = Scale::new(abscissa, of_abscissa, marks().map(|mark| mark.x));
     let values = |mark: &Mark| [Some(mark.y), mark.fit].into_iter().flatten();
-    let y = Scale::new(ordinate, unit, marks().flat_map(values));
+    // A contact stiffness begins at 0, with the contact.
+    let origin = kind.is_stiffness().then_some(0.0);
+    let y = Scale::new(ordinate, unit, marks().flat_map(values).chain(origin));
     let data = data_panel("Data and fit", &x, &y, members, without);
 
     let residual = |mark: &Mark| Some((mark.y - mark.fit?) / mark.deviation);
@@ -324,7 +332,7 @@ struct Scale {
 
 impl Scale {
     /// Makes the axis that shows all values, with a margin.
-    fn new(name: &str, unit: char, values: impl Iterator<Item = f64>) -> Self {
+    fn new(name: &str, unit: &str, values: impl Iterator<Item = f64>) -> Self {
         let [least, most] = ends(values);
         let largest = least.abs().max(most.abs());
         const PREFIXES: [(&str, f64); 7] = [

@@ -8,6 +8,7 @@
 pub mod axis;
 pub mod chart;
 mod clip;
+pub mod contact_stiffness;
 mod draw;
 pub mod effects;
 pub mod error_map;
@@ -16,6 +17,7 @@ pub mod fig3;
 pub mod fig4;
 pub mod fit;
 pub mod force_displacement;
+pub mod friction;
 pub mod interface;
 mod labels;
 pub mod lookup_cost;
@@ -44,7 +46,7 @@ mod tests {
     use super::chart::Figure;
     use super::picture::Format;
     use super::{
-        effects, fig2, fig3, fig4, force_displacement, interface, lookup_cost, pull_off,
+        effects, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
         relaxation, table_cost, work_precision,
     };
     use crate::Error;
@@ -125,6 +127,10 @@ mod tests {
         assert_clear("fig2", &fig2::figure(&fig2::data().expect("within reach")));
         assert_clear("fig3", &fig3::figure(&fig3::data().expect("within reach")));
         assert_clear("fig4", &fig4::figure(&fig4::data().expect("within reach")));
+        assert_clear(
+            "friction",
+            &friction::figure(&friction::data().expect("within reach")),
+        );
         assert_clear(
             "pull-off",
             &pull_off::figure(&pull_off::data().expect("within reach")),

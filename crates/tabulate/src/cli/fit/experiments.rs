@@ -4,18 +4,20 @@ use std::sync::Arc;
 
 use ::fit::{
     Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, LayeredSolver, Measurement,
-    Parameter, Reach, Scope, starts_from_data,
+    Parameter, Reach, Scope, StickSolver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
+use super::indentation::{IndentationArguments, forget_shape, has_no_shape};
 use super::setting::{Bounds, Given, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
+use crate::cli::friction::FrictionArguments;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
 use fit::DirectSolver;
-use solve::stack;
+use solve::stack::{self, Interface};
 
 /// The flags of known values.
 #[derive(clap::Args)]
@@ -26,6 +28,8 @@ pub struct KnownArguments {
     /// ratio of the film
     #[arg(long, conflicts_with_all = ["stack", "interface", "interface_stiffness"])]
     pub half_space: bool,
+    #[command(flatten)]
+    friction: FrictionArguments,
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
     pub stiffness: Option<f64>,
@@ -34,6 +38,8 @@ pub struct KnownArguments {
     /// name
     #[arg(long = "value", value_name = "NAME=VALUE")]
     pub values: Vec<Values>,
+    #[command(flatten)]
+    pub indentation: IndentationArguments,
 }
 
 impl KnownArguments {
@@ -45,10 +51,23 @@ impl KnownArguments {
         missing
     }
 
-    /// Names the values that the paper's example stands in for, in a comment line.
-    pub fn name_example(&self) {
+    /// Names the values that the paper's example stands in for in an experiment, in a comment line.
+    pub fn name_example(&self, experiment: &Experiment) {
         if self.bodies.system.specimen.is_none() {
-            system::name_example(&self.missing());
+            let mut missing = self.missing();
+            if has_no_shape(experiment, &[]) {
+                missing.retain(|value| !is_of_shape(*value));
+            }
+            system::name_example(&missing);
+        }
+    }
+
+    /// Leaves the shape of the probe and the adhesion out of experiments in which they do not matter.
+    pub fn forget_shapes(&self, experiments: &mut [Experiment], free: &[Free]) {
+        for experiment in experiments {
+            if has_no_shape(experiment, free) {
+                forget_shape(experiment);
+            }
         }
     }
 
@@ -72,6 +91,9 @@ impl KnownArguments {
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));
+        if experiments.iter().all(|one| has_no_shape(one, free)) {
+            missing.retain(|value| !is_of_shape(*value));
+        }
         let mut lines = Vec::new();
         let needs_stiffness = |one: &&Experiment| {
             one.measurement.kind == Kind::ForceHeight && one.stiffness.is_none()
@@ -95,7 +117,28 @@ impl KnownArguments {
             work_of_adhesion,
             ..
         } = self.bodies.read()?;
-        let layers = stack.as_ref().map(layers).transpose()?;
+        let mut layers = stack.as_ref().map(layers).transpose()?;
+        if let Some(nu2) = self.friction.sticks() {
+            ensure!(
+                !self.half_space,
+                "--friction stick is for films and stacks: on a half-space of Poisson ratio 0.5 friction \
+                 has no effect, and for other ones it is not solved; leave out --half-space or \
+                 --friction"
+            );
+            let solver: Arc<dyn LayeredSolver> = Arc::new(StickSolver {
+                sphere_poisson_ratio: nu2,
+            });
+            // A film is a single layer without a name.
+            let film = || {
+                vec![Layer {
+                    name: None,
+                    solid: system.film,
+                    thickness: system.film_thickness,
+                    interface: Interface::Bonded,
+                }]
+            };
+            layers = Some((layers.map_or_else(film, |(layers, _)| layers), solver));
+        }
         let bodies = |measurement: &Measurement| {
             let system = system.clone();
             if let Some((layers, solver)) = &layers {
@@ -130,6 +173,8 @@ impl KnownArguments {
             let mut experiment = Experiment::new(measurement, bodies);
             experiment.work_of_adhesion = work_of_adhesion;
             experiment.stiffness = self.stiffness;
+            let kind = experiment.measurement.kind;
+            experiment.indentation = self.indentation.of(kind)?;
             for Values { parameter, values } in &self.values {
                 let value = values.get(i).unwrap_or(&values[0]);
                 experiment
@@ -144,6 +189,12 @@ impl KnownArguments {
             .map(experiment)
             .collect()
     }
+}
+
+/// Tells whether a value is the shape of the probe or the adhesion, which a contact stiffness at a
+/// measured contact radius does not depend on.
+fn is_of_shape(value: Value) -> bool {
+    matches!(value, Value::SphereRadius | Value::WorkOfAdhesion)
 }
 
 /// Returns the layers of a stack for fits, with what makes their contacts.
@@ -171,14 +222,14 @@ fn layers(layers: &Layers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>
 pub struct FreeArguments {
     /// The parameters to be found: sphere-modulus (reduced, E2*), film-modulus (Young's, E1),
     /// film-poisson-ratio, film-thickness, work-of-adhesion, work-of-adhesion-receding, load-offset,
-    /// contact-point, baseline, baseline-slope, stiffness; with --stack, LAYER.modulus (Young's),
-    /// LAYER.thickness and LAYER.interface-stiffness (tangential, of the interface below, Pa/m) of a
-    /// layer by its name in the file take the place of those of the film; with --interface the film is
-    /// the layer `film`
+    /// contact-point, baseline, baseline-slope, stiffness; of a contact stiffness also hardness,
+    /// tip-rounding, frame-compliance; with --stack, LAYER.modulus (Young's), LAYER.thickness and
+    /// LAYER.interface-stiffness (tangential, of the interface below, Pa/m) of a layer by its name in
+    /// the file take the place of those of the film; with --interface the film is the layer `film`
     ///
     /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
     /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the
-    /// baseline with heights.
+    /// baseline with heights; of a contact stiffness the modulus of the film or top layer.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
     /// Smallest and largest value of a free parameter: film-modulus=0.1MPa..100MPa
@@ -263,6 +314,13 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
     };
     let is_rigid =
         |experiment: &Experiment| experiment.get(Parameter::SphereModulus) == Some(f64::INFINITY);
+    // A contact stiffness tells the film.
+    if experiments
+        .iter()
+        .all(|one| one.measurement.kind.is_stiffness())
+    {
+        return vec![modulus_of_top(&experiments[0].bodies)];
+    }
     let mut free = Vec::new();
     // Without a load the data tell the ratio of adhesion and modulus only.
     if any(&[Kind::LoadRadius, Kind::LoadPenetration, Kind::ForceHeight]) {

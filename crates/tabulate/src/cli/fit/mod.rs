@@ -5,6 +5,7 @@
 //! `crate::plot::fit` draws it.
 
 pub mod experiments;
+pub mod indentation;
 pub mod object;
 pub mod reading;
 pub mod setting;
@@ -12,7 +13,7 @@ pub mod table;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Quantity, Role, Segments, roles};
+use ::fit::data::{Cantilever, Column, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Fit, Kind, Loss, Options, Parameter, WarningKind};
 use anyhow::{Context, anyhow, bail, ensure};
@@ -21,6 +22,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 
 use self::experiments::{FreeArguments, KnownArguments};
+use self::indentation::{Noise, Range, ReferenceArguments};
 use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
 use super::allow::{self, Allowed};
@@ -28,7 +30,7 @@ use super::json;
 use super::output::Output;
 use super::plot::picture;
 use super::print;
-use super::quantity::{any, length, number, sensitivity};
+use super::quantity::{length, number, sensitivity};
 use super::table_name::{self, TableName};
 use crate::plot::fit::{figure, jkr_figure};
 use crate::plot::picture::Format as PictureFormat;
@@ -56,6 +58,10 @@ use crate::printable;
 /// What the fit needs and nobody gives is an error that lists it. A value of the bodies is fixed
 /// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
 /// value: the data tell where to start.
+///
+/// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
+/// without it, a warning tells where full friction would change the modulus by more than its standard
+/// error.
 ///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
@@ -98,6 +104,9 @@ pub struct Arguments {
     /// Keep the points of one direction only
     #[arg(long, value_parser = one_of(Direction::ALL.map(|one| (one.name(), one))))]
     only: Option<Direction>,
+    /// Keep the points whose radius, penetration, height or load lies in a range: 60nm..250nm
+    #[arg(long, value_name = "LEAST..MOST", value_parser = indentation::range, allow_hyphen_values = true)]
+    between: Option<Range>,
     #[command(flatten)]
     known: KnownArguments,
     /// Poisson ratio of the sphere, which a contact does not need: the report then tells Young's
@@ -106,6 +115,8 @@ pub struct Arguments {
     sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
+    #[command(flatten)]
+    reference: ReferenceArguments,
     /// Value and standard error of a quantity that is not free, in SI units:
     /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
     /// be given several times. The fit keeps the value, and its error adds to the standard errors:
@@ -113,17 +124,17 @@ pub struct Arguments {
     /// a free value
     #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
     given: Vec<Given>,
-    /// Standard deviation of a load (N) or penetration (m), one or one for each file [default: that
+    /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%), one or one for each file [default: that
     /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
     /// residuals]
     #[arg(
         long,
         value_name = "S",
         value_delimiter = ',',
-        value_parser = any,
+        value_parser = indentation::noise,
         allow_hyphen_values = true
     )]
-    noise: Vec<Quantity>,
+    noise: Vec<Noise>,
     /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
     /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
     /// the model: the variance of a point is that of its load plus (slope x S)^2
@@ -162,7 +173,8 @@ pub struct Arguments {
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
-    /// "reduced_chi_squared", "noise", "abscissa_noise", "left_out", "without_film": {...},
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "left_out", "loss": {"angle", "tangent", "stderr"} where
+    /// phases are measured, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
     /// own is a list. With --intervals each parameter has an "interval".
@@ -215,8 +227,10 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
 }
 
 impl Arguments {
-    fn format(&self) -> Format {
-        Format {
+    fn format(&self) -> anyhow::Result<Format> {
+        let between = self.between.as_ref().map(|range| range.of(self.kind));
+        Ok(Format {
+            between: between.transpose()?,
             kind: self.kind,
             columns: self.columns.clone(),
             cantilever: Cantilever {
@@ -225,20 +239,8 @@ impl Arguments {
             },
             segments: self.segments,
             only: self.only,
-        }
+        })
     }
-}
-
-/// Returns the standard deviation of the ordinates of a kind, in SI units.
-pub fn standard_deviation(noise: &Quantity, kind: Kind) -> anyhow::Result<f64> {
-    let value = noise
-        .of(Some(roles(kind)[1].dimension()))
-        .context("--noise")?;
-    ensure!(
-        value >= 0.0,
-        "--noise {value:?}: the standard deviation of a noise is a number of at least 0"
-    );
-    Ok(value)
 }
 
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
@@ -283,6 +285,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .map(PathBuf::as_path)
         .chain(arguments.known.bodies.files().into_iter().flatten())
         .chain(arguments.table.path())
+        .chain(arguments.reference.reference.as_deref())
         .collect();
     ensure!(
         arguments.csv.is_none() || arguments.csv != arguments.plot,
@@ -290,7 +293,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let csv = output(arguments.csv.as_deref(), &inputs)?;
     let plot = output(arguments.plot.as_deref(), &inputs)?;
-    let files = arguments.data.len();
+    let files = arguments.data.len() + usize::from(arguments.reference.reference.is_some());
     for (flag, noises) in [
         ("--noise", arguments.noise.len()),
         ("--abscissa-noise", arguments.abscissa_noise.len()),
@@ -300,17 +303,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             "{flag}: {noises} values for {files} files; give one, or one for each file"
         );
     }
-    let format = arguments.format();
-    let (mut measurements, mut errors, mut notes) = (Vec::new(), Vec::new(), Vec::new());
-    for path in &arguments.data {
+    let format = arguments.format()?;
+    let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    for path in arguments.data.iter().chain(&arguments.reference.reference) {
         let reading = measured(path, &format)?;
         measurements.push(reading.measurement);
-        errors.push(reading.errors);
+        beside.push((reading.errors, reading.loads, reading.phases));
         notes.push(reading.notes);
     }
+    let reference = measurements.split_off(arguments.data.len()).pop();
     let mut experiments = arguments.known.experiments(measurements)?;
-    for ((i, experiment), errors) in experiments.iter_mut().enumerate().zip(errors) {
+    if let Some(measurement) = reference {
+        let reference = &arguments.reference;
+        experiments.push(reference.experiment(measurement, &experiments[0])?);
+    }
+    for ((i, experiment), (errors, loads, phases)) in experiments.iter_mut().enumerate().zip(beside)
+    {
         let kind = experiment.measurement.kind;
+        experiment.indentation.loads = loads;
+        experiment.indentation.phases = phases;
         if kind == Kind::ForceHeight {
             let of_file = notes[i].cantilever.stiffness;
             experiment.stiffness = experiment.stiffness.or(of_file);
@@ -319,13 +330,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             quantity, value, ..
         } in &arguments.given
         {
+            if i >= arguments.data.len() && experiment.set_fixed(*quantity, *value).is_err() {
+                // A reference sample has no film.
+                continue;
+            }
             let set = experiment.set_fixed(*quantity, *value);
             set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
         }
         // A flag stands for a column.
         experiment.errors = errors;
         if let Some(noise) = arguments.noise.get(i).or(arguments.noise.first()) {
-            experiment.noise = Some(standard_deviation(noise, kind)?);
+            experiment.noise = Some(noise.of(kind)?);
             experiment.errors.ordinate.clear();
         }
         let of_file = arguments.abscissa_noise.get(i);
@@ -336,6 +351,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
     }
     let free = arguments.free.of(&experiments, &arguments.known.values)?;
+    arguments.known.forget_shapes(&mut experiments, &free);
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);
     let from_deflection = columns.any(|column| column.role == Role::Deflection);
     if from_deflection

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use ::fit::data::Notes;
 use ::fit::report::reading;
 use ::fit::{
-    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, LeftOut, Parameter, WithoutFilm,
+    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, LeftOut, LossAngle, Parameter,
+    WithoutFilm,
 };
 use serde::{Serialize, Serializer};
 
@@ -30,6 +31,9 @@ pub struct FitObject<'a> {
     abscissa_noise: OneOrAll<Number>,
     /// Of each file, the points that were left out, by reason.
     left_out: OneOrAll<Vec<LeftOutObject>>,
+    /// Of each file, the loss tangent of the film, where phases are measured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    loss: Option<OneOrAll<Option<LossObject>>>,
     without_film: Option<WithoutFilmObject<'a>>,
     fixed_values: Vec<FixedValueObject>,
     warnings: Vec<WarningObject<'a>>,
@@ -56,6 +60,24 @@ struct FixedValueObject {
     changes: Vec<Number>,
     /// The standard error, if one is given.
     error: Option<Number>,
+}
+
+/// The angle of a complex modulus, and its tangent with the standard error.
+#[derive(Serialize)]
+struct LossObject {
+    angle: Number,
+    tangent: Number,
+    stderr: Number,
+}
+
+impl LossObject {
+    fn new(found: LossAngle) -> Self {
+        Self {
+            angle: Number(found.angle),
+            tangent: Number(found.tangent()),
+            stderr: Number(found.tangent_error()),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -173,6 +195,7 @@ impl<'a> FitObject<'a> {
             kind: warning.kind.name(),
             text: warning.text.as_str().into(),
         });
+        let losses: Vec<Option<LossAngle>> = fit.experiments.iter().map(|one| one.loss).collect();
         let read = experiments.iter().zip(notes);
         Self {
             read: read
@@ -186,6 +209,10 @@ impl<'a> FitObject<'a> {
             noise: of_files(|one| one.noise),
             abscissa_noise: of_files(|one| one.abscissa_noise),
             left_out: OneOrAll(fit.experiments.iter().map(left_out).collect()),
+            loss: losses.iter().any(Option::is_some).then(|| {
+                let objects = losses.iter().map(|one| one.map(LossObject::new));
+                OneOrAll(objects.collect())
+            }),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
             warnings: warnings.chain(doubts).collect(),

@@ -1,0 +1,45 @@
+//! The slope of the force curve where the contact line moves.
+
+use super::line_energy::LineEnergy;
+use crate::Contact;
+use interp::Error;
+use interp::check::finite_result;
+
+impl Contact {
+    /// Returns the slope `K = dF/d delta` (N/m) of the force curve at contact radius `a` (m) and work
+    /// of adhesion `w` (J/m^2), where the contact line moves in equilibrium.
+    ///
+    /// It is the stiffness of slow loading. Where the line stays, as under a small fast oscillation,
+    /// the stiffness is [`Contact::stiffness`], `S`. With `p = |delta_fp|` and primes for `d/da`,
+    ///
+    /// ```text
+    /// K = S - S' p / (delta0' - p'),    S' = S (1/a + Eeq'/Eeq),    p' = p (1/(2a) - Gamma'/Gamma)
+    /// ```
+    ///
+    /// which follows from eqs. 8 and 9 and from `F0' = S delta0'`, for every probe. Without adhesion
+    /// `K = S`. `K` is 0 at the pull-off under a load, infinite at that under a penetration, and
+    /// negative between them.
+    ///
+    /// Measured accuracy: 1e-13 of `S` against JKR's closed form on a half-space; 1e-6 against
+    /// differences of force curves on films, for every shape (`tests/contact/moving_stiffness.rs`).
+    ///
+    /// # Errors
+    /// As [`Contact::load_and_penetration`]; [`Error::OtherProbe`] for a flat punch, whose contact
+    /// line cannot move; [`Error::Unphysical`] where the slope is infinite.
+    pub fn moving_stiffness(&self, a: f64, w: f64) -> Result<f64, Error> {
+        let edge = self.mechanics().edge_singularity(a, w)?;
+        let (_, slopes, values, relative) = self.everything_and_slopes(a)?;
+        let pinned = self.mechanics().stiffness(a, values.eeq);
+        if w == 0.0 {
+            return finite_result(a, pinned);
+        }
+        let flat_punch = self
+            .mechanics()
+            .lowered_by(a, edge, values.eeq, values.gamma)
+            .penetration;
+        let of_edge = LineEnergy::of_jkr(w).slope_of_edge(a);
+        let by_radius = slopes.penetration - flat_punch * (of_edge - relative.gamma);
+        let lost = pinned * (1.0 + relative.eeq) * flat_punch / by_radius;
+        finite_result(a, pinned - lost)
+    }
+}

@@ -1,0 +1,85 @@
+//! The columns beside abscissa and ordinate that a contact stiffness has: the load at a depth, and
+//! the phase or the loss part of the stiffness.
+
+use super::assignment::{Columns, Failure, Source};
+use super::column::Role;
+use crate::{Direction, Kind};
+
+/// What stands beside a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Beside {
+    /// The load, N; NaN without a column.
+    pub load: f64,
+    /// The phase of the stiffness, rad; NaN without a column.
+    pub phase: f64,
+}
+
+/// Lists the roles that a kind needs beside its abscissa and its ordinate.
+pub(super) const fn needed(kind: Kind) -> &'static [Role] {
+    match kind {
+        Kind::StiffnessDepth => &[Role::Load],
+        _ => &[],
+    }
+}
+
+/// Lists the roles that a kind can have beside those that it needs.
+pub(super) const fn optional(kind: Kind) -> &'static [Role] {
+    if kind.is_stiffness() {
+        &[Role::PhaseShift, Role::LossStiffness]
+    } else {
+        &[]
+    }
+}
+
+impl Columns<'_> {
+    /// Returns the columns beside those of a pair in a direction; `None` where a needed one is
+    /// missing.
+    pub(super) fn beside(
+        &self,
+        kind: Kind,
+        direction: Option<Direction>,
+    ) -> Result<Option<Vec<Source>>, Failure> {
+        let find = |role: Role| match self.find(role, direction)? {
+            None if direction.is_some() => self.find(role, None),
+            found => Ok(found),
+        };
+        let mut found = Vec::new();
+        for &role in needed(kind) {
+            let Some(source) = find(role)? else {
+                return Ok(None);
+            };
+            found.push(source);
+        }
+        for &role in optional(kind) {
+            // Of phase and loss stiffness, which tell one quantity, the first.
+            if found.len() == needed(kind).len() {
+                found.extend(find(role)?);
+            }
+        }
+        Ok(Some(found))
+    }
+}
+
+/// Returns what stands beside a point of a storage stiffness (N/m), from the values of the columns;
+/// `None` where a value is missing.
+pub(super) fn beside(
+    sources: &[Source],
+    storage: f64,
+    mut value: impl FnMut(&Source) -> Result<Option<f64>, super::rows::Failure>,
+) -> Result<Option<Beside>, super::rows::Failure> {
+    let mut found = Beside {
+        load: f64::NAN,
+        phase: f64::NAN,
+    };
+    for source in sources {
+        let Some(value) = value(source)? else {
+            return Ok(None);
+        };
+        match source.role {
+            Role::PhaseShift => found.phase = value,
+            Role::LossStiffness => found.phase = value.atan2(storage),
+            _ => found.load = value,
+        }
+    }
+    Ok(Some(found))
+}

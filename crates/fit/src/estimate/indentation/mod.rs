@@ -1,0 +1,7 @@
+//! Fits of contact stiffness: where they start, and the doubts about their results.
+
+mod start;
+mod warnings;
+
+pub(super) use start::starts;
+pub(super) use warnings::add;

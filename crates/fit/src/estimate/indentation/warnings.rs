@@ -1,0 +1,107 @@
+//! The doubts about a fit of contact stiffness.
+
+use crate::estimate::problem::{Ending, Problem};
+use crate::estimate::warnings::Warnings;
+use crate::statistics::median;
+use crate::{ContactDepth, Estimate, Fit, Indentation, Kind, Parameter, WarningKind};
+
+/// The most evaluations of the fit with the other contact depth, over the number of parameters + 1,
+/// and the relative changes at which it ends.
+const PATIENCE: usize = 30;
+const TOLERANCE: f64 = 1e-6;
+/// The contact depth over the depth from which a contact counts as plastic: that of an elastic cone
+/// is 0.64.
+const PLASTIC: f64 = 0.9;
+/// The largest contact depth over the thickness of the film.
+const DEEP: f64 = 0.5;
+
+/// Adds the doubts.
+pub(in crate::estimate) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
+    let mut of_depth = Vec::new();
+    for assigned in &problem.assigned {
+        let experiment = &assigned.experiment;
+        if experiment.measurement.kind != Kind::StiffnessDepth {
+            continue;
+        }
+        let name = &experiment.measurement.name;
+        let depths = experiment.contact_depths();
+        let points = experiment.measurement.points.iter();
+        let parts = points
+            .zip(&depths)
+            .map(|(point, depth)| depth / point.abscissa);
+        of_depth.push((name, median(parts.collect())));
+        let deepest = depths.iter().copied().fold(0.0, f64::max);
+        let thickness = experiment.bodies.top_thickness();
+        if let Some(thickness) = thickness.filter(|&thickness| deepest > DEEP * thickness) {
+            warnings.add(
+                WarningKind::DeepContact,
+                format!(
+                    "{name}: the contact depth reaches {:.0} % of the thickness of the film, above \
+                     {:.0} %: under the tip the film is thinner than the model takes it to be; \
+                     leave out the deepest points, or thin the film by a part of the contact depth",
+                    1e2 * deepest / thickness,
+                    1e2 * DEEP
+                ),
+            );
+        }
+    }
+    if of_depth.is_empty() {
+        return;
+    }
+    let Some((used, changed)) = other_depth(fit, problem) else {
+        return;
+    };
+    for (before, after) in changed {
+        let change = after / before.value - 1.0;
+        let mut text = format!(
+            "{} depends on how the contact radius follows from the depth: {:.4e} Pa by {}, {:.4e} Pa \
+             by {}, {:+.0} %, which is more than its standard error: no model of the layers decides \
+             between them; measure the contact area, or compare with a fit of one hardness",
+            before.parameter,
+            before.value,
+            used.name(),
+            after,
+            used.other().name(),
+            1e2 * change
+        );
+        let plastic = of_depth.iter().filter(|(_, part)| *part > PLASTIC);
+        for (name, part) in plastic {
+            text += &format!(
+                ". {name}: the contact is plastic (contact depth over depth {part:.2}, an elastic one \
+                 has 0.64), and the material may pile up around the tip"
+            );
+        }
+        warnings.add(WarningKind::ContactDepth, text);
+    }
+}
+
+/// Fits with the other definition of the contact depth. Returns the definition that was used, and the
+/// moduli that change by more than their standard errors, with their values by the other one.
+fn other_depth(fit: &Fit, problem: &Problem<'_>) -> Option<(ContactDepth, Vec<(Estimate, f64)>)> {
+    let mut other = problem.clone();
+    let mut used = None;
+    for assigned in &mut other.assigned {
+        if assigned.experiment.measurement.kind == Kind::StiffnessDepth {
+            let Indentation { contact_depth, .. } = &mut assigned.experiment.indentation;
+            used.get_or_insert(*contact_depth);
+            *contact_depth = contact_depth.other();
+        }
+    }
+    other.update().ok()?;
+    let (other, ending) = other.minimise(PATIENCE, TOLERANCE);
+    if ending != Ending::Converged {
+        return None;
+    }
+    let is_modulus = |parameter: Parameter| {
+        matches!(
+            parameter,
+            Parameter::FilmModulus | Parameter::LayerModulus(_)
+        )
+    };
+    let estimates = fit.estimates.iter().enumerate();
+    let changed = estimates.filter(|(_, one)| is_modulus(one.parameter));
+    let changed = changed.map(|(i, one)| (one.clone(), other.value(i)));
+    let is_large =
+        |(before, after): &(Estimate, f64)| (after - before.value).abs() > before.standard_error;
+    Some((used?, changed.filter(is_large).collect()))
+}

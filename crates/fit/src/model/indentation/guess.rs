@@ -1,0 +1,164 @@
+//! Values to start from, and the reach of contacts.
+
+use std::f64::consts::PI;
+
+use super::Indentation;
+use crate::model::Layered;
+use crate::statistics::median;
+use crate::{Bodies, Experiment, Kind, Parameter, Reach};
+
+/// How far contacts reach beyond the radii that the start of the fit has.
+const MARGIN: f64 = 1.5;
+
+/// What starts and doubts ask of the points of a contact stiffness.
+impl Experiment {
+    /// Returns the hardness that the loads and stiffnesses tell with the modulus of the substrate,
+    /// `(4/pi) beta^2 E*^2 P/S^2`.
+    pub(crate) fn hardness_to_start_from(&self) -> Option<f64> {
+        if self.measurement.kind != Kind::StiffnessLoad {
+            return None;
+        }
+        let solid = match &self.bodies {
+            Bodies::Coated(system) if system.substrate.young().is_finite() => system.substrate,
+            Bodies::Layered(layered) if layered.base.young().is_finite() => layered.base,
+            bodies => bodies.film(),
+        };
+        let sphere = self.get(Parameter::SphereModulus)?;
+        let compound = 1.0 / (1.0 / solid.reduced() + 1.0 / sphere);
+        let points = self.measurement.points.iter();
+        let ratios = points.map(|point| point.abscissa / point.ordinate.powi(2));
+        let stiffness = 2.0 * self.indentation.beta * compound;
+        let hardness = stiffness * stiffness * median(ratios.collect()) / PI;
+        (hardness > 0.0 && hardness.is_finite()).then_some(hardness)
+    }
+
+    /// Returns the modulus of the film or of the sphere that a half-space would have with the
+    /// stiffness of these points.
+    pub(crate) fn modulus_of_half_space(&self, parameter: Parameter) -> Option<f64> {
+        let beta = self.indentation.beta;
+        let points = 0..self.measurement.points.len();
+        let moduli = points.map(|i| {
+            let point = &self.measurement.points[i];
+            let stiffness = point.ordinate / beta;
+            match self.radius_without_contact(i) {
+                Some(a) => stiffness / (2.0 * a),
+                None => {
+                    let radius = self.bodies.probe().radius().unwrap_or(f64::NAN);
+                    (stiffness.powi(3) / (6.0 * radius * point.abscissa)).sqrt()
+                }
+            }
+        });
+        let compound = median(moduli.collect());
+        let other = match parameter {
+            Parameter::SphereModulus => self.bodies.film().reduced(),
+            _ => self.get(Parameter::SphereModulus)?,
+        };
+        let poisson = self.bodies.film().poisson();
+        let young = match parameter {
+            Parameter::SphereModulus => 1.0,
+            _ => 1.0 - poisson * poisson,
+        };
+        let compliance = 1.0 / compound - 1.0 / other;
+        let modulus = young
+            * if compliance > 0.0 {
+                1.0 / compliance
+            } else {
+                compound
+            };
+        (modulus > 0.0 && modulus.is_finite()).then_some(modulus)
+    }
+
+    /// Returns the contact radius of a point that does not follow from elasticity.
+    fn radius_without_contact(&self, i: usize) -> Option<f64> {
+        let point = &self.measurement.points[i];
+        let of = &self.indentation;
+        match (self.measurement.kind, of.hardness) {
+            (Kind::StiffnessLoad, Some(hardness)) => {
+                Some((point.abscissa / (PI * hardness)).sqrt())
+            }
+            (Kind::StiffnessLoad, None) => None,
+            (Kind::StiffnessDepth, _) => Some(of.area.radius(self.contact_depth_of(i))),
+            _ => Some(point.abscissa),
+        }
+    }
+
+    /// Returns the contact depth of a point at a depth, m; NaN without a load.
+    fn contact_depth_of(&self, i: usize) -> f64 {
+        let (point, of) = (&self.measurement.points[i], &self.indentation);
+        let load = of.loads.get(i).copied().unwrap_or(f64::NAN);
+        let h = point.abscissa - of.frame_compliance * load;
+        of.depth_of(h, load, 1.0 / (1.0 / point.ordinate - of.frame_compliance))
+    }
+
+    /// Returns the contact depths of all points, m.
+    pub(crate) fn contact_depths(&self) -> Vec<f64> {
+        let points = 0..self.measurement.points.len();
+        points.map(|i| self.contact_depth_of(i)).collect()
+    }
+
+    /// Returns the largest contact radius of the points, m.
+    pub(crate) fn largest_radius(&self) -> f64 {
+        let points = 0..self.measurement.points.len();
+        let radius = |i: usize| {
+            let load = self.measurement.points[i].abscissa;
+            self.radius_without_contact(i)
+                .unwrap_or_else(|| self.elastic_radius(load))
+        };
+        points.map(radius).fold(0.0, f64::max)
+    }
+
+    /// Lets contacts on layers reach as far as the points of a contact stiffness need them.
+    pub(crate) fn reach_contacts(&mut self) {
+        if !self.measurement.kind.is_stiffness() {
+            return;
+        }
+        let points = 0..self.measurement.points.len();
+        let radii = points
+            .clone()
+            .filter_map(|i| self.radius_without_contact(i));
+        let radii = radii
+            .filter(|radius| radius.is_finite())
+            .fold(0.0, f64::max);
+        let depths = self.measurement.points.iter().map(|point| point.abscissa);
+        let deepest = depths.fold(0.0, f64::max);
+        let widest = match self.measurement.kind {
+            Kind::StiffnessLoad if self.indentation.hardness.is_none() => {
+                self.elastic_radius(deepest)
+            }
+            // Before the stiffness is there, no contact depth is larger than the depth.
+            Kind::StiffnessDepth => {
+                let Indentation {
+                    area, tip_rounding, ..
+                } = &self.indentation;
+                radii.max(area.radius(1.2 * (deepest + tip_rounding.max(0.0))))
+            }
+            _ => radii,
+        };
+        let Bodies::Layered(layered) = &mut self.bodies else {
+            return;
+        };
+        let needed = (MARGIN * widest).max(layered.reach.needed);
+        layered.reach = Reach {
+            needed,
+            expected: needed,
+        };
+    }
+
+    /// Returns an upper estimate of the contact radius at a load (N): that of JKR on the softest of
+    /// the bodies.
+    fn elastic_radius(&self, load: f64) -> f64 {
+        let softest = match &self.bodies {
+            Bodies::Layered(Layered { base, layers, .. }) => layers
+                .iter()
+                .map(|layer| layer.solid.reduced())
+                .fold(base.reduced(), f64::min),
+            bodies => bodies.film().reduced(),
+        };
+        let sphere = self.get(Parameter::SphereModulus).unwrap_or(f64::INFINITY);
+        let compound = 1.0 / (1.0 / softest + 1.0 / sphere);
+        let radius = self.bodies.probe().radius().unwrap_or(f64::NAN);
+        let pull = 3.0 * PI * self.work_of_adhesion * radius;
+        let jkr = load + pull + (2.0 * pull * load + pull * pull).sqrt();
+        (0.75 * radius * jkr / compound).cbrt().min(radius)
+    }
+}

@@ -1,0 +1,208 @@
+//! The phase of a complex stiffness, and the loss tangent of the film.
+//!
+//! At one frequency the stiffness `S* = S' + i S''` is the stiffness at the complex modulus
+//! `E1 = |E| exp(i phi)` of the film, with a real Poisson ratio. It is an analytic function of
+//! `ln E1`, so that `ln S*` at `ln |E| + i phi` is the Taylor series of `ln S` at real moduli:
+//! `ln|S*| = ln S - s2 phi^2/2 + s4 phi^4/24`, `arg S* = s1 phi - s3 phi^3/6`, with the derivatives
+//! `s_n` of `ln S` by `ln E1`.
+
+use crate::model::differences::ContactOf;
+use crate::model::predict::Predicted;
+use crate::{Bodies, Branch, Error, Experiment, Parameter};
+
+/// The step of `ln E1` by which the derivatives of `ln S` are found, from five moduli.
+const STEP: f64 = 0.25;
+/// The most steps to the loss angle, and the change (rad) at which they end.
+const MOST_STEPS: usize = 30;
+const ACCURACY: f64 = 1e-12;
+/// The largest loss tangent found. Up to 1 the expansion is within 1 %.
+const LARGEST_TANGENT: f64 = 1.01;
+
+/// The angle `phi` of the complex modulus `|E| exp(i phi)` of a film or top layer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LossAngle {
+    /// The angle, rad.
+    pub angle: f64,
+    /// Its standard error, rad, from the scatter of the phases; NaN for a single point.
+    pub standard_error: f64,
+}
+
+impl LossAngle {
+    /// Returns the loss tangent `tan phi = E''/E'`.
+    pub fn tangent(self) -> f64 {
+        self.angle.tan()
+    }
+
+    /// Returns the standard error of the loss tangent.
+    pub fn tangent_error(self) -> f64 {
+        self.standard_error / self.angle.cos().powi(2)
+    }
+}
+
+/// `ln S*` at a complex modulus, by the derivatives of `ln S` at a real one.
+struct Series {
+    value: f64,
+    by_modulus: [f64; 4],
+}
+
+impl Series {
+    /// Takes `ln S` at the moduli `|E| exp(k STEP)`, `k` from -2 to 2.
+    fn new([a, b, c, d, e]: [f64; 5]) -> Self {
+        let h = STEP;
+        Self {
+            value: c,
+            by_modulus: [
+                (a - 8.0 * b + 8.0 * d - e) / (12.0 * h),
+                (-a + 16.0 * b - 30.0 * c + 16.0 * d - e) / (12.0 * h * h),
+                (-a + 2.0 * b - 2.0 * d + e) / (2.0 * h.powi(3)),
+                (a - 4.0 * b + 6.0 * c - 4.0 * d + e) / h.powi(4),
+            ],
+        }
+    }
+
+    /// Returns `ln|S*|` and `arg S*` of what is read with the compliance of a frame (m/N) in series.
+    fn at(&self, phi: f64, compliance: f64) -> [f64; 2] {
+        let [s1, s2, s3, s4] = self.by_modulus;
+        let size = self.value - s2 * phi.powi(2) / 2.0 + s4 * phi.powi(4) / 24.0;
+        let angle = s1 * phi - s3 * phi.powi(3) / 6.0;
+        if compliance == 0.0 {
+            return [size, angle];
+        }
+        let [real, imaginary] = [angle.cos(), -angle.sin()].map(|part| (-size).exp() * part);
+        let real = real + compliance;
+        [-real.hypot(imaginary).ln(), -imaginary.atan2(real)]
+    }
+}
+
+impl Experiment {
+    /// Returns the modulus that is complex: that of the film, the half-space or the top layer.
+    fn lossy(&self) -> Option<Parameter> {
+        match &self.bodies {
+            Bodies::Coated(_) | Bodies::HalfSpace(_) => Some(Parameter::FilmModulus),
+            Bodies::Layered(layered) => {
+                let name = layered.layers.last()?.name?;
+                Some(Parameter::LayerModulus(name))
+            }
+        }
+    }
+
+    /// Returns the series of each point that counts; `None` of the others.
+    fn series(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+    ) -> Result<Vec<Option<Series>>, Error> {
+        let Some(parameter) = self.lossy() else {
+            return Err(Error::NoLoss {
+                experiment: self.measurement.name.clone(),
+            });
+        };
+        let modulus = self.get(parameter).unwrap_or(f64::NAN);
+        let mut logarithms = vec![[f64::NAN; 5]; branches.len()];
+        for k in 0..5 {
+            let mut moved = self.clone();
+            moved.replace(parameter, modulus * ((k as f64 - 2.0) * STEP).exp())?;
+            let sample = moved.sample(contact_of, branches)?;
+            for (i, logarithms) in logarithms.iter_mut().enumerate() {
+                if branches[i] != Branch::LeftOut {
+                    let (_, stiffness) = self.stiffness_at(i, self.compared(i), &sample)?;
+                    logarithms[k] = stiffness.ln();
+                }
+            }
+        }
+        let series = logarithms.into_iter().zip(branches);
+        let series = series
+            .map(|(values, branch)| (*branch != Branch::LeftOut).then(|| Series::new(values)));
+        Ok(series.collect())
+    }
+
+    /// Returns the loss angle of least squares of the phases.
+    fn angle_of(&self, series: &[Option<Series>]) -> LossAngle {
+        let compliance = self.indentation.frame_compliance;
+        let of_points = || {
+            let phases = self.indentation.phases.iter();
+            series
+                .iter()
+                .zip(phases)
+                .filter_map(|(one, phase)| Some((one.as_ref()?, *phase)))
+        };
+        // The derivative by differences is exact enough: the residuals tell when to stop.
+        let sums = |phi: f64| {
+            let mut sums = [0.0; 3];
+            for (one, phase) in of_points() {
+                let at = |phi| one.at(phi, compliance)[1];
+                let residual = phase - at(phi);
+                let slope = (at(phi + 1e-5) - at(phi - 1e-5)) / 2e-5;
+                for (sum, term) in
+                    sums.iter_mut()
+                        .zip([slope * residual, slope * slope, residual * residual])
+                {
+                    *sum += term;
+                }
+            }
+            sums
+        };
+        let mut phi = 0.0;
+        for _ in 0..MOST_STEPS {
+            let [residuals, slopes, _] = sums(phi);
+            let step = residuals / slopes;
+            phi += step;
+            if !(step.abs() > ACCURACY) {
+                break;
+            }
+        }
+        let [_, slopes, squares] = sums(phi);
+        let freedom = of_points().count() as f64 - 1.0;
+        let standard_error = if freedom > 0.0 {
+            (squares / freedom / slopes).sqrt()
+        } else {
+            f64::NAN
+        };
+        LossAngle {
+            angle: phi,
+            standard_error,
+        }
+    }
+
+    /// Replaces the predictions by the logarithms of the storage part of the complex stiffness.
+    pub(super) fn predict_storage(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+        predicted: &mut Predicted,
+    ) -> Result<(), Error> {
+        let series = self.series(contact_of, branches)?;
+        let phi = self.angle_of(&series).angle;
+        for (value, one) in predicted.values.iter_mut().zip(&series) {
+            if let Some(one) = one {
+                let [size, angle] = one.at(phi, self.indentation.frame_compliance);
+                *value = size + angle.cos().ln();
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the loss angle of the film or top layer, the modulus of which is the absolute value of
+    /// the complex one; `None` where no phase is measured.
+    ///
+    /// # Errors
+    /// [`Error::Loss`] for a loss tangent above 1, where the expansion is not within 1 %.
+    pub(crate) fn loss_angle(
+        &self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+    ) -> Result<Option<LossAngle>, Error> {
+        if !self.measurement.kind.is_stiffness() || self.indentation.phases.is_empty() {
+            return Ok(None);
+        }
+        let found = self.angle_of(&self.series(contact_of, branches)?);
+        let tangent = found.tangent();
+        if found.angle.abs() < std::f64::consts::FRAC_PI_2 && tangent.abs() <= LARGEST_TANGENT {
+            return Ok(Some(found));
+        }
+        Err(Error::Loss {
+            experiment: self.measurement.name.clone(),
+            tangent,
+        })
+    }
+}

@@ -1,0 +1,79 @@
+//! The contact radii of points.
+
+use std::f64::consts::PI;
+
+use contact::{Contact, Control};
+
+use super::{ContactDepth, Indentation};
+use crate::{Experiment, Kind};
+
+/// The contact of a point: its radius and, where a depth tells it, its contact depth, m.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub radius: f64,
+    pub depth: f64,
+}
+
+impl Indentation {
+    /// Returns the contact depth (m) of the depth `h` (m) that the sample is indented, a load (N)
+    /// and a stiffness (N/m).
+    pub(super) fn depth_of(&self, h: f64, load: f64, stiffness: f64) -> f64 {
+        let h0 = self.tip_rounding;
+        match self.contact_depth {
+            ContactDepth::OliverPharr => h - self.epsilon * load / stiffness + h0,
+            ContactDepth::Loubet => 1.2 * (h - load / stiffness + h0),
+        }
+    }
+
+    /// Returns the depth (m) that belongs to a contact depth: the inverse of [`Self::depth_of`].
+    pub(super) fn indented(&self, contact_depth: f64, load: f64, stiffness: f64) -> f64 {
+        let h0 = self.tip_rounding;
+        match self.contact_depth {
+            ContactDepth::OliverPharr => contact_depth + self.epsilon * load / stiffness - h0,
+            ContactDepth::Loubet => contact_depth / 1.2 + load / stiffness - h0,
+        }
+    }
+}
+
+impl Experiment {
+    /// Returns the contact of a point, NaN where there is none. `measured` is the stiffness that was
+    /// read there; an elastic contact is found with the equilibria of `contact`.
+    pub(super) fn place(
+        &self,
+        i: usize,
+        measured: f64,
+        contact: &Contact,
+    ) -> Result<Place, interp::Error> {
+        let of = &self.indentation;
+        let abscissa = self.measurement.points[i].abscissa;
+        let at = |radius| Place { radius, depth: 0.0 };
+        Ok(match (self.measurement.kind, of.hardness) {
+            (Kind::StiffnessDepth, _) => {
+                let load = of.loads.get(i).copied().unwrap_or(f64::NAN);
+                let stiffness = 1.0 / (1.0 / measured - of.frame_compliance);
+                let h = abscissa - of.frame_compliance * load;
+                let depth = of.depth_of(h, load, stiffness);
+                Place {
+                    radius: if stiffness > 0.0 {
+                        of.area.radius(depth)
+                    } else {
+                        f64::NAN
+                    },
+                    depth,
+                }
+            }
+            (Kind::StiffnessLoad, Some(hardness)) => at((abscissa / (PI * hardness)).sqrt()),
+            (Kind::StiffnessLoad, None) => {
+                let equilibria = contact.equilibria(self.work_of_adhesion, Control::Load)?;
+                at(equilibria.loading(abscissa)?.contact_radius)
+            }
+            _ => at(abscissa),
+        })
+    }
+
+    /// Tells whether the contact radii follow from loads by elasticity, so that the shape of the
+    /// probe and the work of adhesion matter.
+    pub(crate) const fn is_elastic_load(&self) -> bool {
+        matches!(self.measurement.kind, Kind::StiffnessLoad) && self.indentation.hardness.is_none()
+    }
+}

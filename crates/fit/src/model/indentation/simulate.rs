@@ -1,0 +1,87 @@
+//! Synthetic measurements of contact stiffness.
+
+use std::f64::consts::PI;
+
+use super::sample::Sample;
+use crate::model::differences::ContactOf;
+use crate::{Branch, Error, Experiment, Kind};
+
+/// The contact radii (m) among which that of a depth is searched.
+const RADII: [f64; 2] = [1e-12, 1.0];
+/// The bisections of the logarithm of a contact radius.
+const BISECTIONS: usize = 200;
+
+impl Experiment {
+    /// Gives the points the stiffness that the model has there, and those at depths the loads of the
+    /// hardness.
+    pub(crate) fn make_stiffness(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
+        self.accept_directions()?;
+        let count = self.measurement.points.len();
+        let branches = vec![Branch::Advancing; count];
+        if self.measurement.kind == Kind::StiffnessDepth {
+            self.make_depths(contact_of)?;
+            return Ok(());
+        }
+        let predicted = self.predict_stiffness(contact_of, &branches)?;
+        for (point, value) in self.measurement.points.iter_mut().zip(predicted.values) {
+            point.ordinate = value.exp();
+        }
+        Ok(())
+    }
+
+    /// Makes stiffness and load at depths, `P = H pi a^2`.
+    fn make_depths(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
+        let of = self.indentation.clone();
+        let name = self.measurement.name.clone();
+        let Some(hardness) = of.hardness else {
+            return Err(Error::Setting {
+                name: format!("the hardness of {name}"),
+                value: f64::NAN,
+                allowed: "given: the loads of simulated depths follow from it".into(),
+            });
+        };
+        let depths = self.measurement.points.iter().map(|point| point.abscissa);
+        let deepest = depths.fold(0.0, f64::max);
+        let sample = Sample::new(&self.bodies, contact_of, of.thinning * 1.2 * deepest)?;
+        let mut loads = Vec::with_capacity(self.measurement.points.len());
+        for point in &mut self.measurement.points {
+            let target = point.abscissa;
+            // The depth, the load and the stiffness that are read at a contact radius.
+            let at = |radius: f64| {
+                let contact_depth = of.area.depth(radius);
+                let load = PI * hardness * radius * radius;
+                let thinner = of.thinning * contact_depth;
+                let stiffness = of.beta * sample.stiffness(radius, thinner)?;
+                let h = of.indented(contact_depth, load, stiffness);
+                let read = 1.0 / (1.0 / stiffness + of.frame_compliance);
+                Ok::<_, Error>((h + of.frame_compliance * load, load, read))
+            };
+            let [mut low, mut high] = RADII.map(f64::ln);
+            for _ in 0..BISECTIONS {
+                let middle = 0.5 * (low + high);
+                // No contact is wider than the reach of the sample.
+                let too_deep = at(middle.exp()).map_or(true, |(h, ..)| !(h < target));
+                if too_deep {
+                    high = middle;
+                } else {
+                    low = middle;
+                }
+            }
+            let (h, load, stiffness) = at(low.exp())?;
+            if !((h / target - 1.0).abs() < 1e-6) {
+                return Err(Error::Point {
+                    measurement: name,
+                    line: point.line,
+                    name: "penetration",
+                    value: target,
+                    allowed: "a depth at which the model has a contact: deeper than the tip \
+                              rounding, and within the reach of the sample",
+                });
+            }
+            loads.push(load);
+            point.ordinate = stiffness;
+        }
+        self.indentation.loads = loads;
+        Ok(())
+    }
+}

@@ -1,0 +1,69 @@
+//! What a report says of a contact stiffness beside what it says of every fit.
+
+use std::borrow::Cow;
+
+use crate::{AreaFunction, ContactDepth, Experiment, Fit, FittedPoint, Kind, Parameter};
+
+/// Returns what is known of the indenter.
+pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
+    let of = &experiment.indentation;
+    let mut rows: Vec<(Cow<'static, str>, String)> = vec![("beta".into(), of.beta.to_string())];
+    if experiment.measurement.kind == Kind::StiffnessDepth {
+        let depth = match of.contact_depth {
+            ContactDepth::OliverPharr => format!("oliver-pharr, epsilon {}", of.epsilon),
+            ContactDepth::Loubet => "loubet".into(),
+        };
+        rows.push(("contact-depth".into(), depth));
+        rows.push(("area".into(), area(&of.area)));
+        if of.thinning > 0.0 {
+            rows.push(("thinning".into(), of.thinning.to_string()));
+        }
+    }
+    rows
+}
+
+/// Returns the coefficients of an area function.
+fn area(of: &AreaFunction) -> String {
+    let numbers: Vec<String> = of.coefficients().iter().map(f64::to_string).collect();
+    format!("{} nm^2", numbers.join(", "))
+}
+
+/// Returns the range of the contact radii of each measurement of a contact stiffness, over the
+/// thickness of its film or top layer, and the loss tangent.
+pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for (fitted, experiment) in fit.experiments.iter().zip(experiments) {
+        if !experiment.measurement.kind.is_stiffness() {
+            continue;
+        }
+        let name = &fitted.name;
+        let radii = fitted.points.iter().filter_map(radius);
+        let [least, most] = radii.fold([f64::INFINITY, 0.0_f64], |[l, m], a| [l.min(a), m.max(a)]);
+        let found = fit.estimate(Parameter::FilmThickness);
+        let thickness = found
+            .map(|one| one.value)
+            .or(experiment.bodies.top_thickness());
+        if let Some(thickness) = thickness.filter(|_| most > 0.0) {
+            lines.push(format!(
+                "{name}: contact radius over thickness from {:.3} to {:.3}",
+                least / thickness,
+                most / thickness
+            ));
+        }
+        if let Some(loss) = fitted.loss {
+            lines.push(format!(
+                "{name}: loss tangent {:.4} +- {:.4}; the modulus of the film is the absolute value, \
+                 {:.4} of which is the storage modulus and {:.4} the loss modulus",
+                loss.tangent(),
+                loss.tangent_error(),
+                loss.angle.cos(),
+                loss.angle.sin()
+            ));
+        }
+    }
+    lines
+}
+
+fn radius(point: &FittedPoint) -> Option<f64> {
+    point.contact_radius
+}

@@ -1,0 +1,244 @@
+"""Contact stiffness: the two slopes of a contact, and fits of what nanoindenters measure."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Contact,
+    Elastic,
+    Experiment,
+    FitError,
+    FlatPunch,
+    Free,
+    HalfSpace,
+    Indentation,
+    Layer,
+    OtherProbeError,
+    Stack,
+    StackSystem,
+    System,
+    Table,
+    fit,
+    forecast,
+    predict,
+    read_experiment,
+    simulate,
+)
+
+DIAMOND = 1.1466e12
+OXIDE = Elastic(young_modulus=7.2e10, poisson_ratio=0.17)
+SILICON = Elastic(young_modulus=1.7e11, poisson_ratio=0.28)
+
+
+def system(thickness: float = 5e-7) -> System:
+    return System(
+        sphere_radius=1e-5,
+        sphere_modulus=DIAMOND,
+        film=OXIDE,
+        film_thickness=thickness,
+        substrate=SILICON,
+    )
+
+
+def test_the_moving_stiffness_is_the_slope_of_the_force_curve() -> None:
+    contact = Table.embedded().contact(system(2e-7))
+    a, w = np.array([3e-7, 6e-7, 1e-6]), 0.5
+    moving, pinned = contact.moving_stiffness(a, w), contact.stiffness(a)
+    step = 1e-4 * a
+    above = contact.load_and_penetration(a + step, w)
+    below = contact.load_and_penetration(a - step, w)
+    load, depth = (x - y for x, y in zip(above, below, strict=True))
+    assert np.allclose(moving, load / depth, rtol=1e-5)
+    assert (moving < pinned).all()
+    assert np.array_equal(contact.moving_stiffness(a, 0.0), pinned)
+    assert isinstance(contact.moving_stiffness(3e-7, w), float)
+
+
+def test_a_flat_punch_has_no_moving_stiffness() -> None:
+    punch = HalfSpace(probe=FlatPunch(radius=1e-6), sphere_modulus=DIAMOND, solid=SILICON)
+    contact = Contact.half_space(punch)
+    with pytest.raises(OtherProbeError):
+        contact.moving_stiffness(1e-6, 0.1)
+    assert np.isnan(contact.moving_stiffness(1e-6, 0.1, errors="nan"))
+
+
+@pytest.mark.parametrize(
+    ("kind", "abscissa", "known", "free"),
+    [
+        ("stiffness-radius", np.linspace(5e-8, 1e-6, 30), {}, ["film_modulus"]),
+        (
+            "stiffness-load",
+            np.linspace(1e-4, 2e-2, 30),
+            {"hardness": 1e10},
+            ["film_modulus", "hardness"],
+        ),
+        ("stiffness-load", np.linspace(1e-4, 2e-2, 30), {}, ["film_modulus"]),
+        (
+            "stiffness-depth",
+            np.linspace(4e-8, 2.2e-7, 30),
+            {"hardness": 1e10, "tip_rounding": 6e-9, "thinning": 0.333},
+            ["film_modulus"],
+        ),
+    ],
+)
+def test_simulated_stiffnesses_are_found_again(
+    kind: str, abscissa: np.ndarray, known: dict[str, float], free: list[str]
+) -> None:
+    plan = Experiment(
+        kind=kind,
+        abscissa=abscissa,
+        system=system(),
+        indentation=Indentation(beta=1.034, **known),
+        noise=0.01,
+    )
+    made = simulate(plan, noise=0.01, seed=3)
+    assert (made.indentation.loads is not None) == (kind == "stiffness-depth")
+    found = fit(made, free)
+    assert found.converged
+    assert abs(found.params["film_modulus"] - 7.2e10) < 3.5 * found.stderr["film_modulus"]
+    expected = forecast(plan, free).stderr["film_modulus"]
+    assert found.stderr["film_modulus"] == pytest.approx(expected, rel=0.05)
+    assert found.experiments[0].loss is None
+
+
+def test_a_reference_sample_tells_tip_and_frame() -> None:
+    berkovich = Indentation(beta=1.034, hardness=1e10, tip_rounding=6e-9, frame_compliance=2e-7)
+    depths = np.linspace(4e-8, 2.2e-7, 40)
+    silicon = HalfSpace(sphere_radius=1e-5, sphere_modulus=DIAMOND, solid=SILICON)
+    film = Experiment(
+        kind="stiffness-depth", abscissa=depths, system=system(), indentation=berkovich
+    )
+    bare = replace(film, system=silicon, indentation=replace(berkovich, reference=True))
+    made = [simulate(one, noise=0.003, seed=i) for i, one in enumerate([film, bare])]
+    found = fit(made, ["film_modulus", "tip_rounding", "frame_compliance"])
+    for name, truth in [
+        ("film_modulus", 7.2e10),
+        ("tip_rounding", 6e-9),
+        ("frame_compliance", 2e-7),
+    ]:
+        assert abs(found.params[name] - truth) < 3.5 * found.stderr[name], name
+    with pytest.raises(FitError, match="reference"):
+        fit(replace(made[0], indentation=made[1].indentation), ["film_modulus"])
+
+
+def test_a_stack_of_one_layer_is_a_film() -> None:
+    plan = Experiment(
+        kind="stiffness-radius", abscissa=np.linspace(1e-7, 1e-6, 12), system=system()
+    )
+    made = simulate(plan, noise=0.01, seed=1)
+    layer = Layer(material=OXIDE, thickness=5e-7, name="oxide")
+    stack = StackSystem(
+        sphere_radius=1e-5, sphere_modulus=DIAMOND, stack=Stack(base=SILICON, layers=[layer])
+    )
+    on_stack = fit(replace(made, system=stack), ["oxide.modulus"]).params["oxide.modulus"]
+    on_film = fit(made, ["film_modulus"]).params["film_modulus"]
+    assert on_stack == pytest.approx(on_film, rel=1e-5)
+
+
+def test_derivatives_are_those_of_the_stiffness() -> None:
+    lens = Experiment(
+        kind="stiffness-radius", abscissa=[2e-7, 8e-7], system=system(), ordinate=[1e5, 1e5]
+    )
+    found = predict(lens, ["film_modulus"])
+    assert np.allclose(
+        found.ordinate, Table.embedded().contact(system()).stiffness([2e-7, 8e-7]), rtol=1e-9
+    )
+    step = 1e7
+
+    def stiffness(young: float) -> np.ndarray:
+        film = Elastic(young_modulus=young, poisson_ratio=0.17)
+        return Table.embedded().contact(replace(system(), film=film)).stiffness([2e-7, 8e-7])
+
+    slope = (stiffness(7.2e10 + step) - stiffness(7.2e10 - step)) / (2 * step)
+    assert np.allclose(found.derivatives["film_modulus"], slope, rtol=1e-4)
+
+
+def test_phases_tell_the_loss_tangent() -> None:
+    # Under a rigid sphere and on a rigid base the loss tangent is that of the stiffness.
+    gel = Elastic(young_modulus=1e6, poisson_ratio=0.45)
+    rigid = Elastic(young_modulus=np.inf, poisson_ratio=0.3)
+    bodies = System(
+        sphere_radius=1e-4,
+        sphere_modulus=np.inf,
+        film=gel,
+        film_thickness=1e-6,
+        substrate=rigid,
+    )
+    radii = np.linspace(3e-7, 3e-6, 10)
+    stiffness = Table.embedded().contact(bodies).stiffness(radii)
+    measured = Experiment(
+        kind="stiffness-radius",
+        abscissa=radii,
+        ordinate=stiffness * np.cos(0.3),
+        system=bodies,
+        indentation=Indentation(phases=np.full(10, 0.3)),
+        noise=1e-3,
+    )
+    found = fit(measured, ["film_modulus"])
+    assert found.params["film_modulus"] == pytest.approx(1e6, rel=1e-4)
+    loss = found.experiments[0].loss
+    assert loss is not None
+    assert loss["tangent"] == pytest.approx(np.tan(0.3), rel=1e-4)
+    too_viscous = replace(measured, indentation=Indentation(phases=np.full(10, 0.9)))
+    with pytest.raises(FitError, match="loss tangent"):
+        fit(too_viscous, ["film_modulus"])
+
+
+def test_files_of_nanoindenters_are_read(tmp_path: Path) -> None:
+    rows = "\n".join(f"{50 + 10 * i},{0.3 + 0.1 * i},{2e4 + 3e3 * i}" for i in range(12))
+    file = tmp_path / "csm.csv"
+    file.write_text(
+        "Displacement Into Surface (nm),Load On Sample (mN),Harmonic Contact Stiffness (N/m)\n"
+        f"-1,0.001,1.797e308\n{rows}\n"
+    )
+    read = read_experiment(
+        file,
+        "stiffness-depth",
+        system=system(),
+        between=(6e-8, 1.5e-7),
+        indentation=Indentation(beta=1.034),
+    )
+    assert len(read.abscissa) == 10
+    assert read.indentation.beta == 1.034
+    assert np.allclose(read.indentation.loads, 1e-3 * (0.4 + 0.1 * np.arange(10)))
+    assert "outside the range" in read.reading
+
+
+@pytest.mark.parametrize(
+    ("known", "words"),
+    [
+        ({"beta": 0.1}, "beta"),
+        ({"epsilon": -1}, "epsilon"),
+        ({"area": [0.0]}, "area function"),
+        ({"hardness": -1.0}, "hardness"),
+        ({"frame_compliance": -1.0}, "frame.compliance"),
+        ({"thinning": 0.3}, "thinning"),
+        ({"phases": [0.1]}, "phases"),
+    ],
+)
+def test_wrong_indenters_are_refused(known: dict[str, object], words: str) -> None:
+    kind = "stiffness-load" if "hardness" in known else "stiffness-radius"
+    measured = Experiment(
+        kind=kind,
+        abscissa=[1e-7, 2e-7, 3e-7],
+        ordinate=[4e4, 8e4, 1.2e5],
+        system=system(),
+        indentation=Indentation(**known),  # type: ignore[arg-type]
+    )
+    with pytest.raises(FitError, match=words):
+        fit(measured, [Free(parameter="film_modulus")])
+
+
+def test_words_of_another_kind_are_refused() -> None:
+    with pytest.raises(FitError, match="oliver-pharr"):
+        Indentation(contact_depth="hertz")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="Indentation"):
+        Experiment(
+            kind="stiffness-radius",
+            abscissa=[1e-7],
+            system=system(),
+            indentation={"beta": 1.0},  # type: ignore[arg-type]
+        )

@@ -1,0 +1,288 @@
+//! The flags of a contact stiffness: the indenter, its contact depth, and a reference sample.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ::fit::data::{Dimension, Quantity};
+use ::fit::{
+    AreaFunction, Bodies, ContactDepth, DirectSolver, Experiment, Free, Indentation, Kind, Layered,
+    Measurement, Parameter, Reach,
+};
+use anyhow::{Context, ensure};
+use clap::ValueHint;
+use interp::{Elastic, Probe};
+
+use super::one_of;
+use crate::cli::quantity::{any, length, modulus, number, read};
+
+/// The flags of an indenter.
+#[derive(clap::Args)]
+#[group(skip)]
+#[command(next_help_heading = "Contact stiffness")]
+pub struct IndentationArguments {
+    /// Factor of a contact stiffness, S = beta 2 a E2* Eeq: 1 of spheres and cones, 1.034 of a
+    /// Berkovich pyramid, 1.012 of Vickers' pyramid [default: 1]
+    #[arg(long, value_name = "BETA", value_parser = number, allow_hyphen_values = true)]
+    beta: Option<f64>,
+    /// Factor of the contact depth h - epsilon P/S + h0: 0.75 of paraboloids and pyramids, 0.72 of
+    /// cones, 1 of flat punches [default: 0.75]
+    #[arg(long, value_name = "EPSILON", value_parser = number, allow_hyphen_values = true)]
+    epsilon: Option<f64>,
+    /// Area function of the indenter, with the contact depth h in nm and the area in nm^2:
+    /// C0 h^2 + C1 h + C2 h^(1/2) + .. + C8 h^(1/128) [default: 24.56]
+    #[arg(
+        long,
+        value_name = "C0,C1,...",
+        value_delimiter = ',',
+        value_parser = number,
+        allow_hyphen_values = true
+    )]
+    area: Vec<f64>,
+    /// Contact depth: h - epsilon P/S + h0 (oliver-pharr), or 1.2 (h - P/S + h0) (loubet), for metals
+    /// that pile up [default: oliver-pharr]
+    #[arg(long, value_parser = one_of(ContactDepth::ALL.map(|one| (one.name(), one))))]
+    contact_depth: Option<ContactDepth>,
+    /// Part K of the contact depth by which the film or the top layer is thinner under the tip,
+    /// t - K h_c: 0.333 (Mencik) [default: 0]
+    #[arg(long, value_name = "K", value_parser = number, allow_hyphen_values = true)]
+    thinning: Option<f64>,
+    /// Hardness H, Pa: the contact radius at a load P is (P/(pi H))^(1/2). Without it, and with no
+    /// free hardness, the contact at a load is elastic
+    #[arg(long, value_name = "PA", value_parser = modulus, allow_hyphen_values = true)]
+    hardness: Option<f64>,
+    /// Depth h0, m, by which the tip is blunter than its area function [default: 0]
+    #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
+    tip_rounding: Option<f64>,
+    /// Compliance Cf of the frame, m/N or such as 0.2nm/mN: 1/S is read too large by Cf, the depth by
+    /// Cf P [default: 0]
+    #[arg(long, value_name = "M/N", value_parser = compliance, allow_hyphen_values = true)]
+    frame_compliance: Option<f64>,
+}
+
+/// Reads the compliance of a frame.
+fn compliance(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::Compliance))
+}
+
+impl IndentationArguments {
+    /// Names a flag that is given.
+    fn given(&self) -> Option<&'static str> {
+        [
+            ("--beta", self.beta.is_some()),
+            ("--epsilon", self.epsilon.is_some()),
+            ("--area", !self.area.is_empty()),
+            ("--contact-depth", self.contact_depth.is_some()),
+            ("--thinning", self.thinning.is_some()),
+            ("--hardness", self.hardness.is_some()),
+            ("--tip-rounding", self.tip_rounding.is_some()),
+            ("--frame-compliance", self.frame_compliance.is_some()),
+        ]
+        .into_iter()
+        .find_map(|(flag, is_given)| is_given.then_some(flag))
+    }
+
+    /// Names a flag that a kind does not use, with why.
+    fn unused(&self, kind: Kind) -> Option<String> {
+        if !kind.is_stiffness() {
+            let flag = self.given()?;
+            return Some(format!(
+                "{flag} is for a contact stiffness, and {} is measured: leave it out, or give --kind \
+                 stiffness-radius, stiffness-load or stiffness-depth",
+                kind.name()
+            ));
+        }
+        let of_depth = [
+            ("--epsilon", self.epsilon.is_some()),
+            ("--area", !self.area.is_empty()),
+            ("--contact-depth", self.contact_depth.is_some()),
+            ("--thinning", self.thinning.is_some()),
+            ("--tip-rounding", self.tip_rounding.is_some()),
+        ];
+        let (flag, _) = of_depth
+            .into_iter()
+            .find(|(_, is_given)| *is_given && kind != Kind::StiffnessDepth)?;
+        Some(format!(
+            "{flag} is for contact depths, and {} is measured: leave it out, or give --kind \
+             stiffness-depth",
+            kind.name()
+        ))
+    }
+
+    /// Returns what is known of the measurement.
+    pub fn of(&self, kind: Kind) -> anyhow::Result<Indentation> {
+        if let Some(unused) = self.unused(kind) {
+            anyhow::bail!(unused);
+        }
+        let new = Indentation::NEW;
+        Ok(Indentation {
+            beta: self.beta.unwrap_or(new.beta),
+            epsilon: self.epsilon.unwrap_or(new.epsilon),
+            area: if self.area.is_empty() {
+                new.area
+            } else {
+                AreaFunction::new(&self.area).context("--area")?
+            },
+            contact_depth: self.contact_depth.unwrap_or(new.contact_depth),
+            thinning: self.thinning.unwrap_or(new.thinning),
+            hardness: self.hardness,
+            tip_rounding: self.tip_rounding.unwrap_or(new.tip_rounding),
+            frame_compliance: self.frame_compliance.unwrap_or(new.frame_compliance),
+            ..new
+        })
+    }
+}
+
+/// Tells whether elasticity does not tell the contact radii of a contact stiffness, so that neither
+/// the shape of the probe nor the work of adhesion matters.
+pub fn has_no_shape(experiment: &Experiment, free: &[Free]) -> bool {
+    let kind = experiment.measurement.kind;
+    let is_free = free.iter().any(|one| one.parameter == Parameter::Hardness);
+    let is_elastic =
+        kind == Kind::StiffnessLoad && experiment.indentation.hardness.is_none() && !is_free;
+    kind.is_stiffness() && !is_elastic
+}
+
+/// Takes a probe whose radius limits no contact.
+pub fn forget_shape(experiment: &mut Experiment) {
+    /// The radius of the largest lens, m.
+    const RADIUS: f64 = 0.1;
+    let probe = Probe::Paraboloid { radius: RADIUS };
+    match &mut experiment.bodies {
+        Bodies::Coated(system) => system.probe = probe,
+        Bodies::HalfSpace(half_space) => half_space.probe = probe,
+        Bodies::Layered(layered) => layered.probe = probe,
+    }
+    experiment.work_of_adhesion = 0.0;
+}
+
+/// The flags of a reference sample.
+#[derive(clap::Args)]
+#[group(skip)]
+#[command(next_help_heading = "Contact stiffness")]
+pub struct ReferenceArguments {
+    /// A measurement of the same indenter on a bare sample of known modulus, of the same kind and
+    /// with the same columns: it tells the tip rounding and the compliance of the frame, which are
+    /// common to all files
+    #[arg(long, value_name = "DATA", value_hint = ValueHint::FilePath)]
+    pub reference: Option<PathBuf>,
+    /// Young's modulus of the reference sample, Pa [default: that of the substrate]
+    #[arg(long, value_name = "PA", requires = "reference", value_parser = modulus, allow_hyphen_values = true)]
+    reference_modulus: Option<f64>,
+    /// Poisson ratio of the reference sample [default: that of the substrate]
+    #[arg(long, value_name = "NU", requires = "reference", value_parser = number, allow_hyphen_values = true)]
+    reference_poisson_ratio: Option<f64>,
+}
+
+impl ReferenceArguments {
+    /// Returns the experiment on the reference sample, with the indenter of the experiment on the
+    /// film.
+    pub fn experiment(
+        &self,
+        measurement: Measurement,
+        film: &Experiment,
+    ) -> anyhow::Result<Experiment> {
+        ensure!(
+            measurement.kind.is_stiffness() && film.measurement.kind == measurement.kind,
+            "--reference: a reference sample is for a contact stiffness, of the kind of the first \
+             file: {} is {}",
+            measurement.name,
+            measurement.kind.name()
+        );
+        let substrate = match &film.bodies {
+            Bodies::Coated(system) => system.substrate,
+            Bodies::Layered(layered) => layered.base,
+            Bodies::HalfSpace(half_space) => half_space.solid,
+        };
+        let young = self.reference_modulus.unwrap_or(substrate.young());
+        let poisson = self.reference_poisson_ratio.unwrap_or(substrate.poisson());
+        let solid = Elastic::new(young, poisson).context("--reference-modulus")?;
+        let sphere_modulus = film.get(Parameter::SphereModulus).unwrap_or(f64::INFINITY);
+        let bodies = Bodies::Layered(Layered {
+            reach: Reach::of(&measurement, film.bodies.probe()),
+            probe: film.bodies.probe().clone(),
+            sphere_modulus,
+            base: solid,
+            layers: Vec::new(),
+            solver: Arc::new(DirectSolver),
+        });
+        let mut experiment = Experiment::new(measurement, bodies);
+        experiment.indentation = film.indentation.clone();
+        // A film is thinned, and a bare sample is not; its hardness is its own.
+        experiment.indentation.thinning = 0.0;
+        experiment.work_of_adhesion = film.work_of_adhesion;
+        Ok(experiment)
+    }
+}
+
+/// The standard deviation of ordinates, as the command line gives it.
+#[derive(Clone, Debug)]
+pub enum Noise {
+    /// Relative: `1%`.
+    Percent(f64),
+    /// In the unit of the ordinate.
+    Quantity(Quantity),
+}
+
+/// Reads a standard deviation.
+pub fn noise(text: &str) -> Result<Noise, String> {
+    match text.trim().strip_suffix('%') {
+        Some(percent) => Ok(Noise::Percent(number(percent.trim())?)),
+        None => any(text).map(Noise::Quantity),
+    }
+}
+
+impl Noise {
+    /// Returns the standard deviation of the ordinates of a kind: relative for a contact stiffness,
+    /// else in SI units.
+    pub fn of(&self, kind: Kind) -> anyhow::Result<f64> {
+        let value = match (self, kind.is_stiffness()) {
+            (Self::Percent(percent), true) => percent / 100.0,
+            (Self::Quantity(quantity), false) => {
+                let dimension = ::fit::data::roles(kind)[1].dimension();
+                quantity.of(Some(dimension)).context("--noise")?
+            }
+            (Self::Percent(percent), false) => anyhow::bail!(
+                "--noise {percent}%: only the noise of a contact stiffness is in per cent; give that \
+                 of {} in its unit",
+                kind.names()[1]
+            ),
+            (Self::Quantity(_), true) => anyhow::bail!(
+                "--noise: the noise of a contact stiffness is in per cent, because it spans decades: \
+                 write --noise 1%"
+            ),
+        };
+        ensure!(
+            value >= 0.0,
+            "--noise {value:?}: the standard deviation of a noise is a number of at least 0"
+        );
+        Ok(value)
+    }
+}
+
+/// Two ends of a range, `LEAST..MOST`.
+#[derive(Clone, Debug)]
+pub struct Range([Quantity; 2]);
+
+/// Reads a range.
+pub fn range(text: &str) -> Result<Range, String> {
+    let how = "LEAST..MOST, such as 60nm..250nm";
+    let ends = text.split_once("..");
+    let (least, most) = ends.ok_or_else(|| format!("{text:?} has no ..: write {how}"))?;
+    Ok(Range([any(least)?, any(most)?]))
+}
+
+impl Range {
+    /// Returns the ends in SI units, as lengths or, of kinds at loads, as forces.
+    pub fn of(&self, kind: Option<Kind>) -> anyhow::Result<[f64; 2]> {
+        let dimension = kind.map_or(Dimension::Length, |kind| {
+            ::fit::data::roles(kind)[0].dimension()
+        });
+        let end = |quantity: &Quantity| quantity.of(Some(dimension)).context("--between");
+        let [least, most] = [end(&self.0[0])?, end(&self.0[1])?];
+        ensure!(
+            least < most,
+            "--between {least:?}..{most:?}: the first end must be below the second"
+        );
+        Ok([least, most])
+    }
+}

@@ -1,0 +1,168 @@
+//! The slope of the force curve, against differences of the curve and closed forms.
+
+use acceptance::{Contacts, larger, paper_system};
+use contact::{Contact, Control};
+use interp::{Elastic, Error, HalfSpace, Probe, Profile, System, Table};
+
+fn solid(young: f64, poisson: f64) -> Elastic {
+    Elastic::new(young, poisson).expect("physical")
+}
+
+/// Returns `dF/d delta` along the force curve, by differences of fourth order.
+fn by_differences(contact: &Contact, a: f64, w: f64) -> f64 {
+    const STEP: f64 = 5e-3;
+    let slopes = [1.0, 2.0].map(|times| {
+        let at = |sign: f64| {
+            let radius = a * (1.0 + sign * times * STEP);
+            contact.load_and_penetration(radius, w).expect("in range")
+        };
+        let (above, below) = (at(1.0), at(-1.0));
+        [(above.0 - below.0) / times, (above.1 - below.1) / times]
+    });
+    let [load, penetration] = [0, 1].map(|i| 4.0 * slopes[0][i] - slopes[1][i]);
+    load / penetration
+}
+
+/// JKR: `K/S = (3 - 3z)/(3 - z)` with `z = (a_p/a)^(3/2)` and the radius `a_p` of pull-off under a
+/// load.
+#[test]
+fn a_half_space_has_the_closed_form_of_jkr() {
+    let mut contacts = Contacts::new(34);
+    let mut worst: f64 = 0.0;
+    for _ in 0..200 {
+        let [sphere, young] = [0; 2].map(|_| contacts.log_uniform(1e4, 1e12));
+        let radius = contacts.log_uniform(1e-6, 1e-2);
+        let solid = solid(young, contacts.uniform(0.0, 0.5));
+        let compound = 1.0 / (1.0 / sphere + 1.0 / solid.reduced());
+        // A contact of pull-off that is small beside the sphere.
+        let w = compound * radius * contacts.log_uniform(1e-12, 1e-6);
+        let contact = Contact::half_space(&HalfSpace {
+            probe: Probe::Paraboloid { radius },
+            sphere_modulus: sphere,
+            solid,
+        })
+        .expect("physical");
+        let pull_off = contact.pull_off(w, Control::Load).expect("there is one");
+        let a = pull_off.contact_radius * contacts.log_uniform(0.7, 30.0);
+        let z = (pull_off.contact_radius / a).powf(1.5);
+        let pinned = contact.stiffness(a).expect("in range");
+        let moving = contact.moving_stiffness(a, w).expect("in range");
+        let expected = (3.0 - 3.0 * z) / (3.0 - z);
+        // The contact of pull-off under a load is known to 1e-13 only.
+        let miss = (moving / pinned - expected).abs() / expected.abs().max(1.0);
+        worst = larger(worst, miss);
+        let without = contact.moving_stiffness(a, 0.0).expect("in range");
+        assert_eq!(without, pinned);
+    }
+    assert!(worst < 1e-12, "{worst:e}");
+}
+
+/// The paper's sphere on a film of 30 um, by differences of force curves of an independent program.
+#[test]
+fn the_sphere_of_the_paper_has_the_slopes_of_independent_curves() {
+    let contact = Contact::in_table(Table::embedded(), &paper_system(3e-5)).expect("in the table");
+    for (a, expected, digits) in [
+        (4e-5, -0.33, 5e-3),
+        (6e-5, 0.463, 5e-4),
+        (1e-4, 0.791, 5e-4),
+        (1.3e-4, 0.866, 5e-4),
+    ] {
+        let pinned = contact.stiffness(a).expect("in range");
+        let moving = contact.moving_stiffness(a, 0.04).expect("in range");
+        assert!(
+            (moving / pinned - expected).abs() < digits,
+            "{a:e}: {}",
+            moving / pinned
+        );
+    }
+}
+
+#[test]
+fn every_shape_has_the_slope_of_its_force_curve() {
+    let points: Vec<[f64; 2]> = (0..30)
+        .map(|i| 1e-6 * f64::from(i))
+        .map(|r| [r, r * r / 2e-5 + r.powi(4) * 1e12])
+        .collect();
+    let shapes = [
+        Probe::Paraboloid { radius: 4e-5 },
+        Probe::Sphere { radius: 4e-5 },
+        Probe::PowerLaw {
+            coefficient: 1e13,
+            exponent: 4.0,
+        },
+        Probe::PowerLaw {
+            coefficient: 1e6,
+            exponent: 2.5,
+        },
+        Probe::Cone { half_angle: 1.2 },
+        Probe::RoundedCone {
+            radius: 1e-5,
+            half_angle: 1.2,
+        },
+        Probe::FlatEndedCone {
+            radius: 3e-6,
+            half_angle: 1.2,
+        },
+        Probe::Profile(Profile::new(&points).expect("convex")),
+    ];
+    let mut worst: f64 = 0.0;
+    for probe in shapes {
+        let system = System {
+            probe: probe.clone(),
+            sphere_modulus: 5e7,
+            film: solid(3.5e6, 0.49),
+            film_thickness: 5e-6,
+            substrate: solid(2e11, 0.25),
+        };
+        let on_film = Contact::in_table(Table::embedded(), &system).expect("in the table");
+        let bare = Contact::half_space(&system.without_film()).expect("physical");
+        for contact in [on_film, bare] {
+            for a in [6e-6, 9e-6, 1.3e-5] {
+                for w in [0.0, 1e-3, 0.04] {
+                    let moving = contact.moving_stiffness(a, w).expect("in range");
+                    let pinned = contact.stiffness(a).expect("in range");
+                    let by_curve = by_differences(&contact, a, w);
+                    let miss = (moving - by_curve).abs() / moving.abs().max(pinned);
+                    assert!(miss < 3e-6, "{probe:?}, {a:e}, {w}: {moving} {by_curve}");
+                    worst = larger(worst, miss);
+                }
+            }
+        }
+    }
+    println!("largest miss {worst:e}");
+}
+
+/// A small work of adhesion changes `K` by little: `K - S` keeps its digits, as a ratio of
+/// differences of force curves would not.
+#[test]
+fn a_vanishing_work_of_adhesion_leaves_the_pinned_stiffness() {
+    let contact = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("in the table");
+    let a = 8e-5;
+    let pinned = contact.stiffness(a).expect("in range");
+    let lost = |w: f64| (pinned - contact.moving_stiffness(a, w).expect("in range")) / w.sqrt();
+    // `S - K` goes as the root of `w`.
+    let [one, other] = [lost(1e-12), lost(1e-16)];
+    assert!(
+        one > 0.0 && (one / other - 1.0).abs() < 1e-3,
+        "{one} {other}"
+    );
+}
+
+#[test]
+fn a_flat_punch_and_a_wrong_radius_are_refused() {
+    let system = |probe| HalfSpace {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        solid: solid(1e6, 0.3),
+    };
+    let punch = Contact::half_space(&system(Probe::FlatPunch { radius: 1e-5 })).expect("physical");
+    for w in [0.0, 0.04] {
+        let error = punch.moving_stiffness(1e-5, w).expect_err("it cannot move");
+        assert!(matches!(error, Error::OtherProbe { .. }), "{error}");
+    }
+    let sphere =
+        Contact::half_space(&system(Probe::Paraboloid { radius: 1e-5 })).expect("physical");
+    for (a, w) in [(2e-5, 0.04), (-1e-6, 0.04), (1e-6, -0.04), (f64::NAN, 0.0)] {
+        assert!(sphere.moving_stiffness(a, w).is_err(), "{a} {w}");
+    }
+}

@@ -1,0 +1,699 @@
+//! Fits of contact stiffness: the truth within the intervals, for data by direct solves.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use acceptance::{Data, larger};
+use contact::Contact;
+use fit::{
+    AreaFunction, Bodies, ContactDepth, Direction, Error, Experiment, Fit, Free, Indentation, Kind,
+    Layer, Layered, Options, Parameter, Point, PointErrors, Reach, WarningKind,
+    simulate_experiment,
+};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::prelude::*;
+use solve::stack::Interface;
+
+use crate::imagined::{measurement, solid};
+use crate::recovery::{SETS, assert_coverage};
+
+/// A diamond on 500 nm of silicon dioxide on silicon.
+fn oxide() -> System {
+    System {
+        probe: Probe::Paraboloid { radius: 1e-5 },
+        sphere_modulus: 1.1466e12,
+        film: solid(7.2e10, 0.17),
+        film_thickness: 5e-7,
+        substrate: solid(1.7e11, 0.28),
+    }
+}
+
+/// The contact by direct solves, without the table.
+fn solved(system: &System, radii: [f64; 2]) -> Contact {
+    let range = [0.5 * radii[0], 1.5 * radii[1]].map(|a| a / system.film_thickness);
+    let curve = solve::curve(&system.material().expect("physical"), range, 1e-10).expect("solved");
+    Contact::new(system, curve).expect("its own curve")
+}
+
+fn evenly([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
+    (0..count).map(move |i| from + (to - from) * i as f64 / (count - 1) as f64)
+}
+
+/// Makes an experiment of points.
+fn experiment(kind: Kind, bodies: Bodies, points: Vec<[f64; 2]>) -> Experiment {
+    let points = points.into_iter().enumerate();
+    let points = points.map(|(i, [abscissa, ordinate])| Point {
+        line: i as u64 + 1,
+        abscissa,
+        ordinate,
+        direction: None,
+    });
+    Experiment::new(measurement(kind, points.collect()), bodies)
+}
+
+/// Multiplies the stiffnesses by normal noise.
+fn noisy(exact: &Experiment, noise: f64, seed: u64) -> Experiment {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut made = exact.clone();
+    for point in &mut made.measurement.points {
+        let radius = (-2.0 * random.random_range(f64::MIN_POSITIVE..1.0_f64).ln()).sqrt();
+        let normal = radius * random.random_range(0.0..2.0 * PI).cos();
+        point.ordinate *= 1.0 + noise * normal;
+    }
+    made
+}
+
+/// Fits 200 data sets, from other values than the true ones.
+fn recover(
+    name: &str,
+    exact: &[Experiment],
+    (noise, is_known): (f64, bool),
+    free: &[Parameter],
+    expected: &[WarningKind],
+) {
+    let frees: Vec<Free> = free.iter().copied().map(Free::new).collect();
+    let fit_of = |seed: u64| {
+        let made = exact.iter().enumerate().map(|(e, exact)| {
+            let mut made = noisy(exact, noise, 1000 * seed + e as u64);
+            made.noise = is_known.then_some(noise);
+            for (parameter, factor) in [
+                (Parameter::FilmModulus, 1.5),
+                (Parameter::FilmThickness, 1.2),
+                (Parameter::Hardness, 0.7),
+                (Parameter::TipRounding, 0.0),
+                (Parameter::FrameCompliance, 0.0),
+            ] {
+                if free.contains(&parameter)
+                    && let Some(value) = made.get(parameter)
+                {
+                    made.set(parameter, factor * value).expect("allowed");
+                }
+            }
+            made
+        });
+        let made: Vec<Experiment> = made.collect();
+        fit::fit(Table::embedded(), &made, &frees, &Options::default()).expect("sound data")
+    };
+    let fits: Vec<Fit> = (0..SETS).into_par_iter().map(fit_of).collect();
+    let truth = |parameter: Parameter, _| exact[0].get(parameter).expect("a value");
+    // Films on which the interface matters are said to be taken as bonded.
+    let expected = [expected, &[WarningKind::AssumesBonding]].concat();
+    assert_coverage(name, &fits, truth, &expected);
+}
+
+/// Stiffnesses at contact radii.
+fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
+    let contact = solved(system, radii);
+    let point = |a| [a, contact.stiffness(a).expect("in range")];
+    let points = evenly(radii, count).map(point).collect();
+    experiment(
+        Kind::StiffnessRadius,
+        Bodies::Coated(system.clone()),
+        points,
+    )
+}
+
+#[test]
+fn stiffness_at_contact_radii() {
+    use Parameter::{FilmModulus, FilmThickness};
+    let exact = at_radii(&oxide(), [5e-8, 1.5e-6], 30);
+    recover(
+        "stiffness, radius",
+        &[exact.clone()],
+        (0.02, true),
+        &[FilmModulus],
+        &[],
+    );
+    let both = [FilmModulus, FilmThickness];
+    recover(
+        "stiffness, radius, thickness",
+        &[exact],
+        (0.02, false),
+        &both,
+        &[],
+    );
+}
+
+#[test]
+fn stiffness_at_loads_with_one_hardness() {
+    use Parameter::{FilmModulus, Hardness};
+    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
+    exact.measurement.kind = Kind::StiffnessLoad;
+    exact.indentation.hardness = Some(1e10);
+    exact.indentation.beta = 1.034;
+    for point in &mut exact.measurement.points {
+        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
+        point.ordinate *= 1.034;
+    }
+    let free = [FilmModulus, Hardness];
+    recover(
+        "stiffness, load, hardness",
+        &[exact],
+        (0.01, true),
+        &free,
+        &[],
+    );
+}
+
+#[test]
+fn stiffness_at_loads_of_an_elastic_contact() {
+    let film = System {
+        probe: Probe::Paraboloid { radius: 2e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(2e6, 0.49),
+        film_thickness: 5e-6,
+        substrate: solid(7e10, 0.2),
+    };
+    let radii = [1e-6, 5e-6];
+    let contact = solved(&film, radii);
+    for (w, free) in [
+        (0.0, &[Parameter::FilmModulus][..]),
+        (5e-3, &[Parameter::FilmModulus, Parameter::WorkOfAdhesion]),
+    ] {
+        let point = |a| {
+            let load = contact.load(a, w).expect("in range");
+            [load, contact.stiffness(a).expect("in range")]
+        };
+        let points = evenly(radii, 40)
+            .map(point)
+            .filter(|[load, _]| *load > 0.0)
+            .collect();
+        let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(film.clone()), points);
+        exact.work_of_adhesion = w;
+        let strain = [WarningKind::LargeStrain];
+        recover(
+            "stiffness, elastic load",
+            &[exact],
+            (0.01, true),
+            free,
+            &strain,
+        );
+    }
+}
+
+/// Stiffnesses and loads at depths, by Oliver and Pharr's formulae.
+fn at_depths(bodies: Bodies, contact: &Contact, known: &Indentation, hardness: f64) -> Experiment {
+    let mut loads = Vec::new();
+    let points = evenly([8e-8, 5e-7], 25).map(|a| {
+        let stiffness = known.beta * contact.stiffness(a).expect("in range");
+        let load = PI * hardness * a * a;
+        let contact_depth = a / (24.56 / PI).sqrt();
+        let h = contact_depth - known.tip_rounding + known.epsilon * load / stiffness;
+        loads.push(load);
+        [
+            h + known.frame_compliance * load,
+            1.0 / (1.0 / stiffness + known.frame_compliance),
+        ]
+    });
+    let points = points.collect();
+    let mut made = experiment(Kind::StiffnessDepth, bodies, points);
+    made.indentation = Indentation {
+        loads,
+        ..known.clone()
+    };
+    made
+}
+
+/// A sample and a bare reference, of which the latter tells tip and frame.
+#[test]
+fn stiffness_at_depths_with_a_reference_sample() {
+    use Parameter::{FilmModulus, FrameCompliance, TipRounding};
+    let known = Indentation {
+        beta: 1.034,
+        tip_rounding: 6e-9,
+        frame_compliance: 2e-7,
+        ..Indentation::NEW
+    };
+    let system = oxide();
+    let film = at_depths(
+        Bodies::Coated(system.clone()),
+        &solved(&system, [8e-8, 5e-7]),
+        &known,
+        1e10,
+    );
+    let bare = Contact::half_space(&system.without_film()).expect("physical");
+    let reference = Bodies::Layered(layered(&system, Vec::new()));
+    let reference = at_depths(reference, &bare, &known, 1.2e10);
+    let definition = [WarningKind::ContactDepth];
+    recover(
+        "stiffness, depth",
+        &[film.clone()],
+        (0.01, true),
+        &[FilmModulus],
+        &definition,
+    );
+    let free = [FilmModulus, TipRounding, FrameCompliance];
+    let both = [film, reference];
+    recover(
+        "stiffness, depth, reference",
+        &both,
+        (0.005, false),
+        &free,
+        &definition,
+    );
+}
+
+/// Layers under a diamond, solved directly.
+fn layered(system: &System, layers: Vec<Layer>) -> Layered {
+    Layered {
+        probe: system.probe.clone(),
+        sphere_modulus: system.sphere_modulus,
+        base: system.substrate,
+        layers,
+        reach: Reach {
+            needed: 0.0,
+            expected: 0.0,
+        },
+        solver: Arc::new(fit::DirectSolver),
+    }
+}
+
+fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
+    Layer {
+        name: Some(name.parse().expect("a name")),
+        solid,
+        thickness,
+        interface: Interface::Bonded,
+    }
+}
+
+/// A stack of one layer gives the fit of the film, for each kind.
+#[test]
+fn a_stack_of_one_layer_is_a_film() {
+    let system = oxide();
+    let one = || {
+        layered(
+            &system,
+            vec![layer("oxide", system.film, system.film_thickness)],
+        )
+    };
+    let name = Parameter::LayerModulus("oxide".parse().expect("a name"));
+    for kind in [
+        Kind::StiffnessRadius,
+        Kind::StiffnessLoad,
+        Kind::StiffnessDepth,
+    ] {
+        let mut plan = experiment(kind, Bodies::Coated(system.clone()), Vec::new());
+        plan.indentation.hardness = Some(1e10);
+        plan.indentation.thinning = if kind == Kind::StiffnessDepth {
+            0.3
+        } else {
+            0.0
+        };
+        let range = match kind {
+            Kind::StiffnessRadius => [1e-7, 1e-6],
+            Kind::StiffnessLoad => [3e-4, 2e-2],
+            _ => [5e-8, 3e-7],
+        };
+        plan.measurement.points = evenly(range, 12)
+            .map(|abscissa| Point {
+                line: 1,
+                abscissa,
+                ordinate: 0.0,
+                direction: None,
+            })
+            .collect();
+        let table = Table::embedded();
+        let made = simulate_experiment(table, &plan, 0.01, 5).expect("a contact");
+        let mut stack = made.clone();
+        stack.bodies = Bodies::Layered(one());
+        let fitted = |experiment: &Experiment, parameter| {
+            let free = [Free::new(parameter)];
+            let found = fit::fit(table, &[experiment.clone()], &free, &Options::default());
+            found.expect("sound data").estimates.remove(0)
+        };
+        let film = fitted(&made, Parameter::FilmModulus);
+        let stack = fitted(&stack, name);
+        let apart = (film.value - stack.value).abs() / film.standard_error;
+        assert!(apart < 2e-3, "{kind:?}: {film:?} {stack:?}");
+        let errors = film.standard_error / stack.standard_error - 1.0;
+        assert!(errors.abs() < 2e-3, "{kind:?}: {film:?} {stack:?}");
+    }
+}
+
+/// A top layer that is thinner under the tip, between the thicknesses that are solved, against a
+/// solve of each thickness.
+#[test]
+fn a_thinned_top_layer_is_the_stack_of_that_thickness() {
+    let system = oxide();
+    let stack = |top: f64| {
+        let titanium = layer("titanium", solid(1.2e11, 0.34), 3e-7);
+        let gold = layer("gold", solid(8e10, 0.42), top);
+        Bodies::Layered(layered(&system, vec![titanium, gold]))
+    };
+    let thickness = 2e-7;
+    let known = Indentation {
+        thinning: 0.5,
+        hardness: Some(2e9),
+        ..Indentation::NEW
+    };
+    let mut plan = experiment(Kind::StiffnessDepth, stack(thickness), Vec::new());
+    plan.indentation = known;
+    plan.measurement.points = evenly([2e-8, 2e-7], 6)
+        .map(|abscissa| Point {
+            line: 1,
+            abscissa,
+            ordinate: 0.0,
+            direction: None,
+        })
+        .collect();
+    let made = simulate_experiment(Table::embedded(), &plan, 0.0, 0).expect("a contact");
+    let mut worst: f64 = 0.0;
+    for (point, load) in made.measurement.points.iter().zip(&made.indentation.loads) {
+        let contact_depth = point.abscissa - 0.75 * load / point.ordinate;
+        let a = contact_depth * (24.56 / PI).sqrt();
+        let alone = stack(thickness - 0.5 * contact_depth);
+        let alone = experiment(Kind::StiffnessRadius, alone, vec![[a, 0.0]]);
+        let direct = simulate_experiment(Table::embedded(), &alone, 0.0, 0).expect("a contact");
+        let direct = direct.measurement.points[0].ordinate;
+        worst = larger(worst, (point.ordinate / direct - 1.0).abs());
+    }
+    assert!(worst < 1e-6, "{worst:e}");
+}
+
+/// The modulus and the loss tangent of a film from stiffness and phase, against solves with complex
+/// moduli by another program.
+#[test]
+fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
+    let data = Data::read("complex_stiffness");
+    let cases: Vec<_> = data.cases().collect();
+    let films: Vec<Vec<_>> = (0..cases.len())
+        .step_by(6)
+        .flat_map(|first| [0, 1].map(|tangent| [0, 2, 4].map(|i| first + tangent + i).to_vec()))
+        .collect();
+    let misses = films.par_iter().map(|rows| {
+        let get = |i: usize, name: &str| cases[rows[i]].get(name);
+        let (unit, thickness) = (1e9, 1e-6);
+        let (young, tangent) = (get(0, "e1_over_e2") * unit, get(0, "loss_tangent"));
+        let system = System {
+            probe: Probe::Paraboloid { radius: 0.1 },
+            sphere_modulus: unit,
+            film: solid(1.3 * young, get(0, "nu1")),
+            film_thickness: thickness,
+            substrate: solid(get(0, "e0_over_e2") * unit, get(0, "nu0")),
+        };
+        let point = |i| {
+            let a = get(i, "a_over_t") * thickness;
+            let stiffness = 2.0 * a * unit * get(i, "eeq");
+            [a, stiffness * get(i, "phase").cos()]
+        };
+        let points = (0..3).map(point).collect();
+        let mut measured = experiment(Kind::StiffnessRadius, Bodies::Coated(system), points);
+        measured.indentation.phases = (0..3).map(|i| get(i, "phase")).collect();
+        measured.noise = Some(1e-3);
+        let free = [Free::new(Parameter::FilmModulus)];
+        let found = fit::fit(Table::embedded(), &[measured], &free, &Options::default());
+        let found = found.expect("sound data");
+        let loss = found.experiments[0].loss.expect("phases are measured");
+        let of = |i| get(i, "a_over_t");
+        // Where the substrate hides the film, its modulus does not matter to the stiffness.
+        [
+            (found.estimates[0].value / young - 1.0).abs(),
+            (loss.tangent() / tangent - 1.0).abs(),
+            of(0),
+        ]
+    });
+    let misses: Vec<[f64; 3]> = misses.collect();
+    let worst = misses.iter().fold([0.0_f64; 2], |worst, one| {
+        [larger(worst[0], one[0]), larger(worst[1], one[1])]
+    });
+    println!("largest misses of the modulus and of the loss tangent: {worst:?}");
+    assert!(worst[0] < 0.01 && worst[1] < 0.01, "{misses:?}");
+}
+
+/// On a rigid base and under a rigid sphere the loss tangent of the film is that of the stiffness,
+/// and a frame in series with the contact is taken out.
+#[test]
+fn a_film_alone_has_the_loss_tangent_of_its_stiffness() {
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-4 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(1e6, 0.4),
+        film_thickness: 1e-6,
+        substrate: solid(f64::INFINITY, 0.3),
+    };
+    for (phase, compliance) in [(0.2, 0.0), (0.7, 0.0), (0.4, 0.05)] {
+        let mut measured = at_radii(&system, [3e-7, 5e-6], 8);
+        let points = &mut measured.measurement.points;
+        measured.indentation.frame_compliance = compliance;
+        measured.indentation.phases = points
+            .iter_mut()
+            .map(|point| {
+                let stiffness: f64 = point.ordinate;
+                let real = f64::cos(phase) / stiffness + compliance;
+                let imaginary = f64::sin(phase) / stiffness;
+                let phase = imaginary.atan2(real);
+                point.ordinate = phase.cos() / real.hypot(imaginary);
+                phase
+            })
+            .collect();
+        measured.noise = Some(1e-3);
+        let free = [Free::new(Parameter::FilmModulus)];
+        let found = fit::fit(Table::embedded(), &[measured], &free, &Options::default());
+        let found = found.expect("sound data");
+        let loss = found.experiments[0].loss.expect("phases are measured");
+        assert!((loss.angle - phase).abs() < 1e-5, "{phase}: {loss:?}");
+        let value = found.estimates[0].value;
+        assert!((value / 1e6 - 1.0).abs() < 1e-5, "{phase}: {value}");
+    }
+}
+
+#[test]
+fn a_loss_tangent_above_one_is_refused() {
+    let mut measured = at_radii(&oxide(), [5e-8, 2e-7], 8);
+    measured.indentation.phases = vec![0.9; 8];
+    let free = [Free::new(Parameter::FilmModulus)];
+    let found = fit::fit(Table::embedded(), &[measured], &free, &Options::default());
+    let error = found.expect_err("refused");
+    assert!(
+        matches!(error, Error::Loss { tangent, .. } if tangent > 1.0),
+        "{error}"
+    );
+}
+
+/// Metals: the definition of the contact depth moves the modulus, and the contact is plastic.
+#[test]
+fn doubts_of_metals_are_named() {
+    let system = System {
+        film: solid(7e10, 0.35),
+        ..oxide()
+    };
+    let contact = solved(&system, [8e-8, 2e-6]);
+    let known = Indentation::NEW;
+    let mut metal = at_depths(Bodies::Coated(system), &contact, &known, 8e8);
+    metal.noise = Some(0.01);
+    let free = [Free::new(Parameter::FilmModulus)];
+    let found = fit::fit(
+        Table::embedded(),
+        &[metal.clone()],
+        &free,
+        &Options::default(),
+    );
+    let found = found.expect("sound data");
+    let text = |kind| {
+        let warning = found.warnings.iter().find(|one| one.kind == kind);
+        &warning.expect("warned").text
+    };
+    let definition = text(WarningKind::ContactDepth);
+    for word in [
+        "oliver-pharr",
+        "loubet",
+        "plastic",
+        "pile up",
+        "film-modulus",
+    ] {
+        assert!(definition.contains(word), "{definition}");
+    }
+    assert!(!found.warns_of(WarningKind::DeepContact));
+    // Twice as deep as the film's half.
+    let bodies = metal.bodies.clone();
+    let mut thin = metal;
+    thin.bodies = match bodies {
+        Bodies::Coated(system) => Bodies::Coated(System {
+            film_thickness: 1e-7,
+            ..system
+        }),
+        other => other,
+    };
+    let found = fit::fit(Table::embedded(), &[thin], &free, &Options::default());
+    assert!(
+        found
+            .expect("sound data")
+            .warns_of(WarningKind::DeepContact)
+    );
+}
+
+#[test]
+fn what_is_no_contact_stiffness_is_refused() {
+    let table = Table::embedded();
+    let good = at_radii(&oxide(), [1e-7, 1e-6], 8);
+    let free = [Free::new(Parameter::FilmModulus)];
+    let refused = |change: &dyn Fn(&mut Experiment), words: &[&str]| {
+        let mut wrong = good.clone();
+        change(&mut wrong);
+        let error = fit::fit(table, &[wrong], &free, &Options::default());
+        let error = error.expect_err("refused").to_string();
+        assert!(words.iter().all(|word| error.contains(word)), "{error}");
+        assert!(!error.contains("--"), "{error}");
+    };
+    refused(
+        &|one| one.measurement.points[3].ordinate = 0.0,
+        &["line 4", "contact stiffness"],
+    );
+    refused(
+        &|one| one.measurement.points[2].abscissa = -1e-7,
+        &["line 3"],
+    );
+    refused(
+        &|one| one.measurement.points[2].ordinate = f64::NAN,
+        &["line 3", "NaN"],
+    );
+    refused(&|one| one.indentation.beta = 0.0, &["beta", "0.5 to 2"]);
+    refused(
+        &|one| one.indentation.epsilon = -1.0,
+        &["epsilon", "0 to 2"],
+    );
+    refused(
+        &|one| one.indentation.thinning = 0.3,
+        &["thinning", "depth"],
+    );
+    refused(
+        &|one| one.indentation.frame_compliance = -1e-6,
+        &["frame-compliance"],
+    );
+    refused(
+        &|one| one.indentation.frame_compliance = 0.1,
+        &["frame", "line 1"],
+    );
+    refused(
+        &|one| one.indentation.phases = vec![0.1; 3],
+        &["phases", "8"],
+    );
+    refused(
+        &|one| one.indentation.phases = vec![2.0; 8],
+        &["phase", "rad"],
+    );
+    refused(&|one| one.noise = Some(0.0), &["noise"]);
+    refused(
+        &|one| {
+            one.measurement.kind = Kind::StiffnessLoad;
+            one.indentation.hardness = Some(-1.0);
+        },
+        &["hardness"],
+    );
+    refused(
+        &|one| {
+            one.measurement.kind = Kind::StiffnessLoad;
+            one.indentation.phases = vec![0.1; 8];
+        },
+        &["phases", "elasticity"],
+    );
+    refused(
+        &|one| {
+            one.measurement.kind = Kind::StiffnessLoad;
+            one.measurement.points[0].direction = Some(Direction::Retract);
+        },
+        &["unloaded", "line 1"],
+    );
+    refused(
+        &|one| one.measurement.kind = Kind::StiffnessDepth,
+        &["loads", "8"],
+    );
+    refused(
+        &|one| {
+            one.measurement.kind = Kind::StiffnessDepth;
+            one.indentation.loads = vec![1.0; 8];
+        },
+        &["contact depth", "line 1"],
+    );
+    for (parameter, word) in [
+        (Parameter::Hardness, "load"),
+        (Parameter::TipRounding, "depth"),
+        (Parameter::WorkOfAdhesion, "adhesion"),
+        (Parameter::ContactPoint, "tip-rounding"),
+        (Parameter::LoadOffset, "contact stiffness"),
+        (Parameter::Stiffness, "cantilever"),
+    ] {
+        let free = [Free::new(parameter)];
+        let error = fit::fit(table, &[good.clone()], &free, &Options::default());
+        let error = error.expect_err("refused").to_string();
+        assert!(
+            error.contains(word) && error.contains(&*parameter.name()),
+            "{error}"
+        );
+    }
+    for coefficients in [&[][..], &[0.0], &[1.0; 10]] {
+        assert!(AreaFunction::new(coefficients).is_err());
+    }
+}
+
+/// Standard deviations of the points are those of the stiffness, N/m.
+#[test]
+fn standard_deviations_of_points_are_in_newtons_per_metre() {
+    let exact = at_radii(&oxide(), [1e-7, 1e-6], 20);
+    let free = [Free::new(Parameter::FilmModulus)];
+    let found = |change: &dyn Fn(&mut Experiment)| {
+        let mut made = noisy(&exact, 0.01, 3);
+        change(&mut made);
+        let found = fit::fit(Table::embedded(), &[made], &free, &Options::default());
+        found.expect("sound data")
+    };
+    let relative = found(&|one| one.noise = Some(0.01));
+    let absolute = found(&|one| {
+        let points = one.measurement.points.iter();
+        one.errors = PointErrors {
+            abscissa: Vec::new(),
+            ordinate: points.map(|point| 0.01 * point.ordinate).collect(),
+        };
+    });
+    let [one, other] = [&relative, &absolute].map(|fit| &fit.estimates[0]);
+    assert!(
+        (one.value / other.value - 1.0).abs() < 1e-9,
+        "{one:?} {other:?}"
+    );
+    assert!((one.standard_error / other.standard_error - 1.0).abs() < 1e-6);
+    let point = &relative.experiments[0].points[0];
+    assert!(
+        (point.deviation / point.ordinate - 0.01).abs() < 1e-12,
+        "{point:?}"
+    );
+}
+
+/// Loubet's depth makes another contact from the same depth, and the half-space of the substrate
+/// keeps its modulus under either where the data were made by it.
+#[test]
+fn loubets_depth_is_found_from_data_made_by_it() {
+    let bodies = Bodies::HalfSpace(HalfSpace {
+        probe: Probe::Paraboloid { radius: 0.1 },
+        sphere_modulus: 1.1466e12,
+        solid: solid(1.7e11, 0.28),
+    });
+    let mut plan = experiment(Kind::StiffnessDepth, bodies, Vec::new());
+    plan.indentation = Indentation {
+        contact_depth: ContactDepth::Loubet,
+        hardness: Some(1e10),
+        tip_rounding: 5e-9,
+        frame_compliance: 1e-7,
+        area: AreaFunction::new(&[24.5, 300.0, 50.0]).expect("allowed"),
+        ..Indentation::NEW
+    };
+    plan.measurement.points = evenly([3e-8, 5e-7], 20)
+        .map(|abscissa| Point {
+            line: 1,
+            abscissa,
+            ordinate: 0.0,
+            direction: None,
+        })
+        .collect();
+    let made = simulate_experiment(Table::embedded(), &plan, 0.0, 1).expect("a contact");
+    let free = [Parameter::FilmModulus, Parameter::TipRounding].map(Free::new);
+    let found = fit::fit(Table::embedded(), &[made], &free, &Options::default());
+    let found = found.expect("sound data");
+    assert!(
+        (found.estimates[0].value / 1.7e11 - 1.0).abs() < 1e-6,
+        "{found:?}"
+    );
+    assert!((found.estimates[1].value - 5e-9).abs() < 1e-14, "{found:?}");
+}
