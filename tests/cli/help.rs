@@ -7,7 +7,7 @@ use crate::copy_folders;
 #[test]
 fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulus() {
     let workdir = workdir!();
-    let commands: [(&str, &[&str]); 11] = [
+    let commands: [(&str, &[&str]); 12] = [
         (
             "generate",
             &[
@@ -53,6 +53,21 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
                 "--sphere-modulus",
                 "-o",
                 "--output",
+            ],
+        ),
+        (
+            "history",
+            &[
+                "TABLE",
+                "--relaxation",
+                "--relaxation-exponent",
+                "--relaxed-fraction",
+                "--relaxation-time",
+                "--program",
+                "--stiffness",
+                "--points",
+                "--at",
+                "flow of its solvent",
             ],
         ),
         (

@@ -25,3 +25,5 @@ mod regimes;
 mod short_range;
 mod stack_limits;
 mod stacks;
+mod stick;
+mod viscoelastic;

@@ -2,6 +2,7 @@
 //! contact radius.
 
 use super::line_energy::LineEnergy;
+use crate::bodies::Bodies;
 use crate::shape::Shape;
 use interp::LoadAndPenetration;
 use interp::check::finite_result;
@@ -39,15 +40,6 @@ pub struct Contact {
     pub(crate) mechanics: Mechanics,
     pub(crate) bodies: Bodies,
     pub(crate) shape: Shape,
-}
-
-/// The bodies in contact.
-#[derive(Clone, Debug)]
-pub(crate) enum Bodies {
-    /// A probe on a homogeneous half-space.
-    HalfSpace(HalfSpace),
-    /// A probe on a coated substrate, with the curve of its material.
-    Coated { system: System, curve: Curve },
 }
 
 /// A state of a contact: its radius, its load and its penetration.
@@ -224,7 +216,10 @@ impl Contact {
         Ok((finite_result(a, load)?, finite_result(a, penetration)?))
     }
 
-    /// Returns the contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5.
+    /// Returns the contact stiffness `S = 2 a E* Eeq` (N/m) at contact radius `a` (m), eq. 5: the
+    /// slope of the load against the penetration while the contact radius stays.
+    ///
+    /// With full friction ([`Curve::with_stick`]) it is that of a flat punch that sticks.
     ///
     /// # Errors
     /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
@@ -233,11 +228,24 @@ impl Contact {
     /// and unless `a` is positive and finite.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
         self.mechanics.check_radius(a)?;
-        finite_result(
+        let eeq = self.evaluate(
             a,
-            self.mechanics
-                .stiffness(a, self.quantity(Quantity::Eeq, a)?),
-        )
+            |curve, x| curve.stick().unwrap_or(curve).quantity(Quantity::Eeq, x),
+            Quantities::homogeneous(1.0).eeq,
+        )?;
+        finite_result(a, self.mechanics.stiffness(a, eeq))
+    }
+
+    /// Refuses a `question` whose answer needs a contact without friction.
+    pub(crate) fn without_stick(
+        &self,
+        question: &'static str,
+        reason: &'static str,
+    ) -> Result<(), Error> {
+        match self.curve().and_then(Curve::stick) {
+            Some(_) => Err(Error::Sticks { question, reason }),
+            None => Ok(()),
+        }
     }
 
     /// Returns the stress intensity `K_I = sqrt(2 w Es*)` (Pa m^{1/2}) of the edge at contact

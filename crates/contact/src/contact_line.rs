@@ -78,9 +78,15 @@ impl Contact {
         })
     }
 
-    /// Returns the energies at rest of the law of a line, which a flat punch does not have.
+    /// Returns the energies at rest of the law of a line, which neither a flat punch nor a contact
+    /// with full friction has.
     fn energies_of_line(&self, law: &impl CrackTip) -> Result<[f64; 2], Error> {
         let energies = energies_in_order(law.at_rest())?;
+        self.without_stick(
+            "a contact line that moves under a crack-tip law",
+            "what sticks depends on the history of the contact; ask for the states with one work of \
+             adhesion, or take the curve of a receding contact",
+        )?;
         if self.is_punch() {
             return Err(self.makes_no_sense("a contact line that moves"));
         }

@@ -79,6 +79,10 @@ impl Contact {
         if self.is_punch() {
             return Err(self.makes_no_sense("a contact radius from load and penetration"));
         }
+        self.without_stick(
+            "a contact radius from load and penetration",
+            "it is unique without friction only; measure the contact radius, too",
+        )?;
         let [u_least, u_most] = self.search_range()?.map(f64::ln);
         let radius = |u: f64| self.radius_at(u);
         let outside = |name, value| Err(self.outside(name, value));

@@ -111,6 +111,11 @@ impl Contact {
     /// Corrects the contact for a zone of attraction of the length `zone`, m.
     pub(crate) fn with_zone(&self, w: f64, zone: f64) -> Result<ShortRange<'_>, Error> {
         self.smooth_probe()?;
+        self.without_stick(
+            "an attraction of finite range",
+            "outside the contact the surfaces do not touch and cannot stick; take the limit of short \
+             ranges (JKR), or a curve without friction",
+        )?;
         let [_, largest] = self.mechanics().radii();
         short(zone, largest, "largest contact radius of the probe")?;
         if let Some(thickness) = self.top_thickness() {

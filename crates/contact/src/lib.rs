@@ -47,6 +47,8 @@
 //!   simplest. Advancing and receding lines may have different energies ([`Hysteresis`]), or
 //!   energies that depend on the speed ([`RateDependent`]). The line moves slowly
 //!   ([`ContactLine::impose`]) or in time ([`ContactLine::ramp`]).
+//! * [`Contact::history`] follows a penetration, a load or a spring in time where the bodies relax
+//!   ([`Relaxation`]).
 //! * [`Contact::finite_range`] corrects for an attraction that acts over a short distance.
 //! * [`Contact::half_space`] is JKR: no film, no table.
 //!
@@ -62,10 +64,11 @@
 //! curve, `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
 //! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
 //! steps of `implicit_step`. `finite_range` corrects for an attraction of short range by the
-//! `line_energy` of such a law. `root` finds zeros for all of them.
+//! `line_energy` of such a law. `history` holds bodies that relax. `root` finds zeros for all of them.
 
 #![forbid(unsafe_code)]
 
+mod bodies;
 mod branch;
 mod contact;
 mod contact_line;
@@ -76,6 +79,7 @@ mod equilibria;
 mod finite_range;
 mod force_displacement;
 mod gradient;
+mod history;
 mod implicit_step;
 mod jkr_fit;
 mod line_energy;
@@ -94,6 +98,7 @@ pub use equilibria::{Control, Equilibria, Equilibrium};
 pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};
+pub use history::{Course, History, HistoryError, Phase, Relaxation, TimedContact};
 pub use jkr_fit::{FilmBias, JkrFit, JkrPoint};
 pub use root::root;
 pub use validity::{AdhesionRange, FilmValidity, Neglected, Validity};

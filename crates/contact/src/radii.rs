@@ -1,7 +1,7 @@
 //! The contact radii among which states are sought.
 
 use super::Contact;
-use super::contact::Bodies;
+use crate::bodies::Bodies;
 use interp::{Curve, Error};
 
 /// The radius (m) from which a search starts where the range begins at 0.

@@ -79,5 +79,5 @@ pub use model::{
     AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
     Free, Indentation, Interruptible, Kind, Known, Layer, LayerName, Layered, LayeredSolver, Loss,
     LossAngle, MOST_COEFFICIENTS, Measurement, Options, Parameter, Point, PointErrors, Prediction,
-    Prior, Reach, Scope, simulate, simulate_experiment, stack_of, system_on,
+    Prior, Reach, Scope, StickSolver, simulate, simulate_experiment, stack_of, system_on,
 };

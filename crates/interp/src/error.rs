@@ -89,6 +89,14 @@ pub enum Error {
          for small contacts is not known: use one of these"
     )]
     StackProbe,
+    /// A question that a contact with full friction does not answer.
+    #[error("{question} cannot be told of a contact with full friction: {reason}")]
+    Sticks {
+        /// The question.
+        question: &'static str,
+        /// The reason, and what to do instead.
+        reason: &'static str,
+    },
     /// Points of a measured probe that are no convex shape.
     #[error("row {row} of the profile of the probe cannot be used: {reason}")]
     Profile {

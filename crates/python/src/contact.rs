@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use ::contact::{Branch, Control, ForceDisplacement, Input as Parameter, Neglected, State};
+use ::solve::stick::{StickCurves, Sticking};
 use interp::{Curve, Error, System};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
@@ -146,6 +147,41 @@ impl Contact {
                 a_over_t,
                 tolerance,
             )?)
+        })
+    }
+
+    /// Solves the contact of a system that sticks along `a/t`, under a sphere of the Poisson ratio
+    /// `nu2`. It has grown with the part `ratio` of the work of adhesion with which it recedes.
+    #[staticmethod]
+    fn stuck(
+        py: Python<'_>,
+        system: &Bound<'_, NativeSystem>,
+        a_over_t: [f64; 2],
+        tolerance: f64,
+        nu2: f64,
+        ratio: f64,
+    ) -> PyResult<Self> {
+        let system = &system.get().0;
+        Self::of_curve(py, system, || {
+            let sticking = Sticking::on_film(&system.material()?, nu2)?;
+            Ok(StickCurves::new(&sticking, a_over_t, tolerance)?.receding(ratio)?)
+        })
+    }
+
+    /// Solves the contact of a sphere that sticks to a stack of layers, as [`Self::stuck`].
+    #[staticmethod]
+    fn stuck_on_stack(
+        py: Python<'_>,
+        system: &Bound<'_, NativeStackSystem>,
+        a_over_t: [f64; 2],
+        tolerance: f64,
+        nu2: f64,
+        ratio: f64,
+    ) -> PyResult<Self> {
+        let NativeStackSystem { named, system } = system.get();
+        Self::of_curve(py, system, || {
+            let sticking = Sticking::on_stack(&named.stack, system.sphere_modulus, nu2)?;
+            Ok(StickCurves::new(&sticking, a_over_t, tolerance)?.receding(ratio)?)
         })
     }
 

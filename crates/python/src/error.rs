@@ -270,6 +270,7 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
+            Error::Sticks { .. } => of("FrictionError"),
             Error::LongZone { zone, what, length, most } => of("LongZoneError")
                 .about("zone", zone)
                 .range(0.0, most * length)
@@ -369,6 +370,12 @@ impl From<::solve::Error> for Failure {
             } => of("NotConvergedError")
                 .about("tolerance", tolerance)
                 .range(reached, f64::INFINITY),
+            Error::StickNotConverged {
+                tolerance, reached, ..
+            } => of("NotConvergedError")
+                .about("tolerance", tolerance)
+                .range(reached, f64::INFINITY),
+            Error::Coupled { beta, .. } => of("FrictionError").about("beta", beta),
             Error::StackReach {
                 a_over_t, reach, ..
             } => of("DomainError")

@@ -3,7 +3,7 @@
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
-//! `interruption`; `indentation`, `line`, `short_range`, `read`, `fit`, `model`,
+//! `interruption`; `indentation`, `line`, `history`, `short_range`, `read`, `fit`, `model`,
 //! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
 //! of them.
 
@@ -16,6 +16,7 @@ mod contact;
 mod error;
 mod fit;
 mod generate;
+mod history;
 mod indentation;
 mod interruption;
 mod line;
@@ -46,6 +47,8 @@ mod _core {
     #[pymodule_export]
     use super::generate::{build, generate, solve_piece};
     #[pymodule_export]
+    use super::history::{check_relaxation, history, relaxation_values};
+    #[pymodule_export]
     use super::line::{check_law, energy_of_speed, impose, line, ramp};
     #[pymodule_export]
     use super::model::{branches, forecast, predict, simulate};
@@ -56,7 +59,7 @@ mod _core {
         short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,
     };
     #[pymodule_export]
-    use super::solve::{solve, solve_stack};
+    use super::solve::{solve, solve_stack, solve_stick_punch};
     #[pymodule_export]
     use super::table::Table;
 

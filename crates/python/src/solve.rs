@@ -1,6 +1,7 @@
 //! Direct solves on all cores.
 
 use ::solve::Solution;
+use ::solve::stick::Sticking;
 use interp::Material;
 use pyo3::prelude::*;
 
@@ -39,6 +40,25 @@ pub fn solve_stack<'py>(
         ::solve::solve_stack(a_over_t, stack, sphere_modulus, tolerance).map(numbers)
     };
     points.evaluate_on_all_cores(py, [&a_over_t, &sphere_modulus, &tolerance], one)
+}
+
+/// Solves the flat punch that sticks at every point: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`,
+/// `nu0`, `nu2`, `tolerance`. Returns `eeq_s`, `gamma_s`, `gamma_t`, `gamma_eff` and the estimated
+/// error; `gamma_s` and `gamma_t` are NaN where Dundurs' beta is not 0.
+#[pyfunction]
+#[pyo3(signature = (points, *inputs))]
+pub fn solve_stick_punch<'py>(
+    py: Python<'py>,
+    points: Points,
+    inputs: [Input<'_>; 7],
+) -> PyResult<[Output<'py>; 5]> {
+    let one = |[a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, nu2, tolerance]: [f64; 7]| {
+        let material = Material::new(e1_over_e2, nu1, e0_over_e2, nu0)?;
+        let punch = Sticking::on_film(&material, nu2)?.punch(a_over_t, tolerance)?;
+        let [gamma_s, gamma_t] = punch.edge.unwrap_or([f64::NAN; 2]);
+        Ok::<_, ::solve::Error>([punch.eeq_s, gamma_s, gamma_t, punch.gamma_eff, punch.error])
+    };
+    points.evaluate_on_all_cores(py, inputs.each_ref(), one)
 }
 
 /// Returns `pi0`, `eeq`, `gamma`, `delta0` and the estimated error.

@@ -25,6 +25,7 @@ from coated_contact import (
     PowerLaw,
     Profile,
     RateDependent,
+    Relaxation,
     RoundedCone,
     SolvedCurve,
     Sphere,
@@ -140,6 +141,16 @@ def ramped(numbers):
     line = half_space_of([1e-3, 2e6, 3.5e6, 0.45]).line(RateDependent(slow=slow, v0=v0, n=n), 65e-6)
     found = line.ramp("load", value, duration=duration, tolerance=1e-2)
     return [*found.load, *found.energy_release_rate]
+
+
+def followed(contact, exponent, duration, depth, relaxed, time, at):
+    """A penetration up and down under one law, and a load that grows under another."""
+    power = Relaxation.power_law(exponent, time)
+    program = [0.0, duration, 2.0 * duration]
+    found = contact.history(program, power, penetration=[0.0, depth, 0.0], at=[at], tolerance=1e-2)
+    zener = Relaxation.prony(relaxed, time)
+    grown = contact.history(program[:2], zener, load=[0.0, depth], at=[at], tolerance=1e-2)
+    return [*found.load, *found.contact_radius, *grown.penetration]
 
 
 def experiment_of(numbers, kind="load-radius", **known):
@@ -332,6 +343,10 @@ FUNCTIONS = {
         lambda *n: all_of(
             one.state for one in contact_of(n[:7]).finite_range(n[7], stress=n[8]).equilibria(n[9])
         ),
+    ),
+    "Contact.history": (
+        [*BODIES, 0.2, 1.0, 1e-7, 0.3, 0.7, 1e-4],
+        lambda *n: followed(contact_of(n[:7]), *n[7:]),
     ),
     "ContactLine.impose": ([0.03, 0.05, 65e-6, 1e-3], lambda *n: moved(line_of(n[:3]), n[3])),
     "ContactLine.ramp": ([0.04, 1e-6, 0.6, 5e-4, 1.0], lambda *n: ramped(n)),

@@ -137,6 +137,36 @@ pub enum Error {
         /// The thickness of the top layer, m.
         thickness: f64,
     },
+    /// A tolerance that the solve of a contact with stick has not reached.
+    #[error(
+        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?} with stick: the estimated error is {reached:.1e}; \
+         ask for a larger tolerance"
+    )]
+    StickNotConverged {
+        /// The contact radius over the thickness of the film or stack.
+        a_over_t: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// The estimated relative error that was reached; infinite where the method failed.
+        reached: f64,
+    },
+    /// A sphere that sticks to a film with which it couples pressure and shear at the edge.
+    #[error(
+        "a sphere with stick is solved only where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5 under a rigid sphere \
+         or one of Poisson ratio 0.5, or sphere and film of one material. Here beta = {beta:.4} (nu1 = {nu1:?}, nu2 = {nu2:?}). A flat \
+         punch with stick is solved for every beta. Without friction, the effect that remains on a half-space is neglected: a load larger by the \
+         factor artanh(beta)/beta = {factor:.4}"
+    )]
+    Coupled {
+        /// Dundurs' beta.
+        beta: f64,
+        /// `artanh(beta)/beta`.
+        factor: f64,
+        /// The Poisson ratio of the film.
+        nu1: f64,
+        /// The Poisson ratio of the sphere.
+        nu2: f64,
+    },
     /// An error of a material, of a curve or of a contact.
     #[error(transparent)]
     Contact(#[from] interp::Error),

@@ -13,6 +13,7 @@
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
+use interp::Material;
 
 use crate::excess::{largest_excess, shear};
 use crate::joint::Joint;
@@ -57,20 +58,50 @@ impl LayeredCompliance {
             slabs.push(Slab::new(layer.solid.poisson(), thickness, contrast, joint));
             below = layer.solid;
         }
-        let least = slabs.iter().map(|slab| slab.joint.least());
-        let least = least.fold(0.0, f64::max);
         let top = slabs.pop().expect("a stack has a layer");
+        let base = if base.young() == f64::INFINITY {
+            [1.0, 0.0, 0.0, 0.0, 0.0]
+        } else {
+            [1.0, 1.0 - nu0, 0.5 - nu0, 1.0 - nu0, 0.75 - nu0]
+        };
+        Self::with_slabs(base, slabs, top, largest_excess(stack))
+    }
+
+    /// Returns the compliance of the one film of `material` on its substrate, of any contrast.
+    pub(crate) fn of_film(material: &Material) -> Self {
+        let (nu1, nu0) = (material.nu1(), material.nu0());
+        let m = material.film_over_substrate() * ((1.0 + nu0) / (1.0 + nu1));
+        // The minors of the base in the unit of the film, divided by the larger of 1 and `m^2`.
+        let (unit, share) = (1.0 / m.max(1.0), m.min(1.0));
+        let single = share * unit;
+        let base = [
+            unit * unit,
+            single * (1.0 - nu0),
+            single * (0.5 - nu0),
+            single * (1.0 - nu0),
+            share * share * (0.75 - nu0),
+        ];
+        let ratio = material.film_modulus() / material.substrate_modulus();
+        let bound = 2.0 * ratio.max(1.0);
+        Self::with_slabs(
+            base,
+            Vec::new(),
+            Slab::new(nu1, 1.0, 1.0, Joint::Bonded),
+            bound,
+        )
+    }
+
+    /// Finds the nearest pole.
+    fn with_slabs(base: [f64; 5], buried: Vec<Slab>, top: Slab, largest_excess: f64) -> Self {
+        let least = buried.iter().chain([&top]).map(|slab| slab.joint.least());
+        let least = least.fold(0.0, f64::max);
         let mut compliance = Self {
-            base: if base.young() == f64::INFINITY {
-                [1.0, 0.0, 0.0, 0.0, 0.0]
-            } else {
-                [1.0, 1.0 - nu0, 0.5 - nu0, 1.0 - nu0, 0.75 - nu0]
-            },
-            buried: slabs,
+            base,
+            buried,
             top,
             least,
             smallest_scale: 1.0,
-            largest_excess: largest_excess(stack),
+            largest_excess,
         };
         // Below 1e-40 lies nothing of the integral of `X`, which is at most some 1e9.
         let nearest_pole = dispatch!(Level::new(), simd => compliance.nearest_pole(simd));
@@ -92,8 +123,26 @@ impl LayeredCompliance {
     /// Returns the compliance at several wave numbers `k`.
     #[inline(always)]
     fn evaluate<S: Simd>(&self, simd: S, k: S::f64s) -> Samples<S::f64s> {
-        let zero = S::f64s::splat(simd, 0.0);
         let k = k + self.least;
+        let [y, z] = self.below_top(simd, k);
+        self.top.sample(simd, k, y, z)
+    }
+
+    /// Returns the wave number that is added to all.
+    pub(super) const fn least(&self) -> f64 {
+        self.least
+    }
+
+    /// Returns the top layer.
+    pub(super) fn top(&self) -> &Slab {
+        &self.top
+    }
+
+    /// Returns the minors `y` and `z = k dy/dk` at the bottom of the top layer, in its unit, at
+    /// several wave numbers `k`.
+    #[inline(always)]
+    pub(super) fn below_top<S: Simd>(&self, simd: S, k: S::f64s) -> [Minors<S>; 2] {
+        let zero = S::f64s::splat(simd, 0.0);
         let (mut y, mut z) = (self.base(simd), [zero; 5]);
         for slab in &self.buried {
             [y, z] = slab.enter(simd, k, y, z);
@@ -104,8 +153,7 @@ impl LayeredCompliance {
             z = scaled::<S>(unit, z);
             z = sum::<S>(z, zero - z[0], y);
         }
-        let [y, z] = self.top.enter(simd, k, y, z);
-        self.top.sample(simd, k, y, z)
+        self.top.enter(simd, k, y, z)
     }
 
     /// Returns the minors of the base's surface.

@@ -63,6 +63,7 @@ mod slope;
 mod solution;
 pub mod stack;
 mod stacked;
+pub mod stick;
 mod surface;
 mod symbol;
 mod turned_line;

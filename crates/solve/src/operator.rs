@@ -133,8 +133,7 @@ impl<'a> Operator<'a> {
             mut excess,
             mut slope,
         } = compliance.sample_all(&abscissae.q);
-        let [resolution_error, shape_error] =
-            dispatch!(Level::new(), simd => resolution_errors(simd, abscissae, &slope));
+        let [resolution_error, shape_error] = quadrature_errors(abscissae, &slope);
         for values in [&mut excess, &mut slope] {
             let weigh = |(value, weight): (&mut f64, &f64)| *value *= weight;
             values.iter_mut().zip(&abscissae.weights).for_each(weigh);
@@ -381,7 +380,7 @@ fn add_dots<S: Simd, const N: usize>(
 ///
 /// A stretch spans the beats that the `y_i` show at large `a/t`, so that a node of a beat is not
 /// mistaken for convergence.
-fn missing_modes(y: &[f64]) -> f64 {
+pub fn missing_modes(y: &[f64]) -> f64 {
     let n = y.len();
     let stretch = (2 + n / 8).min(n / 2);
     let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
@@ -395,10 +394,10 @@ fn missing_modes(y: &[f64]) -> f64 {
 
 /// The factor that brings the extrapolation above the true truncation error.
 /// `tests/truth/reference.rs` and `tests/truth/domain.rs` measure how far above.
-const TRUNCATION_SAFETY: f64 = 20.0;
+pub const TRUNCATION_SAFETY: f64 = 20.0;
 
 /// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.
-const ROUNDING: f64 = 12.0 * f64::EPSILON;
+pub const ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 /// Estimates the errors of the quadrature in `q`, for `M` and for `M + C`, from how fast the
 /// Legendre coefficients of `q X'` fall on each panel. Those of `X - 1` are smaller, as
@@ -409,6 +408,11 @@ const ROUNDING: f64 = 12.0 * f64::EPSILON;
 /// The rate is the mean rate since degree 0, which poles prescribe, or the rate over the last eight
 /// degrees if that is faster, as for exponentials. The panel's width keeps the error of the Bessel
 /// product small.
+pub fn quadrature_errors(abscissae: &Abscissae, slope: &[f64]) -> [f64; 2] {
+    dispatch!(Level::new(), simd => resolution_errors(simd, abscissae, slope))
+}
+
+/// [`quadrature_errors`] with vector instructions.
 #[inline(always)]
 fn resolution_errors<S: Simd>(simd: S, abscissae: &Abscissae, slope: &[f64]) -> [f64; 2] {
     let rule = abscissae.panels.rule;

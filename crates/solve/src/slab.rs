@@ -68,7 +68,7 @@ use crate::exponential::exponential;
 use crate::joint::Joint;
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.
-const SWITCH: f64 = 1.0;
+pub const SWITCH: f64 = 1.0;
 
 /// The minors `(d, c11, c12, c22, D)` at several wave numbers, or their derivatives.
 pub type Minors<S> = [<S as Simd>::f64s; 5];
@@ -82,10 +82,11 @@ pub struct Slab {
     contrast: f64,
     /// The interface below.
     pub joint: Joint,
-    b: f64,
+    /// `(1 - 2 nu)/(2 (1 - nu))`.
+    pub b: f64,
     l: f64,
     /// `2/(1 - nu)`, the reduced modulus over half the shear modulus.
-    e: f64,
+    pub e: f64,
 }
 
 /// The compliance at the top of a layer, at several wave numbers.
@@ -237,7 +238,7 @@ impl Slab {
 
     /// Returns `l+` and `l-`.
     #[inline(always)]
-    fn exponential_parts<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> [S::f64s; 2] {
+    pub fn exponential_parts<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> [S::f64s; 2] {
         let even = det.mul_add(self.e, c12.mul_add(4.0 * self.b, d * (1.0 + self.b)));
         let odd = (c11 + c22) * 2.0;
         [(even + odd) * 0.0625, (even - odd) * 0.0625]

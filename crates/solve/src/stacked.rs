@@ -317,7 +317,7 @@ fn layered<C: SurfaceCompliance>(
 ///
 /// `Gamma` is proportional to the root of the modulus `es` of the crack tip, and under a rigid
 /// sphere the modulus of the surface is the unit.
-fn factors(top: &Material, surface: &Material, stack: &Stack) -> Quantities {
+pub fn factors(top: &Material, surface: &Material, stack: &Stack) -> Quantities {
     let unit = match top.normalisation() {
         Normalisation::Sphere => 1.0,
         Normalisation::Film => stack.top().solid.reduced() / stack.surface().reduced(),

@@ -218,6 +218,9 @@ pub enum Error {
     /// An error of a solve.
     #[error(transparent)]
     Solve(solve::Error),
+    /// An error of a contact in time.
+    #[error(transparent)]
+    History(#[from] contact::HistoryError),
     /// An error of a table or of its parameters.
     #[error(transparent)]
     Table(#[from] interp::Error),

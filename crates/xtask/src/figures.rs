@@ -19,7 +19,7 @@ const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
 const TIGHTEST: [&str; 2] = ["1e-8", "1e-4"];
 
 /// The figures of `tabulate plot`, and the measurement that each is drawn from.
-const FIGURES: [(&str, Option<&str>); 12] = [
+const FIGURES: [(&str, Option<&str>); 13] = [
     ("fig2", None),
     ("fig3", None),
     ("fig4", None),
@@ -27,6 +27,7 @@ const FIGURES: [(&str, Option<&str>); 12] = [
     ("pull-off", None),
     ("contact-stiffness", None),
     ("interface", None),
+    ("relaxation", None),
     ("error-map", None),
     ("work-precision", Some("solve")),
     ("table-cost", Some("table")),

@@ -6,8 +6,8 @@
 mod logarithms;
 mod terms;
 
-use super::contact::Bodies;
 use crate::Contact;
+use crate::bodies::Bodies;
 use interp::Error;
 use interp::check::finite_result;
 

@@ -3,7 +3,7 @@
 use super::logarithms::{LogDerivatives, coated_derivatives, half_space_derivatives};
 use super::{Derivatives, Input};
 use crate::Contact;
-use crate::contact::Bodies;
+use crate::bodies::Bodies;
 use crate::shape::Shape;
 use interp::LoadAndPenetration;
 use interp::{Error, Quantities, QuantityGradient};

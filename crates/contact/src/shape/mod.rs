@@ -24,7 +24,7 @@ use interp::LoadAndPenetration;
 use interp::{Curve, Elastic, Error, Probe, Quantities, Quantity, System};
 use interp::{EvenShape, LARGEST_A_OVER_R};
 
-use super::contact::Bodies;
+use crate::bodies::Bodies;
 
 /// How load and penetration without adhesion are found.
 #[derive(Clone, Debug)]
@@ -83,6 +83,18 @@ impl Shape {
             let curve = Some(curve.of_even_shape(shape)?);
             Ok(Self::Paraboloid { radius, curve })
         };
+        let paraboloid = match *probe {
+            Probe::Paraboloid { .. } => true,
+            Probe::PowerLaw { exponent, .. } => exponent == 2.0,
+            _ => false,
+        };
+        if curve.stick().is_some() && !paraboloid {
+            return Err(Error::Sticks {
+                question: "the contact of another probe than a paraboloid",
+                reason: "other shapes follow from the flat punch without friction only; take the \
+                         paraboloid with the radius of the tip, or a curve without friction",
+            });
+        }
         let t = system.film_thickness;
         match *probe {
             Probe::Paraboloid { radius } => Ok(Self::paraboloid(radius)),

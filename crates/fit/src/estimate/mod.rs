@@ -14,6 +14,7 @@ mod agreement;
 mod cycle;
 mod fixed_values;
 mod forecast;
+mod friction;
 mod indentation;
 mod interfaces;
 mod jkr;

@@ -316,6 +316,8 @@ pub enum WarningKind {
     LongRange,
     /// A penetration that is large beside the thickness of the film.
     LargeStrain,
+    /// Friction, which may change the modulus by more than its standard error.
+    Friction,
     /// Contacts so small or so large beside the film that they hardly tell it.
     FilmNotSeen,
     /// The definition of the contact depth changes a modulus by more than its standard error.
@@ -357,6 +359,7 @@ impl WarningKind {
             Self::LargeContact => "large-contact",
             Self::LongRange => "long-range",
             Self::LargeStrain => "large-strain",
+            Self::Friction => "friction",
             Self::FilmNotSeen => "film-not-seen",
             Self::ContactDepth => "contact-depth",
             Self::DeepContact => "deep-contact",

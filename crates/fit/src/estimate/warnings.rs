@@ -11,7 +11,7 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, indentation, interfaces, wanted};
+use super::{agreement, cycle, friction, indentation, interfaces, wanted};
 use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
@@ -66,7 +66,7 @@ pub(super) fn warnings(
         }
     }
     for (e, assigned) in problem.assigned.iter().enumerate() {
-        geometry(&mut warnings, problem, e, assigned, options);
+        geometry(&mut warnings, problem, e, assigned, options, &fit.estimates);
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
     }
     if fit.converged {
@@ -395,6 +395,7 @@ fn geometry(
     e: usize,
     assigned: &Assigned,
     options: &Options,
+    estimates: &[Estimate],
 ) {
     let experiment = &assigned.experiment;
     let name = &experiment.measurement.name;
@@ -449,7 +450,7 @@ fn geometry(
     }
     if let Some(strain) = strain(&contact, &experiment.bodies, a).filter(|s| *s > SMALL_STRAIN) {
         let what = match experiment.bodies {
-            Bodies::Layered(_) => "stack of layers",
+            Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
             _ => "film",
         };
         warnings.add(
@@ -462,6 +463,16 @@ fn geometry(
             ),
         );
     }
+    let nu2 = experiment.sphere_poisson_ratio;
+    friction::add(
+        warnings,
+        name,
+        &experiment.bodies,
+        nu2,
+        &contact,
+        a,
+        estimates,
+    );
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;

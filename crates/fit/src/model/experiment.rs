@@ -233,7 +233,15 @@ impl Experiment {
             Parameter::FilmModulus | Parameter::FilmPoissonRatio | Parameter::FilmThickness
                 if matches!(self.bodies, Bodies::Layered(_)) =>
             {
-                return None;
+                let Bodies::Layered(layered) = &self.bodies else {
+                    return None;
+                };
+                let film = layered.film()?;
+                match parameter {
+                    Parameter::FilmModulus => film.solid.young(),
+                    Parameter::FilmPoissonRatio => film.solid.poisson(),
+                    _ => film.thickness,
+                }
             }
             Parameter::LayerModulus(name) => self.layer(name)?.solid.young(),
             Parameter::LayerThickness(name) => self.layer(name)?.thickness,
@@ -314,6 +322,14 @@ impl Experiment {
         };
         match (&self.bodies, parameter) {
             (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
+            (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness)
+                if layered.film().is_some() =>
+            {
+                None
+            }
+            (Bodies::Layered(layered), Parameter::WorkOfAdhesionReceding) => {
+                layered.solver.why_not_receding().map(Into::into)
+            }
             (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
                 Some(format!("it has layers instead of one film; {}", names(layered)).into())
             }

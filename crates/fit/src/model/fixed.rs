@@ -107,7 +107,9 @@ impl Experiment {
         let mut parameters = Parameter::ALL.to_vec();
         if let Bodies::Layered(layered) = &self.bodies {
             parameters.extend(layered.parameters());
-            for (i, layer) in layered.layers.iter().enumerate() {
+            // The parameters of a film are its own.
+            let stacked = layered.film().is_none().then_some(&layered.layers);
+            for (i, layer) in stacked.into_iter().flatten().enumerate() {
                 if layer.name.is_none() {
                     all.extend([Fixed::LayerModulus(i + 1), Fixed::LayerThickness(i + 1)]);
                 }

@@ -27,6 +27,10 @@ impl LayeredSolver for Interruptible {
         self.solver.contact(bodies)
     }
 
+    fn why_not_receding(&self) -> Option<&'static str> {
+        self.solver.why_not_receding()
+    }
+
     fn why_layers_are_fixed(&self) -> Option<&'static str> {
         self.solver.why_layers_are_fixed()
     }

@@ -153,6 +153,11 @@ pub trait LayeredSolver: fmt::Debug + Send + Sync {
     fn why_layers_are_fixed(&self) -> Option<&'static str> {
         None
     }
+
+    /// Returns why the contacts have no work of adhesion of their own on retract, if they have none.
+    fn why_not_receding(&self) -> Option<&'static str> {
+        None
+    }
 }
 
 /// A probe on a stack of layers on a base.
@@ -206,6 +211,15 @@ impl Layered {
             .collect()
     }
 
+    /// Returns the film: the only layer, if it has no name. The parameters of the film are its
+    /// parameters.
+    pub(crate) fn film(&self) -> Option<&Layer> {
+        match &self.layers[..] {
+            [film] if film.name.is_none() => Some(film),
+            _ => None,
+        }
+    }
+
     /// Returns the layer with a name.
     pub(crate) fn layer(&self, name: LayerName) -> Option<&Layer> {
         self.layers.iter().find(|layer| layer.name == Some(name))
@@ -214,6 +228,17 @@ impl Layered {
     /// Replaces the value of a parameter of the bodies. Other parameters change nothing.
     pub(crate) fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), interp::Error> {
         let of = |name: LayerName| move |layer: &&mut Layer| layer.name == Some(name);
+        if self.film().is_some() {
+            let film = &mut self.layers[0];
+            match parameter {
+                Parameter::FilmModulus => film.solid = Elastic::new(value, film.solid.poisson())?,
+                Parameter::FilmPoissonRatio => {
+                    film.solid = Elastic::new(film.solid.young(), value)?
+                }
+                Parameter::FilmThickness => film.thickness = value,
+                _ => {}
+            }
+        }
         match parameter {
             Parameter::SphereModulus => self.sphere_modulus = value,
             Parameter::LayerModulus(name) => {

@@ -5,9 +5,9 @@
 //! to be found and how, `fixed` what is taken as given. `assign` reads the `branch` of each point
 //! from the data, and `ways` finds loading and unloading. `predict` compares the points with the
 //! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
-//! stack of layers, `direct_solver` makes its contacts (`interruptible` lets them be stopped), and
-//! `differences` the derivatives on it. `indentation` is contact stiffness as a measurement.
-//! `simulate` makes synthetic points,
+//! stack of layers, `direct_solver` makes its contacts (`stick_solver` those with full friction,
+//! `interruptible` lets them be stopped), and `differences` the derivatives on it. `indentation` is
+//! contact stiffness as a measurement. `simulate` makes synthetic points,
 //! `prediction` evaluates the model for other methods of fitting.
 
 mod assign;
@@ -27,6 +27,7 @@ mod predict;
 mod prediction;
 mod readings;
 mod simulate;
+mod stick_solver;
 mod turn;
 mod ways;
 
@@ -45,3 +46,4 @@ pub use parameter::Parameter;
 pub(crate) use predict::Predicted;
 pub use prediction::Prediction;
 pub use simulate::{simulate, simulate_experiment};
+pub use stick_solver::StickSolver;

@@ -53,6 +53,8 @@ pub struct Curve {
     pub(super) even: Option<Arc<EvenPowers>>,
     pub(super) accuracy: Option<Accuracy>,
     pub(super) stack: Option<StackShape>,
+    /// The curve of the flat punch, if the contact sticks.
+    pub(super) stick: Option<Arc<Curve>>,
 }
 
 /// What a contact needs to know of a stack of layers beside its curve.
@@ -111,6 +113,7 @@ impl Curve {
             even: None,
             accuracy: None,
             stack: None,
+            stick: None,
         }
     }
 
@@ -156,6 +159,26 @@ impl Curve {
             start_error: None,
             ..self
         }
+    }
+
+    /// Makes this the curve of a contact with full friction.
+    ///
+    /// Its `Eeq` and `Gamma` are then those of eq. 9 for the history of this contact. Those of a flat
+    /// punch that sticks, which give the stiffness at a fixed contact radius, are the `Eeq` and
+    /// `Gamma` of `punch`. With friction `Gamma^2 = es d(x Eeq)/dx` and all that follows from it do
+    /// not hold, so that the contact of another shape does not follow from the curve.
+    #[must_use]
+    pub fn with_stick(self, punch: &Self) -> Self {
+        Self {
+            stick: Some(Arc::new(punch.clone())),
+            ..self
+        }
+    }
+
+    /// Returns the curve of the flat punch with full friction; `None` for a contact without
+    /// friction.
+    pub fn stick(&self) -> Option<&Self> {
+        self.stick.as_deref()
     }
 
     /// Returns what a contact needs to know of a stack of layers; `None` for one film.

@@ -1,10 +1,13 @@
 //! What the first lookup in a low-rank table needs, and how much of it the parts may ask for.
 
 use crate::curve::resampler::Resampler;
-use crate::table::lookup::PARTS;
 use crate::table::tensor_train::{MOST_FUNCTIONS, intervals};
 use crate::table::vectors::BLOCK;
 use crate::{Error, Tile};
+
+/// The number of parts into which the materials with which the pieces are tested divide each axis.
+/// Two parts gave an error of 0.28 tolerances for other materials of the embedded table.
+pub(crate) const PARTS: usize = 4;
 
 /// The largest number of f64 that a first lookup may keep, 0.8 GB: it protects the memory of a
 /// program that reads a table of any size.

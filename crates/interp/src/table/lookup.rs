@@ -5,15 +5,12 @@ use crate::curve::resampler::{Pieces, Resampler};
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
+use crate::table::demand::PARTS;
 use crate::table::incompressible::improve_slopes;
 use crate::table::tensor_spline::TensorSpline;
 use crate::{
     Curve, Description, Error, Material, Parameter, Quantity, StackShape, SubstratePoissonRatio,
 };
-
-/// The number of parts into which the materials with which the pieces are tested divide each axis.
-/// Two parts gave an error of 0.28 tolerances for other materials of the embedded table.
-pub(crate) const PARTS: usize = 4;
 
 /// A table prepared for lookup.
 #[derive(Clone, Debug)]

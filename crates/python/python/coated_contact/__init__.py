@@ -41,6 +41,7 @@ from ._errors import (
     ExtrapolationError,
     FitError,
     FixedParameterError,
+    FrictionError,
     GenerationError,
     InvalidArgumentError,
     LongZoneError,
@@ -71,6 +72,7 @@ from ._fit_results import (
     WithoutFilm,
 )
 from ._generate import generate
+from ._history import HistoryStates, Relaxation
 from ._indentation import Indentation
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
 from ._model import Prediction, branches, forecast, predict, simulate
@@ -101,6 +103,7 @@ from ._results import (
 from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
 from ._stack import Layer, Springs, Stack, StackSystem
+from ._stick import StickPunch, solve_stick_punch
 from ._table import Table
 from ._validity import AdhesionRange, Validity
 
@@ -131,6 +134,7 @@ __all__ = [
     "FitWarning",
     "FittedExperiment",
     "FixedParameterError",
+    "FrictionError",
     "FixedValue",
     "FlatEndedCone",
     "FlatPunch",
@@ -140,6 +144,7 @@ __all__ = [
     "GenerationError",
     "Gradient",
     "HalfSpace",
+    "HistoryStates",
     "Hysteresis",
     "Indentation",
     "InvalidArgumentError",
@@ -162,6 +167,7 @@ __all__ = [
     "Profile",
     "ProfileError",
     "RateDependent",
+    "Relaxation",
     "RoundedCone",
     "ShortRange",
     "Solution",
@@ -174,6 +180,7 @@ __all__ = [
     "StackSystem",
     "State",
     "States",
+    "StickPunch",
     "System",
     "Table",
     "TableError",
@@ -192,4 +199,5 @@ __all__ = [
     "simulate",
     "solve",
     "solve_stack",
+    "solve_stick_punch",
 ]

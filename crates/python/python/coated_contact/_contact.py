@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, final, overload
+from typing import TYPE_CHECKING, Any, Literal, final, overload
 
 from numpy.typing import ArrayLike
 
@@ -20,6 +20,7 @@ from ._validity import AdhesionRange, Validity, validity
 from ._values import Remade, set_field, set_numbers
 
 if TYPE_CHECKING:
+    from ._history import HistoryStates, Relaxation
     from ._line import ContactLine, Law
     from ._table import Table
 
@@ -347,6 +348,88 @@ class Contact(Remade):
 
         return ContactLine(self, law, a)
 
+    def history(
+        self,
+        time: ArrayLike,
+        relaxation: Relaxation,
+        *,
+        penetration: ArrayLike | None = None,
+        load: ArrayLike | None = None,
+        height: ArrayLike | None = None,
+        stiffness: float | None = None,
+        at: ArrayLike | None = None,
+        receding: float = 0.0,
+        rigid: Contact | None = None,
+        tolerance: float | None = None,
+    ) -> HistoryStates:
+        """Follow a penetration, a load or a height in time where the bodies relax.
+
+        All bodies that deform relax by one law, at any thickness of the film. The modulus of this
+        contact is the law's ``E_ref``. One of ``penetration``, ``load`` and ``height`` is given at
+        ``time``, with straight lines between.
+
+        Parameters
+        ----------
+        time : array_like
+            Times, s, rising. The first value imposed must be 0 or less: before the contact.
+        relaxation : Relaxation
+            The law.
+        penetration, load, height : array_like, optional
+            What is imposed: penetrations (m), loads (N), or the distance (m) by which the base of the
+            cantilever has moved towards the sample since the first touch.
+        stiffness : float, optional
+            The stiffness of the cantilever, N/m, with ``height``.
+        at : array_like, optional
+            The times of the states, by default ``time``. The last value is held as long as a time is
+            asked for.
+        receding : float
+            Work of adhesion of a receding line, J/m^2, after one approach under an imposed
+            penetration. The line advances without adhesion.
+        rigid : Contact, optional
+            The same film between a rigid probe and a rigid substrate, if only the film relaxes: the
+            error of that is estimated, and above 2 % refused.
+        tolerance : float, optional
+            The tolerance relative to the largest load, radius and penetration, from 1e-10 to 1e-2;
+            by default 1e-8, and 1e-5 where the contact grows again after a retract, under a load
+            that falls and for heights.
+
+        Returns
+        -------
+        HistoryStates
+            The states, their phases and their error.
+
+        Examples
+        --------
+        >>> from coated_contact import Elastic, Relaxation, System, Table
+        >>> system = System(
+        ...     sphere_radius=1e-5,
+        ...     sphere_modulus=float("inf"),
+        ...     film=Elastic(young_modulus=1e3, poisson_ratio=0.5),
+        ...     film_thickness=5e-6,
+        ...     substrate=Elastic(young_modulus=float("inf"), poisson_ratio=0.25),
+        ... )
+        >>> contact = Table.embedded().contact(system)
+        >>> law = Relaxation.power_law(exponent=0.2)
+        >>> out = contact.history([0, 1, 2], law, penetration=[0, 1e-6, 0], at=[0.5, 1.5])
+        >>> bool(out.load[1] < out.load[0])  # hysteresis
+        True
+        """
+        from ._history import history
+
+        return history(
+            self,
+            time,
+            relaxation,
+            penetration=penetration,
+            load=load,
+            height=height,
+            stiffness=stiffness,
+            at=at,
+            receding=receding,
+            rigid=rigid,
+            tolerance=tolerance,
+        )
+
     def validity(self, a: ArrayLike, *, errors: Errors = "raise") -> Validity:
         """Compare contacts of given radii with the assumptions of the model.
 
@@ -461,6 +544,17 @@ class SolvedCurve:
         The smallest and the largest contact radius over the thickness of the film or stack.
     tolerance : float
         The largest relative error of the quantities.
+    friction : {"none", "stick"}
+        Whether the surfaces slide freely, or never slide where they have touched. A sphere that
+        sticks is solved where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5
+        under a rigid sphere or one of Poisson ratio 0.5, or sphere and film of one material; up to
+        an a/t of 30.
+    sphere_poisson_ratio : float
+        With ``friction="stick"``: the Poisson ratio of the sphere. A rigid one needs none.
+    advancing : float
+        With ``friction="stick"``: the work of adhesion with which the contact has grown over that
+        with which it recedes, the ``w`` of all questions. 1 is a contact with one work of adhesion;
+        0 one that was pressed on without attraction.
 
     Examples
     --------
@@ -477,11 +571,16 @@ class SolvedCurve:
 
     a_over_t: tuple[float, float]
     tolerance: float = 1e-8
+    friction: Literal["none", "stick"] = "none"
+    sphere_poisson_ratio: float = 0.5
+    advancing: float = 1.0
 
     def __post_init__(self) -> None:
         first, last = self.a_over_t
         set_field(self, "a_over_t", (number("a_over_t", first), number("a_over_t", last)))
-        set_numbers(self, "tolerance")
+        set_numbers(self, "tolerance", "sphere_poisson_ratio", "advancing")
+        if self.friction not in ("none", "stick"):
+            raise ValueError(f'friction is {self.friction!r}, but must be "none" or "stick"')
 
     def contact(self, system: System | StackSystem) -> Contact:
         """Solve the contact of a system.
@@ -492,6 +591,8 @@ class SolvedCurve:
             For a range, a tolerance or a material outside the domain of the solver.
         NotConvergedError
             Where double precision does not allow the tolerance.
+        FrictionError
+            For a sphere that sticks where Dundurs' beta is not 0.
         """
         return Contact(system=system, table=self)
 
@@ -507,6 +608,17 @@ def _native(system: object, table: object) -> Any:
             return native.contact_on_stack(system._native, own and own._native)
     if isinstance(system, HalfSpace) and table is None:
         return _core.Contact.half_space(system._native)
+    if isinstance(table, SolvedCurve) and table.friction == "stick":
+        settings = (
+            table.a_over_t,
+            table.tolerance,
+            table.sphere_poisson_ratio,
+            table.advancing,
+        )
+        if isinstance(system, System):
+            return _core.Contact.stuck(system._native, *settings)
+        if isinstance(system, StackSystem):
+            return _core.Contact.stuck_on_stack(system._native, *settings)
     if isinstance(table, SolvedCurve):
         if isinstance(system, System):
             return _core.Contact.solved(system._native, table.a_over_t, table.tolerance)

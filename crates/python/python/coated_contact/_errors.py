@@ -61,6 +61,10 @@ class OtherProbeError(ContactError):
     """A question that makes no sense for the shape of the probe, or is not answered for it."""
 
 
+class FrictionError(ContactError):
+    """A contact with full friction that is not solved, or a question that it does not answer."""
+
+
 class ProfileError(ContactError):
     """Points of a measured probe that are no convex shape; ``value`` is the row, from 1."""
 

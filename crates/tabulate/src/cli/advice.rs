@@ -18,7 +18,12 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
             ::fit::Error::Contact(error) => Some(error),
             _ => None,
         });
-        own.or(of_table).or(of_solve).or(of_fit).and_then(commands)
+        let of_history = cause.downcast_ref().and_then(|error| match error {
+            contact::HistoryError::Contact(error) => Some(error),
+            _ => None,
+        });
+        let found = own.or(of_table).or(of_solve).or(of_fit).or(of_history);
+        found.and_then(commands)
     })
 }
 

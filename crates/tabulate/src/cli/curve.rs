@@ -8,6 +8,7 @@ use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
+use super::friction::HistoryArguments;
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
@@ -36,6 +37,10 @@ use solve::{curve as adaptive, solve};
 /// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
 /// is a column outer_radius (m): the radius within which it acts.
 ///
+/// With --friction stick, surfaces that have touched never slide: the rows are those of a contact that
+/// has grown from radius 0 with --work-of-adhesion, and with --work-of-adhesion-receding those of its
+/// retreat. The sphere is solved where Dundurs' beta of sphere and film is 0.
+///
 /// Values that are not given are those of Barthel's Tables 1 and 2, an elastomer sphere of 1 mm on an
 /// elastomer film of 1 um on silicon, and a comment line on standard error names them. With
 /// --specimen paper they are meant, and not named.
@@ -46,6 +51,7 @@ use solve::{curve as adaptive, solve};
     "tabulate curve --specimen paper --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.4",
     "tabulate curve embedded --specimen paper --work-of-adhesion 100mJ/m^2 -o curve.csv",
     "tabulate curve --specimen paper --stack tables/stacks/primer.toml --from 10um --to 90um --points 9",
+    "tabulate curve --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
     "tabulate curve --specimen paper --probe rounded-cone --half-angle 70 --sphere-radius 1um --to 5um",
 ))]
 pub struct Arguments {
@@ -56,6 +62,8 @@ pub struct Arguments {
     table: Option<TableName>,
     #[command(flatten)]
     attracting: AttractingArguments,
+    #[command(flatten)]
+    history: HistoryArguments,
     /// Smallest contact radius, m
     #[arg(long, default_value = "1e-6", value_parser = length, allow_hyphen_values = true)]
     from: f64,
@@ -161,7 +169,20 @@ impl<'a> States<'a> {
         } = *arguments;
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
-        let source = if let Some(range) = attracting.interaction_range {
+        let mut work_of_adhesion = bodies.work_of_adhesion;
+        let source = if let Some(nu2) = arguments.history.sticks()? {
+            ensure!(
+                arguments.table.is_none() && attracting.interaction_range.is_none(),
+                "--friction stick is solved directly, and without a range of the attraction: leave \
+                 out the table and --interaction-range"
+            );
+            let (contact, receding) =
+                arguments
+                    .history
+                    .contact(bodies, nu2, [from, to], tolerance)?;
+            work_of_adhesion = receding;
+            Source::Curve(Box::new(contact))
+        } else if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(Contact::in_table(name.read()?.as_ref(), system)?))
@@ -190,7 +211,7 @@ impl<'a> States<'a> {
         Ok(Self {
             source,
             system,
-            work_of_adhesion: bodies.work_of_adhesion,
+            work_of_adhesion,
             tolerance,
         })
     }

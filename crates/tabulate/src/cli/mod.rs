@@ -15,7 +15,9 @@ mod cost;
 mod curve;
 mod default_table;
 mod fit;
+mod friction;
 mod generate;
+mod history;
 mod info;
 mod interface;
 mod json;
@@ -96,6 +98,7 @@ struct Arguments {
 enum Command {
     Curve(curve::Arguments),
     PullOff(pull_off::Arguments),
+    History(Box<history::Arguments>),
     Fit(Box<fit::Arguments>),
     Simulate(Box<simulate::Arguments>),
     Solve(solve::Arguments),
@@ -149,6 +152,7 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
     match command {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::PullOff(arguments) => pull_off::run(&arguments),
+        Command::History(arguments) => history::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),

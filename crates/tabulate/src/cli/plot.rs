@@ -16,8 +16,8 @@ use crate::cost::{Measurement, read_csv};
 use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
-    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, interface,
-    lookup_cost, pull_off, table_cost, work_precision,
+    contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, friction,
+    interface, lookup_cost, pull_off, relaxation, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -69,6 +69,14 @@ enum Figure {
         "tabulate plot contact-stiffness -o contact-stiffness.svg",
     ))]
     ContactStiffness(Picture),
+    /// Change of stiffness, load and pull-off load by full friction in the paper's system, against
+    /// the film's thickness
+    #[command(after_help = super::examples!("tabulate plot friction -o friction.svg"))]
+    Friction(Picture),
+    /// Load in time on gels of three thicknesses that relax, with the load on a half-space times the
+    /// elastic effect of the thickness (`tabulate history`)
+    #[command(after_help = super::examples!("tabulate plot relaxation -o relaxation.svg"))]
+    Relaxation(Picture),
     /// Load against a/t of an incompressible film on a rigid base that is bonded, joined by springs,
     /// or slides
     #[command(after_help = super::examples!("tabulate plot interface -o interface.svg"))]
@@ -195,6 +203,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::ContactStiffness(output) => output.write(None, || {
             Ok(contact_stiffness::figure(&contact_stiffness::data()?))
         }),
+        Figure::Friction(output) => output.write(None, || Ok(friction::figure(&friction::data()?))),
+        Figure::Relaxation(output) => {
+            output.write(None, || Ok(relaxation::figure(&relaxation::data()?)))
+        }
         Figure::Interface(output) => {
             output.write(None, || Ok(interface::figure(&interface::data()?)))
         }

@@ -1,11 +1,12 @@
 //! `tabulate pull-off`
 
-use anyhow::anyhow;
+use anyhow::{anyhow, ensure};
 use clap::{ValueEnum, ValueHint};
 use contact::{Contact, Control, State};
 use interp::Error;
 
 use super::bodies::{AttractingArguments, Bodies};
+use super::friction::{self, HistoryArguments};
 use super::points::number;
 use super::print;
 use super::quantity::force_per_length;
@@ -21,6 +22,9 @@ use solve::{A_OVER_T, curve};
 /// range (Dugdale's law), from DMT to JKR. Under a long range and an imposed displacement the last
 /// stable state may have no contact: its contact radius is 0.
 ///
+/// With --friction stick, surfaces that have touched never slide. The contact has grown from radius 0
+/// with --work-of-adhesion, and recedes with --work-of-adhesion-receding, or with the same.
+///
 /// Values of the bodies that are not given are those of the paper, and a comment line on standard
 /// error names them, as in `tabulate curve`.
 #[derive(clap::Args)]
@@ -29,6 +33,7 @@ use solve::{A_OVER_T, curve};
     "tabulate pull-off --specimen paper --sphere-radius 10um --interaction-range 5nm --json",
     "tabulate pull-off --specimen paper --control spring --stiffness 40N/m --film-thickness 10um",
     "tabulate pull-off --specimen paper --stack tables/stacks/primer.toml --sphere-radius 100um",
+    "tabulate pull-off --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
 ))]
 pub struct Arguments {
     #[arg(
@@ -38,6 +43,8 @@ pub struct Arguments {
     table: Option<TableName>,
     #[command(flatten)]
     attracting: AttractingArguments,
+    #[command(flatten)]
+    history: HistoryArguments,
     /// What the machine imposes: a dead weight, the displacement, or the far end of a spring
     #[arg(long, value_enum, default_value = "load")]
     control: ControlName,
@@ -72,9 +79,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let attracting = &arguments.attracting;
     let bodies = attracting.bodies.read_checked()?;
+    let sticks = arguments.history.sticks()?;
+    ensure!(
+        sticks.is_none() || arguments.table.is_none() && attracting.interaction_range.is_none(),
+        "--friction stick is solved directly, and without a range of the attraction: leave out the \
+         table and --interaction-range"
+    );
     let state = match attracting.interaction_range {
         Some(range) => bodies.cohesive(range)?.pull_off(control)?,
-        None => jkr(arguments, &bodies, control)?,
+        None => match sticks {
+            Some(nu2) => sticking(arguments, &bodies, nu2, control)?,
+            None => jkr(arguments, &bodies, control)?,
+        },
     };
     let values = [
         ("load", state.load),
@@ -114,6 +130,42 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
         load: state.load,
         penetration: state.penetration,
     })
+}
+
+/// Finds the pull-off of a contact that sticks, up to the widest contact that is solved.
+fn sticking(
+    arguments: &Arguments,
+    bodies: &Bodies,
+    nu2: f64,
+    control: Control,
+) -> anyhow::Result<CohesiveState> {
+    /// The narrowest contact over the widest, and the relative tolerance.
+    const NARROWEST: f64 = 3e-5;
+    const TOLERANCE: f64 = 1e-8;
+    let widest = friction::reach(bodies);
+    let mut refused = None;
+    // A narrow range takes much less time than a wide one.
+    for share in [0.1, 1.0] {
+        let radii = [NARROWEST * widest, share * widest];
+        let (contact, receding) = arguments.history.contact(bodies, nu2, radii, TOLERANCE)?;
+        match contact.pull_off(receding, control) {
+            Err(error @ Error::OutsideRadii { .. }) => refused = Some(error),
+            state => {
+                let state = state?;
+                return Ok(CohesiveState {
+                    contact_radius: state.contact_radius,
+                    outer_radius: state.contact_radius,
+                    load: state.load,
+                    penetration: state.penetration,
+                });
+            }
+        }
+    }
+    Err(anyhow!(
+        "{}; contacts that stick are solved from {:e} m to {widest:e} m on this film or stack",
+        refused.expect("there are ranges"),
+        NARROWEST * widest
+    ))
 }
 
 /// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii

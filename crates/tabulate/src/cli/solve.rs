@@ -6,22 +6,29 @@ use anyhow::ensure;
 use clap::ValueHint;
 use interp::{Elastic, Material, Normalisation, Probe, System};
 
+use super::friction::{self, FrictionArguments};
 use super::interface::{self, Word};
 use super::json::Number;
 use super::output::Output;
 use super::points::{Answer, Given, Points, number};
-use super::print;
 use super::quantity::{modulus, number as plain};
 use super::stack_file;
+use super::{note, print};
 use crate::table::DEFAULT_NU0;
-use solve::stack::Interface;
+use solve::stack::{Interface, Stack};
+use solve::stick::Sticking;
 use solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
+
+/// The relative tolerance where none is given.
+const TOLERANCE: f64 = 1e-10;
 
 /// Solve the contact directly, at one point, at every point of a CSV file, or of a stack of layers
 ///
 /// Prints pi0, eeq, gamma, delta0, the estimated relative error, and with --exponent the load and
 /// the penetration of other probes. Results with e1_over_e2 = 0 are
-/// normalised by E1*, all others by E2*. Points of a file are solved in batches: at an error, those
+/// normalised by E1*, all others by E2*. --friction stick adds eeq_s, gamma_s, gamma_t, gamma_eff
+/// (flat punch), delta_s, pi_s (sphere without attraction), gamma_g, eeq_g (the part that the work of
+/// adhesion drives) and error_s; what is not defined for the Poisson ratios is empty. Points of a file are solved in batches: at an error, those
 /// before the batch are printed already, and a file is not written. `tabulate --help` explains the
 /// parameters.
 #[derive(clap::Args)]
@@ -32,6 +39,7 @@ use solve::{PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
     "tabulate solve --points tables/points.csv --exponent 1 --exponent 4",
     "tabulate solve --a-over-t 1 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 inf --interface sliding",
     "tabulate solve --stack tables/stacks/primer.toml --sphere-modulus 2e6 --a-over-t 6.5",
+    "tabulate solve --a-over-t 2 --e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf --friction stick",
 ))]
 pub struct Arguments {
     /// Contact radius over film thickness; of a stack, over the thickness of all layers
@@ -108,9 +116,11 @@ pub struct Arguments {
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
-    /// Relative tolerance on every quantity
-    #[arg(long, default_value = "1e-10", value_parser = plain, allow_hyphen_values = true)]
-    tolerance: f64,
+    /// Relative tolerance on every quantity [default: 1e-10]
+    #[arg(long, value_parser = plain, allow_hyphen_values = true)]
+    tolerance: Option<f64>,
+    #[command(flatten)]
+    friction: FrictionArguments,
     /// Solve a probe with the profile c r^N too, N from 0.1 to 20: 1 is a cone. May be repeated
     ///
     /// Adds pi_N and delta_N, the load and the penetration without adhesion. With kappa =
@@ -122,7 +132,8 @@ pub struct Arguments {
     ///
     /// The fields are a_over_t, e1_over_e2, nu1, e0_over_e2, nu0, with an interface
     /// interface_stiffness (tangential and normal), pi0, eeq, gamma, delta0, error,
-    /// pi_N and delta_N of each exponent, normalised_by, modes and method (of the solve). With
+    /// pi_N and delta_N of each exponent, the numbers of --friction stick, normalised_by, modes and method
+    /// (of the solve). With
     /// --stack, sphere_modulus, thickness and layers (their number) stand in place of e1_over_e2 to
     /// nu0. An infinite number is the text "inf".
     #[arg(long)]
@@ -151,6 +162,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let material = Material::new(e1, nu1, e0, arguments.nu0)?;
     let solution = solve_film(arguments, a_over_t, &material)?;
+    let sticking = arguments.friction.sticks();
+    let sticking = sticking.map(|nu2| sticking_film(arguments, &material, nu2));
+    let stick = stick(arguments, a_over_t, sticking)?;
     let mut contact = serde_json::json!({
         "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
     });
@@ -158,7 +172,23 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         contact["interface_stiffness"] =
             serde_json::json!(arguments.interface().stiffnesses().map(Number));
     }
-    print_solution(arguments, contact, &solution, &material)
+    print_solution(arguments, contact, &solution, stick, &material)
+}
+
+/// Solves the numbers of friction, if they are asked for, and tells in a note why some are missing.
+fn stick(
+    arguments: &Arguments,
+    a_over_t: f64,
+    sticking: Option<anyhow::Result<Sticking>>,
+) -> anyhow::Result<Option<[Option<f64>; 9]>> {
+    let Some(sticking) = sticking else {
+        return Ok(None);
+    };
+    let (numbers, missing) = friction::numbers(&sticking?, a_over_t, arguments.tolerance)?;
+    if let Some(reason) = missing {
+        note(&format!("the numbers of a sphere are left out: {reason}"));
+    }
+    Ok(Some(numbers))
 }
 
 fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
@@ -170,8 +200,11 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         stack,
         sphere_modulus,
         &arguments.exponents,
-        arguments.tolerance,
+        arguments.tolerance.unwrap_or(TOLERANCE),
     )?;
+    let sticking = arguments.friction.sticks();
+    let sticking = sticking.map(|nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?));
+    let stick = stick(arguments, a_over_t, sticking)?;
     let contact = serde_json::json!({
         "a_over_t": a_over_t, "sphere_modulus": Number(sphere_modulus), "thickness": stack.thickness(),
         "layers": stack.layers().len(),
@@ -180,6 +213,7 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         arguments,
         contact,
         &solution,
+        stick,
         &stack.material(sphere_modulus)?,
     )
 }
@@ -190,12 +224,31 @@ fn solve_film(
     a_over_t: f64,
     material: &Material,
 ) -> anyhow::Result<(Solution, Vec<PowerLaw>)> {
-    let (exponents, tolerance) = (&arguments.exponents, arguments.tolerance);
+    let exponents = &arguments.exponents;
+    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
+    Ok(match joined_film(arguments, material)? {
+        None => solve_power_laws(a_over_t, material, exponents, tolerance)?,
+        Some((stack, sphere)) => {
+            solve_stack_power_laws(a_over_t, &stack, sphere, exponents, tolerance)?
+        }
+    })
+}
+
+/// Puts a sphere that sticks on one film, with the interface that is asked for.
+fn sticking_film(arguments: &Arguments, material: &Material, nu2: f64) -> anyhow::Result<Sticking> {
+    Ok(match joined_film(arguments, material)? {
+        None => Sticking::on_film(material, nu2)?,
+        Some((stack, sphere)) => Sticking::on_stack(&stack, sphere, nu2)?,
+    })
+}
+
+/// Returns a film that is not bonded as a stack, with the modulus of the sphere, in the units of the
+/// flags: E2* or E1, and the thickness of the film. Returns `None` for a bonded film.
+fn joined_film(arguments: &Arguments, material: &Material) -> anyhow::Result<Option<(Stack, f64)>> {
     let interface = arguments.interface();
     if interface.is_bonded() {
-        return Ok(solve_power_laws(a_over_t, material, exponents, tolerance)?);
+        return Ok(None);
     }
-    // In the units of the flags: E2* or E1, and the thickness of the film.
     let rigid = material.normalisation() == Normalisation::Film;
     let e1 = if rigid { 1.0 } else { material.e1_over_e2() };
     let system = System {
@@ -206,10 +259,7 @@ fn solve_film(
         substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
     };
     let stack = interface::one_film(&system, interface)?.stack;
-    let sphere = system.sphere_modulus;
-    Ok(solve_stack_power_laws(
-        a_over_t, &stack, sphere, exponents, tolerance,
-    )?)
+    Ok(Some((stack, system.sphere_modulus)))
 }
 
 /// Reads stiffnesses without a unit.
@@ -234,13 +284,16 @@ fn print_solution(
     arguments: &Arguments,
     mut contact: serde_json::Value,
     (solution, power_laws): &(Solution, Vec<PowerLaw>),
+    stick: Option<[Option<f64>; 9]>,
     material: &Material,
 ) -> anyhow::Result<()> {
     let q = solution.quantities;
     let unit = material.normalisation().symbol();
-    let further = further_columns(&arguments.exponents)
-        .into_iter()
-        .zip(numbers(power_laws));
+    let further = further_columns(arguments).into_iter().zip(
+        numbers(power_laws)
+            .map(Some)
+            .chain(stick.into_iter().flatten()),
+    );
     let text = if arguments.json {
         let results = serde_json::json!({
             "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
@@ -263,10 +316,13 @@ fn print_solution(
             ("error", solution.error),
         ];
         let rows: String = rows
-            .map(|(name, value)| (name.to_owned(), value))
+            .map(|(name, value)| (name.to_owned(), Some(value)))
             .into_iter()
             .chain(further)
-            .map(|(name, value)| format!("{name:13} = {}\n", number(value)))
+            .map(|(name, value)| {
+                let value = value.map(number).unwrap_or_default();
+                format!("{}\n", format!("{name:13} = {value}").trim_end())
+            })
             .collect();
         format!("{rows}normalised_by = {unit}\n")
     };
@@ -276,21 +332,32 @@ fn print_solution(
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
     let output = Output::new(arguments.output.as_deref(), [Some(path)])?;
     let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
-    let exponents = &arguments.exponents;
-    points.answer("solving", &output, &further_columns(exponents), |point| {
+    points.answer("solving", &output, &further_columns(arguments), |point| {
         let (solution, power_laws) = solve_film(arguments, point.a_over_t, &point.material)?;
+        let mut further: Vec<Option<f64>> = numbers(&power_laws).map(Some).collect();
+        if let Some(nu2) = arguments.friction.sticks() {
+            let sticking = sticking_film(arguments, &point.material, nu2)?;
+            further.extend(friction::numbers(&sticking, point.a_over_t, arguments.tolerance)?.0);
+        }
         Ok(Answer {
             values: solution.quantities.to_array().map(Some),
             error: solution.error,
-            further: numbers(&power_laws).map(Some).collect(),
+            further,
         })
     })
 }
 
-/// Returns the names of the columns of the power laws.
-fn further_columns(exponents: &[f64]) -> Vec<String> {
+/// Returns the names of the columns of the power laws and of friction.
+fn further_columns(arguments: &Arguments) -> Vec<String> {
     let names = |exponent: &f64| [format!("pi_{exponent}"), format!("delta_{exponent}")];
-    exponents.iter().flat_map(names).collect()
+    let friction = arguments.friction.sticks().map(|_| friction::COLUMNS);
+    let friction = friction.into_iter().flatten().map(str::to_owned);
+    arguments
+        .exponents
+        .iter()
+        .flat_map(names)
+        .chain(friction)
+        .collect()
 }
 
 /// Returns the numbers in these columns.

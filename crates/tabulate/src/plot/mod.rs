@@ -17,12 +17,14 @@ pub mod fig3;
 pub mod fig4;
 pub mod fit;
 pub mod force_displacement;
+pub mod friction;
 pub mod interface;
 mod labels;
 pub mod lookup_cost;
 pub mod paper;
 pub mod picture;
 pub mod pull_off;
+pub mod relaxation;
 pub mod table_cost;
 pub mod work_precision;
 
@@ -44,8 +46,8 @@ mod tests {
     use super::chart::Figure;
     use super::picture::Format;
     use super::{
-        effects, fig2, fig3, fig4, force_displacement, interface, lookup_cost, pull_off,
-        table_cost, work_precision,
+        effects, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
+        relaxation, table_cost, work_precision,
     };
     use crate::Error;
     use crate::cost::{Measurement, read_csv};
@@ -126,9 +128,15 @@ mod tests {
         assert_clear("fig3", &fig3::figure(&fig3::data().expect("within reach")));
         assert_clear("fig4", &fig4::figure(&fig4::data().expect("within reach")));
         assert_clear(
+            "friction",
+            &friction::figure(&friction::data().expect("within reach")),
+        );
+        assert_clear(
             "pull-off",
             &pull_off::figure(&pull_off::data().expect("within reach")),
         );
+        let films = relaxation::data().expect("within reach");
+        assert_clear("relaxation", &relaxation::figure(&films));
         assert_clear(
             "interface",
             &interface::figure(&interface::data().expect("within reach")),

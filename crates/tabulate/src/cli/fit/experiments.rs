@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use ::fit::{
     Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, LayeredSolver, Measurement,
-    Parameter, Reach, Scope, starts_from_data,
+    Parameter, Reach, Scope, StickSolver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
@@ -12,11 +12,12 @@ use interp::HalfSpace;
 use super::indentation::{IndentationArguments, forget_shape, has_no_shape};
 use super::setting::{Bounds, Given, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
+use crate::cli::friction::FrictionArguments;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
 use fit::DirectSolver;
-use solve::stack;
+use solve::stack::{self, Interface};
 
 /// The flags of known values.
 #[derive(clap::Args)]
@@ -27,6 +28,8 @@ pub struct KnownArguments {
     /// ratio of the film
     #[arg(long, conflicts_with_all = ["stack", "interface", "interface_stiffness"])]
     pub half_space: bool,
+    #[command(flatten)]
+    friction: FrictionArguments,
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
     pub stiffness: Option<f64>,
@@ -114,7 +117,28 @@ impl KnownArguments {
             work_of_adhesion,
             ..
         } = self.bodies.read()?;
-        let layers = stack.as_ref().map(layers).transpose()?;
+        let mut layers = stack.as_ref().map(layers).transpose()?;
+        if let Some(nu2) = self.friction.sticks() {
+            ensure!(
+                !self.half_space,
+                "--friction stick is for films and stacks: on a half-space of Poisson ratio 0.5 friction \
+                 has no effect, and for other ones it is not solved; leave out --half-space or \
+                 --friction"
+            );
+            let solver: Arc<dyn LayeredSolver> = Arc::new(StickSolver {
+                sphere_poisson_ratio: nu2,
+            });
+            // A film is a single layer without a name.
+            let film = || {
+                vec![Layer {
+                    name: None,
+                    solid: system.film,
+                    thickness: system.film_thickness,
+                    interface: Interface::Bonded,
+                }]
+            };
+            layers = Some((layers.map_or_else(film, |(layers, _)| layers), solver));
+        }
         let bodies = |measurement: &Measurement| {
             let system = system.clone();
             if let Some((layers, solver)) = &layers {

@@ -65,6 +65,10 @@ use crate::printable;
 /// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
 /// value: the data tell where to start.
 ///
+/// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
+/// without it, a warning tells where full friction would change the modulus by more than its standard
+/// error.
+///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
 /// files unless they are the file's own: a global fit of films of several thicknesses is

@@ -31,11 +31,13 @@ pub enum Effect {
     /// The interface between film and substrate: the film slides. Without it the film is bonded. It
     /// needs no table.
     Interface,
+    /// Full friction. Without it the surfaces slide freely, as in the table. It is solved directly.
+    Friction,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
@@ -45,6 +47,7 @@ impl Effect {
         Self::Shape,
         Self::FiniteRange,
         Self::Interface,
+        Self::Friction,
     ];
 
     /// Returns the name in words.
@@ -59,6 +62,7 @@ impl Effect {
             Self::Shape => "shape",
             Self::FiniteRange => "finite range",
             Self::Interface => "interface",
+            Self::Friction => "friction",
         }
     }
 
@@ -74,6 +78,7 @@ impl Effect {
             Self::Shape => "paraboloid for the sphere, a = 0.3 R",
             Self::FiniteRange => "JKR at a Tabor parameter of 5",
             Self::Interface => "bonded film where it slides",
+            Self::Friction => "no friction, in place of full friction",
         }
     }
 
@@ -93,13 +98,17 @@ impl Effect {
             // The curve of a shape needs all quantities.
             Self::Shape => Quantity::ALL.into_iter().all(held),
             Self::Interface => true,
+            Self::Friction => true,
         }
     }
 
     /// Whether a contact with the effect takes the same table. The effect costs time at each lookup
     /// instead.
     pub const fn needs_no_table(self) -> bool {
-        matches!(self, Self::Shape | Self::FiniteRange | Self::Interface)
+        matches!(
+            self,
+            Self::Shape | Self::FiniteRange | Self::Interface | Self::Friction
+        )
     }
 
     /// Returns the scene without the effect; none if a closed form replaces the table.
@@ -127,7 +136,7 @@ impl Effect {
             Self::Penetration => variant
                 .quantities
                 .retain(|&quantity| quantity != Quantity::Delta0),
-            Self::Shape | Self::FiniteRange | Self::Interface => {}
+            Self::Shape | Self::FiniteRange | Self::Interface | Self::Friction => {}
         }
         Some(variant)
     }

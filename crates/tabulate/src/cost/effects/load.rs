@@ -4,6 +4,7 @@ use interp::{Material, Normalisation, Quantities};
 
 use super::Effect;
 use super::finite_range::error_of_jkr;
+use super::friction::error_without;
 use super::interface::sliding;
 use super::shape::error_of_paraboloid;
 use crate::Error;
@@ -27,7 +28,8 @@ pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 /// [`A_OVER_R`](super::A_OVER_R) `R`. For [`Effect::FiniteRange`] the error is that of JKR's pull-off
 /// load, relative to itself, under a sphere that pulls off at this contact radius, at Tabor's
 /// parameter [`TABOR`](super::TABOR). For [`Effect::Interface`] it is that of the load of the bonded
-/// film where the film slides, up to `a/t` of 1000.
+/// film where the film slides, up to `a/t` of 1000. For [`Effect::Friction`] `F` is the
+/// load of a flat punch with full friction, at the same penetration.
 ///
 /// # Errors
 /// Those of the solve.
@@ -42,6 +44,7 @@ pub fn errors(
         match effect {
             Effect::Shape => return error_of_paraboloid(a_over_t, material, Load::TOLERANCE),
             Effect::FiniteRange => return error_of_jkr(a_over_t, material, Load::TOLERANCE),
+            Effect::Friction => return error_without(a_over_t, material),
             Effect::Interface => {
                 // The film of the scene is what is left without the effect.
                 let quantities = sliding(a_over_t, material, Load::TOLERANCE_OF_SLIDING)?;
@@ -117,9 +120,11 @@ impl Load {
                 adhesion: 0.0,
                 ..self
             }),
-            Effect::Penetration | Effect::Shape | Effect::FiniteRange | Effect::Interface => {
-                Ok(self)
-            }
+            Effect::Penetration
+            | Effect::Shape
+            | Effect::FiniteRange
+            | Effect::Interface
+            | Effect::Friction => Ok(self),
         }
     }
 }

@@ -2,11 +2,12 @@
 //!
 //! `effect` names the effects and makes the scene without one, `load` computes the error of the
 //! load, `shape` that of the paraboloid and the time that the sphere itself takes, `finite_range` that
-//! of JKR's pull-off and the time of its correction, `interface` a film that slides, `summary` prints
-//! the rows.
+//! of JKR's pull-off and the time of its correction, `interface` a film that slides, `friction` full
+//! friction, `summary` prints the rows.
 
 mod effect;
 mod finite_range;
+mod friction;
 mod interface;
 mod load;
 mod shape;
@@ -21,6 +22,7 @@ use serde::{Deserialize, Serialize};
 
 pub use self::effect::Effect;
 pub use self::finite_range::TABOR;
+pub use self::friction::WIDEST;
 pub use self::load::{STRENGTHS, errors};
 pub use self::shape::A_OVER_R;
 pub use self::summary::markdown;
@@ -62,8 +64,8 @@ pub struct Row {
     /// Largest error of the load over the scene.
     pub worst_error: f64,
     /// Time of what the effect slows down, with it over without it: to make the contact of a new
-    /// material for the shape and the interface, to find a pull-off for the finite range. None for the
-    /// effects that make the table larger instead.
+    /// material for the shape and the interface, to find a pull-off for the finite range, to solve a
+    /// curve for friction. None for the effects that make the table larger instead.
     #[serde(default)]
     pub time_ratio: Option<f64>,
 }
@@ -128,6 +130,7 @@ pub fn measure(
             Some(Effect::Shape) => Some(shape::time_ratio(timing)?),
             Some(Effect::FiniteRange) => Some(finite_range::time_ratio(timing)?),
             Some(Effect::Interface) => Some(interface::time_ratio(timing)?),
+            Some(Effect::Friction) => Some(friction::time_ratio(timing)?),
             _ => None,
         })
     };

@@ -1,6 +1,6 @@
 //! The effects summed up as Markdown.
 
-use super::{A_OVER_R, Effect, Row, STRENGTHS, TABOR};
+use super::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, WIDEST};
 use crate::cost::clock::human;
 use crate::cost::numbers::{grouped, human_bytes};
 
@@ -19,6 +19,7 @@ impl Row {
                 (Some(ratio), _) => {
                     let what = match self.without {
                         Some(Effect::FiniteRange) => "a pull-off",
+                        Some(Effect::Friction) => "a directly solved curve",
                         _ => "a new material",
                     };
                     format!("{what} takes {ratio:.1} times as long")
@@ -114,6 +115,13 @@ pub fn markdown(rows: &[Row]) -> String {
             "The finite range needs no other table. Its errors are those of JKR's pull-off load, relative to itself, under a \
              sphere that pulls off at the contact radius, at a Tabor parameter of {TABOR}; they fall with its square. Its time \
              is that of a pull-off load with the correction for the range.\n"
+        );
+    }
+    if rows.iter().any(|row| row.without == Some(Effect::Friction)) {
+        text += &format!(
+            "Friction needs no other table. Its errors are those of the load of a flat punch without friction, relative to that with \
+             full friction, at the a/t of the point or {WIDEST} if that is less. Its time is that of a curve of a sphere up to \
+             a/t = 3, solved directly.\n"
         );
     }
     if rows

@@ -1,0 +1,12 @@
+//! The bodies in contact, with the curve of their material.
+
+use interp::{Curve, HalfSpace, System};
+
+/// The bodies in contact.
+#[derive(Clone, Debug)]
+pub(crate) enum Bodies {
+    /// A probe on a homogeneous half-space.
+    HalfSpace(HalfSpace),
+    /// A probe on a coated substrate, with the curve of its material.
+    Coated { system: System, curve: Curve },
+}

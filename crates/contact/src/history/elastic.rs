@@ -1,0 +1,339 @@
+//! The elastic contact without adhesion as a function of the penetration: load, stiffness and
+//! contact radius on pieces.
+//!
+//! On each piece the load is the cubic polynomial with the loads and the stiffnesses of its ends,
+//! because the stiffness is the slope of the load. Near the first touch the load is nearly a power
+//! of the penetration, and the pieces grow with the distance from there. A piece is halved until a
+//! contact within it agrees with the polynomial.
+
+use std::convert::Infallible;
+
+use super::HistoryError;
+use crate::{Contact, root};
+use interp::check::finite_result;
+
+/// A contact radius with its elastic state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node {
+    /// Contact radius, m.
+    pub radius: f64,
+    /// Penetration, m.
+    pub penetration: f64,
+    /// Load, N.
+    pub load: f64,
+    /// Stiffness `dF/d delta`, N/m.
+    pub stiffness: f64,
+    /// `d delta/da`.
+    slope: f64,
+}
+
+/// The elastic contact up to a penetration.
+#[derive(Clone, Debug)]
+pub(super) struct ElasticCurve {
+    /// From the first touch, where penetration and load are 0, to the largest contact.
+    pub nodes: Vec<Node>,
+    /// Whether the radius of a piece is a polynomial of the penetration, rather than the
+    /// penetration one of the radius.
+    inverted: Vec<bool>,
+    /// The largest error of the load found, in parts of the largest load.
+    pub load_error: f64,
+    /// The largest error of the radius found, in parts of the largest radius.
+    pub radius_error: f64,
+}
+
+/// The part of the tolerance that the load of the smallest contact may have.
+const FIRST: f64 = 0.1;
+/// The error of the load on the first piece, on which it is taken to be a cubic polynomial, over the
+/// load at its end, at most: 0.04 for a power of 3/2.
+const BEND: f64 = 0.1;
+/// The smallest largest load (N) that is followed: the loads of smaller contacts do not underflow.
+const SMALLEST_LOAD: f64 = 1e-200;
+/// The most halvings of a piece.
+const DEPTH: u32 = 40;
+/// The error in the middle of a piece over the largest one, at least.
+const MIDDLE: f64 = 0.5;
+/// A piece whose radii have a larger ratio is halved at the geometric mean.
+const WIDE: f64 = 2.5;
+
+/// The most steps of Newton's method on a piece, and the change of the place on it after which the
+/// next one would be below rounding.
+const NEWTON: usize = 8;
+const CONVERGED: f64 = 1e-9;
+
+/// Returns the value at `x` in `[0, 1]` of the cubic polynomial with values and slopes at the ends.
+pub(super) fn hermite([f0, f1]: [f64; 2], [d0, d1]: [f64; 2], x: f64) -> f64 {
+    let y = 1.0 - x;
+    y * y * (f0 * (1.0 + 2.0 * x) + d0 * x) + x * x * (f1 * (1.0 + 2.0 * y) - d1 * y)
+}
+
+/// Returns the slope of [`hermite`].
+fn hermite_slope([f0, f1]: [f64; 2], [d0, d1]: [f64; 2], x: f64) -> f64 {
+    let y = 1.0 - x;
+    6.0 * x * y * (f1 - f0) + d0 * y * (1.0 - 3.0 * x) + d1 * x * (1.0 - 3.0 * y)
+}
+
+impl ElasticCurve {
+    /// Follows the elastic contact up to the contact radius `most` (m) with a tolerance relative to
+    /// the largest load and radius.
+    pub fn up_to(contact: &Contact, most: f64, tolerance: f64) -> Result<Self, HistoryError> {
+        let last = node(contact, most)?;
+        if !(last.load > SMALLEST_LOAD) {
+            return Err(contact.outside("penetration", last.penetration).into());
+        }
+        let [least, _] = contact.search_range()?;
+        let flat = contact.has_flat_end();
+        let first = if flat {
+            let stiffness = contact.stiffness(least)?;
+            Node {
+                radius: least,
+                penetration: 0.0,
+                load: 0.0,
+                stiffness,
+                slope: f64::INFINITY,
+            }
+        } else {
+            Node {
+                radius: 0.0,
+                penetration: 0.0,
+                load: 0.0,
+                stiffness: 0.0,
+                slope: 0.0,
+            }
+        };
+        let mut own = Self {
+            nodes: vec![first],
+            inverted: Vec::new(),
+            load_error: 0.0,
+            radius_error: 0.0,
+        };
+        if !flat {
+            let mut second = last;
+            while BEND * second.load > FIRST * tolerance * last.load && second.radius > least {
+                second = node(contact, (0.25 * second.radius).max(least))?;
+            }
+            own.inverted.push(true);
+            own.load_error = BEND * second.load / last.load;
+            own.nodes.push(second);
+        }
+        own.refine(contact, last, &last, tolerance, DEPTH)?;
+        Ok(own)
+    }
+
+    /// Follows the elastic contact up to a penetration (m).
+    pub fn to_penetration(
+        contact: &Contact,
+        penetration: f64,
+        tolerance: f64,
+    ) -> Result<Self, HistoryError> {
+        let radius = radius_of(contact, "penetration", penetration, |node| node.penetration)?;
+        Self::up_to(contact, radius, tolerance)
+    }
+
+    /// Adds the pieces from the last node to `end`.
+    fn refine(
+        &mut self,
+        contact: &Contact,
+        end: Node,
+        last: &Node,
+        tolerance: f64,
+        depth: u32,
+    ) -> Result<(), HistoryError> {
+        let begin = self.nodes[self.nodes.len() - 1];
+        if begin.radius >= end.radius {
+            return Ok(());
+        }
+        let middle = if begin.radius > 0.0 && end.radius > WIDE * begin.radius {
+            (begin.radius * end.radius).sqrt()
+        } else {
+            0.5 * (begin.radius + end.radius)
+        };
+        let middle = node(contact, middle)?;
+        let piece = [begin, end];
+        let load = load_on(&piece, middle.penetration).0;
+        let load_error = (load - middle.load).abs() / (MIDDLE * last.load);
+        let radii = [false, true].map(|inverted| {
+            let error = (radius_on(&piece, inverted, middle.penetration) - middle.radius).abs();
+            if error.is_nan() {
+                f64::INFINITY
+            } else {
+                error / (MIDDLE * last.radius)
+            }
+        });
+        let inverted = radii[1] < radii[0];
+        let radius_error = radii[0].min(radii[1]);
+        if depth > 0 && (load_error > tolerance || radius_error > tolerance) {
+            self.refine(contact, middle, last, tolerance, depth - 1)?;
+            return self.refine(contact, end, last, tolerance, depth - 1);
+        }
+        self.load_error = self.load_error.max(load_error);
+        self.radius_error = self.radius_error.max(radius_error);
+        self.inverted.push(inverted);
+        self.nodes.push(end);
+        Ok(())
+    }
+
+    /// Returns the largest contact.
+    pub fn last(&self) -> &Node {
+        &self.nodes[self.nodes.len() - 1]
+    }
+
+    /// Returns the number of the piece that holds a penetration; the first or last one for a
+    /// penetration outside.
+    pub fn piece(&self, penetration: f64) -> usize {
+        let above = self
+            .nodes
+            .partition_point(|node| node.penetration <= penetration);
+        above.clamp(1, self.nodes.len() - 1) - 1
+    }
+
+    /// Returns load (N) and stiffness (N/m) at a penetration (m) on a piece; 0 before the first touch.
+    pub fn load(&self, piece: usize, penetration: f64) -> (f64, f64) {
+        if penetration < 0.0 {
+            return (0.0, 0.0);
+        }
+        load_on(&[self.nodes[piece], self.nodes[piece + 1]], penetration)
+    }
+
+    /// Returns the contact radius (m) at a penetration (m); 0 before the first touch.
+    pub fn radius(&self, penetration: f64) -> f64 {
+        if penetration <= 0.0 {
+            return 0.0;
+        }
+        let piece = self.piece(penetration);
+        let nodes = [self.nodes[piece], self.nodes[piece + 1]];
+        if piece == 0 && nodes[0].radius == 0.0 {
+            // The smallest contacts follow a power law.
+            let power = nodes[1].penetration / (nodes[1].slope * nodes[1].radius);
+            return nodes[1].radius * (penetration / nodes[1].penetration).powf(power);
+        }
+        radius_on(&nodes, self.inverted[piece], penetration)
+    }
+
+    /// Returns the penetration (m) of a load (N) up to the largest one.
+    pub fn penetration_at_load(&self, load: f64) -> f64 {
+        if load <= 0.0 {
+            return 0.0;
+        }
+        let above = self.nodes.partition_point(|node| node.load <= load);
+        let piece = above.clamp(1, self.nodes.len() - 1) - 1;
+        let nodes = [self.nodes[piece], self.nodes[piece + 1]];
+        if piece == 0 && nodes[0].radius == 0.0 {
+            let power = nodes[1].load / (nodes[1].stiffness * nodes[1].penetration);
+            return nodes[1].penetration * (load / nodes[1].load).powf(power);
+        }
+        let f = |x: f64| Ok::<_, Infallible>(load_on(&nodes, x).0 - load);
+        let Ok(found) = root(f, nodes[0].penetration, nodes[1].penetration);
+        found
+    }
+}
+
+/// Returns load and stiffness on a piece.
+fn load_on([begin, end]: &[Node; 2], penetration: f64) -> (f64, f64) {
+    let length = end.penetration - begin.penetration;
+    let x = (penetration - begin.penetration) / length;
+    let loads = [begin.load, end.load];
+    let slopes = [begin.stiffness * length, end.stiffness * length];
+    (
+        hermite(loads, slopes, x),
+        hermite_slope(loads, slopes, x) / length,
+    )
+}
+
+/// Returns the contact radius on a piece.
+fn radius_on([begin, end]: &[Node; 2], inverted: bool, penetration: f64) -> f64 {
+    let values = [begin.penetration, end.penetration];
+    let length = end.radius - begin.radius;
+    if inverted {
+        let width = values[1] - values[0];
+        let x = (penetration - values[0]) / width;
+        return hermite(
+            [begin.radius, end.radius],
+            [width / begin.slope, width / end.slope],
+            x,
+        );
+    }
+    let slopes = [begin.slope * length, end.slope * length];
+    let mut x = (penetration - values[0]) / (values[1] - values[0]);
+    for _ in 0..NEWTON {
+        let change = (hermite(values, slopes, x) - penetration) / hermite_slope(values, slopes, x);
+        x -= change;
+        if change.abs() < CONVERGED {
+            return begin.radius + x * length;
+        }
+    }
+    let f = |x: f64| Ok::<_, Infallible>(hermite(values, slopes, x) - penetration);
+    let Ok(x) = root(f, 0.0, 1.0);
+    begin.radius + x * length
+}
+
+/// Returns the elastic state at a contact radius (m).
+fn node(contact: &Contact, radius: f64) -> Result<Node, HistoryError> {
+    contact.mechanics().check_radius(radius)?;
+    let (state, slopes) = contact.adhesionless_and_slopes(radius)?;
+    Ok(Node {
+        radius,
+        penetration: finite_result(radius, state.penetration)?,
+        load: finite_result(radius, state.load)?,
+        stiffness: contact.stiffness(radius)?,
+        slope: slopes.penetration / radius,
+    })
+}
+
+/// Returns the contact radius (m) at which a quantity of the elastic state has a value.
+pub(super) fn radius_of(
+    contact: &Contact,
+    name: &'static str,
+    value: f64,
+    quantity: impl Fn(&Node) -> f64,
+) -> Result<f64, HistoryError> {
+    let [from, to] = contact.search_range()?;
+    if quantity(&node(contact, to)?) < value {
+        return Err(contact.outside(name, value).into());
+    }
+    // Where the contact without a film would have this value, or anywhere.
+    let f = |u: f64| {
+        Ok::<_, HistoryError>(quantity(&node(contact, u.exp().clamp(from, to))?) / value - 1.0)
+    };
+    let u = root(f, from.ln(), to.ln())?;
+    Ok(u.exp().clamp(from, to))
+}
+
+/// Returns the elastic states at equally spaced radii from the first touch up to `most` (m).
+pub(super) fn evenly(
+    contact: &Contact,
+    most: f64,
+    intervals: usize,
+) -> Result<Vec<Node>, HistoryError> {
+    let [least, _] = contact.search_range()?;
+    let flat = contact.has_flat_end();
+    let begin = if flat { least } else { 0.0 };
+    let mut nodes = Vec::with_capacity(intervals + 1);
+    let stiffness = if flat { contact.stiffness(least)? } else { 0.0 };
+    nodes.push(Node {
+        radius: begin,
+        penetration: 0.0,
+        load: 0.0,
+        stiffness,
+        slope: 0.0,
+    });
+    let smallest = if flat { begin } else { least };
+    for i in 1..=intervals {
+        let radius = begin + (most - begin) * (i as f64 / intervals as f64);
+        if radius >= smallest {
+            nodes.push(node(contact, radius.min(most))?);
+            continue;
+        }
+        // Contacts smaller than those of the curve follow a power law.
+        let first = node(contact, smallest)?;
+        let x = radius / smallest;
+        let power = first.slope * first.radius / first.penetration;
+        let penetration = first.penetration * x.powf(power);
+        nodes.push(Node {
+            radius,
+            penetration,
+            stiffness: first.stiffness * x,
+            ..first
+        });
+    }
+    Ok(nodes)
+}

@@ -1,0 +1,79 @@
+//! A load that grows or is held: the contact radius is that of the elastic contact under the load
+//! `int J(t-t') dF`, with the creep compliance `J`.
+
+use super::elastic::ElasticCurve;
+use super::exponentials::Creep;
+use super::moments::one_less_mean;
+use super::program::Program;
+use super::{Phase, TimedContact};
+use crate::State;
+
+/// Returns whether the load never falls.
+pub(super) fn grows(program: &Program) -> bool {
+    program.values.windows(2).all(|pair| pair[0] <= pair[1])
+}
+
+/// Returns the elastic loads (N, in units of the modulus at `E_ref`) at the times of the points and
+/// those asked for.
+pub(super) fn elastic_loads(creep: &Creep, program: &Program, asked: &[f64]) -> Vec<(f64, f64)> {
+    let all = program.with(asked);
+    // int (1 - exp(-rate (t-t'))) dF of each term, which loses no digits at short times.
+    let mut memories = vec![0.0; creep.rates.len()];
+    let mut flowed = 0.0;
+    let mut loads = vec![(all[0].time, 0.0)];
+    for pair in all.windows(2) {
+        let [before, after] = [pair[0].value.max(0.0), pair[1].value.max(0.0)];
+        let (h, rise) = (pair[1].time - pair[0].time, after - before);
+        flowed += 0.5 * h * (before + after);
+        let mut load = creep.instantaneous * after + creep.flow * flowed;
+        for ((memory, amplitude), rate) in
+            memories.iter_mut().zip(&creep.amplitudes).zip(&creep.rates)
+        {
+            let z = rate * h;
+            let grown = -(-z).exp_m1();
+            *memory += grown * (before - *memory) + rise * one_less_mean(z);
+            load += amplitude * *memory;
+        }
+        loads.push((pair[1].time, load));
+    }
+    loads
+}
+
+/// Returns the states at the times asked for.
+pub(super) fn states(
+    curve: &ElasticCurve,
+    loads: &[(f64, f64)],
+    program: &Program,
+    asked: &[f64],
+) -> Vec<TimedContact> {
+    let all = program.with(asked);
+    let mut wanted = asked.iter().copied().peekable();
+    let mut states = Vec::with_capacity(asked.len());
+    for (i, (at, &(_, elastic))) in all.iter().zip(loads).enumerate() {
+        let grows = i > 0 && elastic > loads[i - 1].1;
+        while wanted.next_if_eq(&at.time).is_some() {
+            if elastic <= 0.0 {
+                states.push(TimedContact::separated(at.time, 0.0));
+                continue;
+            }
+            let penetration = curve.penetration_at_load(elastic);
+            let phase = if grows {
+                Phase::Advancing
+            } else {
+                Phase::Resting
+            };
+            let contact_radius = curve.radius(penetration);
+            let state = State {
+                contact_radius,
+                load: at.value,
+                penetration,
+            };
+            states.push(TimedContact {
+                time: at.time,
+                phase,
+                state,
+            });
+        }
+    }
+    states
+}

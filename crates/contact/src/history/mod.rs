@@ -1,0 +1,298 @@
+//! Contacts in time where one relaxation function rules all bodies that deform.
+//!
+//! Lee and Radok's and Ting's reduction of the half-space is exact on films of any thickness, and so
+//! is any number of turning points: the contact is arithmetic on the elastic curve. `relaxation`
+//! holds the laws, `exponentials` writes them as sums of exponentials, `elastic` is the elastic
+//! curve, `program` what is imposed. `one_turn` (with `retract`) and `growing_load` have many digits,
+//! `elements` serves any history, `run` chooses among them and refines. `moments` and `gamma` are functions for them.
+
+mod elastic;
+mod elements;
+mod error;
+mod exponentials;
+mod gamma;
+mod growing_load;
+mod moments;
+mod one_turn;
+mod program;
+mod relaxation;
+mod retract;
+mod run;
+
+pub use self::error::HistoryError;
+pub use self::relaxation::Relaxation;
+
+use self::program::Program;
+use self::run::Run;
+use crate::{Contact, Control, CrackTip, State};
+
+/// The bound of the error by bodies that relax differently above which it is refused.
+const UNLIKE: f64 = 2e-2;
+
+/// What the contact does at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// There is no contact.
+    Separated,
+    /// The contact grows.
+    Advancing,
+    /// The contact keeps its radius.
+    Resting,
+    /// The contact shrinks.
+    Receding,
+}
+
+impl Phase {
+    /// Returns the name of the phase in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Separated => "separated",
+            Self::Advancing => "advancing",
+            Self::Resting => "resting",
+            Self::Receding => "receding",
+        }
+    }
+}
+
+/// A contact at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimedContact {
+    /// Time, s.
+    pub time: f64,
+    /// What the contact does.
+    pub phase: Phase,
+    /// Radius, load and penetration. Radius and load are 0 without contact.
+    pub state: State,
+}
+
+impl TimedContact {
+    /// The surfaces at a distance.
+    const fn separated(time: f64, penetration: f64) -> Self {
+        Self {
+            time,
+            phase: Phase::Separated,
+            state: State {
+                contact_radius: 0.0,
+                load: 0.0,
+                penetration,
+            },
+        }
+    }
+}
+
+/// The states of a contact in time, and their error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Course {
+    /// The states, in the order of their times.
+    pub states: Vec<TimedContact>,
+    /// The estimated largest error of the loads, the contact radii and the penetrations, each in parts of the largest
+    /// one of the course. That of the elastic curve itself adds.
+    pub error: f64,
+    /// The bound of the error by bodies that do not relax, in parts of the largest load; 0 unless
+    /// [`History::beside`] is told of them.
+    pub unlike_bodies: f64,
+}
+
+/// A contact whose deforming bodies relax by one function.
+///
+/// Made by [`Contact::history`].
+///
+/// ```
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use contact::{Contact, Control, Relaxation};
+/// use interp::{Elastic, HalfSpace, Probe};
+///
+/// let gel = Elastic::new(1e3, 0.5)?; // the modulus after 1 s
+/// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-5 }, sphere_modulus: f64::INFINITY, solid: gel };
+/// let contact = Contact::half_space(&system)?;
+/// let law = Relaxation::PowerLaw { exponent: 0.2, time: 1.0 };
+/// let program = [(0.0, 0.0), (1.0, 1e-6), (2.0, 0.0)];
+/// let course = contact.history(&law)?.at(Control::Displacement, &program, &[0.5, 1.0, 1.5], None)?;
+/// assert!(course.states[2].state.load < course.states[0].state.load); // hysteresis
+/// # Ok(()) }
+/// ```
+#[derive(Clone, Debug)]
+pub struct History<'a, L = f64> {
+    contact: &'a Contact,
+    relaxation: Relaxation,
+    rigid: Option<&'a Contact>,
+    receding: Option<L>,
+}
+
+impl Contact {
+    /// Returns this contact in time: all bodies that deform relax by one function, and the modulus
+    /// of the contact is its `E_ref`.
+    ///
+    /// # Errors
+    /// As [`Relaxation::check`]; [`Error::OtherProbe`](interp::Error::OtherProbe) for a flat punch,
+    /// whose load is the stiffness times `int phi d delta`.
+    pub fn history(&self, relaxation: &Relaxation) -> Result<History<'_>, HistoryError> {
+        relaxation.check()?;
+        if self.is_punch() {
+            return Err(self
+                .makes_no_sense("a history of the contact radius")
+                .into());
+        }
+        Ok(History {
+            contact: self,
+            relaxation: relaxation.clone(),
+            rigid: None,
+            receding: None,
+        })
+    }
+
+    /// Returns the storage and the loss part (N/m) of the contact stiffness under a small
+    /// oscillation of angular frequency `omega` (rad/s) at contact radius `a` (m).
+    ///
+    /// The contact radius is constant, or the amplitude small. Both parts are the elastic stiffness
+    /// times [`Relaxation::complex`], exactly, under every probe.
+    ///
+    /// # Errors
+    /// As [`Contact::stiffness`] and [`Relaxation::complex`].
+    pub fn complex_stiffness(
+        &self,
+        a: f64,
+        relaxation: &Relaxation,
+        omega: f64,
+    ) -> Result<[f64; 2], HistoryError> {
+        let stiffness = self.stiffness(a)?;
+        Ok(relaxation.complex(omega)?.map(|part| stiffness * part))
+    }
+}
+
+impl<'a, L: CrackTip> History<'a, L> {
+    /// States that only the film relaxes, and gives the contact of the same film between a rigid
+    /// probe and a rigid base.
+    ///
+    /// For bodies that relax differently no reduction to the elastic contact exists. The error of
+    /// treating all as relaxing is below `chi (1 - phi(T)/phi(first step))`, where `chi` is the
+    /// relative rise of the elastic load at the largest penetration when the elastic bodies are made
+    /// rigid (24 full simulations: by a factor of 2.5 or more). [`Course::unlike_bodies`] states
+    /// it; above 2e-2 it is an error.
+    #[must_use]
+    pub fn beside(self, rigid: &'a Contact) -> Self {
+        Self {
+            rigid: Some(rigid),
+            ..self
+        }
+    }
+
+    /// Adds adhesion that acts on the receding line alone. The energies of the law are those of the
+    /// crack tip with the modulus `E_ref`.
+    ///
+    /// The contact advances without adhesion. The line rests after the turn until the edge singularity reaches
+    /// the energy at which the law recedes.
+    ///
+    /// # Errors
+    /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy.
+    pub fn receding<M: CrackTip>(self, law: M) -> Result<History<'a, M>, HistoryError> {
+        let [advancing, _] = crate::crack_tip::energies_in_order(law.at_rest())?;
+        if advancing != 0.0 {
+            return Err(HistoryError::GrowingAdhesion { advancing });
+        }
+        Ok(History {
+            contact: self.contact,
+            relaxation: self.relaxation,
+            rigid: self.rigid,
+            receding: Some(law),
+        })
+    }
+
+    /// Follows a program of penetrations (m), loads (N) or positions of the spring (m) in time (s), joined by straight
+    /// lines, and returns the states at its points.
+    ///
+    /// # Errors
+    /// As [`History::at`].
+    pub fn run(
+        &self,
+        control: Control,
+        program: &[(f64, f64)],
+        tolerance: Option<f64>,
+    ) -> Result<Course, HistoryError> {
+        let times: Vec<f64> = program.iter().map(|point| point.0).collect();
+        self.at(control, program, &times, tolerance)
+    }
+
+    /// Follows a program and returns the states at `times` (s, ascending). The last value of the
+    /// program is held as long as a time is asked for.
+    ///
+    /// A penetration that grows, may be held, and falls, and a load that grows or is held take
+    /// integrals with many digits; every other program is followed by elements, whose steps are
+    /// refined until two refinements agree.
+    ///
+    /// `tolerance` is that of loads, radii and penetrations, relative to the largest one of each, from
+    /// 1e-10 to 1e-2. Without one it is 1e-8 for the integrals, and 1e-5 for elements.
+    ///
+    /// # Errors
+    /// [`HistoryError`] says which number of the program is wrong; [`HistoryError::BeginsInContact`] unless
+    /// the first value is 0 or less; [`HistoryError::NotOneDisc`] where a dent has not recovered;
+    /// [`HistoryError::Unreached`] for a tolerance that takes too many steps;
+    /// [`Error::OutsideRadii`](interp::Error::OutsideRadii) where the curve does not hold the contact
+    /// radius.
+    pub fn at(
+        &self,
+        control: Control,
+        program: &[(f64, f64)],
+        times: &[f64],
+        tolerance: Option<f64>,
+    ) -> Result<Course, HistoryError> {
+        control.check()?;
+        if let Some(value) = tolerance.filter(|value| !(1e-10..=1e-2).contains(value)) {
+            return Err(HistoryError::Tolerance { value });
+        }
+        if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
+            return Err(HistoryError::Order {
+                number: i + 2,
+                time: times[i + 1],
+                before: times[i],
+            });
+        }
+        let program = Program::new(program, times)?;
+        if program.values[0] > 0.0 {
+            return Err(HistoryError::BeginsInContact {
+                name: control.name(),
+                value: program.values[0],
+            });
+        }
+        let run = Run {
+            history: self,
+            control,
+            program: &program,
+            times,
+            tolerance,
+        };
+        let mut course = run.course()?;
+        if let Some(rigid) = self.rigid {
+            course.unlike_bodies = self.unlike(rigid, &program, &course)?;
+        }
+        Ok(course)
+    }
+
+    /// Returns the bound of the error by bodies that do not relax.
+    fn unlike(
+        &self,
+        rigid: &Contact,
+        program: &Program,
+        course: &Course,
+    ) -> Result<f64, HistoryError> {
+        let penetrations = course.states.iter().map(|at| at.state.penetration);
+        let largest = penetrations.fold(0.0, f64::max);
+        if largest == 0.0 {
+            return Ok(0.0);
+        }
+        let load = |contact: &Contact| -> Result<f64, HistoryError> {
+            let a = elastic::radius_of(contact, "penetration", largest, |node| node.penetration)?;
+            Ok(contact.load(a, 0.0)?)
+        };
+        let chi = load(rigid)? / load(self.contact)? - 1.0;
+        // Of a program with few points the first step of a simulation would be shorter.
+        let first = (program.times[1] - program.times[0]).min(1e-3 * program.duration());
+        let falls =
+            1.0 - self.relaxation.modulus(program.duration())? / self.relaxation.modulus(first)?;
+        let bound = chi.max(0.0) * falls;
+        if bound > UNLIKE {
+            return Err(HistoryError::UnlikeBodies { bound, chi });
+        }
+        Ok(bound)
+    }
+}

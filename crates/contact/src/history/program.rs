@@ -1,0 +1,143 @@
+//! What is imposed in time: points joined by straight lines.
+
+use std::ops::RangeInclusive;
+
+use super::HistoryError;
+
+/// The durations that are followed, s: their inverse squares do not overflow.
+const DURATIONS: RangeInclusive<f64> = 1e-50..=1e50;
+
+/// Points `(time, value)` joined by straight lines, long enough for all times asked for.
+#[derive(Clone, Debug)]
+pub(super) struct Program {
+    pub times: Vec<f64>,
+    pub values: Vec<f64>,
+}
+
+impl Program {
+    /// Takes points whose times rise, and holds the last value until the last of the times asked
+    /// for.
+    pub fn new(points: &[(f64, f64)], asked: &[f64]) -> Result<Self, HistoryError> {
+        if points.len() < 2 {
+            return Err(HistoryError::Program {
+                points: points.len(),
+            });
+        }
+        let mut own = Self {
+            times: Vec::with_capacity(points.len() + 1),
+            values: Vec::with_capacity(points.len() + 1),
+        };
+        for (i, &(time, value)) in points.iter().enumerate() {
+            let number = i + 1;
+            if !(time.is_finite() && value.is_finite()) {
+                return Err(HistoryError::NotFinite {
+                    number,
+                    time,
+                    value,
+                });
+            }
+            match own.times.last() {
+                Some(&before) if time <= before => {
+                    return Err(HistoryError::Order {
+                        number,
+                        time,
+                        before,
+                    });
+                }
+                _ => own.times.push(time),
+            }
+            own.values.push(value);
+        }
+        let (begin, end) = (own.times[0], own.times[own.times.len() - 1]);
+        for &time in asked {
+            if !time.is_finite() {
+                return Err(HistoryError::Time { value: time });
+            }
+            if time < begin {
+                return Err(HistoryError::BeforeProgram { time, begin });
+            }
+        }
+        let latest = asked.iter().copied().fold(end, f64::max);
+        if latest > end {
+            own.times.push(latest);
+            own.values.push(own.values[own.values.len() - 1]);
+        }
+        let value = own.duration();
+        if !DURATIONS.contains(&value) {
+            return Err(HistoryError::Duration { value });
+        }
+        Ok(own)
+    }
+
+    /// Returns the largest value.
+    pub fn largest(&self) -> f64 {
+        self.values
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Returns the duration, s.
+    pub fn duration(&self) -> f64 {
+        self.times[self.times.len() - 1] - self.times[0]
+    }
+
+    /// Returns the value on the segment before the point `end`, at a `time` within it.
+    pub fn on_segment(&self, end: usize, time: f64) -> f64 {
+        let [t0, t1] = [self.times[end - 1], self.times[end]];
+        let [v0, v1] = [self.values[end - 1], self.values[end]];
+        if time >= t1 {
+            v1
+        } else {
+            v0 + (v1 - v0) * ((time - t0) / (t1 - t0))
+        }
+    }
+
+    /// Merges the times of the points with those asked for, ascending.
+    pub fn with(&self, asked: &[f64]) -> Vec<Instant> {
+        let mut all = Vec::with_capacity(self.times.len() + asked.len());
+        let mut next = 0;
+        for (i, (&time, &value)) in self.times.iter().zip(&self.values).enumerate() {
+            while next < asked.len() && asked[next] < time {
+                let at = asked[next];
+                if all.last().is_none_or(|last: &Instant| last.time < at) {
+                    all.push(Instant {
+                        time: at,
+                        value: self.on_segment(i, at),
+                    });
+                }
+                next += 1;
+            }
+            all.push(Instant { time, value });
+        }
+        all
+    }
+}
+
+/// A time with the imposed value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instant {
+    pub time: f64,
+    pub value: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_asked_for_lie_between_the_points_and_beyond_them() {
+        let asked = [0.0, 0.5, 1.0, 1.0, 3.0];
+        let program =
+            Program::new(&[(0.0, 0.0), (1.0, 2.0), (2.0, 1.0)], &asked).expect("a program");
+        let all: Vec<_> = program
+            .with(&asked)
+            .iter()
+            .map(|at| (at.time, at.value))
+            .collect();
+        assert_eq!(
+            all,
+            [(0.0, 0.0), (0.5, 1.0), (1.0, 2.0), (2.0, 1.0), (3.0, 1.0)]
+        );
+    }
+}

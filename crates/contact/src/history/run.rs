@@ -1,0 +1,236 @@
+//! The choice of the method, and the refinement of elements until two refinements agree.
+
+use super::elastic::{self, ElasticCurve};
+use super::elements::Elements;
+use super::exponentials::Exponentials;
+use super::program::Program;
+use super::retract::Adhesion;
+use super::{Course, History, HistoryError, TimedContact, growing_load, one_turn};
+use crate::{Control, CrackTip, State};
+
+/// The tolerances where none is given: of the integrals, and of elements.
+const DIGITS: f64 = 1e-8;
+const BY_ELEMENTS: f64 = 1e-5;
+/// The part of the duration in which the elastic load has an error that counts.
+const LATEST: f64 = 0.01;
+/// The largest factor of that error: a fluid forgets the rest.
+const MOST_RAISED: f64 = 1e3;
+/// The part of the tolerance for each of the sources of error.
+const PART: f64 = 0.25;
+/// The number of elements and the longest step, in parts of the duration, of the first run.
+const ELEMENTS: usize = 50;
+const LONGEST: f64 = 0.02;
+/// The most times that both are refined by 2.
+const REFINEMENTS: usize = 7;
+/// The largest number of elements, steps and exponentials of one run.
+const MOST_WORK: f64 = 2e10;
+/// The radius of the last element over that of the largest contact of the first run.
+const WIDER: f64 = 1.05;
+/// One question about a history.
+pub(super) struct Run<'a, L> {
+    pub history: &'a History<'a, L>,
+    pub control: Control,
+    pub program: &'a Program,
+    pub times: &'a [f64],
+    pub tolerance: Option<f64>,
+}
+
+impl<L: CrackTip> Run<'_, L> {
+    /// Returns the states at the times asked for.
+    pub fn course(&self) -> Result<Course, HistoryError> {
+        let contact = self.history.contact;
+        let largest = self.program.largest();
+        if largest <= 0.0 {
+            let at = |&time: &f64| {
+                let penetration = if self.control == Control::Load {
+                    0.0
+                } else {
+                    self.value_at(time)
+                };
+                TimedContact::separated(time, penetration)
+            };
+            return Ok(Course {
+                states: self.times.iter().map(at).collect(),
+                error: 0.0,
+                unlike_bodies: 0.0,
+            });
+        }
+        let tolerance = PART * self.tolerance.unwrap_or(DIGITS);
+        match self.control {
+            Control::Displacement => {
+                let law = self.exponentials(tolerance);
+                // An error of the elastic load counts more where the modulus has been higher.
+                let duration = self.program.duration();
+                let raised = (law.value(LATEST * duration) / law.value(duration)).min(MOST_RAISED);
+                let curve = ElasticCurve::to_penetration(contact, largest, tolerance / raised)?;
+                let receding = self.history.receding.as_ref();
+                let adhesion = receding.map(|law| Adhesion {
+                    contact,
+                    work: law.at_rest()[1],
+                });
+                let found = one_turn::follow(&curve, &law, self.program, self.times, adhesion)?;
+                if let Some(states) = found {
+                    let error = raised * curve.load_error.max(curve.radius_error) + law.error;
+                    return Ok(Course {
+                        states,
+                        error,
+                        unlike_bodies: 0.0,
+                    });
+                }
+                self.refuse_adhesion("here the contact grows again after its first turn")?;
+                self.elements(curve.last().radius)
+            }
+            Control::Load if growing_load::grows(self.program) => {
+                self.refuse_adhesion("here the load is imposed")?;
+                let law = self.exponentials(tolerance);
+                let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
+                let most = loads.iter().map(|load| load.1).fold(0.0, f64::max);
+                let radius = elastic::radius_of(contact, "load", most, |node| node.load)?;
+                let curve = ElasticCurve::up_to(contact, radius, tolerance)?;
+                let states = growing_load::states(&curve, &loads, self.program, self.times);
+                let error = curve.load_error.max(curve.radius_error) + law.error;
+                Ok(Course {
+                    states,
+                    error,
+                    unlike_bodies: 0.0,
+                })
+            }
+            Control::Load => {
+                self.refuse_adhesion("here the load is imposed")?;
+                let law = self.exponentials(tolerance);
+                // No elastic load is larger than that of the largest load held all the time.
+                let most = largest * law.creep().value(self.program.duration());
+                self.elements(elastic::radius_of(contact, "load", most, |node| node.load)?)
+            }
+            Control::Spring { stiffness } => {
+                self.refuse_adhesion("here the position of a spring is imposed")?;
+                let law = self.exponentials(tolerance);
+                let most = largest * stiffness * law.creep().value(self.program.duration());
+                // Both bound the contact radius, and one may be out of range where the other is not.
+                let by_load = elastic::radius_of(contact, "load", most, |node| node.load);
+                let name = self.control.name();
+                let by_depth = elastic::radius_of(contact, name, largest, |node| node.penetration);
+                let radius = match (by_load, by_depth) {
+                    (Ok(a), Ok(b)) => a.min(b),
+                    (Ok(a), Err(_)) => a,
+                    (Err(_), by_depth) => by_depth?,
+                };
+                self.elements(radius)
+            }
+        }
+    }
+
+    fn value_at(&self, time: f64) -> f64 {
+        let end = self
+            .program
+            .times
+            .partition_point(|&t| t < time)
+            .clamp(1, self.program.times.len() - 1);
+        self.program.on_segment(end, time)
+    }
+
+    fn refuse_adhesion(&self, reason: &'static str) -> Result<(), HistoryError> {
+        match self.history.receding {
+            Some(_) => Err(HistoryError::AdhesiveProgram { reason }),
+            None => Ok(()),
+        }
+    }
+
+    /// Returns the law as exponentials for all times between those of the program and those asked for.
+    fn exponentials(&self, tolerance: f64) -> Exponentials {
+        let all = self.program.with(self.times);
+        let shortest = all
+            .windows(2)
+            .map(|pair| pair[1].time - pair[0].time)
+            .fold(f64::INFINITY, f64::min);
+        Exponentials::new(
+            &self.history.relaxation,
+            [shortest, self.program.duration()],
+            tolerance,
+        )
+    }
+
+    /// Follows the program by elements up to a contact radius (m).
+    fn elements(&self, most: f64) -> Result<Course, HistoryError> {
+        let contact = self.history.contact;
+        let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
+        let tolerance = self.tolerance.unwrap_or(BY_ELEMENTS);
+        let mut most = most;
+        let mut earlier: Option<Vec<TimedContact>> = None;
+        let mut extrapolated: Option<Vec<TimedContact>> = None;
+        let mut reached = f64::INFINITY;
+        let instants = self.program.with(self.times).len() as f64;
+        for level in 0..REFINEMENTS {
+            let refined = 1 << level;
+            let elements = ELEMENTS * refined;
+            let steps = (1.0 / LONGEST + instants) * refined as f64;
+            if level > 2 && steps * (elements * (1 + law.len())) as f64 > MOST_WORK {
+                break;
+            }
+            let nodes = elastic::evenly(contact, most, elements)?;
+            let own = Elements {
+                nodes: &nodes,
+                law: &law,
+                control: self.control,
+            };
+            let (states, grown) = own.follow(self.program, self.times, LONGEST, refined)?;
+            if level == 0 && grown > 0.0 {
+                // Elements beyond the largest contact would do nothing.
+                most = most.min(WIDER * grown);
+            }
+            let mut change = f64::INFINITY;
+            let better = earlier
+                .as_ref()
+                .map(|earlier| extrapolate(earlier, &states));
+            if let (Some(better), Some(before)) = (&better, &extrapolated) {
+                change = difference(better, before);
+            }
+            reached = change + law.error;
+            if change <= tolerance * (1.0 - PART) {
+                let states = better.expect("there were two runs");
+                return Ok(Course {
+                    states,
+                    error: reached,
+                    unlike_bodies: 0.0,
+                });
+            }
+            earlier = Some(states);
+            extrapolated = better;
+        }
+        Err(HistoryError::Unreached { tolerance, reached })
+    }
+}
+
+/// Extrapolates from steps and half steps to steps of length 0, at an error of second order.
+fn extrapolate(coarse: &[TimedContact], fine: &[TimedContact]) -> Vec<TimedContact> {
+    let pairs = coarse.iter().zip(fine);
+    let of = |(coarse, fine): (&TimedContact, &TimedContact)| {
+        if coarse.state.contact_radius == 0.0 || fine.state.contact_radius == 0.0 {
+            return *fine;
+        }
+        let limit =
+            |of: fn(&State) -> f64| of(&fine.state) + (of(&fine.state) - of(&coarse.state)) / 3.0;
+        let state = State {
+            contact_radius: limit(|state| state.contact_radius),
+            load: limit(|state| state.load),
+            penetration: limit(|state| state.penetration),
+        };
+        TimedContact { state, ..*fine }
+    };
+    pairs.map(of).collect()
+}
+
+/// Returns the largest difference of loads, radii and penetrations, each relative to the largest.
+fn difference(a: &[TimedContact], b: &[TimedContact]) -> f64 {
+    let of = |of: fn(&State) -> f64| {
+        let largest = a.iter().map(|at| of(&at.state).abs()).fold(0.0, f64::max);
+        let pairs = a.iter().zip(b);
+        let change = pairs
+            .map(|(a, b)| (of(&a.state) - of(&b.state)).abs())
+            .fold(0.0, f64::max);
+        if change == 0.0 { 0.0 } else { change / largest }
+    };
+    of(|state| state.load)
+        .max(of(|state| state.contact_radius))
+        .max(of(|state| state.penetration))
+}

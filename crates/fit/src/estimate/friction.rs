@@ -1,0 +1,99 @@
+//! What friction may change: the model without friction, or with full friction, is one end of all
+//! laws of friction.
+
+use contact::Contact;
+use solve::stack::{Interface, Layer, Stack};
+use solve::stick::{MOST_OF_PUNCH, Sticking};
+
+use super::warnings::Warnings;
+use crate::{Bodies, Estimate, Parameter, WarningKind};
+
+/// The relative tolerance of the two punches.
+const TOLERANCE: f64 = 1e-6;
+
+/// The Poisson ratio of a sphere of which none is known.
+const USUAL_POISSON_RATIO: f64 = 0.5;
+
+/// Warns where full friction changes the modulus by more than its standard error, with the modulus
+/// at both ends. `a` is the largest contact radius, m.
+pub(super) fn add(
+    warnings: &mut Warnings,
+    name: &str,
+    bodies: &Bodies,
+    nu2: Option<f64>,
+    contact: &Contact,
+    a: f64,
+    estimates: &[Estimate],
+) {
+    let top = match bodies {
+        Bodies::Layered(layered) => layered.layers.last().and_then(|layer| layer.name),
+        _ => None,
+    };
+    let of_modulus = [
+        Some(Parameter::FilmModulus),
+        top.map(Parameter::LayerModulus),
+    ];
+    let Some(modulus) = estimates
+        .iter()
+        .find(|estimate| of_modulus.contains(&Some(estimate.parameter)))
+    else {
+        return;
+    };
+    let Some(ratio) = stiffening(bodies, nu2.unwrap_or(USUAL_POISSON_RATIO), a) else {
+        return;
+    };
+    let sticks = contact.curve().is_some_and(|curve| curve.stick().is_some());
+    let other = if sticks {
+        modulus.value * ratio
+    } else {
+        modulus.value / ratio
+    };
+    if (other - modulus.value).abs() <= modulus.standard_error {
+        return;
+    }
+    let [stick, slide] = if sticks {
+        [modulus.value, other]
+    } else {
+        [other, modulus.value]
+    };
+    warnings.add(
+        WarningKind::Friction,
+        format!(
+            "{name}: full friction would raise the load of the widest contact by {:.1} %, which is more \
+             than the standard error of {} says: it is between {stick:.4e} Pa (stick) and {slide:.4e} \
+             Pa (no friction); fit with both, or use contacts that are less wide beside the film",
+            1e2 * (ratio - 1.0),
+            modulus.parameter,
+        ),
+    );
+}
+
+/// Returns the load with full friction over that without, of a flat punch of radius `a` (m); `None`
+/// where it is not solved, or there is no film.
+fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
+    let (base, sphere_modulus, layers) = match bodies {
+        Bodies::Coated(system) => {
+            let film = Layer {
+                solid: system.film,
+                thickness: system.film_thickness,
+                interface: Interface::Bonded,
+            };
+            (system.substrate, system.sphere_modulus, vec![film])
+        }
+        Bodies::Layered(layered) => {
+            let layers = layered.layers.iter().map(|layer| Layer {
+                solid: layer.solid,
+                thickness: layer.thickness,
+                interface: layer.interface,
+            });
+            (layered.base, layered.sphere_modulus, layers.collect())
+        }
+        Bodies::HalfSpace(_) => return None,
+    };
+    let stack = Stack::new(base, layers).ok()?;
+    let most = MOST_OF_PUNCH * stack.shape().top * stack.thickness();
+    let sticking = Sticking::on_stack(&stack, sphere_modulus, nu2).ok()?;
+    sticking
+        .stiffening(a.min(most) / stack.thickness(), TOLERANCE)
+        .ok()
+}

@@ -1,0 +1,222 @@
+"""Contacts in time where the bodies relax."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arrays import number, real, scalar_or_array
+from ._columns import Array, Columns
+from ._control import Control, Spring, native_control
+from ._errors import InvalidArgumentError
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ._contact import Contact
+
+
+@dataclass(frozen=True, slots=True)
+class Relaxation:
+    """How Young's modulus falls after a step of the strain: ``E(t) = E_ref phi(t)``.
+
+    The Poisson ratio is constant. The modulus of a contact is ``E_ref``: the instantaneous one, and
+    under a power law that at its ``time``. Make one with :meth:`prony`, :meth:`power_law`,
+    :meth:`modified_power_law` or :meth:`fractional_zener`.
+
+    A gel also relaxes by flow of its solvent, which is no law of the material: its time grows like
+    the square of the contact radius. Measurements at two radii tell.
+
+    Examples
+    --------
+    >>> law = Relaxation.power_law(exponent=0.2, time=1.0)
+    >>> float(law.modulus(1.0))
+    1.0
+    >>> storage, loss = law.complex(10.0)
+    >>> round(float(loss / storage), 6)  # tan(pi exponent/2) at every frequency
+    0.32492
+    """
+
+    law: str
+    relaxed: float = 0.0
+    exponent: float = float("nan")
+    times: tuple[float, ...] = ()
+    weights: tuple[float, ...] = ()
+
+    def __post_init__(self) -> None:
+        _core.check_relaxation(self._numbers())
+
+    def _numbers(self) -> tuple[Any, ...]:
+        return (self.law, self.relaxed, self.exponent, list(self.times), list(self.weights))
+
+    @classmethod
+    def prony(cls, relaxed: float, times: ArrayLike, weights: ArrayLike | None = None) -> Relaxation:
+        """Return ``relaxed + sum weight exp(-t/time)``; one time is the standard linear solid.
+
+        Parameters
+        ----------
+        relaxed : float
+            The part of the modulus that is left in the end, from 0 to 1.
+        times : array_like
+            Relaxation times, s.
+        weights : array_like, optional
+            Their weights, which sum to 1 with ``relaxed``; by default that of one time.
+        """
+        part = number("relaxed", relaxed)
+        several = np.atleast_1d(real("times", times)).ravel()
+        if weights is None:
+            if several.size != 1:
+                raise InvalidArgumentError(
+                    f"weights are missing: give one for each of the {several.size} times",
+                    axis="weights",
+                )
+            weights = 1.0 - part
+        own = np.atleast_1d(real("weights", weights)).ravel()
+        if own.size != several.size:
+            raise InvalidArgumentError(
+                f"there are {own.size} weights for {several.size} times: give one for each",
+                axis="weights",
+            )
+        return cls("prony", part, times=tuple(several.tolist()), weights=tuple(own.tolist()))
+
+    @classmethod
+    def power_law(cls, exponent: float, time: float = 1.0) -> Relaxation:
+        """Return ``(t/time)^-exponent``, with an exponent above 0 and below 1."""
+        return cls("power_law", 0.0, number("exponent", exponent), (number("time", time),))
+
+    @classmethod
+    def modified_power_law(cls, relaxed: float, exponent: float, time: float) -> Relaxation:
+        """Return ``relaxed + (1 - relaxed) (1 + t/time)^-exponent``."""
+        numbers = (number("relaxed", relaxed), number("exponent", exponent))
+        return cls("modified_power_law", *numbers, (number("time", time),))
+
+    @classmethod
+    def fractional_zener(cls, relaxed: float, exponent: float, time: float) -> Relaxation:
+        """Return ``relaxed + (1 - relaxed) E(-(t/time)^exponent)`` (Mittag-Leffler)."""
+        numbers = (number("relaxed", relaxed), number("exponent", exponent))
+        return cls("fractional_zener", *numbers, (number("time", time),))
+
+    def modulus(self, time: ArrayLike) -> Any:
+        """Return ``E(t)/E_ref`` at times (s) after a step of the strain."""
+        return self._at("modulus", "time", time)
+
+    def creep(self, time: ArrayLike) -> Any:
+        """Return the creep compliance times ``E_ref`` at times (s) after a step of the stress."""
+        return self._at("creep", "time", time)
+
+    def complex(self, omega: ArrayLike) -> tuple[Any, Any]:
+        """Return storage and loss modulus over ``E_ref`` at angular frequencies (rad/s)."""
+        at = real("omega", omega)
+        both = _core.relaxation_values(self._numbers(), "complex", at.ravel().tolist())
+        both = both.reshape(-1, 2)
+        storage, loss = (scalar_or_array(both[:, i].reshape(at.shape)) for i in (0, 1))
+        return storage, loss
+
+    def _at(self, what: str, name: str, where: ArrayLike) -> Any:
+        at = real(name, where)
+        values = _core.relaxation_values(self._numbers(), what, at.ravel().tolist())
+        return scalar_or_array(values.reshape(at.shape))
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class HistoryStates(Columns):
+    """The states of a contact in time.
+
+    Attributes
+    ----------
+    time : numpy.ndarray
+        Times, s.
+    contact_radius, load, penetration : numpy.ndarray
+        Contact radii (m), loads (N) and penetrations (m). Radius and load are 0 without contact.
+    phase : numpy.ndarray
+        ``"advancing"``, ``"resting"``, ``"receding"`` or ``"separated"``.
+    error : float
+        The estimated largest error of the columns, in parts of the largest value of each. That of
+        the elastic curve adds.
+    unlike_bodies : float
+        The bound of the error by bodies that do not relax, in parts of the largest load; 0 without
+        ``rigid``.
+    """
+
+    time: Array
+    contact_radius: Array
+    load: Array
+    penetration: Array
+    phase: NDArray[np.str_]
+    error: float
+    unlike_bodies: float
+
+    _drawn = ("time", "load")
+
+    def _columns(self) -> dict[str, Array]:
+        return {
+            "time": self.time,
+            "contact_radius": self.contact_radius,
+            "load": self.load,
+            "penetration": self.penetration,
+        }
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a Dataset over ``time``; needs xarray."""
+        return super(HistoryStates, self).to_xarray().swap_dims(dim_0="time").set_coords("time")
+
+
+def history(
+    contact: Contact,
+    time: ArrayLike,
+    relaxation: Relaxation,
+    *,
+    penetration: ArrayLike | None,
+    load: ArrayLike | None,
+    height: ArrayLike | None,
+    stiffness: float | None,
+    at: ArrayLike | None,
+    receding: float,
+    rigid: Contact | None,
+    tolerance: float | None,
+) -> HistoryStates:
+    """Follow a program; see ``Contact.history``."""
+    if not isinstance(relaxation, Relaxation):
+        raise TypeError(f"relaxation must be a Relaxation, not {type(relaxation).__name__}")
+    given = {"penetration": penetration, "load": load, "height": height}
+    imposed = {name: value for name, value in given.items() if value is not None}
+    if len(imposed) != 1:
+        raise InvalidArgumentError(
+            f"give one of penetration, load and height, which is imposed; {len(imposed)} are given"
+        )
+    ((name, value),) = imposed.items()
+    if (name == "height") != (stiffness is not None):
+        raise InvalidArgumentError(
+            "stiffness and height belong together: give the stiffness (N/m) of the cantilever with "
+            "its heights, and none otherwise",
+            axis="stiffness",
+        )
+    control: Control = "load" if name == "load" else "displacement"
+    if stiffness is not None:
+        control = Spring(stiffness=stiffness)
+    times, values = real("time", time), real(name, value)
+    if times.ndim != 1 or times.shape != values.shape:
+        raise InvalidArgumentError(
+            f"time and {name} must be rows of one length, and have the shapes {times.shape} and "
+            f"{values.shape}"
+        )
+    asked = times if at is None else np.atleast_1d(real("at", at))
+    order = np.argsort(asked, kind="stable")
+    columns, phases, error, unlike = _core.history(
+        contact._native,
+        relaxation._numbers(),
+        native_control(control),
+        time=times.tolist(),
+        value=values.tolist(),
+        at=asked[order].tolist(),
+        receding=number("receding", receding),
+        rigid=None if rigid is None else rigid._native,
+        tolerance=None if tolerance is None else number("tolerance", tolerance),
+    )
+    back = np.argsort(order, kind="stable")
+    rows = [column[back] for column in columns]
+    return HistoryStates(*rows, np.array(phases, dtype=np.str_)[back], error, unlike)

@@ -1,0 +1,135 @@
+//! Contacts in time where the bodies relax.
+
+use ::contact::{Course, History, HistoryError, Hysteresis, Relaxation};
+use numpy::PyArray1;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::arrays::Output;
+use crate::contact::{Contact, Imposed, control};
+use crate::error::{Failure, OrRaise as _};
+
+/// A law: its name, relaxed fraction, exponent, times (s) and weights.
+type LawNumbers = (String, f64, f64, Vec<f64>, Vec<f64>);
+/// Time, contact radius, load and penetration.
+type TimedArrays<'py> = [Output<'py>; 4];
+
+/// Makes a law.
+fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Relaxation> {
+    let time = times.first().copied().unwrap_or(f64::NAN);
+    Ok(match name.as_str() {
+        "prony" => {
+            let terms = weights.iter().zip(&times);
+            let terms = terms.map(|(&weight, &time)| [weight, time]).collect();
+            Relaxation::Prony { relaxed, terms }
+        }
+        "power_law" => Relaxation::PowerLaw { exponent, time },
+        "modified_power_law" => Relaxation::ModifiedPowerLaw {
+            relaxed,
+            exponent,
+            time,
+        },
+        "fractional_zener" => Relaxation::FractionalZener {
+            relaxed,
+            exponent,
+            time,
+        },
+        other => return Err(PyValueError::new_err(format!("{other:?} is not a law"))),
+    })
+}
+
+impl From<HistoryError> for Failure {
+    fn from(error: HistoryError) -> Self {
+        let of = Self::new("InvalidArgumentError", &error);
+        match error {
+            HistoryError::Contact(error) => error.into(),
+            HistoryError::Law {
+                name,
+                value,
+                allowed,
+            } => of.about(name, value).allowed(allowed),
+            HistoryError::Time { value } => of.about("time", value),
+            HistoryError::Frequency { value } => of.about("omega", value),
+            HistoryError::Tolerance { value } => of.about("tolerance", value).range(1e-10, 1e-2),
+            HistoryError::GrowingAdhesion { advancing } => of.about("advancing energy", advancing),
+            _ => of,
+        }
+    }
+}
+
+/// Accepts a law.
+#[pyfunction]
+pub fn check_relaxation(py: Python<'_>, numbers: LawNumbers) -> PyResult<()> {
+    law(numbers)?.check().or_raise(py)
+}
+
+/// Returns the modulus (`modulus`) or the creep compliance (`creep`) at times, or storage and loss
+/// modulus, one after the other, at angular frequencies (`complex`).
+#[pyfunction]
+pub fn relaxation_values<'py>(
+    py: Python<'py>,
+    numbers: LawNumbers,
+    what: &str,
+    at: Vec<f64>,
+) -> PyResult<Output<'py>> {
+    let law = law(numbers)?;
+    let mut values = Vec::with_capacity(at.len());
+    for x in at {
+        match what {
+            "modulus" => values.push(law.modulus(x).or_raise(py)?),
+            "creep" => values.push(law.creep(x).or_raise(py)?),
+            _ => values.extend(law.complex(x).or_raise(py)?),
+        }
+    }
+    Ok(PyArray1::from_vec(py, values))
+}
+
+/// Follows a program. Returns the states, their phases, their error, and the bound of the error by
+/// bodies that do not relax.
+#[pyfunction]
+#[pyo3(signature = (contact, numbers, imposed, *, time, value, at, receding, rigid, tolerance))]
+#[expect(
+    clippy::too_many_arguments,
+    reason = "the arguments of a call from Python"
+)]
+pub fn history<'py>(
+    py: Python<'py>,
+    contact: &Bound<'py, Contact>,
+    numbers: LawNumbers,
+    imposed: Imposed<'_>,
+    time: Vec<f64>,
+    value: Vec<f64>,
+    at: Vec<f64>,
+    receding: f64,
+    rigid: Option<&Bound<'py, Contact>>,
+    tolerance: Option<f64>,
+) -> PyResult<(TimedArrays<'py>, Vec<&'static str>, f64, f64)> {
+    let (law, control) = (law(numbers)?, control(imposed)?);
+    let contact = &contact.get().contact;
+    let rigid = rigid.map(|rigid| &rigid.get().contact);
+    let program: Vec<(f64, f64)> = time.into_iter().zip(value).collect();
+    let follow = || -> Result<Course, HistoryError> {
+        let own: History<'_> = contact.history(&law)?;
+        let own = match rigid {
+            Some(rigid) => own.beside(rigid),
+            None => own,
+        };
+        if receding == 0.0 {
+            return own.at(control, &program, &at, tolerance);
+        }
+        own.receding(Hysteresis::new(0.0, receding)?)?
+            .at(control, &program, &at, tolerance)
+    };
+    let course = py.detach(follow).or_raise(py)?;
+    let of = |value: fn(&::contact::TimedContact) -> f64| {
+        PyArray1::from_iter(py, course.states.iter().map(value))
+    };
+    let columns = [
+        of(|at| at.time),
+        of(|at| at.state.contact_radius),
+        of(|at| at.state.load),
+        of(|at| at.state.penetration),
+    ];
+    let phases = course.states.iter().map(|at| at.phase.name()).collect();
+    Ok((columns, phases, course.error, course.unlike_bodies))
+}

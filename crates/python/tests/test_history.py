@@ -1,0 +1,99 @@
+"""Contacts in time where the bodies relax."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Contact,
+    Elastic,
+    HalfSpace,
+    InvalidArgumentError,
+    Relaxation,
+)
+
+SOLID = Elastic(young_modulus=0.75, poisson_ratio=0.5)  # E* = 1
+SYSTEM = HalfSpace(sphere_radius=1.0, sphere_modulus=math.inf, solid=SOLID)
+CONTACT = Contact.half_space(SYSTEM)
+LAW = Relaxation.prony(0.3, 0.6)
+PROGRAM = ([0.0, 1.0, 2.0], [0.0, 1e-2, 0.0])
+
+
+def test_laws_have_their_closed_forms() -> None:
+    t = np.array([0.0, 0.1, 3.0])
+    assert LAW.modulus(t) == pytest.approx(0.3 + 0.7 * np.exp(-t / 0.6), rel=1e-14)
+    assert LAW.creep(t) == pytest.approx(1 / 0.3 - (1 / 0.3 - 1) * np.exp(-0.5 * t), rel=1e-12)
+    power = Relaxation.power_law(0.3, time=2.0)
+    assert power.modulus(5.0) == pytest.approx(2.5**-0.3, rel=1e-14)
+    storage, loss = power.complex(np.array([1.0, 7.0]))
+    assert loss / storage == pytest.approx(math.tan(0.15 * math.pi), rel=1e-13)
+    half = Relaxation.fractional_zener(0.0, 0.5, 1.0)
+    assert half.modulus(1.0) == pytest.approx(math.e * math.erfc(1.0), rel=1e-11)
+    late = Relaxation.modified_power_law(0.1, 0.5, 2.0)
+    assert late.modulus(6.0) == pytest.approx(0.1 + 0.9 * 0.5, rel=1e-14)
+
+
+def test_equal_speeds_under_a_power_law() -> None:
+    """The contact separates at t_m q/(q-1), q = 2^(1/(1-alpha))."""
+    alpha = 0.2
+    q = 2 ** (1 / (1 - alpha))
+    end = q / (q - 1)
+    out = CONTACT.history(
+        PROGRAM[0], Relaxation.power_law(alpha), penetration=PROGRAM[1], at=[end + 1e-6, 1.0, end - 1e-6]
+    )
+    assert list(out.phase) == ["separated", "advancing", "receding"]
+    assert out.time == pytest.approx([end + 1e-6, 1.0, end - 1e-6])
+    assert out.load[0] == 0.0 == out.contact_radius[0]
+    assert out.contact_radius[1] == pytest.approx(0.1, rel=1e-8)
+    assert out.error <= 1e-8
+    assert len(out.to_pandas()) == 3
+    assert out.to_xarray().load.attrs["units"] == "N"
+
+
+def test_load_and_height() -> None:
+    crept = CONTACT.history([0, 0.5], LAW, load=[0, 1e-4], at=[0.5, 5.0])
+    assert crept.load == pytest.approx([1e-4, 1e-4])
+    assert crept.penetration[1] > crept.penetration[0]
+    fixed = CONTACT.history(PROGRAM[0], LAW, penetration=PROGRAM[1], at=[0.5, 1.2])
+    stiff = CONTACT.history(PROGRAM[0], LAW, height=PROGRAM[1], stiffness=1e7, at=[0.5, 1.2])
+    assert stiff.load == pytest.approx(fixed.load, rel=1e-4)
+
+
+def test_adhesion_of_the_receding_line() -> None:
+    times = np.linspace(0, 2, 41)
+    out = CONTACT.history(PROGRAM[0], LAW, penetration=PROGRAM[1], at=times, receding=1e-5)
+    assert out.load.min() < 0
+    assert (out.load[times <= 1] >= 0).all()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"load": [0, 1, 0]}, "one of penetration, load and height"),
+        ({"penetration": None}, "one of penetration, load and height"),
+        ({"stiffness": 1.0}, "stiffness and height"),
+        ({"penetration": [0, 1e-2]}, "one length"),
+        ({"penetration": [1e-3, 1e-2, 0]}, "begins in contact"),
+        ({"time": [0, 1, 1]}, "rise"),
+        ({"at": [-1.0]}, "begins at"),
+        ({"tolerance": 1e-20}, "1e-10"),
+    ],
+)
+def test_mistakes(change: dict[str, object], words: str) -> None:
+    arguments = {"time": PROGRAM[0], "penetration": PROGRAM[1], **change}
+    with pytest.raises(InvalidArgumentError, match=words):
+        CONTACT.history(relaxation=LAW, **arguments)
+
+
+def test_laws_of_no_solid() -> None:
+    with pytest.raises(InvalidArgumentError, match="below 1"):
+        Relaxation.power_law(1.0)
+    with pytest.raises(InvalidArgumentError, match="sum"):
+        Relaxation.prony(0.3, [1.0, 2.0], [0.3, 0.3])
+    with pytest.raises(InvalidArgumentError, match="weights"):
+        Relaxation.prony(0.3, [1.0, 2.0])
+    with pytest.raises(TypeError, match="Relaxation"):
+        CONTACT.history(*PROGRAM[:1], "sls", penetration=PROGRAM[1])  # type: ignore[arg-type]

@@ -1,0 +1,77 @@
+"""Contacts with full friction: published limits, pull-offs of three histories, and refusals."""
+
+from dataclasses import replace
+from math import inf, log, pi
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    ContactError,
+    Elastic,
+    FrictionError,
+    Paraboloid,
+    SolvedCurve,
+    Sphere,
+    System,
+    solve,
+    solve_stick_punch,
+)
+
+CURVE = SolvedCurve(a_over_t=(1e-3, 20.0), friction="stick")
+
+
+@pytest.fixture(scope="module")
+def gel():
+    """A rigid sphere on an incompressible film on a rigid base, with E1* = 1 Pa."""
+    return System(
+        sphere_radius=1.0,
+        sphere_modulus=inf,
+        film=Elastic(young_modulus=0.75, poisson_ratio=0.5),
+        film_thickness=1e-3,
+        substrate=Elastic(young_modulus=inf, poisson_ratio=0.25),
+    )
+
+
+def test_the_half_space_is_that_of_mossakovskii():
+    nu = np.array([0.0, 0.2, 0.3, 0.45])
+    exact = (1 - nu) * np.log(3 - 4 * nu) / (1 - 2 * nu)
+    assert solve_stick_punch(1.0, 0.0, nu, 1.0, nu).eeq_s == pytest.approx(exact, rel=1e-12)
+    assert exact[0] == pytest.approx(log(3))
+
+
+def test_the_two_edges_of_a_punch_are_those_of_another_program():
+    punch = solve_stick_punch(1.0, 0.0, 0.5, inf, tolerance=1e-10)
+    assert punch.eeq_s == pytest.approx(3.929038326620684725, rel=1e-10)
+    assert punch.gamma_s == pytest.approx(2.901639280012122975, rel=1e-10)
+    assert punch.gamma_t == pytest.approx(0.853450270007150246, rel=1e-10)
+    assert np.isnan(solve_stick_punch(1.0, 0.0, 0.3, inf).gamma_s)
+
+
+@pytest.mark.parametrize(
+    ("advancing", "expected"), [(1.0, [-1.8946, -1.8938]), (0.0, [-1.8464, -2.0597])]
+)
+def test_pull_offs_are_those_of_another_program(gel, advancing, expected):
+    contact = replace(CURVE, advancing=advancing).contact(gel)
+    found = [contact.pull_off(w).load / (pi * w) for w in (1e-9, 1e-8)]
+    assert found == pytest.approx(expected, abs=1e-4)
+
+
+def test_the_stiffness_is_that_of_the_stuck_punch(gel):
+    stiffness = CURVE.contact(gel).stiffness(2e-3)
+    assert stiffness == pytest.approx(2 * 2e-3 * solve_stick_punch(2.0, 0.0, 0.5, inf).eeq_s, rel=1e-6)
+    assert stiffness > 1.36 * 2 * 2e-3 * solve(2.0, 0.0, 0.5, inf).eeq
+
+
+def test_what_is_not_solved_is_refused(gel):
+    with pytest.raises(FrictionError, match="artanh"):
+        CURVE.contact(replace(gel, film=Elastic(young_modulus=1.0, poisson_ratio=0.49)))
+    with pytest.raises(FrictionError, match="paraboloid"):
+        CURVE.contact(replace(gel, probe=Sphere(radius=1.0)))
+    with pytest.raises(FrictionError, match="finite range"):
+        CURVE.contact(gel).finite_range(1e-9, stress=1e3).pull_off()
+    with pytest.raises(ContactError, match=r"\[?0.0 to 1.0|from 0.0|1.5"):
+        replace(CURVE, advancing=1.5).contact(gel)
+    with pytest.raises(ValueError, match="stick"):
+        replace(CURVE, friction="some")
+    assert Paraboloid(radius=1.0) == gel.probe

@@ -1,0 +1,223 @@
+//! The three surface compliances of a film or a stack of layers: normal, tangential and coupled.
+//!
+//! A pressure `p` and an inward shear traction `q` move the surface down by `u` and inwards by `v`,
+//! in Hankel transforms of order 0 (`p`, `u`) and 1 (`q`, `v`)
+//!
+//! ```text
+//! (u, v) = 2/(E1* k) [[X11, X12], [X12, X22]] (p, q)          X11, X22 -> 1,  X12 -> b   as kt -> inf
+//! ```
+//!
+//! with `b = (1 - 2 nu)/(2 (1 - nu))` and `e = 2/(1 - nu)` of the top layer. The minors of
+//! `slab.rs` give all three: `X11 = (e/2) c22/d` (the `X` of a contact without friction),
+//! `X22 = (e/2) c11/d` and `X12 = (e/2) c12/d`. Beyond `q = 1` the limits are taken off as in
+//! equation (3) there: with the minors `y` at the bottom of the top layer, `E = e^{-2q}` and `d` of
+//! its top, each of `X11 - 1`, `X22 - 1` and `X12 - b` is `(e/2) E F/d`,
+//!
+//! ```text
+//! F = f(y) + q f(N y) + q^2/2 f(N^2 y) + c 4 l- (1 - 2q + 2q^2 - E)
+//! X11:  f = c22 - (2/e) d,  c = 1        X22:  f = c11 - (2/e) d,  c = 1        X12:  f = c12 - (2b/e) d,  c = 0
+//! ```
+//!
+//! Measured (`tests/truth/stick.rs`): the test value of an incompressible film on a rigid base to
+//! rounding, and both forms agree where they meet.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+
+use crate::exponential::exponential;
+use crate::layered::LayeredCompliance;
+use crate::slab::{Minors, SWITCH, Slab};
+
+/// `X11 - 1`, `X12 - b` and `X22 - 1`, or their slopes `q d/dq`, in this order.
+pub type Three<T> = [T; 3];
+
+/// The three compliances without their limits, and their slopes, at many wave numbers.
+#[derive(Clone, Debug)]
+pub struct Samples {
+    /// `X11 - 1`, `X12 - b`, `X22 - 1`.
+    pub excess: Three<Vec<f64>>,
+    /// `q` times their derivatives with respect to `q`.
+    pub slope: Three<Vec<f64>>,
+}
+
+/// Returns the compliances at the wave numbers `q`, in units of one over the thickness of the top
+/// layer.
+pub fn sample_all(surface: &LayeredCompliance, q: &[f64]) -> Samples {
+    let mut samples = Samples {
+        excess: [0; 3].map(|_| Vec::with_capacity(q.len())),
+        slope: [0; 3].map(|_| Vec::with_capacity(q.len())),
+    };
+    dispatch!(Level::new(), simd => extend(simd, surface, q, &mut samples));
+    samples
+}
+
+#[inline(always)]
+fn extend<S: Simd>(simd: S, surface: &LayeredCompliance, q: &[f64], samples: &mut Samples) {
+    for group in q.chunks(S::f64s::LEN) {
+        // The last group is filled up with its last wave number.
+        let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
+        wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
+        let wave_numbers = wave_numbers + surface.least();
+        let [y, z] = surface.below_top(simd, wave_numbers);
+        let [excess, slope] = at_top(simd, surface.top(), wave_numbers, y, z);
+        for i in 0..3 {
+            samples.excess[i].extend_from_slice(&excess[i].as_slice()[..group.len()]);
+            samples.slope[i].extend_from_slice(&slope[i].as_slice()[..group.len()]);
+        }
+    }
+}
+
+/// The places of `c22`, `c12` and `c11` among the minors.
+const PLACES: Three<usize> = [3, 2, 1];
+
+/// Returns the compliances and their slopes at the top of the `top` layer, at wave numbers `k`,
+/// from minors `y` and `z = k dy/dk` at its bottom.
+#[inline(always)]
+fn at_top<S: Simd>(
+    simd: S,
+    top: &Slab,
+    k: S::f64s,
+    y: Minors<S>,
+    z: Minors<S>,
+) -> [Three<S::f64s>; 2] {
+    let q = k * top.thickness;
+    let [y_top, z_top] = top.cross(simd, k, y, z);
+    let half = 0.5 * top.e;
+    let limits = [1.0, top.b, 1.0];
+    let per_d = S::f64s::splat(simd, 1.0) / y_top[0];
+    let mut excess = [per_d; 3];
+    let mut slope = [per_d; 3];
+    for i in 0..3 {
+        let x = y_top[PLACES[i]] * half * per_d;
+        excess[i] = (y_top[PLACES[i]] * half - y_top[0] * limits[i]) * per_d;
+        slope[i] = (z_top[PLACES[i]] * half - x * z_top[0]) * per_d;
+    }
+    let thick = q.simd_gt(SWITCH);
+    if thick.any_true() {
+        let e = exponential(simd, q * -2.0);
+        let square = q * q;
+        let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
+        let slope_of_fall = square * 4.0 + q * (e - 1.0) * 2.0;
+        let of_y = functionals::<S>(top, y);
+        let of_z = functionals::<S>(top, z);
+        let factor = e * half * per_d;
+        let rate = z_top[0].mul_add(per_d, q * 2.0);
+        for i in 0..3 {
+            let sum = |[flat, once, twice, fall]: [S::f64s; 4]| {
+                fall.mul_add(
+                    of_fall,
+                    (square * 0.5).mul_add(twice, q.mul_add(once, flat)),
+                )
+            };
+            let value = sum(of_y[i]);
+            let [_, once, twice, fall] = of_y[i];
+            let explicit = q * once + square * twice + fall * slope_of_fall;
+            let departure = factor * value;
+            let change = factor * (sum(of_z[i]) + explicit - value * rate);
+            excess[i] = thick.select(departure, excess[i]);
+            slope[i] = thick.select(change, slope[i]);
+        }
+    }
+    [excess, slope]
+}
+
+/// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `c 4 l-` of each compliance.
+#[inline(always)]
+fn functionals<S: Simd>(top: &Slab, y: Minors<S>) -> Three<[S::f64s; 4]> {
+    let once = top.n_times::<S>(y);
+    let twice = top.n_times::<S>(once);
+    let [_, fall] = top.exponential_parts::<S>(y);
+    let factors = [-2.0 / top.e, -2.0 * top.b / top.e, -2.0 / top.e];
+    let falls = [4.0, 0.0, 4.0];
+    let mut functionals = [[fall; 4]; 3];
+    for i in 0..3 {
+        let of = |y: Minors<S>| y[0].mul_add(factors[i], y[PLACES[i]]);
+        functionals[i] = [of(y), of(once), of(twice), fall * falls[i]];
+    }
+    functionals
+}
+
+#[cfg(test)]
+mod tests {
+    use interp::Material;
+
+    use super::*;
+    use crate::estimate::larger;
+    use crate::layered::tests::random_stack;
+
+    /// An incompressible film on a rigid base at `q = 0.7`, by another program in 20 digits, and in
+    /// closed form elsewhere.
+    #[test]
+    fn the_test_values_are_met() {
+        let film = Material::new(0.0, 0.5, f64::INFINITY, 0.0).expect("physical");
+        let film = LayeredCompliance::of_film(&film);
+        let samples = sample_all(&film, &[0.7]);
+        let expected = [
+            0.122_080_342_975_348_18 - 1.0,
+            -0.237_236_525_712_266,
+            0.799_898_987_867_536_8 - 1.0,
+        ];
+        for (found, expected) in samples.excess.iter().zip(expected) {
+            assert!(
+                (found[0] - expected).abs() <= 3e-16,
+                "{}, not {expected}",
+                found[0]
+            );
+        }
+        let q: Vec<f64> = (1..200).map(|i| 0.06 * f64::from(i)).collect();
+        let samples = sample_all(&film, &q);
+        for (i, q) in q.iter().enumerate() {
+            let d = (2.0 * q).cosh() + 1.0 + 2.0 * q * q;
+            let exact = [
+                ((2.0 * q).sinh() - 2.0 * q) / d - 1.0,
+                -2.0 * q * q / d,
+                ((2.0 * q).sinh() + 2.0 * q) / d - 1.0,
+            ];
+            for (found, exact) in samples.excess.iter().zip(exact) {
+                assert!(
+                    (found[i] - exact).abs() <= 3e-15,
+                    "{q}: {}, not {exact}",
+                    found[i]
+                );
+            }
+        }
+    }
+
+    /// The normal compliance is that of the contact without friction, the slopes are the derivatives
+    /// of the values, and the matrix of the compliances is positive.
+    #[test]
+    fn stacks_have_compliances_with_their_slopes() {
+        let (mut of_normal, mut of_slopes) = (0.0, 0.0);
+        for seed in 0..60 {
+            let surface = LayeredCompliance::new(&random_stack(seed));
+            for i in 0..40 {
+                let q = 10_f64.powf(-3.0 + 0.11 * f64::from(i));
+                let step = 1e-4;
+                let samples = sample_all(&surface, &[q * (1.0 - step), q, q * (1.0 + step)]);
+                let known = crate::surface::SurfaceCompliance::sample(&surface, q);
+                let unit = larger(1.0, (1.0 + known.excess).abs());
+                of_normal = larger(
+                    of_normal,
+                    (samples.excess[0][1] - known.excess).abs() / unit,
+                );
+                let b = surface.top().b;
+                let [x11, x12, x22] = [
+                    1.0 + samples.excess[0][1],
+                    b + samples.excess[1][1],
+                    1.0 + samples.excess[2][1],
+                ];
+                assert!(
+                    x11 > 0.0 && x22 > 0.0 && x12 * x12 < x11 * x22,
+                    "{seed}, {q}"
+                );
+                for (excess, slope) in samples.excess.iter().zip(&samples.slope) {
+                    let difference = (excess[2] - excess[0]) / (2.0 * step);
+                    let unit = larger(unit, x22);
+                    of_slopes = larger(of_slopes, (difference - slope[1]).abs() / unit);
+                }
+            }
+        }
+        println!("normal {of_normal:.1e}, slopes {of_slopes:.1e}");
+        assert!(of_normal <= 1e-14 && of_slopes <= 1e-6);
+    }
+}

@@ -1,0 +1,358 @@
+//! Coulomb wave functions, as the transforms of the edge functions of a sticking contact.
+//!
+//! The contact's normal and tangential fields are expanded together in
+//! `((1-s)/(1+s))^{i eps} P_n^{(i eps, -i eps)}(s)` on `[-1, 1]`, whose Fourier transforms are
+//! Coulomb wave functions `F_n` (DLMF 33). With `s+_n = +,+,-,-,+,+,..` and `s-_n = (-1)^n s+_n`
+//!
+//! ```text
+//! P+-_n(z) = s+-_n sqrt(2n+1) e^{-+ pi eps/2} F_n(-+eps, z)/z          p_n = (P+ + P-)/2      q_n = (P+ - P-)/2
+//! ```
+//!
+//! For `eps = 0` these are Legendre polynomials and spherical Bessel functions: `p_n` is 0 for odd
+//! `n` and `q_n` for even `n`. With `eta = -+eps`, `R_n^2 = 1 + (eps/n)^2` and
+//! `F_n(eta, z)/z = e^{-pi eta/2} c0 R_1 .. R_n g_n`, `c0^2 = pi eps/sinh(pi eps)`, the recurrence of
+//! DLMF 33.4 is
+//!
+//! ```text
+//! g_{n-1} = (2n+1) (1/z + eta/(n(n+1))) g_n - R_{n+1}^2 g_{n+1}
+//! ```
+//!
+//! It is run downwards (Miller), and scaled by the expansion of `e^{-izs}` at `s = 0`,
+//! `sum_n (2n+1) r_n g_n = 1` with `r_0 = 1`, `r_1 = -eta`, `r_n = ((n-1)^2 + eps^2)/(n(n-1)) r_{n-2}`:
+//! no sines and cosines are needed. Where all orders are below half of `z` it is run upwards, from
+//! the asymptotic series of `F_0` and `F_1` (DLMF 33.11).
+
+use std::f64::consts::PI;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
+
+/// The number of arguments handled at once.
+pub const LANES: usize = 8;
+
+/// The least `z` at which the asymptotic series of `F_0` and `F_1` is exact to rounding.
+const ASYMPTOTIC: f64 = 40.0;
+
+/// The number of terms of the asymptotic series: at `z = 40` the next one is below 1e-17.
+const TERMS: usize = 20;
+
+/// Evaluates `p_n` and `q_n` for `n < orders`.
+#[derive(Clone, Debug)]
+pub struct Coulomb {
+    eps: f64,
+    orders: usize,
+    /// The recurrence and the scaling sum, order by order.
+    steps: Vec<Step>,
+    /// `s+_n sqrt(2n+1) c0 R_1 .. R_n/2`.
+    scale: Vec<f64>,
+    /// `arg Gamma(1 + i |eps|)`.
+    phase: f64,
+}
+
+/// The coefficients at order `n`, for `eta = eps`. `eps` changes its sign with `eta`.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// `2n+1`.
+    per_z: f64,
+    /// `(2n+1) eps/(n(n+1))`, 0 at `n = 0`.
+    charge: f64,
+    /// `R_{n+1}^2`.
+    next: f64,
+    /// `(2n+1) r_n`.
+    weight: f64,
+}
+
+/// Where the values of one group of arguments go: columns of `stride` values each.
+pub struct Target<'a> {
+    /// The columns of `p_n`, by [`column`].
+    pub p: &'a mut [f64],
+    /// The columns of `q_n`; for `eps = 0` those of odd `n` only.
+    pub q: &'a mut [f64],
+    /// The number of values of a column.
+    pub stride: usize,
+    /// The place of the group in every column.
+    pub at: usize,
+}
+
+/// Returns the place of order `n` among `orders` (an even number): even orders come first.
+pub const fn column(n: usize, orders: usize) -> usize {
+    n / 2 + (n % 2) * (orders / 2)
+}
+
+impl Coulomb {
+    /// Prepares an even number of `orders` for arguments up to `largest`.
+    pub fn new(eps: f64, orders: usize, largest: f64) -> Self {
+        debug_assert!(orders >= 2 && orders.is_multiple_of(2));
+        let count = top(largest).max(orders) + 2;
+        let square = |n: usize| 1.0 + (eps / n as f64).powi(2);
+        let mut r = [1.0, -eps];
+        let step = |n: usize| {
+            let m = n as f64;
+            if n >= 2 {
+                r[n % 2] *= ((m - 1.0).powi(2) + eps * eps) / (m * (m - 1.0));
+            }
+            let odd = 2.0 * m + 1.0;
+            Step {
+                per_z: odd,
+                charge: if n == 0 {
+                    0.0
+                } else {
+                    odd * eps / (m * (m + 1.0))
+                },
+                next: square(n + 1),
+                weight: odd * r[n % 2],
+            }
+        };
+        let steps = (0..count).map(step).collect();
+        let mut product = 0.5 * c0(eps);
+        let scale = |n: usize| {
+            if n > 0 {
+                product *= square(n).sqrt();
+            }
+            let sign = if n % 4 < 2 { 1.0 } else { -1.0 };
+            sign * ((2 * n + 1) as f64).sqrt() * product
+        };
+        Self {
+            eps,
+            orders,
+            steps,
+            scale: (0..orders).map(scale).collect(),
+            phase: phase_of_gamma(eps.abs()),
+        }
+    }
+
+    /// Returns the numbers of columns of `p` and of `q`.
+    pub const fn columns(&self) -> [usize; 2] {
+        if self.eps == 0.0 {
+            [self.orders / 2; 2]
+        } else {
+            [self.orders; 2]
+        }
+    }
+
+    /// Writes `p_n` and `q_n` of a group of positive, ascending arguments.
+    pub fn fill(&self, z: &[f64; LANES], target: &mut Target<'_>) {
+        debug_assert!(z[0] > 0.0 && z[0] <= z[LANES - 1], "{z:?}");
+        dispatch!(Level::new(), simd => self.fill_with(simd, z, target));
+    }
+
+    #[inline(always)]
+    fn fill_with<S: Simd>(&self, simd: S, z: &[f64; LANES], target: &mut Target<'_>) {
+        let zero = f64x8::splat(simd, 0.0);
+        let mut plus = vec![zero; self.orders];
+        self.functions(simd, z, -1.0, &mut plus);
+        let store = |values: &mut [f64], column: usize, group: f64x8<S>| {
+            group.store_slice(&mut values[column * target.stride + target.at..][..LANES]);
+        };
+        let half = self.orders / 2;
+        if self.eps == 0.0 {
+            for (n, value) in plus.iter().enumerate() {
+                let values = if n % 2 == 0 {
+                    &mut *target.p
+                } else {
+                    &mut *target.q
+                };
+                store(values, n / 2, *value * (2.0 * self.scale[n]));
+            }
+            return;
+        }
+        let mut minus = vec![zero; self.orders];
+        self.functions(simd, z, 1.0, &mut minus);
+        for n in 0..self.orders {
+            let column = column(n, 2 * half);
+            let plus = plus[n] * self.scale[n];
+            let minus = minus[n]
+                * if n % 2 == 0 {
+                    self.scale[n]
+                } else {
+                    -self.scale[n]
+                };
+            store(target.p, column, plus + minus);
+            store(target.q, column, plus - minus);
+        }
+    }
+
+    /// Writes `g_n` of `eta = sign * eps`.
+    #[inline(always)]
+    fn functions<S: Simd>(&self, simd: S, z: &[f64; LANES], sign: f64, g: &mut [f64x8<S>]) {
+        let arguments = f64x8::simd_from(simd, *z);
+        let inverse = f64x8::splat(simd, 1.0) / arguments;
+        if z[0] >= ASYMPTOTIC.max(2.0 * self.orders as f64) {
+            let (mut f0, mut f1) = (arguments, arguments);
+            for l in 0..LANES {
+                [f0[l], f1[l]] = self.first_two(z[l], sign * self.eps);
+            }
+            g[0] = f0;
+            g[1] = f1;
+            for n in 1..self.orders - 1 {
+                let step = self.steps[n];
+                let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
+                g[n + 1] = (factor * g[n] - g[n - 1]) * (1.0 / step.next);
+            }
+            return;
+        }
+        let top = top(z[LANES - 1]);
+        let zero = f64x8::splat(simd, 0.0);
+        // Nothing overflows from here: the spread of a group makes its smallest argument grow by
+        // less than 1e300.
+        let (mut after, mut now, mut sum) = (zero, f64x8::splat(simd, 1e-200), zero);
+        for value in g.iter_mut().skip(top + 1) {
+            *value = zero;
+        }
+        for n in (1..=top).rev() {
+            if n < g.len() {
+                g[n] = now;
+            }
+            let step = self.steps[n];
+            // The weights of odd orders have the sign of `-eta`.
+            let weight = if n % 2 == 1 {
+                sign * step.weight
+            } else {
+                step.weight
+            };
+            sum = now.mul_add(weight, sum);
+            let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
+            let before = factor * now - after * step.next;
+            (after, now) = (now, before);
+        }
+        g[0] = now;
+        let factor = f64x8::splat(simd, 1.0) / (sum + now);
+        for value in g.iter_mut().take(top + 1) {
+            *value *= factor;
+        }
+    }
+
+    /// Returns `g_0` and `g_1` by their asymptotic series.
+    fn first_two(&self, z: f64, eta: f64) -> [f64; 2] {
+        let (sin, cos) = z.sin_cos();
+        let phase = if eta < 0.0 { -self.phase } else { self.phase };
+        [0.0, 1.0].map(|l: f64| {
+            let shift = phase + l * (eta.atan() - 0.5 * PI) - eta * (2.0 * z).ln();
+            let (s, c) = shift.sin_cos();
+            let (sin, cos) = (sin * c + cos * s, cos * c - sin * s);
+            let (mut f, mut g) = (1.0, 0.0);
+            let (mut sum_f, mut sum_g) = (1.0, 0.0);
+            for k in 0..TERMS {
+                let k = k as f64;
+                let unit = 1.0 / ((2.0 * k + 2.0) * z);
+                let lambda = (2.0 * k + 1.0) * eta * unit;
+                let mu = (l * (l + 1.0) - k * (k + 1.0) + eta * eta) * unit;
+                (f, g) = (lambda * f - mu * g, lambda * g + mu * f);
+                sum_f += f;
+                sum_g += g;
+            }
+            let wave = sum_g * cos + sum_f * sin;
+            let root = if l == 0.0 { 1.0 } else { eta.hypot(1.0) };
+            (0.5 * PI * eta).exp() * wave / (z * c0(self.eps) * root)
+        })
+    }
+}
+
+/// Returns `(pi eps/sinh(pi eps))^{1/2}`.
+pub fn c0(eps: f64) -> f64 {
+    let argument = PI * eps;
+    if argument == 0.0 {
+        1.0
+    } else {
+        (argument / argument.sinh()).sqrt()
+    }
+}
+
+/// Returns `arg Gamma(1 + i eps)`, by Stirling's series after 20 steps of the recurrence.
+fn phase_of_gamma(eps: f64) -> f64 {
+    const STEPS: usize = 20;
+    let n = STEPS as f64 + 1.0;
+    let below: f64 = (1..=STEPS).map(|k| (eps / k as f64).atan()).sum();
+    let square = n * n + eps * eps;
+    // Im[(w - 1/2) ln w - w + 1/(12 w) - 1/(360 w^3) + 1/(1260 w^5)] at w = n + i eps.
+    let angle = eps.atan2(n);
+    let inverse =
+        |power: i32| -(f64::from(power) * angle).sin() / square.powf(0.5 * f64::from(power));
+    0.5 * eps * square.ln() + (n - 0.5) * angle - eps + inverse(1) / 12.0 - inverse(3) / 360.0
+        + inverse(5) / 1260.0
+        - below
+}
+
+/// Returns the order at which the downward recurrence begins for arguments up to `z`.
+///
+/// Beyond the turning point `n = z` the functions fall like `exp(-2/3 xi^{3/2})` with
+/// `xi = (n - z)/(z/2)^{1/3}`, and for small `z` like `z^n`.
+fn top(z: f64) -> usize {
+    if z < 1e-2 {
+        return (20.0 / -z.log10()).ceil() as usize + 2;
+    }
+    (z + 15.0 * (0.5 * z).cbrt() + 12.0).ceil() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::larger;
+
+    /// Returns `p_n` and `q_n` of all orders at one argument.
+    fn values(eps: f64, orders: usize, z: f64) -> [Vec<f64>; 2] {
+        let coulomb = Coulomb::new(eps, orders, z);
+        let [of_p, of_q] = coulomb.columns();
+        let (mut p, mut q) = (vec![0.0; of_p * LANES], vec![0.0; of_q * LANES]);
+        let mut target = Target {
+            p: &mut p,
+            q: &mut q,
+            stride: LANES,
+            at: 0,
+        };
+        coulomb.fill(&[z; LANES], &mut target);
+        let first = orders - of_q;
+        let at = |values: &[f64], place: Option<usize>| {
+            place
+                .and_then(|place| values.get(place * LANES))
+                .copied()
+                .unwrap_or(0.0)
+        };
+        [
+            (0..orders)
+                .map(|n| at(&p, Some(column(n, orders))))
+                .collect(),
+            (0..orders)
+                .map(|n| at(&q, column(n, orders).checked_sub(first)))
+                .collect(),
+        ]
+    }
+
+    /// Legendre polynomials: `p_n` and `q_n` are spherical Bessel functions of even and odd order.
+    #[test]
+    fn without_coupling_they_are_spherical_bessel_functions() {
+        for z in [1e-30, 1e-4, 0.3, 3.0_f64, 30.0, 80.0, 300.0] {
+            let [p, q] = values(0.0, 20, z);
+            let j1 = if z < 0.1 {
+                z / 3.0 * (1.0 - z * z / 10.0)
+            } else {
+                (z.sin() / z - z.cos()) / z
+            };
+            let size = 1.0 / z.max(1.0);
+            assert!((p[0] - z.sin() / z).abs() <= 1e-14 * size, "{z}");
+            assert!((q[1] - 3_f64.sqrt() * j1).abs() <= 2e-14 * size, "{z}");
+            assert_eq!([p[1], q[0]], [0.0; 2]);
+        }
+    }
+
+    /// The upward recurrence from the asymptotic series meets the downward one, which is scaled in
+    /// another way.
+    #[test]
+    fn both_directions_of_the_recurrence_agree() {
+        let mut worst = 0.0;
+        for eps in [-0.3, -0.1, 0.0, 0.02, 0.175, 0.3] {
+            for z in [45.0, 61.3, 120.0, 400.0] {
+                // With more orders the same arguments are below the switch.
+                let few = values(eps, 20, z);
+                let many = values(eps, 2 * z as usize, z);
+                for (few, many) in few.iter().zip(&many) {
+                    for (few, many) in few.iter().zip(many) {
+                        worst = larger(worst, z * (few - many).abs());
+                    }
+                }
+            }
+        }
+        println!("directions agree to {worst:.1e}");
+        assert!(worst <= 1e-12);
+    }
+}

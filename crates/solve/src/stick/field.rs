@@ -1,0 +1,317 @@
+//! The flat punch with stick: one linear system for its normal and tangential fields.
+//!
+//! With `x = a/t`, `p_n` and `q_n` of `coulomb.rs`, and `f = es/E1*`, in units of `es`
+//!
+//! ```text
+//! A_mn = delta_mn/cosh(pi eps) + f (2/pi) int_0^inf [ (X11-1) p_m p_n + (X12-b) (p_m q_n + q_m p_n) + (X22-1) q_m q_n ] dz,    z = q x
+//! A c = c0 e_0        Eeq_s = es c0 c_0
+//! ```
+//!
+//! Symmetric and positive definite. With `p^ = sum c_n p_n`, `q^ = sum c_n q_n`, the identity
+//! `Gamma_eff^2 = es d(x Eeq_s)/dx` in its energy form, which converges twice as fast as the fields,
+//! and for `eps = 0` the equation itself at the edge give
+//!
+//! ```text
+//! Gamma_eff^2 = es^2 { c0 c_0 + f (2/pi) int [ q X11' p^^2 + 2 q X12' p^ q^ + q X22' q^^2 ] dz }
+//! Gamma_s =  es { 1 - f (2/pi) int [ (X11-1) p^ + (X12-b) q^ ] cos z dz }
+//! Gamma_t = -es       f (2/pi) int [ (X22-1) q^ + (X12-b) p^ ] sin z dz
+//! ```
+
+use std::cmp::Ordering;
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{
+    LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
+};
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
+use faer::{Mat, Par, Spec};
+
+use crate::abscissae::Abscissae;
+
+use crate::estimate::larger;
+use crate::operator::{ROUNDING, TRUNCATION_SAFETY, quadrature_errors};
+use crate::quadrature::Panels;
+use crate::slope::dot;
+use crate::stick::bodies::Bodies;
+use crate::stick::compliances::{Samples, Three, sample_all};
+use crate::stick::coulomb::{Coulomb, LANES, Target, column};
+use crate::stick::products::add_lower;
+use crate::surface::SurfaceCompliance;
+
+/// The bodies at the wave numbers of the integrals, for punches up to some radius.
+pub struct Waves<'a> {
+    /// The bodies.
+    pub bodies: &'a Bodies,
+    /// The wave numbers `q`, padded to a multiple of [`LANES`].
+    pub q: Vec<f64>,
+    /// The weights `(2/pi) dq`, 0 for the padding.
+    pub weights: Vec<f64>,
+    /// `f` times the compliances without their limits.
+    pub excess: Three<Vec<f64>>,
+    /// `f q` times their derivatives.
+    slope: Three<Vec<f64>>,
+    /// The error of `f (2/pi) int X dq` where the panels do not resolve the compliances.
+    resolution: f64,
+    /// The relative error of products of two transforms that the panels do not resolve.
+    design: f64,
+    /// The rounding error of sums, relative to the sum of absolute values.
+    rounding: f64,
+}
+
+/// The field of the flat punch of one radius, in units of `es`.
+pub struct Field {
+    /// `a/t`.
+    pub x: f64,
+    /// `Eeq_s/es`.
+    pub eeq: f64,
+    /// `(Gamma_eff/es)^2`.
+    pub edge: f64,
+    /// `Gamma_s/es` and `Gamma_t/es` for `eps = 0`.
+    pub parts: Option<[f64; 2]>,
+    /// `(X11-1) p^ + (X12-b) q^`, times `f`, at all wave numbers.
+    pub normal: Vec<f64>,
+    /// What the punch answers to the edge of the contact, if asked for.
+    pub answer: Option<Vec<f64>>,
+    /// The estimated relative error of all these numbers from the finite number of modes; that of
+    /// `Gamma_t` is relative to `Gamma_eff`.
+    pub truncation: f64,
+    pub parts_error: f64,
+    /// The same from the integrals.
+    pub quadrature: f64,
+    /// The same from rounding.
+    pub rounding: f64,
+}
+
+impl Field {
+    /// Returns the estimated relative error from all sources.
+    pub fn error(&self) -> f64 {
+        self.truncation + self.parts_error + self.quadrature + self.rounding
+    }
+}
+
+impl<'a> Waves<'a> {
+    /// Samples the surface on `panels`.
+    pub fn new(bodies: &'a Bodies, panels: Panels) -> Self {
+        let abscissae = Abscissae::new(1.0, 0, panels);
+        let Samples {
+            mut excess,
+            mut slope,
+        } = sample_all(&bodies.surface, &abscissae.q);
+        for values in excess.iter_mut().chain(&mut slope) {
+            values.iter_mut().for_each(|value| *value *= bodies.film);
+        }
+        if !bodies.sticks {
+            for values in excess[1..].iter_mut().chain(&mut slope[1..]) {
+                values.fill(0.0);
+            }
+        }
+        let resolution = slope
+            .iter()
+            .map(|slope| quadrature_errors(&abscissae, slope)[0])
+            .sum();
+        Self {
+            bodies,
+            resolution,
+            design: abscissae.panels.design_error,
+            rounding: ROUNDING * (1.0 - 0.05 * bodies.surface.smallest_scale().ln()),
+            q: abscissae.q,
+            weights: abscissae.weights,
+            excess,
+            slope,
+        }
+    }
+
+    /// Solves the punch of radius `x = a/t` with an even number of `modes`; `with_answer` asks for
+    /// [`Field::answer`].
+    ///
+    /// Returns `None` where the matrix is not positive definite, by rounding.
+    pub fn field(&self, x: f64, modes: usize, with_answer: bool) -> Option<Field> {
+        let rows = self.q.len();
+        let coulomb = Coulomb::new(self.bodies.eps, modes, x * self.q[rows - 1]);
+        let [of_p, of_q] = coulomb.columns();
+        let (mut p, mut q) = (vec![0.0; of_p * rows], vec![0.0; of_q * rows]);
+        for (j, group) in self.q.chunks_exact(LANES).enumerate() {
+            let z = std::array::from_fn(|l| group[l] * x);
+            let mut target = Target {
+                p: &mut p,
+                q: &mut q,
+                stride: rows,
+                at: j * LANES,
+            };
+            coulomb.fill(&z, &mut target);
+        }
+        let weights: Vec<f64> = self.weights.iter().map(|w| w * x).collect();
+        let first_q = modes - of_q;
+        // The products of the compliances with the transforms, columns of all modes: those beside
+        // `p` and those beside `q`.
+        let combine = |[direct, mixed]: [usize; 2], transposed: bool| {
+            let mut columns = vec![0.0; modes * rows];
+            for (n, column) in columns.chunks_exact_mut(rows).enumerate() {
+                let of_p = (n < of_p).then(|| &p[n * rows..][..rows]);
+                let of_q = (n >= first_q).then(|| &q[(n - first_q) * rows..][..rows]);
+                let (own, other) = if transposed {
+                    (of_q, of_p)
+                } else {
+                    (of_p, of_q)
+                };
+                for (values, factor) in [(own, direct), (other, mixed)] {
+                    let Some(values) = values else { continue };
+                    let factors = self.excess[factor].iter().zip(&weights);
+                    for ((sum, value), (factor, weight)) in
+                        column.iter_mut().zip(values).zip(factors)
+                    {
+                        *sum += factor * weight * value;
+                    }
+                }
+            }
+            columns
+        };
+        let beside_p = combine([0, 1], false);
+        let beside_q = combine([2, 1], true);
+        let mut matrix = Mat::<f64>::zeros(modes, modes);
+        add_lower(&mut matrix, 0, &p, &beside_p, rows);
+        add_lower(&mut matrix, first_q, &q, &beside_q, rows);
+        // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
+        let diagonal = 1.0 / self.bodies.cosh();
+        let place = |n: usize| column(n, modes);
+        let mut matrix = Mat::from_fn(modes, modes, |m, n| match m.cmp(&n) {
+            Ordering::Less => 0.0,
+            Ordering::Equal => diagonal + matrix[(place(n), place(n))],
+            Ordering::Greater => {
+                let (m, n) = (place(m), place(n));
+                matrix[(m.max(n), m.min(n))]
+            }
+        });
+        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
+            modes,
+            Par::Seq,
+            Spec::default(),
+        ));
+        let stack = MemStack::new(&mut memory);
+        cholesky_in_place(
+            matrix.as_mut(),
+            LltRegularization::default(),
+            Par::Seq,
+            stack,
+            Spec::default(),
+        )
+        .ok()?;
+
+        let c0 = self.bodies.c0();
+        let [sines, cosines] = self.waves_at(x);
+        let mut solutions = Mat::<f64>::zeros(modes, if with_answer { 2 } else { 1 });
+        solutions[(0, 0)] = c0;
+        if with_answer {
+            for n in 0..modes {
+                solutions[(n, 1)] = dot(&beside_p[place(n) * rows..][..rows], &cosines);
+            }
+        }
+        solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
+        let half = solutions.col_as_slice(0);
+        let missing = missing_modes(half);
+        solve_upper_triangular_in_place(matrix.transpose(), solutions.as_mut(), Par::Seq);
+
+        let transform = |solution: &[f64]| {
+            let mut hats = [vec![0.0; rows], vec![0.0; rows]];
+            for (hat, (values, first)) in hats.iter_mut().zip([(&p, 0), (&q, first_q)]) {
+                for (n, c) in solution.iter().enumerate() {
+                    let Some(values) = place(n)
+                        .checked_sub(first)
+                        .and_then(|place| values.get(place * rows..)?.get(..rows))
+                    else {
+                        continue;
+                    };
+                    for (sum, value) in hat.iter_mut().zip(values) {
+                        *sum += c * value;
+                    }
+                }
+            }
+            hats
+        };
+        let c = solutions.col_as_slice(0);
+        let [p_hat, q_hat] = transform(c);
+        let eeq = c0 * c[0];
+        let squares: f64 = c.iter().map(|c| c * c).sum();
+        let (mut edge, mut terms) = (eeq, eeq + squares);
+        let [s11, s12, s22] = &self.slope;
+        for k in 0..rows {
+            let (p, q) = (p_hat[k], q_hat[k]);
+            let parts = [s11[k] * p * p, 2.0 * s12[k] * p * q, s22[k] * q * q];
+            edge += weights[k] * parts.iter().sum::<f64>();
+            terms += weights[k] * parts.iter().map(|part| part.abs()).sum::<f64>();
+        }
+        if !(eeq > 0.0 && edge > 0.0) {
+            return None;
+        }
+        let mut size = larger((eeq + 2.0 * squares) / eeq, terms / edge);
+        let [y11, y12, y22] = &self.excess;
+        let normal: Vec<f64> = (0..rows)
+            .map(|k| y11[k] * p_hat[k] + y12[k] * q_hat[k])
+            .collect();
+        let parts = (self.bodies.eps == 0.0).then(|| {
+            let (mut of_normal, mut of_shear, mut terms) = (0.0, 0.0, 1.0);
+            for k in 0..rows {
+                let shear = y22[k] * q_hat[k] + y12[k] * p_hat[k];
+                of_normal += weights[k] * normal[k] * cosines[k];
+                of_shear += weights[k] * shear * sines[k];
+                terms += weights[k] * (normal[k].abs() + shear.abs());
+            }
+            size += terms / edge.sqrt();
+            [1.0 - of_normal, -of_shear]
+        });
+        // Both ways to the edge must agree.
+        let parts_error = parts.map_or(0.0, |[normal, shear]| {
+            (normal * normal + shear * shear - edge).abs() / edge
+        });
+        let answer = with_answer.then(|| {
+            let [p_hat, q_hat] = transform(solutions.col_as_slice(1));
+            (0..rows)
+                .map(|k| y11[k] * (cosines[k] - p_hat[k]) - y12[k] * q_hat[k])
+                .collect()
+        });
+        Some(Field {
+            x,
+            eeq,
+            edge,
+            parts,
+            normal,
+            answer,
+            truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge),
+            parts_error,
+            quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design,
+            rounding: self.rounding * size,
+        })
+    }
+
+    /// Returns the sines and cosines of `q x`.
+    pub fn waves_at(&self, x: f64) -> [Vec<f64>; 2] {
+        let (mut sines, mut cosines) = (Vec::new(), Vec::new());
+        for q in &self.q {
+            let (sine, cosine) = (q * x).sin_cos();
+            sines.push(sine);
+            cosines.push(cosine);
+        }
+        [sines, cosines]
+    }
+}
+
+/// Extrapolates `sum_{i >= n} y_i^2`, the contribution to `Eeq_s` of the modes left out.
+///
+/// The envelope of the last `y_i^2` is continued with the rate at which the sums over two
+/// neighbouring stretches fall. A stretch spans the beats that the `y_i` show at large `a/t`.
+fn missing_modes(y: &[f64]) -> f64 {
+    let n = y.len();
+    let stretch = (2 + n / 8).min(n / 2);
+    let (before, last) = y[n - 2 * stretch..].split_at(stretch);
+    let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
+    let ratio = sum(last) / sum(before).max(f64::MIN_POSITIVE);
+    let rate = ratio.powf(1.0 / stretch as f64).clamp(0.1, 0.95);
+    let envelope = last
+        .iter()
+        .rev()
+        .enumerate()
+        .map(|(i, y)| y * y * rate.powi(i as i32));
+    envelope.fold(0.0, larger) * rate / (1.0 - rate)
+}

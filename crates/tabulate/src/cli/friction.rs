@@ -1,0 +1,192 @@
+//! The flags of friction, and the numbers of contacts that stick.
+
+use clap::ValueEnum;
+use contact::Contact;
+use interp::{Probe, System};
+use solve::Error;
+use solve::stick::{MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLERANCE};
+
+use super::bodies::Bodies;
+use super::quantity::{force_per_length, number};
+
+/// The flags of friction.
+#[derive(clap::Args, Clone)]
+#[group(skip)]
+pub struct FrictionArguments {
+    /// Friction between the surfaces: none, or stick, where surfaces that have touched never slide
+    #[arg(long, value_enum, default_value = "none")]
+    friction: Friction,
+    /// With --friction stick: Poisson ratio of the sphere. A rigid sphere needs none
+    #[arg(long, value_name = "NU2", default_value_t = 0.5, value_parser = number, allow_hyphen_values = true)]
+    nu2: f64,
+}
+
+/// The flags of friction, and the work of adhesion of a line that recedes.
+#[derive(clap::Args, Clone)]
+#[group(skip)]
+pub struct HistoryArguments {
+    #[command(flatten)]
+    pub friction: FrictionArguments,
+    /// With --friction stick: work of adhesion with which the contact recedes, J/m^2, at least
+    /// --work-of-adhesion, with which it has grown; 0 there is a contact that was pressed on without
+    /// attraction
+    #[arg(long, value_name = "J/m^2", value_parser = force_per_length, allow_hyphen_values = true)]
+    pub work_of_adhesion_receding: Option<f64>,
+}
+
+/// The ends of friction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Friction {
+    /// The surfaces slide freely
+    None,
+    /// The surfaces never slide
+    Stick,
+}
+
+/// The names of the numbers of a contact that sticks.
+pub const COLUMNS: [&str; 9] = [
+    "eeq_s",
+    "gamma_s",
+    "gamma_t",
+    "gamma_eff",
+    "delta_s",
+    "pi_s",
+    "gamma_g",
+    "eeq_g",
+    "error_s",
+];
+
+/// The estimated relative error up to which a default tolerance yields to rounding.
+const LARGEST_ERROR: f64 = 1e-6;
+
+impl FrictionArguments {
+    /// Returns the Poisson ratio of the sphere where the contact sticks.
+    pub fn sticks(&self) -> Option<f64> {
+        (self.friction == Friction::Stick).then_some(self.nu2)
+    }
+}
+
+/// Solves the numbers of [`COLUMNS`], and tells why those of a sphere are missing, if they are.
+///
+/// Without a `tolerance` it is 1e-10, or what rounding allows up to 1e-6.
+pub fn numbers(
+    sticking: &Sticking,
+    a_over_t: f64,
+    tolerance: Option<f64>,
+) -> Result<([Option<f64>; 9], Option<Error>), Error> {
+    let wanted = tolerance.unwrap_or(1e-10);
+    let punch = within(tolerance, wanted.max(PUNCH_TOLERANCE[0]), |tolerance| {
+        sticking.punch(a_over_t, tolerance)
+    })?;
+    let tip = within(
+        tolerance,
+        wanted.max(10.0 * TIP_TOLERANCE[0]),
+        |tolerance| sticking.tip(a_over_t, 2.0, tolerance),
+    );
+    let (tip, missing) = match tip {
+        Ok(tip) => (Some(tip), None),
+        Err(error @ (Error::Coupled { .. } | Error::Domain { .. })) => (None, Some(error)),
+        Err(error) => return Err(error),
+    };
+    let of_tip = |value: fn(&solve::stick::Grown) -> f64| tip.as_ref().map(|(tip, _)| value(tip));
+    let error = tip.map_or(punch.error, |(_, error)| punch.error.max(error));
+    let [gamma_s, gamma_t] = [0, 1].map(|i| punch.edge.map(|edge| edge[i]));
+    let numbers = [
+        Some(punch.eeq_s),
+        gamma_s,
+        gamma_t,
+        Some(punch.gamma_eff),
+        of_tip(|tip| tip.delta_s),
+        of_tip(|tip| tip.pi_s),
+        of_tip(|tip| tip.gamma_g),
+        of_tip(|tip| tip.eeq_g),
+        Some(error),
+    ];
+    Ok((numbers, missing))
+}
+
+/// Solves to a tolerance that was `given`, or to a usual one, which yields to rounding.
+fn within<T>(
+    given: Option<f64>,
+    tolerance: f64,
+    solve: impl Fn(f64) -> Result<T, Error>,
+) -> Result<T, Error> {
+    match solve(tolerance) {
+        Err(Error::StickNotConverged { reached, .. })
+            if given.is_none() && 2.0 * reached <= LARGEST_ERROR =>
+        {
+            solve(2.0 * reached)
+        }
+        result => result,
+    }
+}
+
+impl HistoryArguments {
+    /// Refuses a second work of adhesion without stick, and returns the Poisson ratio of the sphere
+    /// where the contact sticks.
+    pub fn sticks(&self) -> anyhow::Result<Option<f64>> {
+        let sticks = self.friction.sticks();
+        anyhow::ensure!(
+            sticks.is_some() || self.work_of_adhesion_receding.is_none(),
+            "--work-of-adhesion-receding goes with --friction stick here; without friction give \
+             --value work-of-adhesion-receding=.. to `tabulate simulate` and `tabulate fit`"
+        );
+        Ok(sticks)
+    }
+
+    /// Makes the contact that recedes, of `bodies` that stick, over the contact radii (m) `radii`,
+    /// and returns it with the work of adhesion of its states.
+    pub fn contact(
+        &self,
+        bodies: &Bodies,
+        nu2: f64,
+        [from, to]: [f64; 2],
+        tolerance: f64,
+    ) -> anyhow::Result<(Contact, f64)> {
+        let system = &bodies.system;
+        let advancing = bodies.work_of_adhesion;
+        let receding = self.work_of_adhesion_receding.unwrap_or(advancing);
+        anyhow::ensure!(
+            receding >= advancing && receding < f64::INFINITY,
+            "--work-of-adhesion-receding {receding:?} J/m^2 is less than --work-of-adhesion \
+             {advancing:?} J/m^2, with which the contact grows: a line that recedes at a smaller energy \
+             than it advances with is not solved; exchange the two"
+        );
+        let ratio = if receding == 0.0 {
+            1.0
+        } else {
+            advancing / receding
+        };
+        let range = [from, to].map(|a| a / system.film_thickness);
+        let curves = StickCurves::new(&sticking(bodies, nu2)?, range, tolerance)?;
+        let contact = Contact::new(system, curves.receding(ratio)?)?;
+        Ok((contact, receding))
+    }
+}
+
+/// Returns the bodies that stick.
+pub fn sticking(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
+    let System {
+        ref probe,
+        sphere_modulus,
+        ..
+    } = bodies.system;
+    anyhow::ensure!(
+        matches!(probe, Probe::Paraboloid { .. }),
+        "--friction stick takes --probe paraboloid only; `tabulate solve --friction stick` answers for \
+         a flat punch (eeq_s, gamma_eff)"
+    );
+    Ok(match &bodies.stack {
+        Some(layers) => Sticking::on_stack(layers.stack(), sphere_modulus, nu2)?,
+        None => Sticking::on_film(&bodies.system.material()?, nu2)?,
+    })
+}
+
+/// Returns the largest contact radius (m) up to which a contact of `bodies` that sticks is solved.
+pub fn reach(bodies: &Bodies) -> f64 {
+    let top = match &bodies.stack {
+        Some(layers) => layers.stack().shape().top,
+        None => 1.0,
+    };
+    MOST_OF_TIP * top * bodies.system.film_thickness
+}

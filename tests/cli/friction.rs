@@ -1,0 +1,308 @@
+//! Full friction on the command line: the numbers of `solve`, the histories of `curve` and
+//! `pull-off`, fits with both ends of friction, and what is refused.
+
+use acceptance::{assert_names, workdir};
+
+/// Returns the value of a line `name = value`.
+fn value(text: &str, name: &str) -> f64 {
+    let is_of = |line: &&str| {
+        line.split_once('=')
+            .is_some_and(|(key, _)| key.trim() == name)
+    };
+    let line = text.lines().find(is_of).expect("the line");
+    let (_, value) = line.split_once('=').expect("a value");
+    value.trim().parse().expect("a number")
+}
+
+/// A rigid sphere on an incompressible film on a rigid base.
+const CONFINED: [&str; 8] = [
+    "--e1-over-e2",
+    "0",
+    "--nu1",
+    "0.5",
+    "--e0-over-e2",
+    "inf",
+    "--friction",
+    "stick",
+];
+
+/// Values by another program.
+#[test]
+fn solve_prints_the_numbers_of_stick() {
+    let workdir = workdir!();
+    let text = workdir.succeed(&[&["solve", "--a-over-t", "1"][..], &CONFINED].concat());
+    for (name, expected) in [
+        ("eeq", 3.618_735_848_959_764),
+        ("eeq_s", 3.929_038_326_620_685),
+        ("gamma_s", 2.901_639_280_012_123),
+        ("gamma_t", 0.853_450_270_007_150_2),
+        ("gamma_eff", 3.024_547_548_755_772),
+        ("delta_s", 0.552_037_734_017_965_9),
+        ("pi_s", 3.865_885_592_600_632),
+        ("gamma_g", 2.807_011_460_489_805),
+        ("eeq_g", 3.710_946_460_318_432),
+    ] {
+        let found = value(&text, name);
+        assert!(
+            (found / expected - 1.0).abs() < 1e-10,
+            "{name}: {found}, not {expected}"
+        );
+    }
+    assert!(value(&text, "error_s") <= 1e-9, "{text}");
+
+    // A compressible film: the punch alone, and a note that says why.
+    let run = workdir.run(&[
+        "solve",
+        "--a-over-t",
+        "1",
+        "--e1-over-e2",
+        "0",
+        "--nu1",
+        "0.3",
+        "--e0-over-e2",
+        "inf",
+        "--friction",
+        "stick",
+        "--json",
+    ]);
+    let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
+    assert!(
+        (json["eeq_s"].as_f64().expect("a number") / 2.508_531_756_798_989 - 1.0).abs() < 1e-10
+    );
+    for name in ["gamma_s", "gamma_t", "delta_s", "pi_s", "gamma_g", "eeq_g"] {
+        assert!(json[name].is_null(), "{name}: {json}");
+    }
+    assert_names(
+        &run.stderr,
+        &["beta = 0.2857", "artanh(beta)/beta = 1.0286"],
+    );
+
+    // The Poisson ratio of the sphere, and points of a file with empty cells.
+    let of_sphere = |nu2: &str| {
+        let run = workdir.run(&[
+            "solve",
+            "--a-over-t",
+            "0.5",
+            "--e1-over-e2",
+            "2",
+            "--nu1",
+            "0.3",
+            "--e0-over-e2",
+            "inf",
+            "--friction",
+            "stick",
+            "--nu2",
+            nu2,
+        ]);
+        value(&run.stdout, "eeq_s")
+    };
+    assert!((of_sphere("0.4") / 0.781_982_900_326_427_8 - 1.0).abs() < 1e-10);
+    assert!((of_sphere("0.4") - of_sphere("0.5")).abs() > 1e-6);
+    workdir.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,0,0.5,inf\n1,0,0.3,inf\n",
+    );
+    let text = workdir.succeed(&["solve", "--points", "points.csv", "--friction", "stick"]);
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(
+        lines[0].ends_with("eeq_s,gamma_s,gamma_t,gamma_eff,delta_s,pi_s,gamma_g,eeq_g,error_s"),
+        "{text}"
+    );
+    assert_eq!(lines[2].matches(",,").count(), 3, "{text}");
+    // Without the flag nothing is added.
+    let text = workdir.succeed(&[&["solve", "--a-over-t", "1"][..], &CONFINED[..6]].concat());
+    assert!(!text.contains("eeq_s"), "{text}");
+}
+
+/// A gel of 1 mm on glass under a rigid sphere of 1 m, with `w R^2/(E1* t^3) = 1` and 10.
+const GEL: [&str; 14] = [
+    "--specimen",
+    "paper",
+    "--sphere-modulus",
+    "inf",
+    "--film-modulus",
+    "7.5e5",
+    "--film-thickness",
+    "1e-4",
+    "--sphere-radius",
+    "1e-2",
+    "--substrate-modulus",
+    "inf",
+    "--allow",
+    "magnitudes",
+];
+
+/// Pull-off loads over `pi w R` by another program: one work of adhesion, and pressed on without
+/// attraction.
+#[test]
+fn pull_offs_of_the_histories_are_those_of_another_program() {
+    let workdir = workdir!();
+    for (work, of_one, of_pressed) in [("0.01", -1.8946, -1.8464), ("0.1", -1.8938, -2.0597)] {
+        let unit = std::f64::consts::PI * work.parse::<f64>().expect("a number") * 1e-2;
+        let load = |history: &[&str]| {
+            let arguments = [&["pull-off", "--friction", "stick"][..], &GEL, history].concat();
+            value(&workdir.succeed(&arguments), "load") / unit
+        };
+        let found = load(&["--work-of-adhesion", work]);
+        assert!((found - of_one).abs() < 1e-4, "{found}");
+        let pressed = [
+            "--work-of-adhesion",
+            "0",
+            "--work-of-adhesion-receding",
+            work,
+        ];
+        let found = load(&pressed);
+        assert!((found - of_pressed).abs() < 1e-4, "{found}");
+    }
+}
+
+#[test]
+fn a_force_curve_has_the_loads_of_stick() {
+    let workdir = workdir!();
+    let load = |friction: &str| {
+        let text = workdir.succeed(
+            &[
+                &["curve", "--friction", friction, "--work-of-adhesion", "0"][..],
+                &GEL,
+                &["--from", "1e-4", "--to", "2e-4", "--points", "2"],
+            ]
+            .concat(),
+        );
+        let row = text.lines().nth(2).expect("two rows").to_owned();
+        let cells: Vec<f64> = row
+            .split(',')
+            .map(|cell| cell.parse().expect("a number"))
+            .collect();
+        cells[1]
+    };
+    // F = a^3 E1* Pi/(2R), Pi_s = 8.34472784 and Pi0 = 6.92832246 at a/t = 2.
+    let ratio = load("stick") / load("none");
+    assert!(
+        (ratio - 8.344_727_841_540_863 / 6.928_322_464_6).abs() < 1e-6,
+        "{ratio}"
+    );
+}
+
+#[test]
+fn what_is_not_solved_is_refused_with_the_reason() {
+    let workdir = workdir!();
+    let stick = ["--friction", "stick", "--specimen", "paper"];
+    let refused = |arguments: &[&str], names: &[&str]| {
+        let error = workdir.fail(1, arguments);
+        assert_names(&error, names);
+    };
+    for command in ["curve", "pull-off"] {
+        let with = |further: &[&'static str]| [&[command][..], &stick, further].concat();
+        refused(
+            &with(&["--film-poisson-ratio", "0.49"]),
+            &["Dundurs' beta", "nu1 = 0.49", "artanh(beta)/beta"],
+        );
+        refused(
+            &with(&["--work-of-adhesion-receding", "10mJ/m^2"]),
+            &[
+                "--work-of-adhesion-receding",
+                "less than",
+                "exchange the two",
+            ],
+        );
+        refused(
+            &with(&["--interaction-range", "1nm"]),
+            &["without a range", "--interaction-range"],
+        );
+        refused(
+            &with(&["--probe", "sphere", "--film-thickness", "1mm"]),
+            &["--probe paraboloid", "eeq_s"],
+        );
+        refused(
+            &[
+                command,
+                "--specimen",
+                "paper",
+                "--work-of-adhesion-receding",
+                "0.1",
+            ],
+            &["--work-of-adhesion-receding goes with --friction stick"],
+        );
+    }
+    let error = workdir.fail(2, &["solve", "--a-over-t", "1", "--friction", "some"]);
+    assert_names(&error, &["some", "none", "stick"]);
+    let error = workdir.fail(
+        1,
+        &[&["solve", "--a-over-t", "1", "--nu2", "0.6"][..], &CONFINED].concat(),
+    );
+    assert_names(&error, &["nu2", "0.6"]);
+}
+
+/// A thin gel, simulated with stick, is read with both ends of friction: the modulus is found with
+/// stick, and without it is too high by what the warning says.
+#[test]
+fn a_fit_without_friction_is_warned_and_one_with_stick_finds_the_modulus() {
+    let workdir = workdir!();
+    let bodies = [
+        "--specimen",
+        "paper",
+        "--sphere-radius",
+        "10um",
+        "--sphere-modulus",
+        "inf",
+        "--film-thickness",
+        "2um",
+        "--film-modulus",
+        "5kPa",
+        "--substrate-modulus",
+        "inf",
+        "--work-of-adhesion",
+        "0",
+    ];
+    workdir.succeed(
+        &[
+            &[
+                "simulate",
+                "--kind",
+                "load-radius",
+                "--friction",
+                "stick",
+                "--from",
+                "1um",
+                "--to",
+            ][..],
+            &["5um", "--points", "30", "--noise", "20pN", "-o", "gel.csv"],
+            &bodies,
+        ]
+        .concat(),
+    );
+    let fit = |friction: &str| {
+        let run = workdir.run(
+            &[
+                &[
+                    "fit",
+                    "gel.csv",
+                    "--json",
+                    "--free",
+                    "film-modulus",
+                    "--friction",
+                    friction,
+                ][..],
+                &bodies,
+            ]
+            .concat(),
+        );
+        let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
+        let modulus = json["parameters"]["film_modulus"]["value"]
+            .as_f64()
+            .expect("a number");
+        let warnings = json["warnings"].as_array().expect("a list").clone();
+        let friction = warnings
+            .iter()
+            .find(|one| one["kind"] == "friction")
+            .cloned();
+        (modulus, friction)
+    };
+    let (with, warning) = fit("stick");
+    assert!((with / 5e3 - 1.0).abs() < 0.01, "{with}");
+    let text = warning.expect("a warning")["text"].to_string();
+    assert_names(&text, &["(stick)", "(no friction)"]);
+    let (without, warning) = fit("none");
+    assert!(without > 1.1 * with, "{without}, {with}");
+    assert!(warning.is_some());
+}

@@ -1,0 +1,310 @@
+//! `tabulate history`: the numbers of the library, the columns, and what mistakes are told.
+
+use acceptance::{Data, Workdir, assert_names, workdir};
+
+const GEL: [&str; 11] = [
+    "history",
+    "--sphere-radius=10um",
+    "--sphere-modulus=inf",
+    "--film-modulus=1kPa",
+    "--film-poisson-ratio=0.5",
+    "--film-thickness=3.5um",
+    "--substrate-modulus=inf",
+    "--substrate-poisson-ratio=0.25",
+    "--relaxation=prony",
+    "--relaxed-fraction=0.3",
+    "--relaxation-time=0.6",
+];
+/// Runs the program, which must succeed, and returns its rows. The warning about the strain is
+/// meant.
+fn rows(workdir: &Workdir, arguments: &[&str]) -> Data {
+    let run = workdir.run(arguments);
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    Data::parse("history", &run.stdout)
+}
+
+const PROGRAM: [&str; 2] = ["--program", "penetration 0:0 1:1um 2:1um 3:0"];
+
+/// The independent series that has this gel.
+#[test]
+fn the_columns_hold_an_independent_series() {
+    let workdir = workdir!();
+    let data = Data::read("viscoelastic");
+    let series: Vec<_> = data
+        .cases()
+        .filter(|row| row.text("protocol") == "approach-hold-retract-sls")
+        .collect();
+    let times: Vec<String> = series
+        .iter()
+        .map(|row| row.get("time").to_string())
+        .collect();
+    let at = format!("--at={}", times.join(","));
+    let own = rows(&workdir, &[&GEL[..], &PROGRAM, &[&at]].concat());
+    assert_eq!(
+        own.columns(),
+        ["time", "penetration", "load", "contact_radius", "phase"]
+    );
+    assert_eq!(own.cases().count(), series.len());
+    for (own, row) in own.cases().zip(&series) {
+        for (column, largest) in [
+            ("time", 3.0),
+            ("penetration", 1e-6),
+            ("load", 1.84e-8),
+            ("contact_radius", 4.4e-6),
+        ] {
+            let error = (own.get(column) - row.get(column)).abs();
+            assert!(
+                error <= 1e-8 * largest,
+                "{column} at {}: {error:e}",
+                row.get("time")
+            );
+        }
+    }
+    let phases: Vec<&str> = own
+        .cases()
+        .map(|row| row.text("phase").to_owned())
+        .collect::<Vec<_>>()
+        .iter()
+        .map(|p| match p.as_str() {
+            "advancing" => "a",
+            "resting" => "r",
+            "receding" => "d",
+            "separated" => "s",
+            other => panic!("{other}"),
+        })
+        .collect();
+    assert_eq!(phases.concat(), "aaarrddddds");
+}
+
+/// The table, the curve of direct solves, a file and the text, a held end: one history.
+#[test]
+fn all_ways_to_ask_agree() {
+    let workdir = workdir!();
+    let loads = |arguments: &[&str]| {
+        rows(&workdir, &[&GEL[..], arguments].concat())
+            .cases()
+            .map(|row| row.get("load"))
+            .collect::<Vec<_>>()
+    };
+    let close = |a: &[f64], b: &[f64], tolerance: f64| {
+        assert_eq!(a.len(), b.len());
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() < tolerance * 2e-8, "{a} {b}");
+        }
+    };
+    let solved = loads(&[&PROGRAM[..], &["--points", "7"]].concat());
+    close(
+        &solved,
+        &loads(&[&PROGRAM[..], &["--at=0,0.5,1,1.5,2,2.5,3"]].concat()),
+        1e-8,
+    );
+    close(
+        &solved,
+        &loads(&[&["embedded"], &PROGRAM[..], &["--points", "7"]].concat()),
+        1e-4,
+    );
+    workdir.write(
+        "moves.csv",
+        "# a file\nnote,time,penetration\n,0,0\n,1,1um\n,2,1e-6\n,3,0\n",
+    );
+    close(
+        &solved,
+        &loads(&["--program", "moves.csv", "--points", "7"]),
+        1e-8,
+    );
+    // Held, and in another order.
+    let held = loads(&["--program", "penetration 0:0 1:1um", "--at=1.5,0.5,1"]);
+    close(&held, &[solved[3], solved[1], solved[2]], 1e-8);
+    // Under the loads of a creep test the penetration grows.
+    let crept = rows(
+        &workdir,
+        &[
+            &GEL[..],
+            &["--program", "load 0:0 0.5:10nN", "--at=0.5,1,10"],
+        ]
+        .concat(),
+    );
+    let depths: Vec<f64> = crept.cases().map(|row| row.get("penetration")).collect();
+    assert!(depths[0] < depths[1] && depths[1] < depths[2], "{depths:?}");
+    // A stiff cantilever imposes the penetration.
+    let heights = [
+        "--program",
+        "height 0:0 1:1um 2:1um 3:0",
+        "--stiffness=100kN/m",
+        "--points=7",
+    ];
+    close(&solved, &loads(&heights), 2e-5);
+}
+
+#[test]
+fn adhesion_pulls_on_the_way_out_only() {
+    let workdir = workdir!();
+    let adhesive = ["--work-of-adhesion-receding=20uJ/m^2", "--points=31"];
+    let adhesive = rows(&workdir, &[&GEL[..], &PROGRAM, &adhesive].concat());
+    let plain = rows(&workdir, &[&GEL[..], &PROGRAM, &["--points=31"]].concat());
+    for (own, plain) in adhesive.cases().zip(plain.cases()).take(21) {
+        assert_eq!(own.get("load"), plain.get("load"));
+    }
+    assert!(adhesive.cases().any(|row| row.get("load") < -1e-10));
+    assert!(plain.cases().all(|row| row.get("load") >= 0.0));
+}
+
+#[test]
+fn the_error_and_the_doubts_are_stated() {
+    let workdir = workdir!();
+    let run = workdir.run(&[&GEL[..], &PROGRAM, &["--points=3"]].concat());
+    assert_eq!(run.status, 0);
+    assert_names(&run.stderr, &["0.29 of the film's thickness"]);
+    assert!(!run.stderr.contains("estimated"), "{}", run.stderr);
+    // A second approach is followed by elements, whose error is told.
+    let again = [
+        "--program",
+        "penetration 0:0 1:100nm 2:0 3:100nm",
+        "--points=3",
+    ];
+    let run = workdir.run(&[&GEL[..], &again].concat());
+    assert!(
+        run.status == 0 && run.stderr.starts_with("# estimated error: "),
+        "{}",
+        run.stderr
+    );
+    let soft = "--substrate-modulus=20kPa";
+    let gel: Vec<&str> = GEL
+        .iter()
+        .map(|&flag| {
+            if flag == "--substrate-modulus=inf" {
+                soft
+            } else {
+                flag
+            }
+        })
+        .collect();
+    let error = workdir.fail(1, &[&gel[..], &PROGRAM].concat());
+    assert_names(&error, &["do not relax", "2e-2"]);
+    let relaxing = workdir.run(&[&gel[..], &PROGRAM, &["--all-relax"]].concat());
+    assert_eq!(relaxing.status, 0, "{}", relaxing.stderr);
+    let stiffer = "--substrate-modulus=1MPa";
+    let gel: Vec<&str> = GEL
+        .iter()
+        .map(|&flag| {
+            if flag == "--substrate-modulus=inf" {
+                stiffer
+            } else {
+                flag
+            }
+        })
+        .collect();
+    let run = workdir.run(&[&gel[..], &PROGRAM].concat());
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    assert_names(&run.stderr, &["warning", "do not relax"]);
+}
+
+/// The wrong first calls.
+#[test]
+fn mistakes_are_told() {
+    let workdir = workdir!();
+    let film = &GEL[..8];
+    let refuse = |status: i32, arguments: &[&str], names: &[&str]| {
+        let error = workdir.fail(status, arguments);
+        assert_names(&error, names);
+    };
+    refuse(2, &[&GEL[..]].concat(), &["--program"]);
+    refuse(2, &[film, &PROGRAM].concat(), &["--relaxation"]);
+    refuse(
+        2,
+        &[film, &PROGRAM, &["--relaxation=sls"]].concat(),
+        &["prony", "power-law", "fractional-zener"],
+    );
+    let power = ["--relaxation=power-law"];
+    refuse(
+        1,
+        &[film, &PROGRAM, &power].concat(),
+        &["--relaxation-exponent", "0.2"],
+    );
+    refuse(
+        1,
+        &[film, &PROGRAM, &power, &["--relaxation-exponent=1.2"]].concat(),
+        &["1.2", "below 1"],
+    );
+    let both = ["--relaxation-exponent=0.2", "--relaxed-fraction=0.1"];
+    refuse(
+        1,
+        &[film, &PROGRAM, &power, &both].concat(),
+        &["power-law has no --relaxed-fraction"],
+    );
+    refuse(
+        1,
+        &[film, &PROGRAM, &["--relaxation=prony"]].concat(),
+        &["--relaxed-fraction"],
+    );
+    let two = [
+        "--relaxation=prony",
+        "--relaxed-fraction=0.3",
+        "--relaxation-time=1,2",
+    ];
+    refuse(
+        1,
+        &[film, &PROGRAM, &two].concat(),
+        &["--relaxation-weight", "one weight for each time"],
+    );
+    let wrong_sum = ["--relaxation-weight=0.3,0.3"];
+    refuse(
+        1,
+        &[film, &PROGRAM, &two, &wrong_sum].concat(),
+        &["sum", "must be 1"],
+    );
+    let with = |text: &'static str| [&GEL[..], &["--program", text]].concat();
+    refuse(
+        1,
+        &with("0:0 1:1um"),
+        &["penetration, load or height", "0:0"],
+    );
+    refuse(1, &with("penetration 0:0 1um"), &["1um", "time:value"]);
+    refuse(1, &with("penetration 0:0 1:1nN"), &["1nN"]);
+    refuse(1, &with("penetration 0:0 1:1um 1:0"), &["point 3", "rise"]);
+    refuse(1, &with("penetration 0:1um 1:0"), &["begins in contact"]);
+    refuse(1, &with("height 0:0 1:1um"), &["--stiffness"]);
+    refuse(
+        1,
+        &[&GEL[..], &PROGRAM, &["--stiffness=1"]].concat(),
+        &["--stiffness", "height"],
+    );
+    refuse(1, &with("moves.csv"), &["moves.csv", "CSV file, or text"]);
+    workdir.write("radii.csv", "time,contact_radius\n0,1\n");
+    refuse(
+        1,
+        &with("radii.csv"),
+        &[
+            "radii.csv",
+            "penetration (m), load (N) or height (m)",
+            "contact_radius",
+        ],
+    );
+    workdir.write("both.csv", "time,load,penetration\n0,0,0\n");
+    refuse(1, &with("both.csv"), &["only one"]);
+    workdir.write("untimed.csv", "t,load\n0,0\n");
+    refuse(1, &with("untimed.csv"), &["t, load", "named time"]);
+    workdir.write("words.csv", "time,load\n0,0\n1,much\n");
+    refuse(1, &with("words.csv"), &["words.csv", "line 3", "much"]);
+    refuse(
+        1,
+        &[&GEL[..], &PROGRAM, &["--work-of-adhesion=1mJ/m^2"]].concat(),
+        &["--work-of-adhesion-receding"],
+    );
+    refuse(
+        2,
+        &[&GEL[..], &PROGRAM, &["--at=1", "--points=3"]].concat(),
+        &["--points"],
+    );
+    refuse(
+        1,
+        &[&GEL[..], &PROGRAM, &["--at=-1"]].concat(),
+        &["-1", "begins at"],
+    );
+    refuse(
+        1,
+        &[&GEL[..], &PROGRAM, &["--tolerance=1e-14"]].concat(),
+        &["1e-14", "1e-10"],
+    );
+    refuse(1, &with("penetration 0:0 1:1mm"), &["penetration"]);
+}

@@ -1,0 +1,839 @@
+//! Contacts in time against independently computed series, and against Lee and Radok's and Ting's
+//! closed forms on a half-space.
+
+use std::f64::consts::PI;
+
+use acceptance::{Case, Data, assert_names};
+use contact::{Contact, Control, Course, HistoryError, Hysteresis, Phase, Relaxation};
+use interp::{Elastic, HalfSpace, Probe, System};
+
+/// Returns a law as the file writes it.
+fn law(text: &str) -> Relaxation {
+    let words: Vec<&str> = text.split(' ').collect();
+    let number = |text: &str| text.parse().expect("a number");
+    let pair = |text: &str| {
+        let (first, second) = text.split_once('@').expect("two numbers");
+        [number(first), number(second)]
+    };
+    match words[0] {
+        "prony" => {
+            let terms = words[2..].iter().map(|term| pair(term)).collect();
+            Relaxation::Prony {
+                relaxed: number(words[1]),
+                terms,
+            }
+        }
+        "power" => {
+            let [exponent, time] = pair(words[1]);
+            Relaxation::PowerLaw { exponent, time }
+        }
+        "modified-power" => {
+            let [exponent, time] = pair(words[2]);
+            Relaxation::ModifiedPowerLaw {
+                relaxed: number(words[1]),
+                exponent,
+                time,
+            }
+        }
+        "fractional-zener" => {
+            let [exponent, time] = pair(words[2]);
+            Relaxation::FractionalZener {
+                relaxed: number(words[1]),
+                exponent,
+                time,
+            }
+        }
+        other => panic!("{other}"),
+    }
+}
+
+/// Returns what is imposed and the points of a program. A penetration that ends at 0 goes on to
+/// fall, as the file does.
+fn program(text: &str, last: f64) -> (Control, Vec<(f64, f64)>) {
+    let (imposed, points) = text.split_once(' ').expect("a program");
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let mut points: Vec<(f64, f64)> = points
+        .split(' ')
+        .map(|point| {
+            let (time, value) = point.split_once(':').expect("a point");
+            (number(time), number(value))
+        })
+        .collect();
+    let [(t0, v0), (t1, v1)] = [points[points.len() - 2], points[points.len() - 1]];
+    if v1 == 0.0 && last > t1 {
+        points.push((last, v1 + (v1 - v0) / (t1 - t0) * (last - t1)));
+    }
+    (
+        if imposed == "load" {
+            Control::Load
+        } else {
+            Control::Displacement
+        },
+        points,
+    )
+}
+
+/// Returns the film of a row on a rigid base under a rigid probe.
+fn system(case: &Case<'_>) -> System {
+    let size = case.get("size");
+    let probe = match case.text("shape") {
+        "cone" => Probe::Cone {
+            half_angle: size.to_radians(),
+        },
+        _ => Probe::Paraboloid { radius: size },
+    };
+    System {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        film: Elastic::new(case.get("reference_modulus"), case.get("poisson_ratio"))
+            .expect("a solid"),
+        film_thickness: case.get("film_thickness"),
+        substrate: Elastic::new(f64::INFINITY, 0.25).expect("a solid"),
+    }
+}
+
+/// The protocols of the file, row after row.
+fn protocols(data: &Data) -> Vec<Vec<Case<'_>>> {
+    let mut protocols: Vec<Vec<Case<'_>>> = Vec::new();
+    for case in data.cases() {
+        match protocols.last_mut() {
+            Some(rows) if rows[0].text("protocol") == case.text("protocol") => rows.push(case),
+            _ => protocols.push(vec![case]),
+        }
+    }
+    protocols
+}
+
+/// Follows a protocol on a curve of direct solves.
+fn follow(rows: &[Case<'_>], tolerance: Option<f64>) -> Course {
+    let first = &rows[0];
+    let system = system(first);
+    let material = system.material().expect("a material");
+    let curve = solve::curve(&material, [1e-4, 8.0], 1e-10).expect("a curve");
+    let contact = Contact::new(&system, curve).expect("a contact");
+    let times: Vec<f64> = rows.iter().map(|row| row.get("time")).collect();
+    let (control, program) = program(first.text("program"), times[times.len() - 1]);
+    let history = contact.history(&law(first.text("law"))).expect("a law");
+    let work = first.get("receding_work");
+    if work > 0.0 {
+        let law = Hysteresis::new(0.0, work).expect("a law");
+        let history = history.receding(law).expect("no growing adhesion");
+        return history
+            .at(control, &program, &times, tolerance)
+            .expect("a course");
+    }
+    history
+        .at(control, &program, &times, tolerance)
+        .expect("a course")
+}
+
+/// Returns the largest errors of loads, radii and penetrations, each over the largest of the column.
+fn errors(rows: &[Case<'_>], course: &Course) -> [f64; 3] {
+    let of = |column: &str, own: &dyn Fn(usize) -> f64| {
+        let largest = rows
+            .iter()
+            .map(|row| row.get(column).abs())
+            .fold(0.0, f64::max);
+        let error = rows
+            .iter()
+            .enumerate()
+            .map(|(i, row)| (own(i) - row.get(column)).abs());
+        error.fold(0.0, f64::max) / largest
+    };
+    let states = &course.states;
+    [
+        of("load", &|i| states[i].state.load),
+        of("contact_radius", &|i| states[i].state.contact_radius),
+        of("penetration", &|i| states[i].state.penetration),
+    ]
+}
+
+/// The integrals hold 1e-8 and elements 1e-5, the error stated is not exceeded, and a contact has
+/// separated exactly where the series says so.
+#[test]
+fn independent_series() {
+    let data = Data::read("viscoelastic");
+    for rows in protocols(&data) {
+        let name = rows[0].text("protocol");
+        for tolerance in [None, Some(1e-4), Some(1e-6)] {
+            let course = follow(&rows, tolerance);
+            let errors = errors(&rows, &course);
+            let allowed = match tolerance {
+                Some(tolerance) => tolerance,
+                None if name.starts_with("two-cycles") => 1e-5,
+                None => 1e-8,
+            };
+            println!(
+                "{name}: {errors:?}, stated {:.1e}, allowed {allowed:.0e}",
+                course.error
+            );
+            for error in errors {
+                assert!(error <= allowed, "{name}: {errors:?}");
+                // The curve has an error of its own.
+                assert!(
+                    error <= course.error + 1e-10,
+                    "{name}: {errors:?}, stated {}",
+                    course.error
+                );
+            }
+            for (row, at) in rows.iter().zip(&course.states) {
+                let separated = row.get("contact_radius") == 0.0;
+                assert_eq!(
+                    separated,
+                    at.phase == Phase::Separated,
+                    "{name} at {}",
+                    at.time
+                );
+            }
+        }
+    }
+}
+
+/// A rigid probe on a half-space with `E* = 1`.
+fn half_space(probe: Probe) -> Contact {
+    let solid = Elastic::new(0.75, 0.5).expect("a solid");
+    Contact::half_space(&HalfSpace {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        solid,
+    })
+    .expect("a contact")
+}
+
+const PARABOLOID: Probe = Probe::Paraboloid { radius: 1.0 };
+
+/// Returns the integral of a smooth function from 0 to `end`, to rounding, for factors
+/// `x^p (end-x)^q` at its ends: the double exponential rule.
+fn integral(f: impl Fn(f64, f64) -> f64, end: f64) -> f64 {
+    let h = 1.0 / 64.0;
+    let mut sum = 0.0;
+    for i in -400..=400 {
+        let u = f64::from(i) * h;
+        let q = (-PI * u.sinh()).exp();
+        let (x, rest) = (end / (1.0 + q), end * q / (1.0 + q));
+        let weight = h * PI * u.cosh() * x * rest / end;
+        if weight > 0.0 && weight.is_finite() {
+            sum += weight * f(x, rest);
+        }
+    }
+    sum
+}
+
+/// Ting's contact under a power law, equal and unequal speeds: `t1 = t - q (t - t_m)` with
+/// `q = (1 + v2/v1)^(1/(1-alpha))`, the load is an incomplete Beta function, and the contact
+/// separates at `t_m q/(q-1)`.
+#[test]
+fn approach_and_retract_at_constant_speeds() {
+    let cone = Probe::Cone { half_angle: 1.2 };
+    for (probe, power) in [(PARABOLOID, 1.5), (cone, 2.0)] {
+        let contact = half_space(probe);
+        let unit = contact
+            .equilibria(0.0, Control::Displacement)
+            .and_then(|all| all.loading(1e-2));
+        let unit = unit.expect("a state").load / 1e-2_f64.powf(power);
+        for (alpha, ratio) in [(0.2, 1.0), (0.5, 3.0), (0.1, 0.25), (0.8, 1.0)] {
+            let law = Relaxation::PowerLaw {
+                exponent: alpha,
+                time: 0.5,
+            };
+            let q = (1.0_f64 + ratio).powf(1.0 / (1.0 - alpha));
+            let separation = q / (q - 1.0);
+            let (speed, end) = (1e-2, 1.0 + 1.0 / ratio);
+            let program = [(0.0, 0.0), (1.0, speed), (end, 0.0)];
+            let mut times = vec![0.2, 0.7, 1.0];
+            times.extend([0.01, 0.1, 0.5, 0.9, 0.99].map(|x| 1.0 + x * (separation - 1.0)));
+            times.push(separation + 1e-6);
+            times.retain(|&time| time <= end);
+            let history = contact.history(&law).expect("a law");
+            let course = history
+                .at(Control::Displacement, &program, &times, Some(1e-9))
+                .expect("a course");
+            let exact = |t: f64| {
+                let t1 = if t <= 1.0 { t } else { t - q * (t - 1.0) };
+                if t1 <= 0.0 {
+                    return 0.0;
+                }
+                let f = |x: f64, rest: f64| {
+                    ((t - t1 + rest) / 0.5).powf(-alpha)
+                        * power
+                        * speed.powf(power)
+                        * x.powf(power - 1.0)
+                };
+                unit * integral(f, t1)
+            };
+            let largest = exact(1.0);
+            for at in &course.states {
+                let error = (at.state.load - exact(at.time)).abs() / largest;
+                assert!(error < 2e-9, "{alpha} {ratio} at {}: {error:.1e}", at.time);
+                assert_eq!(
+                    at.phase == Phase::Separated,
+                    at.time > separation,
+                    "{alpha} {ratio} at {}",
+                    at.time
+                );
+            }
+        }
+    }
+}
+
+/// A ramp and a hold under the standard linear solid, by quadrature of Lee and Radok's integral.
+#[test]
+fn a_hold_relaxes_by_the_law() {
+    let contact = half_space(PARABOLOID);
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    };
+    let program = [(0.0, 0.0), (1.0, 1e-2)];
+    let times = [0.3, 1.0, 1.5, 4.0, 50.0];
+    let history = contact.history(&law).expect("a law");
+    let course = history
+        .at(Control::Displacement, &program, &times, Some(1e-10))
+        .expect("a course");
+    for at in &course.states {
+        let t1 = at.time.min(1.0);
+        let f = |x: f64, rest: f64| {
+            law.modulus(at.time - t1 + rest).expect("a time") * 2.0 * (1e-2 * x).sqrt() * 1e-2
+        };
+        let exact = integral(f, t1);
+        let error = (at.state.load / exact - 1.0).abs();
+        assert!(error < 1e-9, "at {}: {error:.1e}", at.time);
+        assert!((at.state.contact_radius - (1e-2 * t1).sqrt()).abs() < 1e-11);
+    }
+}
+
+/// A load that grows and is held: `(4/3) a^3 = int J dF` on a half-space.
+#[test]
+fn creep_under_a_load() {
+    let contact = half_space(PARABOLOID);
+    let laws = [
+        Relaxation::Prony {
+            relaxed: 0.0,
+            terms: vec![[0.6, 0.1], [0.4, 3.0]],
+        },
+        Relaxation::PowerLaw {
+            exponent: 0.3,
+            time: 1.0,
+        },
+    ];
+    for law in laws {
+        let program = [(0.0, 0.0), (0.5, 1e-4)];
+        let times = [0.1, 0.5, 0.6, 3.0, 20.0];
+        let history = contact.history(&law).expect("a law");
+        let course = history
+            .at(Control::Load, &program, &times, Some(1e-10))
+            .expect("a course");
+        for at in &course.states {
+            let t1 = at.time.min(0.5);
+            let f = |_: f64, rest: f64| law.creep(at.time - t1 + rest).expect("a time") * 2e-4;
+            let a = (0.75 * integral(f, t1)).cbrt();
+            let error = (at.state.contact_radius / a - 1.0).abs();
+            assert!(error < 1e-9, "{law:?} at {}: {error:.1e}", at.time);
+            assert!((at.state.penetration / (a * a) - 1.0).abs() < 2e-9);
+        }
+    }
+}
+
+const CYCLES: [(f64, f64); 5] = [
+    (0.0, 0.0),
+    (1.0, 1e-2),
+    (1.4, 6e-3),
+    (2.0, 1.1e-2),
+    (3.0, 0.0),
+];
+
+/// Elements and the integrals agree for one turn, where the elements are asked for by a second turn
+/// after the last time.
+#[test]
+fn elements_agree_with_the_integrals() {
+    let contact = half_space(PARABOLOID);
+    let laws = [
+        Relaxation::Prony {
+            relaxed: 0.3,
+            terms: vec![[0.7, 0.6]],
+        },
+        Relaxation::PowerLaw {
+            exponent: 0.2,
+            time: 1.0,
+        },
+        Relaxation::ModifiedPowerLaw {
+            relaxed: 0.2,
+            exponent: 0.5,
+            time: 0.1,
+        },
+        Relaxation::FractionalZener {
+            relaxed: 0.2,
+            exponent: 0.5,
+            time: 0.1,
+        },
+    ];
+    for law in laws {
+        let history = contact.history(&law).expect("a law");
+        let once = [(0.0, 0.0), (1.0, 1e-2), (1.5, 8e-3), (2.5, 0.0)];
+        let again = [once[0], once[1], once[2], once[3], (4.0, 1e-3)];
+        let times = [0.4, 1.0, 1.1, 1.3, 1.8, 2.2];
+        let of = |program: &[(f64, f64)], tolerance| {
+            history
+                .at(Control::Displacement, program, &times, Some(tolerance))
+                .expect("a course")
+        };
+        let (exact, own) = (of(&once, 1e-9), of(&again, 1e-5));
+        let largest = exact.states[1].state;
+        for (exact, own) in exact.states.iter().zip(&own.states) {
+            let load = (own.state.load - exact.state.load).abs() / largest.load;
+            let radius = (own.state.contact_radius - exact.state.contact_radius).abs()
+                / largest.contact_radius;
+            assert!(
+                load < 1e-5 && radius < 1e-5,
+                "{law:?} at {}: {load:.1e} {radius:.1e}",
+                own.time
+            );
+        }
+    }
+}
+
+/// A history cut in two by a point on its straight lines is the same history.
+#[test]
+fn a_history_cut_in_two() {
+    let contact = half_space(PARABOLOID);
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    };
+    let history = contact.history(&law).expect("a law");
+    let times = [0.5, 1.0, 1.2, 1.7, 2.0, 2.3];
+    for (program, tolerance, allowed) in [(&CYCLES[..2], 1e-9, 1e-9), (&CYCLES[..], 1e-5, 2e-5)] {
+        let mut cut = Vec::new();
+        for pair in program.windows(2) {
+            let [(t0, v0), (t1, v1)] = [pair[0], pair[1]];
+            cut.extend([(t0, v0), (t0 + 0.3 * (t1 - t0), v0 + 0.3 * (v1 - v0))]);
+        }
+        cut.push(program[program.len() - 1]);
+        let of = |program: &[(f64, f64)]| {
+            history
+                .at(Control::Displacement, program, &times, Some(tolerance))
+                .expect("a course")
+                .states
+        };
+        let (whole, cut) = (of(program), of(&cut));
+        let largest = whole.iter().map(|at| at.state.load).fold(0.0, f64::max);
+        for (whole, cut) in whole.iter().zip(&cut) {
+            let error = (whole.state.load - cut.state.load).abs() / largest;
+            assert!(error < allowed, "at {}: {error:.1e}", whole.time);
+        }
+    }
+}
+
+/// Other units of length, force and time change nothing.
+#[test]
+fn units() {
+    let [length, pressure, time] = [3e-6, 7e4, 2e-3];
+    let of = |l: f64, p: f64, s: f64, program: &[(f64, f64)], control: Control| {
+        let solid = Elastic::new(0.75 * p, 0.5).expect("a solid");
+        let probe = Probe::Paraboloid { radius: l };
+        let contact = Contact::half_space(&HalfSpace {
+            probe,
+            sphere_modulus: f64::INFINITY,
+            solid,
+        });
+        let law = Relaxation::ModifiedPowerLaw {
+            relaxed: 0.1,
+            exponent: 0.4,
+            time: 0.3 * s,
+        };
+        let value = |value: f64| {
+            if control == Control::Load {
+                value * l * l * p
+            } else {
+                value * l
+            }
+        };
+        let program: Vec<_> = program.iter().map(|&(t, v)| (t * s, value(v))).collect();
+        let course = contact
+            .expect("a contact")
+            .history(&law)
+            .expect("a law")
+            .run(control, &program, None);
+        course.expect("a course").states
+    };
+    let up = [(0.0, 0.0), (1.0, 1e-3), (2.0, 1e-3)];
+    let all = [
+        (&CYCLES[..], Control::Displacement),
+        (&up[..], Control::Load),
+        (&up[..2], Control::Displacement),
+    ];
+    for (program, control) in all {
+        let (own, other) = (
+            of(1.0, 1.0, 1.0, program, control),
+            of(length, pressure, time, program, control),
+        );
+        for (own, other) in own.iter().zip(&other) {
+            let close = |own: f64, other: f64| (own - other).abs() <= 1e-11 * own.abs() + 1e-16;
+            assert!(
+                close(
+                    own.state.load,
+                    other.state.load / (length * length * pressure)
+                ),
+                "{own:?} {other:?}"
+            );
+            assert!(
+                close(
+                    own.state.contact_radius,
+                    other.state.contact_radius / length
+                ),
+                "{own:?} {other:?}"
+            );
+            assert!(
+                close(own.state.penetration, other.state.penetration / length),
+                "{own:?} {other:?}"
+            );
+        }
+    }
+}
+
+/// The cantilever's balance holds, and a stiff one imposes the penetration.
+#[test]
+fn heights_of_a_cantilever() {
+    let contact = half_space(PARABOLOID);
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    };
+    let history = contact.history(&law).expect("a law");
+    let program = [(0.0, -1e-3), (1.0, 1e-2), (2.0, 1e-2), (3.0, -5e-3)];
+    let times = [0.05, 0.5, 1.0, 1.7, 2.2, 2.9];
+    let value = |t: f64| {
+        let end = program
+            .iter()
+            .position(|point| point.0 >= t)
+            .expect("a point");
+        let [(t0, v0), (t1, v1)] = [program[end - 1], program[end]];
+        v0 + (v1 - v0) * (t - t0) / (t1 - t0)
+    };
+    let soft = 0.1;
+    let course = history
+        .at(
+            Control::Spring { stiffness: soft },
+            &program,
+            &times,
+            Some(1e-5),
+        )
+        .expect("a course");
+    for at in &course.states {
+        let balance = at.state.penetration + at.state.load / soft - value(at.time);
+        assert!(balance.abs() < 2e-7, "{at:?}: {balance:e}");
+    }
+    // In a hold of the base the penetration goes on.
+    assert!(course.states[3].state.penetration > 1.01 * course.states[2].state.penetration);
+    let stiff = history
+        .at(
+            Control::Spring { stiffness: 1e7 },
+            &program,
+            &times,
+            Some(1e-5),
+        )
+        .expect("a course");
+    let fixed = history
+        .at(Control::Displacement, &program, &times, Some(1e-9))
+        .expect("a course");
+    let largest = fixed.states[2].state.load;
+    for (stiff, fixed) in stiff.states.iter().zip(&fixed.states) {
+        assert!(
+            (stiff.state.load - fixed.state.load).abs() < 1e-5 * largest,
+            "{stiff:?} {fixed:?}"
+        );
+    }
+}
+
+/// A load that falls again: the contact recedes, and separates at no load with a dent.
+#[test]
+fn a_load_that_falls() {
+    let contact = half_space(PARABOLOID);
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    };
+    let history = contact.history(&law).expect("a law");
+    let loads = [(0.0, 0.0), (1.0, 1e-3), (2.0, 0.0)];
+    let times = [0.5, 1.0, 1.3, 1.6, 1.9];
+    let own = history
+        .at(Control::Load, &loads, &times, Some(1e-5))
+        .expect("a course");
+    // The same penetrations, imposed, need the same loads.
+    let fine: Vec<f64> = (0..=380).map(|i| 0.005 * f64::from(i)).collect();
+    let path = history
+        .at(Control::Load, &loads, &fine, Some(1e-5))
+        .expect("a course");
+    let path: Vec<_> = path
+        .states
+        .iter()
+        .map(|at| (at.time, at.state.penetration))
+        .collect();
+    let back = history
+        .at(Control::Displacement, &path, &times, Some(1e-4))
+        .expect("a course");
+    for (own, back) in own.states.iter().zip(&back.states) {
+        assert!(
+            (own.state.load - back.state.load).abs() < 1e-4 * 1e-3,
+            "{own:?} {back:?}"
+        );
+    }
+}
+
+/// On a thick film the contact is that of the half-space.
+#[test]
+fn a_thick_film() {
+    let film = Elastic::new(0.75, 0.5).expect("a solid");
+    let substrate = Elastic::new(f64::INFINITY, 0.25).expect("a solid");
+    let law = Relaxation::PowerLaw {
+        exponent: 0.3,
+        time: 1.0,
+    };
+    let program = [(0.0, 0.0), (1.0, 1e-4), (2.0, 0.0)];
+    let times = [0.5, 1.0, 1.1];
+    let of = |contact: &Contact| {
+        let course =
+            contact
+                .history(&law)
+                .expect("a law")
+                .at(Control::Displacement, &program, &times, None);
+        course.expect("a course").states
+    };
+    let bare = of(&half_space(PARABOLOID));
+    for thickness in [1e1, 1e2] {
+        let system = System {
+            probe: PARABOLOID,
+            sphere_modulus: f64::INFINITY,
+            film,
+            film_thickness: thickness,
+            substrate,
+        };
+        let curve = solve::curve(&system.material().expect("a material"), [1e-6, 1e-2], 1e-10)
+            .expect("a curve");
+        let film = of(&Contact::new(&system, curve).expect("a contact"));
+        for (film, bare) in film.iter().zip(&bare) {
+            let error = film.state.load / bare.state.load - 1.0;
+            // The first effect of the substrate is of the order of a/t.
+            assert!(
+                error > 0.0 && error < 3.0 * 1e-2 / thickness,
+                "{thickness}: {error:.1e}"
+            );
+        }
+    }
+}
+
+/// A small oscillation sees the stiffness times the complex modulus; that of a power law has the
+/// loss tangent `tan(pi alpha/2)` at every frequency.
+#[test]
+fn complex_stiffness() {
+    let contact = half_space(PARABOLOID);
+    let stiffness = contact.stiffness(0.1).expect("a stiffness");
+    for omega in [1e-2, 1.0, 1e4] {
+        let law = Relaxation::PowerLaw {
+            exponent: 0.3,
+            time: 1.0,
+        };
+        let [storage, loss] = contact
+            .complex_stiffness(0.1, &law, omega)
+            .expect("a stiffness");
+        assert!((loss / storage - (0.15 * PI).tan()).abs() < 1e-13);
+        let law = Relaxation::Prony {
+            relaxed: 0.3,
+            terms: vec![[0.7, 0.6]],
+        };
+        let [storage, loss] = contact
+            .complex_stiffness(0.1, &law, omega)
+            .expect("a stiffness");
+        let x = omega * 0.6;
+        assert!((storage / stiffness - (0.3 + 0.7 * x * x / (1.0 + x * x))).abs() < 1e-14);
+        assert!((loss / stiffness - 0.7 * x / (1.0 + x * x)).abs() < 1e-14);
+        // Both laws tend to the Debye form, Gamma-weighted: the modified law with a large time is constant.
+        let law = Relaxation::ModifiedPowerLaw {
+            relaxed: 0.0,
+            exponent: 0.5,
+            time: 1e12,
+        };
+        let [storage, loss] = contact
+            .complex_stiffness(0.1, &law, omega)
+            .expect("a stiffness");
+        assert!(
+            (storage / stiffness - 1.0).abs() < 1e-6 && loss < 1e-6 * stiffness,
+            "{storage} {loss}"
+        );
+    }
+}
+
+/// The bound for bodies that do not relax, on both sides of the largest that is accepted.
+#[test]
+fn bodies_that_do_not_relax() {
+    let of = |substrate: f64| System {
+        probe: Probe::Paraboloid { radius: 1e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: Elastic::new(1e3, 0.5).expect("a solid"),
+        film_thickness: 1e-5,
+        substrate: Elastic::new(substrate, 0.5).expect("a solid"),
+    };
+    let contact = |substrate: f64| {
+        let system = of(substrate);
+        let curve = solve::curve(&system.material().expect("a material"), [1e-4, 2.0], 1e-9)
+            .expect("a curve");
+        Contact::new(&system, curve).expect("a contact")
+    };
+    let rigid = contact(f64::INFINITY);
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    };
+    let program = [(0.0, 0.0), (1.0, 1e-6), (2.0, 0.0)];
+    let run = |substrate: f64| {
+        let own = contact(substrate);
+        let history = own.history(&law).expect("a law").beside(&rigid);
+        history
+            .run(Control::Displacement, &program, None)
+            .map(|course| course.unlike_bodies)
+    };
+    let [soft, stiff] = [1e5, 1e7].map(|substrate| run(substrate).expect("a course"));
+    // The rise of the load is inversely proportional to the modulus of the base.
+    assert!(
+        soft > 1e-4 && soft < 2e-2 && (soft / stiff / 100.0 - 1.0).abs() < 0.05,
+        "{soft} {stiff}"
+    );
+    let refused = run(3e3).expect_err("too soft a base");
+    assert!(
+        matches!(refused, HistoryError::UnlikeBodies { .. }),
+        "{refused}"
+    );
+    assert_names(&refused.to_string(), &["do not relax", "2e-2", "rigid"]);
+}
+
+/// Each mistake has an error that says what to do.
+#[test]
+fn mistakes() {
+    let contact = half_space(PARABOLOID);
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    };
+    let history = contact.history(&law).expect("a law");
+    let refuse = |control, program: &[(f64, f64)], times: &[f64], tolerance, names: &[&str]| {
+        let error = history
+            .at(control, program, times, tolerance)
+            .expect_err("a mistake");
+        assert_names(&error.to_string(), names);
+    };
+    let up = [(0.0, 0.0), (1.0, 1e-3)];
+    let depth = Control::Displacement;
+    refuse(depth, &up[..1], &[], None, &["two points", "1"]);
+    refuse(
+        depth,
+        &[up[1], up[0]],
+        &[],
+        None,
+        &["point 2", "times", "rise"],
+    );
+    refuse(
+        depth,
+        &[up[0], (0.0, 1e-3)],
+        &[],
+        None,
+        &["point 2", "close together"],
+    );
+    refuse(
+        depth,
+        &[up[0], (f64::NAN, 1e-3)],
+        &[],
+        None,
+        &["point 2", "finite"],
+    );
+    refuse(
+        depth,
+        &[(0.0, 1e-4), up[1]],
+        &[],
+        None,
+        &["begins in contact", "0.0001", "not known"],
+    );
+    refuse(depth, &up, &[-1.0], None, &["-1.0", "begins at 0.0"]);
+    refuse(depth, &up, &[f64::INFINITY], None, &["inf", "finite"]);
+    refuse(depth, &up, &[0.5], Some(1e-12), &["1e-12", "1e-10"]);
+    refuse(
+        Control::Spring { stiffness: 0.0 },
+        &up,
+        &[0.5],
+        None,
+        &["stiffness"],
+    );
+    let laws = [
+        (
+            Relaxation::PowerLaw {
+                exponent: 1.0,
+                time: 1.0,
+            },
+            "below 1",
+        ),
+        (
+            Relaxation::PowerLaw {
+                exponent: 0.5,
+                time: 0.0,
+            },
+            "relaxation time",
+        ),
+        (
+            Relaxation::Prony {
+                relaxed: 0.3,
+                terms: vec![[0.6, 1.0]],
+            },
+            "sum",
+        ),
+        (
+            Relaxation::Prony {
+                relaxed: -0.1,
+                terms: vec![[1.1, 1.0]],
+            },
+            "relaxed fraction",
+        ),
+        (
+            Relaxation::ModifiedPowerLaw {
+                relaxed: 0.1,
+                exponent: f64::NAN,
+                time: 1.0,
+            },
+            "exponent",
+        ),
+        (
+            Relaxation::FractionalZener {
+                relaxed: 0.1,
+                exponent: 1e-4,
+                time: 1.0,
+            },
+            "0.001",
+        ),
+    ];
+    for (law, name) in laws {
+        let error = contact.history(&law).expect_err("no solid");
+        assert_names(&error.to_string(), &[name]);
+    }
+    let punch = half_space(Probe::FlatPunch { radius: 1.0 });
+    assert_names(
+        &punch.history(&law).expect_err("a punch").to_string(),
+        &["punch"],
+    );
+    let growing = contact
+        .history(&law)
+        .expect("a law")
+        .receding(1e-4)
+        .expect_err("growing adhesion");
+    assert_names(&growing.to_string(), &["0.0001", "Hysteresis", "no law"]);
+    let adhesive = contact.history(&law).expect("a law");
+    let adhesive = adhesive
+        .receding(Hysteresis::new(0.0, 1e-6).expect("a law"))
+        .expect("receding alone");
+    for (control, program) in [(Control::Load, &up[..]), (depth, &CYCLES[..])] {
+        let error = adhesive
+            .at(control, program, &[0.5], None)
+            .expect_err("not served");
+        assert!(
+            matches!(error, HistoryError::AdhesiveProgram { .. }),
+            "{error}"
+        );
+    }
+}
