@@ -422,9 +422,9 @@ fn wrong_first_calls_are_answered() {
     }
 }
 
-/// The page's rows on published CSM data of 500 nm of thermal oxide on silicon: 80.7 GPa with
-/// Oliver and Pharr's depth and the tip rounding of bare silicon, 71.3 +- 1.4 GPa with one hardness.
-/// The data are not part of the repository.
+/// Published CSM data of 500 nm of thermal oxide on silicon (the files name the source): another
+/// program finds 80.7 GPa with Oliver and Pharr's depth and the tip rounding of bare silicon, and
+/// 71.3 +- 1.4 GPa with one hardness. The data are not part of the repository.
 #[test]
 fn published_measurements_of_an_oxide_give_their_moduli() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/real");
@@ -552,7 +552,7 @@ fn published_measurements_of_gold_are_doubted() {
     let loubet = [&args[..], &["--contact-depth", "loubet"]].concat();
     let [by_loubet, _] = found(&workdir, &loubet, "gold.modulus");
     println!("gold: {by_pharr:e} {by_loubet:e}");
-    // The page has 112.8 GPa, and 30 % less by Loubet's depth.
+    // Another program finds 112.8 GPa, and some 30 % less by Loubet's depth.
     assert!((by_pharr / 1e9 - 112.8).abs() < 1.0, "{by_pharr:e}");
     let ratio = by_pharr / by_loubet;
     assert!(ratio > 1.2 && ratio < 1.5, "{ratio}");

@@ -15,23 +15,26 @@ use interp::{Elastic, Probe};
 use super::one_of;
 use crate::cli::quantity::{any, length, modulus, number, read};
 
+/// The heading of these flags in the help.
+const HEADING: &str = "Contact stiffness";
+
 /// The flags of an indenter.
 #[derive(clap::Args)]
 #[group(skip)]
-#[command(next_help_heading = "Contact stiffness")]
 pub struct IndentationArguments {
     /// Factor of a contact stiffness, S = beta 2 a E2* Eeq: 1 of spheres and cones, 1.034 of a
     /// Berkovich pyramid, 1.012 of Vickers' pyramid [default: 1]
-    #[arg(long, value_name = "BETA", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "BETA", value_parser = number, allow_hyphen_values = true)]
     beta: Option<f64>,
     /// Factor of the contact depth h - epsilon P/S + h0: 0.75 of paraboloids and pyramids, 0.72 of
     /// cones, 1 of flat punches [default: 0.75]
-    #[arg(long, value_name = "EPSILON", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "EPSILON", value_parser = number, allow_hyphen_values = true)]
     epsilon: Option<f64>,
     /// Area function of the indenter, with the contact depth h in nm and the area in nm^2:
     /// C0 h^2 + C1 h + C2 h^(1/2) + .. + C8 h^(1/128) [default: 24.56]
     #[arg(
         long,
+        help_heading = HEADING,
         value_name = "C0,C1,...",
         value_delimiter = ',',
         value_parser = number,
@@ -40,22 +43,22 @@ pub struct IndentationArguments {
     area: Vec<f64>,
     /// Contact depth: h - epsilon P/S + h0 (oliver-pharr), or 1.2 (h - P/S + h0) (loubet), for metals
     /// that pile up [default: oliver-pharr]
-    #[arg(long, value_parser = one_of(ContactDepth::ALL.map(|one| (one.name(), one))))]
+    #[arg(long, help_heading = HEADING, value_parser = one_of(ContactDepth::ALL.map(|one| (one.name(), one))))]
     contact_depth: Option<ContactDepth>,
     /// Part K of the contact depth by which the film or the top layer is thinner under the tip,
     /// t - K h_c: 0.333 (Mencik) [default: 0]
-    #[arg(long, value_name = "K", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "K", value_parser = number, allow_hyphen_values = true)]
     thinning: Option<f64>,
     /// Hardness H, Pa: the contact radius at a load P is (P/(pi H))^(1/2). Without it, and with no
     /// free hardness, the contact at a load is elastic
-    #[arg(long, value_name = "PA", value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "PA", value_parser = modulus, allow_hyphen_values = true)]
     hardness: Option<f64>,
     /// Depth h0, m, by which the tip is blunter than its area function [default: 0]
-    #[arg(long, value_name = "M", value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "M", value_parser = length, allow_hyphen_values = true)]
     tip_rounding: Option<f64>,
     /// Compliance Cf of the frame, m/N or such as 0.2nm/mN: 1/S is read too large by Cf, the depth by
     /// Cf P [default: 0]
-    #[arg(long, value_name = "M/N", value_parser = compliance, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "M/N", value_parser = compliance, allow_hyphen_values = true)]
     frame_compliance: Option<f64>,
 }
 
@@ -158,18 +161,17 @@ pub fn forget_shape(experiment: &mut Experiment) {
 /// The flags of a reference sample.
 #[derive(clap::Args)]
 #[group(skip)]
-#[command(next_help_heading = "Contact stiffness")]
 pub struct ReferenceArguments {
     /// A measurement of the same indenter on a bare sample of known modulus, of the same kind and
     /// with the same columns: it tells the tip rounding and the compliance of the frame, which are
     /// common to all files
-    #[arg(long, value_name = "DATA", value_hint = ValueHint::FilePath)]
+    #[arg(long, help_heading = HEADING, value_name = "DATA", value_hint = ValueHint::FilePath)]
     pub reference: Option<PathBuf>,
     /// Young's modulus of the reference sample, Pa [default: that of the substrate]
-    #[arg(long, value_name = "PA", requires = "reference", value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "PA", requires = "reference", value_parser = modulus, allow_hyphen_values = true)]
     reference_modulus: Option<f64>,
     /// Poisson ratio of the reference sample [default: that of the substrate]
-    #[arg(long, value_name = "NU", requires = "reference", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "NU", requires = "reference", value_parser = number, allow_hyphen_values = true)]
     reference_poisson_ratio: Option<f64>,
 }
 

@@ -45,11 +45,17 @@ use crate::printable;
 /// point or comma, comment lines (#, % or //) and other lines before the headings. Columns are
 /// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
-/// force, height, `height (measured)` and `height (piezo)` are in SI units, all others an error.
+/// force, height, `height (measured)`, `height (piezo)`, contact_stiffness, contact_area, phase_shift
+/// and loss_stiffness are in SI units, all others an error.
 /// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
 /// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
 /// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
 /// file names, unless flags give others.
+///
+/// A contact stiffness (--kind stiffness-radius, stiffness-load, stiffness-depth) is that of a contact
+/// line that stays, as nanoindenters (CSM) and dynamic AFMs measure it. With a column of its phase or of
+/// its loss part, the modulus of the film is the absolute value of a complex one, and the report tells
+/// the loss tangent.
 ///
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
 /// sample: contact point - height = penetration + force/stiffness.
@@ -87,8 +93,8 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
-    /// penetration, height, deflection and segment, or with _error a column of standard deviations:
-    /// load_error. The number of the column may stand for the heading, with `extend` or `retract`
+    /// penetration, height, deflection, segment, contact_stiffness, contact_area, phase_shift and
+    /// loss_stiffness, or with _error a column of standard deviations: load_error. The number of the column may stand for the heading, with `extend` or `retract`
     /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
