@@ -479,7 +479,7 @@ fn a_cone_on_layers_is_refused() {
         &Options::default(),
     );
     let message = error.expect_err("refused").to_string();
-    assert_names(&message, &["stack", "Paraboloid"]);
+    assert_names(&message, &["stack", "paraboloid"]);
 }
 
 #[test]

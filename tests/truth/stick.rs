@@ -34,9 +34,9 @@ fn relative(a: f64, b: f64) -> f64 {
     (a / b - 1.0).abs()
 }
 
-/// Measured: 1.7e-11 at the tolerance 1e-10, `Gamma_t` relative to `Gamma_eff`. A punch 50 times as
+/// Measured: 2.1e-11 at the tolerance 1e-10, `Gamma_t` relative to `Gamma_eff`. A punch 50 times as
 /// wide as an incompressible film on a rigid base is thick loses digits and is solved to 1e-9:
-/// 1.0e-10.
+/// 3.1e-10.
 #[test]
 fn punches_agree_and_the_stated_error_bounds_the_true_one() {
     let (mut worst, mut rows) = ([0.0; 2], [0; 2]);
@@ -65,7 +65,7 @@ fn punches_agree_and_the_stated_error_bounds_the_true_one() {
     assert!(worst[0] <= 1e-10 && worst[1] <= 5e-10, "{worst:?}");
 }
 
-/// Sphere, cone and fourth power, and the part that the work of adhesion drives. Measured: 1.0e-9
+/// Sphere, cone and fourth power, and the part that the work of adhesion drives. Measured: 1.1e-9
 /// at the tolerance 1e-8.
 #[test]
 fn tips_agree_and_the_stated_error_bounds_the_true_one() {
@@ -129,7 +129,7 @@ fn random_system(random: &mut Pcg64Mcg, wide: bool) -> Sticking {
 
 /// Punches against punches of more modes on finer panels, of contrasts up to 1e12. A tolerance that
 /// is not reached is refused: with twelve decades between film and base most digits are lost.
-/// Measured: at most 0.6 of the stated error, 1 % refused.
+/// Measured: at most 0.44 of the stated error, 13 of 600 refused.
 #[test]
 fn stated_errors_of_punches_are_honest() {
     let mut random = Pcg64Mcg::seed_from_u64(7);
@@ -161,7 +161,8 @@ fn stated_errors_of_punches_are_honest() {
     assert!(refused <= count / 5, "{refused}");
 }
 
-/// The same for the growing contact of spheres and cones, of contrasts up to 1000.
+/// The same for the growing contact of spheres and cones, of contrasts up to 1000. Measured: at most
+/// 0.85 of the stated error.
 #[test]
 fn stated_errors_of_growing_contacts_are_honest() {
     let mut random = Pcg64Mcg::seed_from_u64(8);
@@ -195,8 +196,8 @@ fn stated_errors_of_growing_contacts_are_honest() {
 }
 
 /// `Gamma_eff^2 = es d(x Eeq_s)/dx`, by differences of ten points, for every Poisson ratio; where
-/// `beta = 0`, `Gamma_eff` is also what the equation gives at the edge. Measured: 2.4e-12 and
-/// 3.4e-13.
+/// `beta = 0`, `Gamma_eff` is also what the equation gives at the edge. Measured: 1.5e-13 and
+/// 2.4e-15.
 #[test]
 fn the_energy_release_rate_is_that_of_the_compliance() {
     /// Central differences of ten points.
@@ -245,7 +246,7 @@ fn the_energy_release_rate_is_that_of_the_compliance() {
 
 /// `3 Pi_s + x Pi_s' = 4 Eeq_s (2 Delta_s + x Delta_s')` (`dF = S_s d delta`), and
 /// `(x Eeq_g U)' = x Eeq_s U' + (Gamma_s/es) x^{1/2}` with `U = x^{1/2}/Gamma_g`, by differences.
-/// Measured: 9e-11 and 8e-10.
+/// Measured: 8.4e-13 and 8.3e-13.
 #[test]
 fn growing_contacts_obey_their_identities() {
     let mut worst = [0.0; 2];
@@ -278,7 +279,7 @@ fn growing_contacts_obey_their_identities() {
         }
     }
     println!("load {:.1e}, work of adhesion {:.1e}", worst[0], worst[1]);
-    assert!(worst[0] <= 1e-8 && worst[1] <= 1e-7, "{worst:?}");
+    assert!(worst[0] <= 1e-10 && worst[1] <= 1e-10, "{worst:?}");
 }
 
 /// `artanh(beta)/beta`.
@@ -348,7 +349,7 @@ fn wide_contacts_approach_the_base() {
         let distance = |x: f64| sticking.punch(x, 1e-7).expect("converges").eeq_s / limit - 1.0;
         let [near, far] = [30.0, 200.0].map(distance);
         println!("{nu1}, {nu0}: {near:.1e} at 30, {far:.1e} at 200");
-        assert!(far.abs() < 0.01 && far.abs() < 0.5 * near.abs());
+        assert!(far.abs() < 0.02 && far.abs() < 0.4 * near.abs());
     }
 }
 
@@ -371,7 +372,7 @@ fn thin_incompressible_films_approach_lubrication() {
 }
 
 /// With the coupling of pressure and shear taken out, the same code gives the contact without
-/// friction. Measured: 5.7e-14 and 5.9e-13, on the thinnest film.
+/// friction. Measured: 4.9e-15 and 1.1e-14.
 #[test]
 fn without_friction_the_numbers_are_those_of_the_frictionless_solver() {
     let (mut of_punches, mut of_tips) = (0.0, 0.0);
@@ -407,11 +408,11 @@ fn without_friction_the_numbers_are_those_of_the_frictionless_solver() {
     }
     println!("punches {of_punches:.1e}, tips {of_tips:.1e}");
     assert!(of_punches <= 1e-13, "{of_punches:e}");
-    assert!(of_tips <= 1e-11, "{of_tips:e}");
+    assert!(of_tips <= 1e-13, "{of_tips:e}");
 }
 
 /// A film cut into layers, and the shift of Dundurs: with all `b_i/E_i*` shifted by one constant,
-/// that of the sphere included, nothing changes. Measured: 3e-14.
+/// that of the sphere included, nothing changes.
 #[test]
 fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
     let solid = |young: f64, nu: f64| Elastic::new(young, nu).expect("physical");
@@ -464,10 +465,10 @@ fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
     assert!(relative(plain.gamma_eff, moved.gamma_eff) <= 1e-12);
 }
 
-/// A film that slides on its base: without friction on top it is that of the other solver, with
-/// stick it is stiffer; springs that are stiff enough bond it. Measured: 4e-13 and 2e-7.
+/// A film on springs: without friction on top it is that of the other solver, with stick it is
+/// stiffer; springs that are stiff enough bond it. A film that slides freely is refused.
 #[test]
-fn films_that_slide_below_may_stick_on_top() {
+fn films_on_springs_may_stick_on_top() {
     let solid = |young: f64, nu: f64| Elastic::new(young, nu).expect("physical");
     let stack = |interface: Interface| {
         let film = Layer {
@@ -484,11 +485,15 @@ fn films_that_slide_below_may_stick_on_top() {
         tangential: 1e8,
         normal: f64::INFINITY,
     };
+    let soft = Interface::Springs {
+        tangential: 1.0,
+        normal: 50.0,
+    };
     for x in [0.5, 3.0] {
-        let punch = on(Interface::Sliding).punch(x, 1e-10).expect("converges");
-        let slides = on(Interface::Sliding).without_friction();
+        let punch = on(soft).punch(x, 1e-10).expect("converges");
+        let slides = on(soft).without_friction();
         let slides = slides.punch(x, 1e-10).expect("converges");
-        let known = solve_stack(x, &stack(Interface::Sliding), 1.0, 1e-11).expect("converges");
+        let known = solve_stack(x, &stack(soft), 1.0, 1e-11).expect("converges");
         assert!(relative(slides.eeq_s, known.quantities.eeq) <= 1e-10);
         assert!(punch.eeq_s > slides.eeq_s, "{x}");
         let sprung = on(stiff).tip(x, 2.0, 1e-8).expect("converges").0;
@@ -496,6 +501,8 @@ fn films_that_slide_below_may_stick_on_top() {
         assert!(relative(sprung.eeq_s, glued.eeq_s) <= 1e-6);
         assert!(relative(sprung.pi_s, glued.pi_s) <= 1e-6);
     }
+    let error = Sticking::on_stack(&stack(Interface::Sliding), 1.0, 0.5).expect_err("refused");
+    assert!(error.to_string().contains("slides freely"), "{error}");
 }
 
 /// The system of the pull-offs: a rigid sphere on an incompressible film on a rigid base.

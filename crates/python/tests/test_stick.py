@@ -58,9 +58,9 @@ def test_pull_offs_are_those_of_another_program(gel, advancing, expected):
 
 
 def test_the_stiffness_is_that_of_the_stuck_punch(gel):
-    stiffness = CURVE.contact(gel).stiffness(2e-3)
-    assert stiffness == pytest.approx(2 * 2e-3 * solve_stick_punch(2.0, 0.0, 0.5, inf).eeq_s, rel=1e-6)
-    assert stiffness > 1.36 * 2 * 2e-3 * solve(2.0, 0.0, 0.5, inf).eeq
+    stiffness = CURVE.contact(gel).stiffness(2e-3) / (2 * 2e-3)
+    assert stiffness == pytest.approx(solve_stick_punch(2.0, 0.0, 0.5, inf).eeq_s, rel=1e-6)
+    assert stiffness > 1.36 * solve(2.0, 0.0, 0.5, inf).eeq
 
 
 def test_what_is_not_solved_is_refused(gel):
@@ -70,7 +70,7 @@ def test_what_is_not_solved_is_refused(gel):
         CURVE.contact(replace(gel, probe=Sphere(radius=1.0)))
     with pytest.raises(FrictionError, match="finite range"):
         CURVE.contact(gel).finite_range(1e-9, stress=1e3).pull_off()
-    with pytest.raises(ContactError, match=r"\[?0.0 to 1.0|from 0.0|1.5"):
+    with pytest.raises(ContactError, match=r"1\.5"):
         replace(CURVE, advancing=1.5).contact(gel)
     with pytest.raises(ValueError, match="stick"):
         replace(CURVE, friction="some")

@@ -23,6 +23,10 @@ use crate::surface::{
     AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,
 };
 
+/// The smallest scale over the estimate of the nearest pole, of a stack that is not bonded: the
+/// estimate leaves out the factor 1/2 of the bound, and plates that slide need some of it.
+const OF_POLE: f64 = 0.6;
+
 /// The surface compliance of a stack of layers on its base. Wave numbers are in units of one over
 /// the thickness of the top layer.
 #[derive(Clone, Debug)]
@@ -95,6 +99,9 @@ impl LayeredCompliance {
     fn with_slabs(base: [f64; 5], buried: Vec<Slab>, top: Slab, largest_excess: f64) -> Self {
         let least = buried.iter().chain([&top]).map(|slab| slab.joint.least());
         let least = least.fold(0.0, f64::max);
+        let is_bonded = |slab: &Slab| matches!(slab.joint, Joint::Bonded);
+        let bonded = buried.iter().all(is_bonded) && is_bonded(&top);
+        let share = if bonded { 1.0 } else { OF_POLE };
         let mut compliance = Self {
             base,
             buried,
@@ -105,7 +112,7 @@ impl LayeredCompliance {
         };
         // Below 1e-40 lies nothing of the integral of `X`, which is at most some 1e9.
         let nearest_pole = dispatch!(Level::new(), simd => compliance.nearest_pole(simd));
-        compliance.smallest_scale = nearest_pole.clamp(1e-40, 1.0);
+        compliance.smallest_scale = (share * nearest_pole).clamp(1e-40, 1.0);
         compliance
     }
 

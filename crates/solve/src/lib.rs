@@ -1,7 +1,8 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
-//! `compliance` is the film on its substrate, `layered` (with `slab`, one layer, `joint`, its lower
-//! interface, `exponential`, `excess`, a bound, and `sampled`, its interpolation) a stack of layers on its base; `symbol` adds the sphere.
+//! `compliance` is the film on its substrate, `layered` a stack of layers on its base (with `slab`,
+//! one layer, `joint`, its lower interface, `exponential`, `excess`, a bound, and `sampled`, its
+//! interpolation); `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
 //! `quadrature`, `bessel`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
 //! (with `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.

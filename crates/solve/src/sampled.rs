@@ -160,7 +160,7 @@ mod tests {
         Stack::new(base, [layer(1e-6, poisson, 0.1), layer(1.0, 0.3, 1.0)]).expect("within limits")
     }
 
-    /// Wave numbers on both sides of the last panel. Measured: 3.8e-14 of the larger of 1, `X` and
+    /// Wave numbers on both sides of the last panel. Measured: 3.3e-13 of the larger of 1, `X` and
     /// the slope.
     #[test]
     fn samples_stand_for_the_compliance() {

@@ -5,10 +5,9 @@
 //! problem with its `loss`. `minima` compares the minima that several starts lead to, `valley`
 //! looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
-//! that do not count, `warnings` the doubts, with `agreement`, `wanted` and `cycle`. `fixed_values`
-//! tells what the values taken as given do. `forecast` tells the errors of a planned experiment.
-//! `result` holds what
-//! comes out.
+//! that do not count, `warnings` the doubts, with `agreement`, `wanted`, `cycle` and `interfaces`.
+//! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
+//! experiment. `result` holds what comes out.
 
 mod agreement;
 mod cycle;

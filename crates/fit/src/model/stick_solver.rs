@@ -53,8 +53,8 @@ impl LayeredSolver for StickSolver {
 
     fn why_not_receding(&self) -> Option<&'static str> {
         Some(
-            "a contact with full friction is fitted with one work of adhesion; `tabulate curve` and \
-             `solve::stick` answer for a line that recedes with another one",
+            "a contact with full friction is fitted with one work of adhesion; a line that recedes with \
+             another one is solved outside fits only",
         )
     }
 }

@@ -218,6 +218,8 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             let poisson = text(layer.solid.poisson(), "1");
             match layer.name {
                 Some(name) => rows.push((format!("{name}.poisson-ratio").into(), poisson)),
+                // The parameters of a film are listed with all others.
+                None if layered.film().is_some() => {}
                 None => rows.extend([
                     (
                         format!("layer-{}.modulus", i + 1).into(),

@@ -93,8 +93,10 @@ impl Field {
 
 impl<'a> Waves<'a> {
     /// Samples the surface on `panels`.
-    pub fn new(bodies: &'a Bodies, panels: Panels) -> Self {
-        let abscissae = Abscissae::new(1.0, 0, panels);
+    ///
+    /// `largest` is the largest radius.
+    pub fn new(bodies: &'a Bodies, panels: Panels, largest: f64) -> Self {
+        let mut abscissae = Abscissae::new(1.0, 0, panels);
         let Samples {
             mut excess,
             mut slope,
@@ -107,10 +109,11 @@ impl<'a> Waves<'a> {
                 values.fill(0.0);
             }
         }
-        let resolution = slope
-            .iter()
-            .map(|slope| quadrature_errors(&abscissae, slope)[0])
-            .sum();
+        // The tangential transforms begin in proportion to `q`: long waves of the tangential
+        // compliance, which are large where a film slides on its base, hardly matter.
+        abscissae.x = largest;
+        let errors = |i: usize| quadrature_errors(&abscissae, &slope[i]);
+        let resolution = errors(0)[0] + errors(1)[0] + errors(2)[1];
         Self {
             bodies,
             resolution,

@@ -10,7 +10,7 @@ use crate::galerkin;
 use crate::layered::LayeredCompliance;
 use crate::power_law::EXPONENTS;
 use crate::quadrature::Panels;
-use crate::stack::Stack;
+use crate::stack::{Interface, Layer, Stack};
 use crate::stacked::factors;
 use crate::stick::bodies::Bodies;
 use crate::stick::field::{Field, Waves};
@@ -92,9 +92,20 @@ impl Sticking {
     /// `nu2` on a stack of layers.
     ///
     /// # Errors
-    /// As [`Sticking::on_film`] and [`Stack::material`].
+    /// As [`Sticking::on_film`] and [`Stack::material`]; [`Error::Layer`] for a layer that slides
+    /// freely on what lies below it.
     pub fn on_stack(stack: &Stack, sphere_modulus: f64, nu2: f64) -> Result<Self, Error> {
         check_poisson(nu2)?;
+        let slides = |layer: &Layer| layer.interface == Interface::Sliding;
+        if let Some(below) = stack.layers().iter().position(slides) {
+            return Err(Error::Layer {
+                layer: below + 1,
+                layers: stack.layers().len(),
+                what: "it slides freely on what lies below, where a contact with full friction at the \
+                       surface is not solved; join it by springs of a finite tangential stiffness"
+                    .into(),
+            });
+        }
         let merged = stack.merged().of_top_layer();
         let of_top = merged.material(sphere_modulus)?;
         let material = stack.material(sphere_modulus)?;
@@ -168,7 +179,7 @@ impl Sticking {
         let (mut of_modes, mut of_panels) = (tolerance, tolerance);
         let mut reached = f64::INFINITY;
         for _ in 0..ROUNDS {
-            let waves = Waves::new(&self.bodies, self.panels(x, of_panels));
+            let waves = Waves::new(&self.bodies, self.panels(x, of_panels), x);
             let modes = modes(x, of_modes);
             let field = waves.field(x, modes, false);
             if let Some(field) = &field {
@@ -251,7 +262,7 @@ impl Sticking {
         };
         // Errors of the punches grow where the equation differentiates them.
         let of_punches = (SHARE_OF_PUNCHES * tolerance).max(FINEST);
-        let waves = Waves::new(&self.bodies, self.panels(x, 0.1 * of_punches));
+        let waves = Waves::new(&self.bodies, self.panels(x, 0.1 * of_punches), x);
         let grow = |count: usize| {
             grow(&waves, x, exponent, count, |x| modes(x, of_punches))
                 .ok_or_else(|| not_converged(f64::INFINITY))
