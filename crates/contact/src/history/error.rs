@@ -122,6 +122,12 @@ pub enum HistoryError {
         /// The energy of the advancing line, J/m^2.
         advancing: f64,
     },
+    /// An energy of the receding line that depends on its speed.
+    #[error(
+        "the energy of the receding line depends on its speed, and a history takes one energy for all \
+         speeds: give `Hysteresis::new(0.0, w)`"
+    )]
+    SpeedOfLine,
     /// Adhesion together with a program that is not served.
     #[error(
         "adhesion is computed for a penetration that grows, may be held, and falls: {reason}; \

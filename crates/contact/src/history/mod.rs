@@ -184,11 +184,15 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// the energy at which the law recedes.
     ///
     /// # Errors
-    /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy.
+    /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy;
+    /// [`HistoryError::SpeedOfLine`] for a law whose energy depends on the speed of the line.
     pub fn receding<M: CrackTip>(self, law: M) -> Result<History<'a, M>, HistoryError> {
-        let [advancing, _] = crate::crack_tip::energies_in_order(law.at_rest())?;
+        let [advancing, receding] = crate::crack_tip::energies_in_order(law.at_rest())?;
         if advancing != 0.0 {
             return Err(HistoryError::GrowingAdhesion { advancing });
+        }
+        if law.speed(2.0 * receding + f64::MIN_POSITIVE).is_finite() {
+            return Err(HistoryError::SpeedOfLine);
         }
         Ok(History {
             contact: self.contact,
