@@ -41,16 +41,15 @@ def test_equal_speeds_under_a_power_law() -> None:
     alpha = 0.2
     q = 2 ** (1 / (1 - alpha))
     end = q / (q - 1)
-    out = CONTACT.history(
-        PROGRAM[0], Relaxation.power_law(alpha), penetration=PROGRAM[1], at=[end + 1e-6, 1.0, end - 1e-6]
-    )
+    law, at = Relaxation.power_law(alpha), [end + 1e-6, 1.0, end - 1e-6]
+    out = CONTACT.history(PROGRAM[0], law, penetration=PROGRAM[1], at=at)
     assert list(out.phase) == ["separated", "advancing", "receding"]
     assert out.time == pytest.approx([end + 1e-6, 1.0, end - 1e-6])
     assert out.load[0] == 0.0 == out.contact_radius[0]
     assert out.contact_radius[1] == pytest.approx(0.1, rel=1e-8)
     assert out.error <= 1e-8
     assert len(out.to_pandas()) == 3
-    assert out.to_xarray().load.attrs["units"] == "N"
+    assert out.to_xarray()["load"].attrs["units"] == "N"
 
 
 def test_load_and_height() -> None:

@@ -375,13 +375,13 @@ class Contact(Remade):
         relaxation : Relaxation
             The law.
         penetration, load, height : array_like, optional
-            What is imposed: penetrations (m), loads (N), or the distance (m) by which the base of the
-            cantilever has moved towards the sample since the first touch.
+            What is imposed: penetrations (m), loads (N), or the distance (m) by which the base of
+            the cantilever has moved towards the sample since the first touch.
         stiffness : float, optional
             The stiffness of the cantilever, N/m, with ``height``.
         at : array_like, optional
-            The times of the states, by default ``time``. The last value is held as long as a time is
-            asked for.
+            The times of the states, by default ``time``. The last value is held as long as a time
+            is asked for.
         receding : float
             Work of adhesion of a receding line, J/m^2, after one approach under an imposed
             penetration. The line advances without adhesion.

@@ -54,7 +54,9 @@ class Relaxation:
         return (self.law, self.relaxed, self.exponent, list(self.times), list(self.weights))
 
     @classmethod
-    def prony(cls, relaxed: float, times: ArrayLike, weights: ArrayLike | None = None) -> Relaxation:
+    def prony(
+        cls, relaxed: float, times: ArrayLike, weights: ArrayLike | None = None
+    ) -> Relaxation:
         """Return ``relaxed + sum weight exp(-t/time)``; one time is the standard linear solid.
 
         Parameters
@@ -218,5 +220,6 @@ def history(
         tolerance=None if tolerance is None else number("tolerance", tolerance),
     )
     back = np.argsort(order, kind="stable")
-    rows = [column[back] for column in columns]
-    return HistoryStates(*rows, np.array(phases, dtype=np.str_)[back], error, unlike)
+    found, radii, loads, depths = (column[back] for column in columns)
+    phase = np.array(phases, dtype=np.str_)[back]
+    return HistoryStates(found, radii, loads, depths, phase, error, unlike)
