@@ -4,7 +4,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Case, Data, assert_names};
-use contact::{Contact, Control, Course, HistoryError, Hysteresis, Phase, Relaxation};
+use contact::{
+    Contact, Control, Course, HistoryError, Hysteresis, Phase, RateDependent, Relaxation,
+};
 use interp::{Elastic, HalfSpace, Probe, System};
 
 /// Returns a law as the file writes it.
@@ -823,6 +825,11 @@ fn mistakes() {
         .receding(1e-4)
         .expect_err("growing adhesion");
     assert_names(&growing.to_string(), &["0.0001", "Hysteresis", "no law"]);
+    let slow = Hysteresis::new(0.0, 1e-4).expect("a law");
+    let rate = RateDependent::new(slow, 1e-6, 0.6).expect("a law");
+    let history = contact.history(&law).expect("a law");
+    let fast = history.receding(rate).expect_err("a speed").to_string();
+    assert_names(&fast, &["speed", "Hysteresis"]);
     let adhesive = contact.history(&law).expect("a law");
     let adhesive = adhesive
         .receding(Hysteresis::new(0.0, 1e-6).expect("a law"))
