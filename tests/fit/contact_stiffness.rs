@@ -121,7 +121,7 @@ fn stiffness_at_contact_radii() {
     let exact = at_radii(&oxide(), [5e-8, 1.5e-6], 30);
     recover(
         "stiffness, radius",
-        &[exact.clone()],
+        std::slice::from_ref(&exact),
         (0.02, true),
         &[FilmModulus],
         &[],
@@ -239,7 +239,7 @@ fn stiffness_at_depths_with_a_reference_sample() {
     let definition = [WarningKind::ContactDepth];
     recover(
         "stiffness, depth",
-        &[film.clone()],
+        std::slice::from_ref(&film),
         (0.01, true),
         &[FilmModulus],
         &definition,
@@ -321,7 +321,12 @@ fn a_stack_of_one_layer_is_a_film() {
         stack.bodies = Bodies::Layered(one());
         let fitted = |experiment: &Experiment, parameter| {
             let free = [Free::new(parameter)];
-            let found = fit::fit(table, &[experiment.clone()], &free, &Options::default());
+            let found = fit::fit(
+                table,
+                std::slice::from_ref(experiment),
+                &free,
+                &Options::default(),
+            );
             found.expect("sound data").estimates.remove(0)
         };
         let film = fitted(&made, Parameter::FilmModulus);
@@ -617,7 +622,12 @@ fn what_is_no_contact_stiffness_is_refused() {
         (Parameter::Stiffness, "cantilever"),
     ] {
         let free = [Free::new(parameter)];
-        let error = fit::fit(table, &[good.clone()], &free, &Options::default());
+        let error = fit::fit(
+            table,
+            std::slice::from_ref(&good),
+            &free,
+            &Options::default(),
+        );
         let error = error.expect_err("refused").to_string();
         assert!(
             error.contains(word) && error.contains(&*parameter.name()),

@@ -82,7 +82,6 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
             radius: 1e-2,
             sphere: 1e6,
             adhesion: 5.0,
-            ..PAPER
         },
     ];
     assert_shows(&workdir, "universal.bin", &table, &settings);
@@ -129,7 +128,6 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
             radius: 1e-2,
             sphere: 2e6,
             adhesion: 5.0,
-            ..PAPER
         },
     ];
     let Some(seen) = assert_shows(&workdir, "table.bin", &table, &settings) else {

@@ -62,7 +62,7 @@ fn the_ends_of_the_springs_are_bonded_and_sliding_bit_for_bit() {
         ] {
             let [ends, plain] = [ends, plain].map(|interface| joined(seed, interface));
             assert_eq!(ends, plain);
-            let [a, b] = [&ends, &plain].map(|stack| LayeredCompliance::new(stack));
+            let [a, b] = [&ends, &plain].map(LayeredCompliance::new);
             for q in wave_numbers() {
                 let [a, b] = [&a, &b].map(|c| [c.sample(q).excess, c.sample(q).slope, c.x(q)]);
                 assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits));

@@ -112,11 +112,11 @@ fn eliminated(mut rows: Vec<Vec<f64>>) -> Vec<[f64; 2]> {
     for i in 0..n {
         let pivot = (i..n).max_by(|&a, &b| rows[a][i].abs().total_cmp(&rows[b][i].abs()));
         rows.swap(i, pivot.expect("a row is left"));
-        for below in i + 1..n {
-            let factor = rows[below][i] / rows[i][i];
-            for column in i..n + 2 {
-                let term = factor * rows[i][column];
-                rows[below][column] -= term;
+        let (done, below) = rows.split_at_mut(i + 1);
+        for row in below {
+            let factor = row[i] / done[i][i];
+            for (value, pivot) in row.iter_mut().zip(&done[i]).skip(i) {
+                *value -= factor * pivot;
             }
         }
     }

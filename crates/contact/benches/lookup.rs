@@ -79,7 +79,7 @@ fn lookup(criterion: &mut Criterion) {
             ..system.clone()
         };
         criterion.bench_function(&format!("contact of a new material, {what}"), |b| {
-            b.iter(|| Contact::in_table(&low_rank, black_box(&system)))
+            b.iter(|| Contact::in_table(low_rank, black_box(&system)))
         });
     }
     criterion.bench_function("curve with derivatives, four axes, low-rank", |b| {
@@ -112,7 +112,7 @@ fn lookup(criterion: &mut Criterion) {
     criterion.bench_function("load, eq. 9", |b| {
         b.iter(|| contact.load(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
     });
-    let contact = Contact::in_table_with_gradient(&low_rank, &system).expect("in the table");
+    let contact = Contact::in_table_with_gradient(low_rank, &system).expect("in the table");
     criterion.bench_function("load and penetration with nine derivatives each", |b| {
         b.iter(|| contact.gradient(black_box(1e-7 * point() + 1e-6), black_box(0.04)))
     });

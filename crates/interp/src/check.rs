@@ -16,17 +16,26 @@ pub fn positive(name: &'static str, value: f64) -> Result<(), Error> {
 }
 
 /// Accepts a finite input.
+///
+/// # Errors
+/// [`Error::Unphysical`] for another value.
 pub fn finite_input(name: &'static str, value: f64) -> Result<(), Error> {
     Error::unless(value.is_finite(), name, value, "finite")
 }
 
 /// Accepts a work of adhesion.
+///
+/// # Errors
+/// [`Error::Unphysical`] for another value.
 pub fn work_of_adhesion(w: f64) -> Result<(), Error> {
     let holds = (0.0..f64::INFINITY).contains(&w);
     Error::unless(holds, "work of adhesion", w, ">= 0 and finite")
 }
 
 /// Accepts a number of points, from 2 to 1,000,000.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] for another number.
 pub fn number_of_points(points: usize) -> Result<(), Error> {
     let holds = (2..=MOST_POINTS).contains(&points);
     Error::argument(
@@ -38,6 +47,9 @@ pub fn number_of_points(points: usize) -> Result<(), Error> {
 }
 
 /// Returns a result at contact radius `a` unless it is infinite or NaN.
+///
+/// # Errors
+/// [`Error::Unphysical`] for a result that is not finite.
 pub fn finite_result(a: f64, result: f64) -> Result<f64, Error> {
     let allowed = "such that load, penetration and stresses do not overflow an f64";
     Error::unless(result.is_finite(), "contact radius", a, allowed).map(|()| result)

@@ -439,6 +439,9 @@ impl Error {
 
     /// Returns [`Error::Unphysical`] unless `holds`. A condition that compares with NaN must be
     /// false.
+    ///
+    /// # Errors
+    /// [`Error::Unphysical`].
     pub const fn unless(
         holds: bool,
         name: &'static str,
@@ -457,6 +460,9 @@ impl Error {
     }
 
     /// Returns [`Error::InvalidArgument`] unless `holds`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`].
     pub const fn argument(
         holds: bool,
         name: &'static str,
@@ -475,6 +481,9 @@ impl Error {
     }
 
     /// Returns [`Error::InvalidArgument`] unless there are as many values to write as points.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`].
     pub fn same_length<P, V>(points: &[P], values: &[V]) -> Result<(), Self> {
         if points.len() == values.len() {
             return Ok(());

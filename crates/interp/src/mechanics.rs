@@ -137,6 +137,10 @@ impl Mechanics {
 
     /// Accepts a contact radius `a` (m) that the shape of the probe has: positive and below the
     /// radius of a sphere, not below the radius of a flat end, that of a flat punch.
+    ///
+    /// # Errors
+    /// [`Error::BeyondSphere`], [`Error::BeyondProbe`], and [`Error::Unphysical`] unless `a` is
+    /// positive and finite.
     #[inline]
     pub fn check_radius(&self, a: f64) -> Result<(), Error> {
         let [from, to] = self.radii;

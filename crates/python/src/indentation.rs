@@ -32,7 +32,9 @@ impl GivenIndentation {
     /// without layers.
     pub fn complete(&self, py: Python<'_>, experiment: &mut Experiment) -> PyResult<()> {
         let depths = ContactDepth::ALL.into_iter();
-        let depth = depths.filter(|one| one.name() == self.contact_depth).last();
+        let depth = depths
+            .into_iter()
+            .rfind(|one| one.name() == self.contact_depth);
         experiment.indentation = Indentation {
             beta: self.beta,
             epsilon: self.epsilon,

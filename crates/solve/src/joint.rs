@@ -150,6 +150,10 @@ impl Joint {
 #[inline(always)]
 fn joined<S: Simd>([w, v, normal]: [S::f64s; 3], y: Minors<S>) -> Minors<S> {
     let [d, c11, c12, c22, det] = y;
+    #[expect(
+        clippy::eq_op,
+        reason = "zeros need no token of the vector instructions"
+    )]
     let none = d - d;
     let y = [
         d,

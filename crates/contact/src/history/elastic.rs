@@ -77,7 +77,7 @@ impl ElasticCurve {
     /// the largest load and radius.
     pub fn up_to(contact: &Contact, most: f64, tolerance: f64) -> Result<Self, HistoryError> {
         let last = node(contact, most)?;
-        if !(last.load > SMALLEST_LOAD) {
+        if last.load.is_nan() || last.load <= SMALLEST_LOAD {
             return Err(contact.outside("penetration", last.penetration).into());
         }
         let [least, _] = contact.search_range()?;

@@ -141,8 +141,8 @@ impl Exponentials {
         sum
     }
 
-    /// Returns the creep compliance, a Kelvin chain: with `h(p) = constant + sum weight p/(p+rate)
-    /// + impulse p`, the transform of the compliance is `1/(p h)`. Its poles are real and lie
+    /// Returns the creep compliance, a Kelvin chain: with
+    /// `h(p) = constant + sum weight p/(p+rate) + impulse p`, the transform of the compliance is `1/(p h)`. Its poles are real and lie
     /// between the rates.
     pub fn creep(&self) -> Creep {
         let Self {
@@ -443,7 +443,7 @@ mod tests {
         };
         let cases = [
             (0.01, 0.896_456_979_969_126_8),
-            (1.0, 0.427_583_576_155_807_0),
+            (1.0, 0.427_583_576_155_807),
             (100.0, 0.056_140_992_743_822_6),
         ];
         for (t, exact) in cases {

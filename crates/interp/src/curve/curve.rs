@@ -299,6 +299,9 @@ impl Curve {
 
     /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or
     /// not.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`].
     pub fn adhesionless_and_slopes(
         &self,
         a_over_t: f64,
@@ -352,6 +355,9 @@ impl Curve {
     }
 
     /// Returns `Pi0` and `Eeq/Gamma`, the factors of the load in eq. 9.
+    ///
+    /// # Errors
+    /// As [`Curve::quantity`].
     #[inline]
     pub fn load_factors(&self, a_over_t: f64) -> Result<(f64, f64), Error> {
         [Quantity::Pi0, Quantity::Eeq, Quantity::Gamma]

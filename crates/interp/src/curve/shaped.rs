@@ -36,6 +36,10 @@ impl Curve {
 
     /// Accepts a curve on which integrals over `a/t` can begin at the first node. `name` is what
     /// they give. On a stack of layers the expansion before the first node is not known.
+    ///
+    /// # Errors
+    /// [`Error::StackProbe`] on a stack of layers; [`Error::MissingQuantity`] and
+    /// [`Error::BeginsTooLate`] as [`Curve::of_even_shape`].
     pub fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
         /// The accuracy that is asked of a curve that does not state its own.
         const TOLERANCE: f64 = 1e-6;
@@ -88,6 +92,9 @@ impl Curve {
     /// Returns the derivatives, with respect to a parameter by number as in
     /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
     /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
+    ///
+    /// # Errors
+    /// [`Error::NoGradient`], [`Error::FixedParameter`], and [`Error::OutsideTable`] between no nodes.
     pub fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         let x = self
@@ -100,6 +107,9 @@ impl Curve {
 
     /// Returns the derivatives of the logarithms of load and penetration without adhesion with
     /// respect to that of all lengths of the shape, on a curve of [`Self::of_even_shape`].
+    ///
+    /// # Errors
+    /// [`Error::NoGradient`] on another curve, or on one without derivatives.
     pub fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
         let even = self.even.as_ref().ok_or(Error::NoGradient)?;
         let position = self.inside(a_over_t).map(|x| self.grid.locate(x));

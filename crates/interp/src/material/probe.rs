@@ -181,7 +181,7 @@ impl Probe {
     }
 
     /// Accepts a shape with positive lengths and possible angles.
-    pub fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         let angle = |half_angle: f64| {
             Error::unless(
                 half_angle > 0.0 && half_angle < FRAC_PI_2,

@@ -66,7 +66,7 @@ impl Interface {
     /// sentence with the value and the range.
     pub(super) fn check(self, least: f64) -> Result<(), String> {
         let [tangential, normal] = self.stiffnesses();
-        if !(tangential >= 0.0) {
+        if tangential.is_nan() || tangential < 0.0 {
             return Err(format!(
                 "the tangential stiffness of its interface is {tangential:?} Pa/m, but must be 0 \
                  (it slides) or more; inf is allowed"
@@ -80,7 +80,7 @@ impl Interface {
                     .into(),
             );
         }
-        if !(normal > 0.0) {
+        if normal.is_nan() || normal <= 0.0 {
             return Err(format!(
                 "the normal stiffness of its interface is {normal:?} Pa/m, but must be > 0; inf is \
                  allowed"

@@ -74,8 +74,7 @@ pub fn grow(
     .ok()?;
     let es = waves.bodies.modulus;
     let rows = waves.q.len();
-    let columns =
-        |value: &dyn Fn(usize, usize) -> f64| Mat::from_fn(rows, count, |k, j| value(k, j));
+    let columns = |value: &dyn Fn(usize, usize) -> f64| Mat::from_fn(rows, count, value);
     let mut cosines = Mat::<f64>::zeros(rows, count);
     for (j, tau) in points.at.iter().enumerate() {
         let column = cosines.col_as_slice_mut(j);

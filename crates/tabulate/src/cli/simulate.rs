@@ -14,7 +14,7 @@ use clap::{ValueHint, value_parser};
 use serde::Serialize;
 
 use super::allow;
-use super::fit::experiments::{FreeArguments, KnownArguments};
+use super::fit::experiments::{FreeArguments, KnownArguments, forget_shapes};
 use super::fit::indentation::{self, Noise};
 use super::fit::object::{Estimates, matrix};
 use super::fit::setting::unit_of;
@@ -144,7 +144,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     } else {
         Vec::new()
     };
-    arguments.known.forget_shapes(&mut experiments, &free);
+    forget_shapes(&mut experiments, &free);
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
     let table = arguments.table.read()?;
     if arguments.expect {

@@ -100,7 +100,7 @@ fn other_depth(fit: &Fit, problem: &Problem<'_>) -> Option<(ContactDepth, Vec<(E
     };
     let estimates = fit.estimates.iter().enumerate();
     let changed = estimates.filter(|(_, one)| is_modulus(one.parameter));
-    let changed = changed.map(|(i, one)| (one.clone(), other.value(i)));
+    let changed = changed.map(|(i, one)| (*one, other.value(i)));
     let is_large =
         |(before, after): &(Estimate, f64)| (after - before.value).abs() > before.standard_error;
     Some((used?, changed.filter(is_large).collect()))

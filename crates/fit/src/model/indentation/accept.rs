@@ -35,7 +35,7 @@ impl Indentation {
             let allowed = "positive and finite, Pa";
             return Err(setting(Parameter::Hardness, value, allowed));
         }
-        if !(self.tip_rounding.abs() < 1e-3) {
+        if self.tip_rounding.is_nan() || self.tip_rounding.abs() >= 1e-3 {
             let allowed = "below 1e-3 m: check the unit";
             return Err(setting(Parameter::TipRounding, self.tip_rounding, allowed));
         }
@@ -115,12 +115,16 @@ impl Experiment {
                 let allowed = "positive and finite: leave out rows without contact";
                 return refused("load", load, allowed);
             }
-            if let Some(&phase) = of.phases.get(i).filter(|phase| !(phase.abs() < 1.57)) {
+            if let Some(&phase) = of
+                .phases
+                .get(i)
+                .filter(|phase| phase.is_nan() || phase.abs() >= 1.57)
+            {
                 let allowed = "between -1.57 and 1.57 rad: check its unit";
                 return refused("phase", phase, allowed);
             }
             let stiffness = 1.0 / point.ordinate - of.frame_compliance;
-            if !(stiffness > 0.0) {
+            if stiffness.is_nan() || stiffness <= 0.0 {
                 let allowed = "below the stiffness of the frame, 1/frame-compliance";
                 return refused(ordinate, point.ordinate, allowed);
             }
@@ -128,12 +132,16 @@ impl Experiment {
                 let load = of.loads[i];
                 let h = point.abscissa - of.frame_compliance * load;
                 let depth = of.depth_of(h, load, 1.0 / stiffness);
-                if !(of.area.radius(depth) > 0.0) {
+                let radius = of.area.radius(depth);
+                if radius.is_nan() || radius <= 0.0 {
                     let allowed = "such that the contact depth and the area there are positive: \
                                    check the units, or leave out the first rows";
                     return refused("contact depth", depth, allowed);
                 }
-                if thickness.is_some_and(|thickness| !(of.thinning * depth < thickness)) {
+                if thickness.is_some_and(|thickness| {
+                    let thinned = of.thinning * depth;
+                    thinned.is_nan() || thinned >= thickness
+                }) {
                     let allowed = "such that something of the thinned film is left: leave out the \
                                    deepest rows, or thin it by a smaller part";
                     return refused("contact depth", depth, allowed);

@@ -66,7 +66,7 @@ impl AreaFunction {
     /// positive area.
     pub fn radius(&self, depth: f64) -> f64 {
         let nanometres = depth / NANOMETRE;
-        if !(nanometres > 0.0) {
+        if nanometres.is_nan() || nanometres <= 0.0 {
             return f64::NAN;
         }
         let [square, rest @ ..] = self.coefficients;

@@ -113,9 +113,7 @@ impl Experiment {
             return;
         }
         let points = 0..self.measurement.points.len();
-        let radii = points
-            .clone()
-            .filter_map(|i| self.radius_without_contact(i));
+        let radii = points.filter_map(|i| self.radius_without_contact(i));
         let radii = radii
             .filter(|radius| radius.is_finite())
             .fold(0.0, f64::max);

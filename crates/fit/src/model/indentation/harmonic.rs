@@ -147,7 +147,7 @@ impl Experiment {
             let [residuals, slopes, _] = sums(phi);
             let step = residuals / slopes;
             phi += step;
-            if !(step.abs() > ACCURACY) {
+            if step.is_nan() || step.abs() <= ACCURACY {
                 break;
             }
         }

@@ -116,7 +116,7 @@ impl Experiment {
         sample: &Sample,
     ) -> Result<(f64, f64), Error> {
         let place = self.place(i, compared.exp(), sample.contact())?;
-        if !(place.radius > 0.0) {
+        if place.radius.is_nan() || place.radius <= 0.0 {
             return Ok((0.0, f64::NAN));
         }
         let thinner = self.indentation.thinning * place.depth;

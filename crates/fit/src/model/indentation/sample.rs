@@ -30,7 +30,7 @@ impl Sample {
         contact_of: &ContactOf<'_>,
         most: f64,
     ) -> Result<Self, crate::Error> {
-        if !(most > 0.0) {
+        if most.is_nan() || most <= 0.0 {
             return Ok(Self::One(contact_of(bodies, false)?));
         }
         Ok(match bodies {

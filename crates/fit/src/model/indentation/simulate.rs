@@ -60,7 +60,9 @@ impl Experiment {
             for _ in 0..BISECTIONS {
                 let middle = 0.5 * (low + high);
                 // No contact is wider than the reach of the sample.
-                let too_deep = at(middle.exp()).map_or(true, |(h, ..)| !(h < target));
+                let too_deep = at(middle.exp())
+                    .ok()
+                    .is_none_or(|(h, ..)| h.is_nan() || h >= target);
                 if too_deep {
                     high = middle;
                 } else {
@@ -68,7 +70,8 @@ impl Experiment {
                 }
             }
             let (h, load, stiffness) = at(low.exp())?;
-            if !((h / target - 1.0).abs() < 1e-6) {
+            let apart = (h / target - 1.0).abs();
+            if apart.is_nan() || apart >= 1e-6 {
                 return Err(Error::Point {
                     measurement: name,
                     line: point.line,

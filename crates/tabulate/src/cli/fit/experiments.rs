@@ -62,15 +62,6 @@ impl KnownArguments {
         }
     }
 
-    /// Leaves the shape of the probe and the adhesion out of experiments in which they do not matter.
-    pub fn forget_shapes(&self, experiments: &mut [Experiment], free: &[Free]) {
-        for experiment in experiments {
-            if has_no_shape(experiment, free) {
-                forget_shape(experiment);
-            }
-        }
-    }
-
     /// Asks for all that a fit of experiments needs and nobody gives. The values of free parameters
     /// are needed only where the data do not tell where to start.
     pub fn ask(
@@ -351,4 +342,13 @@ fn modulus_of_top(bodies: &Bodies) -> Parameter {
         _ => None,
     };
     top.map_or(Parameter::FilmModulus, Parameter::LayerModulus)
+}
+
+/// Leaves the shape of the probe and the adhesion out of experiments in which they do not matter.
+pub fn forget_shapes(experiments: &mut [Experiment], free: &[Free]) {
+    for experiment in experiments {
+        if has_no_shape(experiment, free) {
+            forget_shape(experiment);
+        }
+    }
 }

@@ -344,7 +344,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
     }
     let free = arguments.free.of(&experiments, &arguments.known.values)?;
-    arguments.known.forget_shapes(&mut experiments, &free);
+    experiments::forget_shapes(&mut experiments, &free);
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);
     let from_deflection = columns.any(|column| column.role == Role::Deflection);
     if from_deflection

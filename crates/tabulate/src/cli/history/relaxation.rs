@@ -33,6 +33,7 @@ pub struct RelaxationArguments {
 
 /// The relaxation functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[expect(clippy::enum_variant_names, reason = "these are the names of the laws")]
 pub enum Law {
     /// relaxed-fraction + sum weight exp(-t/time): the generalised Maxwell solid; with one time the
     /// standard linear solid
