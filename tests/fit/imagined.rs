@@ -54,11 +54,17 @@ pub fn measurement(kind: Kind, points: Vec<Point>) -> Measurement {
     }
 }
 
-/// Returns the warnings of a fit but that it takes its film as bonded, which is the truth.
+/// Returns the warnings of a fit but that it takes its film as bonded and its contact as frictionless,
+/// which is the truth.
 pub fn doubts(found: &Fit) -> Vec<&Warning> {
     let warnings = found.warnings.iter();
     warnings
-        .filter(|one| one.kind != WarningKind::AssumesBonding)
+        .filter(|one| {
+            !matches!(
+                one.kind,
+                WarningKind::AssumesBonding | WarningKind::Friction
+            )
+        })
         .collect()
 }
 

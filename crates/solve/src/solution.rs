@@ -59,7 +59,7 @@ pub fn solve(a_over_t: f64, material: &Material, tolerance: f64) -> Result<Solut
 /// ```
 /// # fn main() -> Result<(), solve::Error> {
 /// let film_on_glass = interp::Material::new(1.75, 0.5, 1e5, 0.25)?;
-/// let (_, cone) = solve::solve::solve_power_laws(3.0, &film_on_glass, &[1.0], 1e-8)?;
+/// let (_, cone) = solve::solve_power_laws(3.0, &film_on_glass, &[1.0], 1e-8)?;
 /// println!("delta0 = {} a (pi/2) tan(beta)", cone[0].delta);
 /// # Ok(()) }
 /// ```

@@ -26,7 +26,7 @@ const TESTS: &str = "tests, benches, xtask";
 /// The Python package.
 const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
 /// All packages that fit.
-const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate/cli, tabulate/default, tabulate/fit";
+const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate/cli, tabulate/default, tabulate/figures, tabulate/fit";
 
 /// Crates under other licences, their licences, and the features that need them.
 const OTHERS: [(&str, &str, &str); 9] = [

@@ -460,7 +460,7 @@ pub const FUNCTIONS: &[Function] = &[
             ..description.certificate
         };
         let count = AXES.iter().map(|nodes| nodes.len()).product();
-        let values: [_; 5] = from_fn(|_| Some(vec![0.7; count]));
+        let values: [_; 4] = from_fn(|_| Some(vec![0.7; count]));
         let table = Table::new(description, tables::axes(), values)?;
         let curve = table.curve(&tables::material())?;
         Ok(vec![curve.error(x[5]).unwrap_or(0.0), curve.error(0.7)?])

@@ -32,7 +32,7 @@ use solve::{curve as adaptive, solve};
 /// Two columns are slopes dF/d delta (N/m): contact_stiffness where the contact line stays, which a
 /// small fast oscillation measures, and moving_stiffness where it moves in equilibrium, which the
 /// force curve itself has. Without adhesion they are equal; under a flat punch, whose line cannot
-/// move, the second is NaN.
+/// move, the second is NaN. Where a table does not hold eeq and gamma, a slope that needs them is NaN.
 ///
 /// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
 /// is a column outer_radius (m): the radius within which it acts.
@@ -228,9 +228,10 @@ impl<'a> States<'a> {
                 let (load, penetration) = contact.load_and_penetration(a, w)?;
                 let moving = match self.system.probe {
                     Probe::FlatPunch { .. } => f64::NAN,
-                    _ => contact.moving_stiffness(a, w)?,
+                    _ => where_held(contact.moving_stiffness(a, w))?,
                 };
-                (load, penetration, vec![contact.stiffness(a)?, moving])
+                let pinned = where_held(contact.stiffness(a))?;
+                (load, penetration, vec![pinned, moving])
             }
             Source::Solves(slopes) => {
                 let edge = mechanics.edge_singularity(a, w)?;
@@ -249,6 +250,16 @@ impl<'a> States<'a> {
         let jkr = JkrPoint::new(a, load, mechanics.sphere_radius());
         let row = [a, load, penetration, jkr.abscissa, jkr.ordinate];
         Ok(row.into_iter().chain(further).collect())
+    }
+}
+
+/// Returns a stiffness; NaN where the table does not hold what it needs.
+fn where_held(stiffness: Result<f64, interp::Error>) -> Result<f64, interp::Error> {
+    match stiffness {
+        Err(interp::Error::MissingQuantity(_) | interp::Error::BeginsTooLate { .. }) => {
+            Ok(f64::NAN)
+        }
+        stiffness => stiffness,
     }
 }
 
