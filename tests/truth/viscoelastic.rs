@@ -844,3 +844,23 @@ fn mistakes() {
         );
     }
 }
+
+/// Two instants that nothing tells apart ask for no more exponentials than others do.
+#[test]
+fn instants_at_any_distance_are_answered() {
+    let contact = half_space(Probe::Paraboloid { radius: 1.0 });
+    let law = Relaxation::FractionalZener {
+        relaxed: 0.1,
+        exponent: 0.5,
+        time: 1.0,
+    };
+    let history = contact.history(&law).expect("a law");
+    let program = [(0.0, 0.0), (1.0, 1e-3), (1.0_f64.next_up(), 1e-3)];
+    for first in [1e-49, 1e-300, 5e-324] {
+        let found = history.at(Control::Displacement, &program, &[first, 1.0], Some(1e-2));
+        match found {
+            Ok(course) => assert_eq!(course.states.len(), 2),
+            Err(error) => assert_names(&error.to_string(), &["time"]),
+        }
+    }
+}

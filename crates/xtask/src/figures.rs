@@ -19,13 +19,14 @@ const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
 const TIGHTEST: [&str; 2] = ["1e-8", "1e-4"];
 
 /// The figures of `tabulate plot`, and the measurement that each is drawn from.
-const FIGURES: [(&str, Option<&str>); 13] = [
+const FIGURES: [(&str, Option<&str>); 14] = [
     ("fig2", None),
     ("fig3", None),
     ("fig4", None),
     ("force-displacement", None),
     ("pull-off", None),
     ("contact-stiffness", None),
+    ("friction", None),
     ("interface", None),
     ("relaxation", None),
     ("error-map", None),

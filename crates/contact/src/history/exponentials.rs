@@ -244,6 +244,9 @@ impl Density<'_> {
     fn sum(&self, relaxed: f64, [shortest, longest]: [f64; 2], tolerance: f64) -> Exponentials {
         /// The most terms beyond the ends that are added up one by one.
         const MOST: usize = 10_000_000;
+        /// The step, over the whole duration, below which a shorter one adds nothing but terms.
+        const SHORTEST: f64 = 1e-20;
+        let shortest = shortest.max(SHORTEST * longest);
         let step = 2.0 * PI * self.strip / (9.0 / tolerance).ln();
         let scale = 1.0 - relaxed;
         let weight = |i: i64| scale * step * (self.value)(i as f64 * step);
