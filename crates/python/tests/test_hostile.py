@@ -44,6 +44,7 @@ from coated_contact import (
     simulate,
     solve,
     solve_stack,
+    solve_stick_punch,
 )
 
 ENDS = [0.0, 5e-324, 1e-310, 2.3e-308, 1e-154, 1e-30, 2.2e-16, 0.25, 0.5, 1.0, 1e30, 1e154, 1.8e308]
@@ -267,6 +268,10 @@ FUNCTIONS = {
         lambda *n: contact_of(n[:7]).load_and_penetration(n[7], n[8]),
     ),
     "Contact.stiffness": ([*BODIES, 65e-6], lambda *n: contact_of(n[:7]).stiffness(n[7])),
+    "Contact.moving_stiffness": (
+        [*BODIES, 65e-6, 0.04],
+        lambda *n: contact_of(n[:7]).moving_stiffness(n[7], n[8]),
+    ),
     "Contact.gradient": (
         [*BODIES, 65e-6, 0.04],
         lambda *n: gradient(contact_of(n[:7]), n[7], n[8]),
@@ -389,6 +394,10 @@ FUNCTIONS = {
     "solve_stack": (
         [3.5e6, 0.45, 5e-6, 5e5, 2e11, 0.25, 1.5, 2e6],
         lambda *n: solve_stack(n[6], stack_of(n[:6]), n[7], 1e-6).eeq,
+    ),
+    "solve_stick_punch": (
+        [1.0, 1.75, 0.5, 1e5, 0.25, 0.5, 1e-6],
+        lambda *n: [solve_stick_punch(*n).eeq_s, solve_stick_punch(*n).gamma_eff],
     ),
     "SolvedCurve.contact": (
         [*BODIES, 0.5, 2.0, 1e-4],
