@@ -29,5 +29,5 @@ def test_a_notebook_runs(path, tmp_path):
     pyplot.close("all")
 
 
-def test_there_are_five():
-    assert len(NOTEBOOKS) == 5
+def test_there_are_six():
+    assert len(NOTEBOOKS) == 6
