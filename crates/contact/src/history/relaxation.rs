@@ -178,7 +178,7 @@ impl Relaxation {
     ///
     /// It obeys `int_0^t phi(t-t') dJ(t') = 1`. That of a power law is
     /// `(t/time)^exponent sin(pi exponent)/(pi exponent)`; the others are sums of exponentials,
-    /// to 1e-12 (tests of this room).
+    /// to 1e-12, as the unit tests of `exponentials` measure.
     ///
     /// # Errors
     /// As [`Relaxation::modulus`].
