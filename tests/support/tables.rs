@@ -62,8 +62,8 @@ pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
 /// If `error` is below rounding.
 pub fn low_rank(table: &Table, error: f64) -> Table {
     let form = tabulate::table::compress(table, error).expect("above rounding");
-    Table::from_low_rank(table.description().clone(), table.axes(), form)
-        .expect("a form of this table")
+    let (description, quantities) = (table.description().clone(), table.quantities());
+    Table::from_low_rank(description, table.axes(), quantities, form).expect("a form of this table")
 }
 
 /// Returns the path of a shipped table or scene, `tables/<name>`.

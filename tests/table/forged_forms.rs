@@ -1,7 +1,8 @@
 //! Forged files of low-rank tables.
 
 use acceptance::{PREFIX, assert_names, material, with_payload, workdir};
-use interp::{Error, LowRank, Quantity, Table, Tile};
+use interp::{Error, Quantity, Table, Tile};
+use low_rank::IntegerTrain;
 
 use crate::low_rank::{FOUR_AXES, PACKED};
 
@@ -55,7 +56,7 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
     // A whole number below 251 takes a byte, others three. The content ends with the weights of
     // three bonds, each list behind its length, a step of eight bytes, and the list of the coded
     // integers.
-    let integers = tile.form.coded_bytes();
+    let integers = tile.form.coded_integers().len();
     let size = |length: usize| if length < 251 { 1 } else { 3 };
     let at_integers = payload.len() - integers - size(integers);
     let [a, b, c] = tile.form.ranks();
@@ -93,114 +94,41 @@ fn nothing_is_allocated_on_the_word_of_a_file() {
 }
 
 #[test]
-fn a_form_whose_parts_contradict_each_other_is_malformed() {
-    let held = || vec![Quantity::Pi0, Quantity::Eeq];
-    let (order, terms, step) = ([3, 1, 2], [1, 3, 2, 2], 0.5);
-    // The weights 1/2, 1/4, 2 and 1.
-    let weights = || [vec![-1], vec![-2], vec![1, 0]];
-    let cores = || {
-        [
-            vec![2],
-            vec![1, 2, -1],
-            vec![10, 20, 30, -5],
-            vec![1, 2, 3, 4, 5, 6, 7, 8],
-        ]
-    };
-    let sound = LowRank::new(held(), order, terms, weights(), step, cores()).expect("sound");
-    assert_eq!(
-        (sound.ranks(), sound.terms(), sound.quantities()),
-        ([1, 1, 2], terms, &held()[..])
-    );
-    // By hand, where the film's modulus is in the middle, `T1 = 0` and `T2 = -1`, `nu1` at its end,
-    // `T1 = 1`, and `a/t` at its beginning, `T1 = -1`.
-    let root = |square: f64| 2_f64.sqrt() / (1.0 + square).sqrt();
-    let [film, nu, a] = [-root(0.01), root(0.25), -root(1.0 / 1600.0)];
-    let vector = [10.0 + 30.0 * nu, 20.0 - 5.0 * nu];
-    let before = 2.0 * step / 0.5 * (step * (1.0 - film) / 0.25);
-    let expected = [
-        [1.0 + 3.0 * a, 5.0 + 7.0 * a],
-        [2.0 + 4.0 * a, 6.0 + 8.0 * a],
-    ]
-    .map(|last| before * step * step * (vector[0] / 2.0 * last[0] + vector[1] * last[1]));
-    let ends = [[-1.0, 1.0], [2.0, 4.0], [0.0, 1.0], [7.0, 7.0]];
-    let found = sound.logarithms(ends, [&[-1.0], &[3.0], &[1.0], &[7.0]]);
-    assert_eq!(found.len(), 2);
-    for (found, expected) in found.iter().zip(expected) {
-        assert!(
-            (found / expected - 1.0).abs() < 1e-14,
-            "{found}, not {expected}"
-        );
-    }
-    let new = |order, terms, weights, step, cores| {
-        LowRank::new(held(), order, terms, weights, step, cores)
-    };
-    let with_core = |i: usize, core: Vec<i64>| {
-        let mut cores = cores();
-        cores[i] = core;
-        new(order, terms, weights(), step, cores)
-    };
-    let of = |quantities| LowRank::new(quantities, order, terms, weights(), step, cores());
-    let with_weight = |weight| {
-        new(
-            order,
-            terms,
-            [vec![weight], vec![-2], vec![1, 0]],
-            step,
-            cores(),
+fn a_train_of_other_functions_than_the_table_holds_is_malformed() {
+    let table = &*FOUR_AXES;
+    let train = |functions, smooth_degrees| {
+        let cores = [vec![1], vec![1], vec![1], vec![1; functions]];
+        let weights = [vec![0], vec![0], vec![0]];
+        IntegerTrain::new(
+            functions,
+            [1, 2, 3],
+            smooth_degrees,
+            [1; 4],
+            weights,
+            1e-3,
+            cores,
         )
     };
+    let of = |quantities: &[Quantity], form: Result<IntegerTrain, _>| {
+        let tile = Tile {
+            film: [0, table.shape()[1] - 1],
+            substrate: [0, table.shape()[3] - 1],
+            form: form.expect("sound"),
+        };
+        let description = table.description().clone();
+        Table::from_low_rank(description, table.axes(), quantities.to_vec(), vec![tile])
+    };
+    let held = [Quantity::Pi0, Quantity::Eeq];
+    let degrees = Tile::SMOOTH_DEGREES;
+    of(&held, train(2, degrees)).expect("two of two");
     let wrong = [
-        of(vec![]),
-        of(vec![Quantity::Eeq, Quantity::Pi0]),
-        of(vec![Quantity::Eeq; 2]),
-        new([3, 1, 1], terms, weights(), step, cores()),
-        new([0, 1, 2], terms, weights(), step, cores()),
-        new(order, [1, 3, 2, 1], weights(), step, cores()),
-        new(order, [0, 3, 2, 2], weights(), step, cores()),
-        new(order, [1, usize::MAX, 2, 2], weights(), step, cores()),
-        new(order, terms, [vec![-1], vec![], vec![1, 0]], step, cores()),
-        new(
-            order,
-            terms,
-            [vec![-1], vec![-2], vec![1, 0, 0]],
-            step,
-            cores(),
-        ),
-        // Two values of an index from a single term.
-        new(
-            order,
-            terms,
-            [vec![-1, -1], vec![-2], vec![1, 0]],
-            step,
-            [
-                vec![2, 2],
-                vec![1, 2, -1, 3, 1, 1],
-                vec![10, 20, 30, -5],
-                vec![1; 8],
-            ],
-        ),
-        with_core(0, vec![]),
-        with_core(2, vec![10, 20, 30]),
-        with_core(3, vec![1, 2, 3, 4, 5, 6]),
-        with_core(1, vec![1, 2, i64::MIN]),
-        with_core(1, vec![1, 2, (1 << 53) + 1]),
-        new(order, terms, weights(), 0.0, cores()),
-        new(order, terms, weights(), f64::NAN, cores()),
-        new(order, terms, weights(), f64::INFINITY, cores()),
-        // In steps of this, one integer is more than anything is.
-        new(order, terms, weights(), 1e29, cores()),
-        with_weight(100),
-        with_weight(i8::MIN),
+        of(&held, train(3, degrees)),
+        of(&held, train(2, [40.0; 4])),
+        of(&[], train(0, degrees).or(train(1, degrees))),
+        of(&[Quantity::Eeq, Quantity::Pi0], train(2, degrees)),
+        of(&[Quantity::Eeq; 2], train(2, degrees)),
     ];
     for (i, wrong) in wrong.iter().enumerate() {
         assert!(matches!(wrong, Err(Error::Malformed(_))), "{i}: {wrong:?}");
     }
-    let table = &*FOUR_AXES;
-    let tile = Tile {
-        film: [0, 2],
-        substrate: [0, 0],
-        form: sound,
-    };
-    let misfit = Table::from_low_rank(table.description().clone(), table.axes(), vec![tile]);
-    assert!(matches!(misfit, Err(Error::Malformed(_))), "{misfit:?}");
 }

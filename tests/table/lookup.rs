@@ -68,7 +68,8 @@ fn finest(table: &Table) -> Table {
         ..table.description().clone()
     };
     let tiles = table.low_rank().expect("low-rank").to_vec();
-    Table::from_low_rank(description, table.axes(), tiles).expect("the form of this table")
+    Table::from_low_rank(description, table.axes(), table.quantities(), tiles)
+        .expect("the form of this table")
 }
 
 /// The number of pieces of a curve is chosen from some materials, and must suffice for all others.

@@ -75,10 +75,12 @@ mod error;
 mod force_curve;
 mod material;
 mod mechanics;
-pub mod once;
 mod table;
 
-pub use curve::{Curve, EvenShape, LARGEST_A_OVER_R, QuantityGradient, StackShape, bspline};
+/// Values that are made at their first use, also in the child of a fork.
+pub use low_rank::once;
+
+pub use curve::{Curve, EvenShape, LARGEST_A_OVER_R, QuantityGradient, StackShape};
 pub use error::Error;
 pub use force_curve::ForceCurve;
 pub use material::{
@@ -86,4 +88,4 @@ pub use material::{
     SubstratePoissonRatio, System,
 };
 pub use mechanics::{LoadAndPenetration, Mechanics};
-pub use table::{Certificate, Description, LowRank, Table, Tile, chebyshev, is_packed, schema};
+pub use table::{Certificate, Description, Table, Tile, is_packed, schema};

@@ -205,7 +205,9 @@ fn default_box([nodes, form, tolerance]: [f64; 3]) -> Table {
     };
     let dense = Table::new(description.clone(), axes, values).expect("a whole table");
     let tiles = compress(&dense, form).expect("above rounding");
-    Table::from_low_rank(description, dense.axes(), tiles).expect("the form of this table")
+    let quantities = dense.quantities();
+    Table::from_low_rank(description, dense.axes(), quantities, tiles)
+        .expect("the form of this table")
 }
 
 /// The nodes in the coordinates in which splines are smooth, and the logarithms at the nodes.

@@ -6,11 +6,12 @@
 use std::array::from_fn;
 
 use contact::{Contact, CrackTip, FiniteRange, Hysteresis, JkrFit, JkrPoint, RateDependent};
-use interp::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use interp::{
-    Certificate, Curve, Elastic, Error, HalfSpace, LowRank, Material, Mechanics, Parameter, Probe,
-    Quantities, Quantity, SubstratePoissonRatio, Table,
+    Certificate, Curve, Elastic, Error, HalfSpace, Material, Mechanics, Parameter, Probe,
+    Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
 };
+use low_rank::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
+use low_rank::{IntegerTrain, Malformed};
 
 use crate::calls::{
     GRADIENTS, Results, controls, curve, each, gradients, loads, material, moduli, numbers,
@@ -465,21 +466,24 @@ pub const FUNCTIONS: &[Function] = &[
         let curve = table.curve(&tables::material())?;
         Ok(vec![curve.error(x[5]).unwrap_or(0.0), curve.error(0.7)?])
     }),
-    ("LowRank::new", &[0.1, 1.0, -2.0, 3.0], |x| {
+    ("IntegerTrain::new", &[0.1, 1.0, -2.0, 3.0], |x| {
         let terms = [3, 1, 2, 0].map(|dimension| AXES[dimension].len());
         let integer = |number: f64| number as i64;
-        let form = LowRank::new(
-            vec![Quantity::Pi0],
+        let form = IntegerTrain::new(
+            1,
             tables::ORDER,
+            Tile::SMOOTH_DEGREES,
             terms,
             from_fn(|_| vec![integer(x[1]) as i8]),
             x[0],
             terms.map(|count| [integer(x[2]), integer(x[3])].repeat(count)[..count].to_vec()),
-        )?;
+        )
+        .map_err(|Malformed(what)| Error::Malformed(what))?;
         let tiles = tables::whole(form, AXES.map(<[f64]>::len));
         look_up(&Table::from_low_rank(
             tables::description(),
             tables::axes(),
+            vec![Quantity::Pi0],
             tiles,
         )?)?;
         Ok(vec![])

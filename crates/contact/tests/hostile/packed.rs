@@ -314,9 +314,7 @@ fn a_small_form_that_needs_gigabytes_is_refused_with_what_to_do() {
 /// Each form alone is accepted because forms of any size may need a megabyte of numbers.
 #[test]
 fn tiles_that_need_too_much_together_are_refused() {
-    let form = tables::form(&[Quantity::Gamma], [96, 96, 1, 1], [96, 1, 1], 1e-3, |i| {
-        i % 7
-    });
+    let form = tables::form(1, [96, 96, 1, 1], [96, 1, 1], 1e-3, |i| i % 7);
     let mut axes = tables::axes();
     axes[1].1 = (0..12).map(|i| 1.5 + f64::from(i)).collect();
     axes[2].1.truncate(1);
@@ -327,7 +325,12 @@ fn tiles_that_need_too_much_together_are_refused() {
             form: form.clone(),
         };
         let tiles = (0..count).map(tile).collect();
-        Table::from_low_rank(tables::description(), axes.clone(), tiles)
+        Table::from_low_rank(
+            tables::description(),
+            axes.clone(),
+            vec![Quantity::Gamma],
+            tiles,
+        )
     };
     assert!(tiles(1).is_ok());
     for count in [2, 8] {

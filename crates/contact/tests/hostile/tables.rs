@@ -2,9 +2,10 @@
 
 use contact::Contact;
 use interp::{
-    Certificate, Description, Elastic, Error, LowRank, Material, Parameter, Probe, Quantity,
+    Certificate, Description, Elastic, Error, Material, Parameter, Probe, Quantity,
     SubstratePoissonRatio, System, Table, Tile,
 };
+use low_rank::IntegerTrain;
 
 /// The nodes of the four axes.
 pub const AXES: [&[f64]; 4] = [
@@ -58,26 +59,35 @@ pub fn dense() -> Table {
 /// The order of the cores of all forms of this file.
 pub const ORDER: [usize; 3] = [3, 1, 2];
 
-/// Makes a form of these numbers of terms along the substrate's modulus, the film's, its Poisson
+/// Makes a train of so many functions, of these numbers of terms along the substrate's modulus, the film's, its Poisson
 /// ratio and `a/t`, and of these ranks. `integer` gives the integers of each core.
 pub fn form(
-    quantities: &[Quantity],
+    functions: usize,
     terms: [usize; 4],
     ranks: [usize; 3],
     step: f64,
     integer: impl Fn(i64) -> i64,
-) -> LowRank {
-    let bonds = [1, ranks[0], ranks[1], ranks[2], quantities.len()];
+) -> IntegerTrain {
+    let bonds = [1, ranks[0], ranks[1], ranks[2], functions];
     let cores = std::array::from_fn(|i| {
         let count = (bonds[i] * terms[i] * bonds[i + 1]) as i64;
         (0..count).map(&integer).collect()
     });
     let weights = ranks.map(|rank| vec![0; rank]);
-    LowRank::new(quantities.to_vec(), ORDER, terms, weights, step, cores).expect("valid")
+    IntegerTrain::new(
+        functions,
+        ORDER,
+        Tile::SMOOTH_DEGREES,
+        terms,
+        weights,
+        step,
+        cores,
+    )
+    .expect("valid")
 }
 
 /// Returns the only tile of a table with this number of nodes on each axis.
-pub fn whole(form: LowRank, [_, film, _, substrate]: [usize; 4]) -> Vec<Tile> {
+pub fn whole(form: IntegerTrain, [_, film, _, substrate]: [usize; 4]) -> Vec<Tile> {
     vec![Tile {
         film: [0, film - 1],
         substrate: [0, substrate - 1],
@@ -89,8 +99,9 @@ pub fn whole(form: LowRank, [_, film, _, substrate]: [usize; 4]) -> Vec<Tile> {
 pub fn low_rank() -> Table {
     let [a, e1, nu, e0] = AXES.map(<[f64]>::len);
     let integer = |i: i64| (i * i * 37) % 61 - 30;
-    let form = form(&Quantity::ALL, [e0, e1, nu, a], [2; 3], 0.01, integer);
-    Table::from_low_rank(description(), axes(), whole(form, [a, e1, nu, e0])).expect("valid")
+    let form = form(4, [e0, e1, nu, a], [2; 3], 0.01, integer);
+    let tiles = whole(form, [a, e1, nu, e0]);
+    Table::from_low_rank(description(), axes(), Quantity::ALL.to_vec(), tiles).expect("valid")
 }
 
 /// Makes a low-rank table of `Gamma` in three tiles.
@@ -106,14 +117,14 @@ pub fn low_rank_in_tiles() -> Table {
     let tile = |film, substrate, terms| Tile {
         film,
         substrate,
-        form: form(&[Quantity::Gamma], terms, [2; 3], 0.05, |i| 4 + i % 5),
+        form: form(1, terms, [2; 3], 0.05, |i| 4 + i % 5),
     };
     let tiles = vec![
         tile([0, 20], [0, 9], [4, 12, 3, 5]),
         tile([20, 39], [0, 4], [2, 6, 2, 4]),
         tile([20, 39], [4, 9], [3, 20, 3, 3]),
     ];
-    Table::from_low_rank(description(), axes, tiles).expect("valid")
+    Table::from_low_rank(description(), axes, vec![Quantity::Gamma], tiles).expect("valid")
 }
 
 /// Returns a material in the box of every table of this file.
@@ -131,13 +142,14 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
         (Parameter::Nu1, vec![0.3]),
         (Parameter::E0OverE2, vec![300.0]),
     ];
-    let form = form(&Quantity::ALL, [1, 1, 1, 30], [1; 3], 0.1, |i| 10 + i % 3);
+    let form = form(4, [1, 1, 1, 30], [1; 3], 0.1, |i| 10 + i % 3);
     Table::from_low_rank(
         Description {
             tolerance: 1e-12,
             ..description()
         },
         axes,
+        Quantity::ALL.to_vec(),
         whole(form, [count, 1, 1, 1]),
     )
     .expect("valid")
@@ -161,13 +173,14 @@ pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Tab
     ];
     // So accurate that no part of a core is negligible, and yet of few bits for an integer.
     let integer = |i: i64| i64::from(i % 4 == 0);
-    let form = form(&Quantity::ALL, terms, ranks, 1e-3, integer);
+    let form = form(4, terms, ranks, 1e-3, integer);
     Table::from_low_rank(
         Description {
             tolerance: 1e-12,
             ..description()
         },
         axes,
+        Quantity::ALL.to_vec(),
         whole(form, [n_a, n_e1, n_nu, n_e0]),
     )
 }
@@ -199,9 +212,14 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
     let count: usize = shape.iter().product();
     let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
     let [a, e1, nu, e0] = shape.map(|count| count.min(40));
-    let form = form(&Quantity::ALL, [e0, e1, nu, a], [1; 3], 0.1, |i| 10 + i % 3);
-    let low_rank = Table::from_low_rank(description.clone(), axes.clone(), whole(form, shape));
-    let low_rank = low_rank.expect("valid");
+    let form = form(4, [e0, e1, nu, a], [1; 3], 0.1, |i| 10 + i % 3);
+    let low_rank = Table::from_low_rank(
+        description.clone(),
+        axes.clone(),
+        Quantity::ALL.to_vec(),
+        whole(form, shape),
+    )
+    .expect("valid");
     [
         Table::new(description, axes, values).expect("valid"),
         low_rank,

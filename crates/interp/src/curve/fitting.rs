@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::curve::bspline::Basis;
+use low_rank::bspline::Basis;
+
 use crate::curve::derived::Derivation;
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{Values, evaluate, evaluate_all};

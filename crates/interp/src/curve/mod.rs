@@ -1,6 +1,7 @@
 //! The quantities of one material as functions of `a/t`.
 //!
-//! A table, or a solve, gives values at `nodes`. `bspline` interpolates them by splines.
+//! A table, or a solve, gives values at `nodes`. The splines of `low_rank::bspline`
+//! interpolate them.
 //! `resampler` turns the splines into polynomials on the pieces of a `grid`, which finds a piece
 //! without a search; `spans` holds the B-splines of each piece. `fitting` chooses the pieces,
 //! `piecewise` evaluates the polynomials. From `Gamma` alone, `derived` integrates the other
@@ -14,7 +15,6 @@
 
 mod asymptotics;
 mod beyond;
-pub mod bspline;
 mod curve;
 pub(crate) mod derived;
 mod even_powers;

@@ -8,9 +8,9 @@ use std::sync::Arc;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
+use low_rank::bspline::Basis;
 
 use crate::Quantity;
-use crate::curve::bspline::Basis;
 use crate::curve::derived::{Constants, Derivation};
 use crate::curve::grid::{Grid, Position};
 use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};

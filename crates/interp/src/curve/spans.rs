@@ -3,9 +3,9 @@
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, f64x8};
+use low_rank::bspline::Basis;
 
 use crate::Parameter;
-use crate::curve::bspline::Basis;
 use crate::curve::grid::Grid;
 use crate::curve::piecewise::LOGARITHM;
 use crate::curve::series::{LANES, Lanes, Series, transposed_lanes};
@@ -70,7 +70,7 @@ impl Spans {
             let [least, most] = [least, most].map(|count| count.copied().unwrap_or(0));
             let count = most.min(least + Self::MOST_VANISHING);
             let mut span = Span {
-                first: reach.map(|[first, _]| first.min(basis.len() - count)),
+                first: reach.map(|[first, _]| first.min(basis.count() - count)),
                 count,
                 start: all_weights.len(),
                 rest: [[0; 2]; LANES],

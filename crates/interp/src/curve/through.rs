@@ -1,6 +1,7 @@
 //! Makes the curve through quantities at nodes, from elsewhere than a table.
 
-use crate::curve::bspline::Basis;
+use low_rank::bspline::Basis;
+
 use crate::curve::nodes::{REASONABLE, too_close};
 use crate::curve::resampler::Resampler;
 use crate::{Curve, Error, Material, Parameter, Quantities, Quantity};

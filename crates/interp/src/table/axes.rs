@@ -3,7 +3,8 @@
 
 use std::cmp::Ordering;
 
-use crate::curve::bspline::Basis;
+use low_rank::bspline::Basis;
+
 use crate::curve::nodes::{REASONABLE, too_close};
 use crate::material::equivalence::Invariants;
 use crate::material::{ROUNDING, poisson_ratio};

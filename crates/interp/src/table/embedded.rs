@@ -1,7 +1,8 @@
 //! The table that is compiled into the crate (feature `embedded`).
 
+use low_rank::once::Lazy;
+
 use crate::Table;
-use crate::once::Lazy;
 
 /// The table of the scene `tables/universal.toml`, packed by `tabulate pack --tolerance`.
 static UNIVERSAL: Lazy<Table> = Lazy::new(|| {

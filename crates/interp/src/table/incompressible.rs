@@ -19,9 +19,10 @@
 
 use std::array;
 
+use low_rank::WeightedSum;
+
 use crate::Parameter;
 use crate::table::tensor_spline::TensorSpline;
-use crate::table::vectors::WeightedSum;
 
 /// The largest `(w + u) |dv/dw|` with which the slope of the spline is used.
 const LARGEST_MAGNIFICATION: f64 = 0.5;

@@ -12,7 +12,7 @@
 //! The content of a dense table is its values as f64, quantity by quantity. The content of a
 //! low-rank table is a list of its tiles: their nodes, the order of the cores, the numbers of their
 //! polynomials, the weights and the step (bincode, integers of variable width), and the integers of
-//! the cores in the code of the module `entropy`. The header holds the lengths of the pieces of a
+//! the cores in the code of `low_rank`. The header holds the lengths of the pieces of a
 //! curve, which the first lookup would otherwise have to choose.
 //!
 //! A forged length cannot allocate much memory. The length of the header is limited. The number of
@@ -260,7 +260,8 @@ fn low_rank(header: Header, content: &[u8]) -> Result<Table, Error> {
     let tiles = coded_tiles(content)?.into_iter();
     let tiles = tiles.map(|tile| tile.decode(&header.quantities));
     let tiles = tiles.collect::<Result<_, _>>()?;
-    Table::from_low_rank(header.description, header.axes, tiles)?.with_pieces(header.pieces)
+    Table::from_low_rank(header.description, header.axes, header.quantities, tiles)?
+        .with_pieces(header.pieces)
 }
 
 /// Reads the tiles of a low-rank table.

@@ -2,13 +2,12 @@
 
 use std::borrow::Cow;
 
+use low_rank::once::Once;
+use low_rank::{IntegerTrain, Malformed};
 use serde::{Deserialize, Serialize};
 
-use crate::once::Once;
-use crate::table::entropy;
-use crate::table::low_rank::shapes;
 use crate::table::tiles::{Place, Tile};
-use crate::{Error, LowRank, Quantity};
+use crate::{Error, Quantity};
 
 /// A tile whose integers are in code.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -44,22 +43,28 @@ impl CodedTile {
             terms: form.terms(),
             weights: form.exponents().clone(),
             step: form.step(),
-            integers: entropy::encode(form.shapes(), form.integers()),
+            integers: form.coded_integers(),
         }
     }
 
     /// Decodes the tile of a table of these quantities.
     ///
     /// # Errors
-    /// [`Error::Malformed`]: those of the code, and of [`LowRank::new`].
+    /// [`Error::Malformed`]: those of [`IntegerTrain::of_code`].
     pub(crate) fn decode(&self, quantities: &[Quantity]) -> Result<Tile, Error> {
-        let ranks = self.weights.each_ref().map(Vec::len);
-        let cores = entropy::decode(shapes(ranks, self.terms, quantities.len()), &self.integers)?;
-        let (order, terms, weights) = (self.order, self.terms, self.weights.clone());
+        let form = IntegerTrain::of_code(
+            quantities.len(),
+            self.order,
+            Tile::SMOOTH_DEGREES,
+            self.terms,
+            self.weights.clone(),
+            self.step,
+            &self.integers,
+        );
         Ok(Tile {
             film: self.film,
             substrate: self.substrate,
-            form: LowRank::new(quantities.to_vec(), order, terms, weights, self.step, cores)?,
+            form: form.map_err(|Malformed(what)| Error::Malformed(what))?,
         })
     }
 
@@ -77,10 +82,10 @@ impl CodedTile {
 }
 
 impl StoredTiles {
-    /// Keeps tiles that are decoded, of which there is one at least.
-    pub(crate) fn new(tiles: Vec<Tile>) -> Self {
+    /// Keeps tiles that are decoded.
+    pub(crate) fn new(quantities: Vec<Quantity>, tiles: Vec<Tile>) -> Self {
         Self {
-            quantities: tiles[0].form.quantities().to_vec(),
+            quantities,
             coded: Vec::new(),
             decoded: Once::from(tiles),
         }

@@ -3,10 +3,11 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use low_rank::once::Once;
+
 use crate::curve::derived::Derivation;
 use crate::curve::nodes::REASONABLE;
 use crate::curve::resampler::Resampler;
-use crate::once::Once;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
 use crate::table::stored_tiles::StoredTiles;
@@ -110,12 +111,13 @@ impl Table {
         })
     }
 
-    /// Makes a table in low-rank form from its parts. The tiles meet at nodes, and cover the moduli
-    /// of film and substrate.
+    /// Makes a table of `quantities` in low-rank form from its parts. The tiles meet at nodes, and
+    /// cover the moduli of film and substrate.
     ///
     /// # Errors
     /// Those of [`Table::new`] about description and axes; [`Error::Malformed`] if there are no
-    /// tiles or more than 16, if they overlap, leave a gap or differ in their quantities, if a core
+    /// tiles or more than 16, if they overlap or leave a gap, if the quantities are not in order or
+    /// hold none of a sphere, if a train has another number of functions, if a core
     /// has several terms along an axis of one node, or for more than 2e8 values at the nodes.
     ///
     /// [`Error::LowRankTooLarge`] if the first lookup would need more than 1e8 numbers, or more
@@ -126,10 +128,11 @@ impl Table {
     pub fn from_low_rank(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],
+        quantities: Vec<Quantity>,
         tiles: Vec<Tile>,
     ) -> Result<Self, Error> {
-        tiles::check(&Axes::new(axes.clone())?, &tiles)?;
-        Self::of_tiles(description, axes, StoredTiles::new(tiles))
+        tiles::check(&Axes::new(axes.clone())?, &quantities, &tiles)?;
+        Self::of_tiles(description, axes, StoredTiles::new(quantities, tiles))
     }
 
     /// Makes a table in low-rank form of tiles that are known to be sound.

@@ -4,15 +4,14 @@
 use std::array;
 use std::sync::Arc;
 
+use low_rank::bspline::{Basis, LARGEST_DEGREE, Weights};
+use low_rank::once::Once;
+use low_rank::{PreparedTrain, Vectors, WeightedSum, add_rows};
+
 use crate::Parameter;
-use crate::curve::bspline::{Basis, LARGEST_DEGREE, Weights};
-use crate::once::Once;
 use crate::table::axes::Axes;
 use crate::table::stored_tiles::StoredTiles;
-use crate::table::tensor_train::TensorTrain;
 use crate::table::tiles;
-use crate::table::vectors::{Vectors, WeightedSum};
-use crate::table::weighted_sum::add_rows;
 
 /// The tensor B-spline of a table.
 ///
@@ -40,7 +39,7 @@ enum Form {
 #[derive(Clone, Debug)]
 struct Trains {
     tiles: Arc<StoredTiles>,
-    prepared: Vec<Once<TensorTrain>>,
+    prepared: Vec<Once<PreparedTrain>>,
     /// The ends of each tile in the coordinates of the moduli of film and substrate.
     boxes: Vec<[[f64; 2]; 2]>,
     /// The ends of each tile in the coordinates of all axes.
@@ -178,7 +177,7 @@ impl TensorSpline {
         weights: &[Weights; 3],
         slopes: [[bool; 3]; N],
     ) -> [Vec<f64>; N] {
-        let [n_e1, n_nu, n_e0] = self.bases.each_ref().map(Basis::len);
+        let [n_e1, n_nu, n_e0] = self.bases.each_ref().map(Basis::count);
         let width = rows.len() / (n_e1 * n_nu * n_e0);
         let [e1, nu, e0] = weights;
         let mut sums = array::from_fn(|_| vec![0.0; width]);
@@ -203,7 +202,7 @@ impl TensorSpline {
 
 impl Trains {
     /// Returns the train of the first tile that contains the material, with the B-splines of `a/t`.
-    fn of(&self, [film, _, substrate]: [f64; 3], basis: &Basis) -> &TensorTrain {
+    fn of(&self, [film, _, substrate]: [f64; 3], basis: &Basis) -> &PreparedTrain {
         let contains = |[of_film, of_substrate]: &[[f64; 2]; 2]| {
             let within = |u: f64, [from, to]: &[f64; 2]| (*from..=*to).contains(&u);
             within(film, of_film) && within(substrate, of_substrate)
@@ -212,7 +211,7 @@ impl Trains {
         let tile = tile.expect("the tiles cover all coordinates");
         self.prepared[tile].get_or_init(|| {
             let (ends, form) = (self.ends[tile], &self.tiles.tile(tile).form);
-            TensorTrain::new(form, ends, &self.a_over_t, basis, self.tolerance)
+            PreparedTrain::new(form, ends, &self.a_over_t, basis, self.tolerance)
         })
     }
 }

@@ -5,9 +5,11 @@
 //! train for both would be as long as those of two trains together, and a lookup would multiply by
 //! all of them.
 
+use low_rank::IntegerTrain;
+
 use crate::table::axes::Axes;
 use crate::table::demand::Demand;
-use crate::{Error, LowRank};
+use crate::{Error, Quantity};
 
 /// The largest number of tiles, which limits what the first lookup of a forged table needs.
 const MOST_TILES: usize = 16;
@@ -22,8 +24,10 @@ pub struct Tile {
     pub film: [usize; 2],
     /// The first and the last node of the substrate's modulus.
     pub substrate: [usize; 2],
-    /// The logarithms.
-    pub form: LowRank,
+    /// The logarithms: `ln(Q/s)` of the quantities `Q` of the table, with the scale `s = es`, or 1 for
+    /// `Delta0`, over the [coordinates](crate::Parameter::coordinate) of the axes. The variables 0 to 3
+    /// of the train are the axes of the table.
+    pub form: IntegerTrain,
 }
 
 /// The nodes between which a tile lies.
@@ -52,6 +56,11 @@ impl Place {
 }
 
 impl Tile {
+    /// The degree from which the factors of the polynomials fall, for each axis: `a/t`, the modulus of
+    /// the film, its Poisson ratio, the modulus of the substrate. The derivative with respect to the
+    /// Poisson ratio of nearly incompressible films is the one that errors change most.
+    pub const SMOOTH_DEGREES: [f64; 4] = [40.0, 20.0, 2.0, 20.0];
+
     /// Returns the nodes between which the tile lies.
     pub(crate) fn place(&self) -> Place {
         Place {
@@ -67,14 +76,15 @@ impl Tile {
     }
 }
 
-/// Accepts tiles that cover the moduli of `axes` once.
+/// Accepts tiles of the logarithms of `quantities` that cover the moduli of `axes` once.
 ///
 /// # Errors
-/// [`Error::Malformed`] if there are more than 16 tiles or none, if they overlap or leave a gap, or
-/// differ in their quantities; if a core has several terms along an axis of one node; or for more
+/// [`Error::Malformed`] if there are more than 16 tiles or none, if they overlap or leave a gap; if
+/// the quantities are not in order, or hold none of a sphere; if a train is not of so many functions,
+/// or has other [smooth degrees](Tile::SMOOTH_DEGREES); if a core has several terms along an axis of one node; or for more
 /// than 2e8 values at the nodes. [`Error::LowRankTooLarge`] if the first lookup in all tiles
 /// together would need too much, see [`Demand::check`].
-pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
+pub(crate) fn check(axes: &Axes, quantities: &[Quantity], tiles: &[Tile]) -> Result<(), Error> {
     let malformed = |what: String| Err(Error::Malformed(what));
     let shape = axes.shape();
     let [n_a, n_film, n_nu, n_substrate] = shape;
@@ -84,12 +94,25 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
             tiles.len()
         ));
     }
-    let quantities = tiles[0].form.quantities();
-    if tiles
-        .iter()
-        .any(|tile| tile.form.quantities() != quantities)
-    {
-        return malformed("its low-rank forms differ in their quantities".into());
+    let of_sphere = |quantity: &Quantity| Quantity::ALL.contains(quantity);
+    if !quantities.iter().any(of_sphere) || !quantities.is_sorted_by(|a, b| a < b) {
+        return malformed(format!(
+            "its low-rank forms hold {quantities:?}: they must hold one quantity of a sphere at least, \
+             in order"
+        ));
+    }
+    let misfits = |tile: &&Tile| {
+        tile.form.functions() != quantities.len()
+            || tile.form.smooth_degrees() != Tile::SMOOTH_DEGREES
+    };
+    if let Some(Tile { form, .. }) = tiles.iter().find(misfits) {
+        return malformed(format!(
+            "a low-rank form of it has {} functions of the smooth degrees {:?}: it must have {} of {:?}",
+            form.functions(),
+            form.smooth_degrees(),
+            quantities.len(),
+            Tile::SMOOTH_DEGREES
+        ));
     }
     let values = [n_a, n_film, n_nu, n_substrate, quantities.len()]
         .into_iter()
@@ -100,7 +123,7 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
         ));
     }
     for tile in tiles {
-        let terms = tile.form.dimensions().into_iter().zip(tile.form.terms());
+        let terms = tile.form.variables().into_iter().zip(tile.form.terms());
         for (dimension, terms) in terms {
             if shape[dimension] == 1 && terms > 1 {
                 return malformed(format!(
@@ -154,7 +177,7 @@ pub(crate) fn check(axes: &Axes, tiles: &[Tile]) -> Result<(), Error> {
 /// [`Table::logarithms`](crate::Table::logarithms).
 pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
     let [n_a, _, n_nu, n_substrate] = axes.shape();
-    let width = n_a * tiles[0].form.quantities().len();
+    let width = n_a * tiles[0].form.functions();
     let mut logarithms = vec![0.0; n_nu * n_substrate * width];
     let mut first = 0;
     while first < n_substrate {
@@ -175,7 +198,7 @@ pub(crate) fn logarithms(axes: &Axes, tiles: &[Tile], film: usize) -> Vec<f64> {
                 .map(|&value| parameter.coordinate(value))
                 .collect()
         });
-        let part = tile.form.logarithms(
+        let part = tile.form.values(
             tile.place().ends(axes),
             places.each_ref().map(Vec::as_slice),
         );
@@ -211,14 +234,15 @@ pub(crate) fn boxes(axes: &Axes, places: &[Place]) -> Vec<[[f64; 2]; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Parameter, Quantity};
+    use crate::Parameter;
 
     /// Makes tiles of rank 1 at these nodes.
     fn tiles(places: &[[[usize; 2]; 2]]) -> Vec<Tile> {
         let one = || vec![1];
-        let form = LowRank::new(
-            vec![Quantity::Gamma],
+        let form = IntegerTrain::new(
+            1,
             [1, 2, 3],
+            Tile::SMOOTH_DEGREES,
             [1; 4],
             std::array::from_fn(|_| vec![0]),
             1.0,
@@ -260,7 +284,10 @@ mod tests {
             ],
         ];
         for places in sound {
-            assert!(check(&axes(6, 4), &tiles(places)).is_ok(), "{places:?}");
+            assert!(
+                check(&axes(6, 4), &[Quantity::Gamma], &tiles(places)).is_ok(),
+                "{places:?}"
+            );
         }
         let wrong: [&[[[usize; 2]; 2]]; 9] = [
             &[],
@@ -275,14 +302,32 @@ mod tests {
             &[[[0, 3], [0, 3]], [[2, 4], [0, 3]]],
         ];
         for places in wrong {
-            let result = check(&axes(6, 4), &tiles(places));
+            let result = check(&axes(6, 4), &[Quantity::Gamma], &tiles(places));
             assert!(matches!(result, Err(Error::Malformed(_))), "{places:?}");
         }
-        let result = check(&axes(18, 4), &tiles(&[[[0, 1], [0, 3]]; 17]));
+        let result = check(
+            &axes(18, 4),
+            &[Quantity::Gamma],
+            &tiles(&[[[0, 1], [0, 3]]; 17]),
+        );
         assert!(matches!(result, Err(Error::Malformed(_))), "{result:?}");
         // An axis of one node.
-        assert!(check(&axes(1, 4), &tiles(&[[[0, 0], [0, 2]], [[0, 0], [2, 3]]])).is_ok());
-        assert!(check(&axes(1, 1), &tiles(&[[[0, 0], [0, 0]]])).is_ok());
-        assert!(check(&axes(1, 1), &tiles(&[[[0, 0], [0, 0]]; 2])).is_err());
+        assert!(
+            check(
+                &axes(1, 4),
+                &[Quantity::Gamma],
+                &tiles(&[[[0, 0], [0, 2]], [[0, 0], [2, 3]]])
+            )
+            .is_ok()
+        );
+        assert!(check(&axes(1, 1), &[Quantity::Gamma], &tiles(&[[[0, 0], [0, 0]]])).is_ok());
+        assert!(
+            check(
+                &axes(1, 1),
+                &[Quantity::Gamma],
+                &tiles(&[[[0, 0], [0, 0]]; 2])
+            )
+            .is_err()
+        );
     }
 }

@@ -158,6 +158,7 @@ fn embedded(table: &Table) -> Result<Table, Error> {
     Ok(Table::from_low_rank(
         table.description().clone(),
         table.axes(),
+        table.quantities(),
         form,
     )?)
 }

@@ -4,8 +4,8 @@
 //! smallest number of nodes is sought with which the splines of the table follow those interpolants
 //! everywhere.
 
-use interp::bspline::Basis;
 use interp::{Material, Parameter, Quantities};
+use low_rank::bspline::Basis;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;

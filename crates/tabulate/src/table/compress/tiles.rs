@@ -1,10 +1,10 @@
 //! The tiles of a low-rank form: where they meet, and the form of each.
 
 use interp::{Parameter, Table, Tile};
+use low_rank::compress::{self, Axis, NotReached};
+use solve::parallel::on_all_cores;
 
 use crate::Error;
-use crate::table::compress::coefficients::Axis;
-use crate::table::compress::truncation::{Part, truncate};
 
 /// The smallest number of nodes on both sides of a cut. A smaller tile would save nothing.
 const LEAST_NODES: usize = 8;
@@ -77,8 +77,10 @@ pub fn compress(table: &Table, error: f64) -> Result<Vec<Tile>, Error> {
         let softer = table.axis(Parameter::E1sOverEinfs).get(film[1]);
         let is_soft = softer.is_some_and(|&stiffest| stiffest < 2.0 * CUTS.at);
         let error = if is_soft { SOFT * error } else { error };
-        let part = Part::new(table, &logarithms, [film, substrate], error);
-        let form = truncate(&part, error)?;
+        let (axes, count) = (axes(table, [film, substrate]), table.quantities().len());
+        let form = on_all_cores(|| compress::compress(axes, count, &logarithms, error));
+        let form =
+            form.map_err(|NotReached { error, reached }| Error::Truncation { error, reached })?;
         Ok(Tile {
             film,
             substrate,
@@ -116,7 +118,7 @@ fn divide(table: &Table, nodes: Nodes, cut: Option<&Cut>, boxes: &mut Vec<Nodes>
 
 /// Returns the axes of a table, for the part at some nodes of film and substrate: in the order of
 /// the table's logarithms.
-pub(super) fn axes(table: &Table, [film, substrate]: Nodes) -> [Axis; 4] {
+fn axes(table: &Table, [film, substrate]: Nodes) -> [Axis; 4] {
     let shape = table.shape();
     [1, 2, 3, 0].map(|dimension| {
         let parameter = table.parameters()[dimension];
@@ -127,11 +129,11 @@ pub(super) fn axes(table: &Table, [film, substrate]: Nodes) -> [Axis; 4] {
         };
         let coordinates = table.axis(parameter).iter();
         Axis {
-            dimension,
             coordinates: coordinates
                 .map(|&node| parameter.coordinate(node))
                 .collect(),
             nodes,
+            smooth_degree: Tile::SMOOTH_DEGREES[dimension],
         }
     })
 }

@@ -8,7 +8,7 @@ pub(crate) const BLOCK: usize = 16;
 
 /// Vectors of equal length, padded to whole blocks.
 #[derive(Clone, Debug)]
-pub(crate) struct Vectors {
+pub struct Vectors {
     length: usize,
     /// One vector after the other.
     entries: Vec<f64>,
@@ -16,16 +16,16 @@ pub(crate) struct Vectors {
 
 /// Which vectors make one sum, and of which entries the sum is asked for.
 #[derive(Clone, Debug)]
-pub(crate) struct WeightedSum<const N: usize> {
+pub struct WeightedSum<const N: usize> {
     /// The numbers of the vectors, with their weights.
-    pub(crate) weights: [(usize, f64); N],
+    pub weights: [(usize, f64); N],
     /// The columns of the coefficients that the sum replaces.
-    pub(crate) columns: Range<usize>,
+    pub columns: Range<usize>,
 }
 
 impl Vectors {
     /// Returns `count` vectors of `length` zeros.
-    pub(crate) fn zeros(count: usize, length: usize) -> Self {
+    pub fn zeros(count: usize, length: usize) -> Self {
         Self {
             length,
             entries: vec![0.0; count * length.next_multiple_of(BLOCK)],
@@ -45,12 +45,12 @@ impl Vectors {
     }
 
     /// Returns the vector number `i`, without its padding.
-    pub(crate) fn get(&self, i: usize) -> &[f64] {
+    pub fn get(&self, i: usize) -> &[f64] {
         &self.entries[i * self.stride()..][..self.length]
     }
 
     /// Returns the vector number `i`, without its padding. It may be changed.
-    pub(crate) fn get_mut(&mut self, i: usize) -> &mut [f64] {
+    pub fn get_mut(&mut self, i: usize) -> &mut [f64] {
         let start = i * self.stride();
         &mut self.entries[start..][..self.length]
     }

@@ -25,7 +25,7 @@ pub(super) fn singular_vectors(matrix: MatRef<'_, f64>, tail: f64) -> (Mat<f64>,
     let decomposition = triangle
         .transpose()
         .thin_svd()
-        .expect("a table holds no NaN");
+        .expect("the values hold no NaN");
     let mut values: Vec<f64> = decomposition.S().column_vector().iter().copied().collect();
     let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
     values.truncate(rank(&squares, tail));
@@ -50,4 +50,10 @@ pub(super) fn rank(squares: &[f64], tail: f64) -> usize {
         dropped <= tail * tail
     });
     (squares.len() - small.count()).max(1)
+}
+
+/// Returns the larger of two numbers, NaN if either is NaN: an error that is NaN must not pass for a
+/// small one.
+pub(super) const fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
 }

@@ -1,9 +1,8 @@
-//! The low-rank form of a part of a table, a tensor train, by successive singular value
-//! decompositions of its coefficients (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
+//! A tensor train of coefficients, by successive singular value decompositions (I. V. Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295).
 //!
 //! For one mode after the other, the rest of the tensor is projected on the leading left singular
-//! vectors of its unfolding, which become the core of the mode. The quantities belong to the last
-//! mode: they share all other cores. The cores of the material may be in any order. Each order is
+//! vectors of its unfolding, which become the core of the mode. The functions belong to the last
+//! mode: they share all other cores. The first three cores may be in any order. Each order is
 //! tried, and that of the fewest bytes is kept.
 //!
 //! The numbers of the cores, times the weights of the next bond, are rounded to multiples of one
@@ -12,31 +11,28 @@
 //! some steps.
 
 use faer::{Mat, MatRef};
-use interp::{LowRank, Quantity, Table};
 use rayon::prelude::*;
 
-use crate::Error;
-use crate::table::compress::coefficients::{Axis, Coefficients};
-use crate::table::compress::matrices::{rank, row_major, singular_vectors};
-use crate::table::compress::tiles::axes;
-use solve::larger;
-use solve::parallel::{on_all_cores, try_map};
+use super::NotReached;
+use super::coefficients::{Axis, Coefficients};
+use super::matrices::{larger, rank, row_major, singular_vectors};
+use crate::IntegerTrain;
 
-/// The step, over the largest error allowed anywhere: the bounds of the search. For the embedded
-/// table it ends between a hundredth and a thousandth.
+/// The step, over the largest error allowed anywhere: the bounds of the search. For the
+/// table of `interp` it ends between a hundredth and a thousandth.
 const LOOSEST: f64 = 0.3;
 const TIGHTEST: f64 = 1e-6;
 /// The number of bisections. Each halves the range of the logarithm of the step, to 5 % in the end.
 const BISECTIONS: usize = 8;
 /// The root mean square left out at each bond, in steps: the larger one costs fewer multiplications
-/// at a lookup, the smaller one leaves out less in a small part of the box.
+/// at an evaluation, the smaller one leaves out less in a small part of the box.
 const LEFT_OUT: [f64; 2] = [20.0, 6.0];
 /// The part left out at each bond, relative to [`LEFT_OUT`]. The few indices of the first bond cost
 /// little.
 const BONDS: [f64; 3] = [0.2, 1.0, 1.0];
 /// The step, over the allowed error, with which the orders of the cores are compared.
 const USUAL: f64 = 3e-3;
-/// The orders of the dimensions of the material.
+/// The orders of the variables of the first three cores.
 const ORDERS: [[usize; 3]; 6] = [
     [1, 2, 3],
     [1, 3, 2],
@@ -46,81 +42,88 @@ const ORDERS: [[usize; 3]; 6] = [
     [3, 2, 1],
 ];
 
-/// A part of a table: its logarithms at the nodes, and their coefficients.
+/// The functions in a box: their values at its nodes, and their coefficients.
 pub(super) struct Part {
+    /// The axes of the variables 1, 2, 3 and 0.
     axes: [Axis; 4],
-    quantities: Vec<Quantity>,
-    /// At the nodes of the part, row-major over the axes, then the quantities.
-    logarithms: Vec<f64>,
+    /// The number of functions.
+    count: usize,
+    /// At the nodes of the box, row-major over the axes, then the functions.
+    values: Vec<f64>,
     coefficients: Coefficients,
 }
 
 impl Part {
-    /// Takes some nodes of film and substrate from all `logarithms` of a table, accurate enough for
-    /// `error`.
-    pub fn new(table: &Table, logarithms: &[f64], nodes: [[usize; 2]; 2], error: f64) -> Self {
-        let axes = axes(table, nodes);
-        let quantities = table.quantities();
-        let coefficients = Coefficients::new(&axes, quantities.len(), logarithms, error);
-        let [[first_film, last_film], [first, last]] = nodes;
-        let [n_a, _, n_nu, n_substrate] = table.shape();
-        let width = n_a * quantities.len();
-        let rows = (first_film..=last_film)
-            .flat_map(|film| (0..n_nu).map(move |nu| (film * n_nu + nu) * n_substrate));
-        let logarithms = rows
-            .flat_map(|row| &logarithms[(row + first) * width..(row + last + 1) * width])
-            .copied()
-            .collect();
+    /// Takes the nodes of the box from all `values`, row-major over the variables 1, 2, 3 and 0 and then
+    /// the `count` functions. The coefficients are accurate enough for `error`.
+    pub fn new(axes: [Axis; 4], count: usize, values: &[f64], error: f64) -> Self {
+        let coefficients = Coefficients::new(&axes, count, values, error);
+        let mut values = values.to_vec();
+        let mut width = values.len();
+        let mut before = 1;
+        for axis in &axes {
+            let (nodes, [first, last]) = (axis.coordinates.len(), axis.nodes);
+            width /= nodes;
+            values = values
+                .chunks_exact(nodes * width)
+                .flat_map(|block| &block[first * width..(last + 1) * width])
+                .copied()
+                .collect();
+            before *= last - first + 1;
+            debug_assert_eq!(values.len(), before * width);
+        }
         Self {
             axes,
-            quantities,
-            logarithms,
+            count,
+            values,
             coefficients,
         }
     }
 
-    /// Returns the largest difference of the logarithms at the nodes from those of a form, which is
-    /// the largest relative error of its quantities.
-    fn largest_difference(&self, form: &LowRank) -> f64 {
-        let axis = |dimension: usize| &self.axes[(dimension + 3) % 4];
-        let ends = std::array::from_fn(|dimension| axis(dimension).ends());
-        let places: [&[f64]; 4] = std::array::from_fn(|dimension| {
+    /// Returns the largest difference of the values at the nodes from those of a train.
+    fn largest_difference(&self, train: &IntegerTrain) -> f64 {
+        let axis = |variable: usize| &self.axes[(variable + 3) % 4];
+        let ends = std::array::from_fn(|variable| axis(variable).ends());
+        let places: [&[f64]; 4] = std::array::from_fn(|variable| {
             let Axis {
                 coordinates,
                 nodes: [first, last],
                 ..
-            } = axis(dimension);
+            } = axis(variable);
             &coordinates[*first..=*last]
         });
-        let films = places[1];
-        let width = self.logarithms.len() / films.len();
-        // One film at a time, which takes little memory.
-        let differences = (0..films.len()).into_par_iter().map(|film| {
+        let slowest = places[1];
+        let width = self.values.len() / slowest.len();
+        // One value of the variable 1 at a time, which takes little memory.
+        let differences = (0..slowest.len()).into_par_iter().map(|i| {
             let mut places = places;
-            places[1] = &films[film..=film];
-            let found = form.logarithms(ends, places);
-            let exact = &self.logarithms[film * width..][..width];
+            places[1] = &slowest[i..=i];
+            let found = train.values(ends, places);
+            let exact = &self.values[i * width..][..width];
             let differences = found
                 .iter()
                 .zip(exact)
                 .map(|(found, exact)| (found - exact).abs());
             differences.fold(0.0, larger)
         });
-        on_all_cores(|| differences.reduce(|| 0.0, larger))
+        differences.reduce(|| 0.0, larger)
     }
 }
 
-/// Returns a part as one tensor train, in about as few bytes as `error` allows, the largest
-/// relative error of the quantities at the nodes.
+/// Returns a part as one tensor train, in about as few bytes as `error` allows, the largest error of
+/// the functions at the nodes.
 ///
 /// # Errors
-/// [`Error::Truncation`] where the smallest steps have a larger error.
-pub(super) fn truncate(part: &Part, error: f64) -> Result<LowRank, Error> {
-    let trains = try_map(&ORDERS[..], |&order| {
-        let train = Train::of(part, order, 1e-4 * error);
-        let form = train.truncated(part, LEFT_OUT[0], USUAL * error)?;
-        Ok::<_, Error>((form.coded_bytes(), train))
-    })?;
+/// [`NotReached`] where the smallest steps have a larger error.
+pub(super) fn truncate(part: &Part, error: f64) -> Result<IntegerTrain, NotReached> {
+    let trains: Vec<_> = ORDERS
+        .into_par_iter()
+        .map(|order| {
+            let train = Train::of(part, order, 1e-4 * error);
+            let integers = train.truncated(part, LEFT_OUT[0], USUAL * error);
+            (coded_bytes(&integers), train)
+        })
+        .collect();
     let (_, train) = trains
         .into_iter()
         .min_by_key(|(bytes, _)| *bytes)
@@ -136,7 +139,7 @@ pub(super) fn truncate(part: &Part, error: f64) -> Result<LowRank, Error> {
                 (false, None) => TIGHTEST.ln(),
                 (false, Some(_)) => break,
             };
-            let form = train.truncated(part, left_out, step.exp() * error)?;
+            let form = train.truncated(part, left_out, step.exp() * error);
             let found = part.largest_difference(&form);
             reached = reached.min(found);
             if found <= error {
@@ -149,15 +152,20 @@ pub(super) fn truncate(part: &Part, error: f64) -> Result<LowRank, Error> {
     }
     forms
         .into_iter()
-        .min_by_key(LowRank::coded_bytes)
-        .ok_or(Error::Truncation { error, reached })
+        .min_by_key(coded_bytes)
+        .ok_or(NotReached { error, reached })
+}
+
+/// Returns the number of bytes that the integers of a train take.
+fn coded_bytes(train: &IntegerTrain) -> usize {
+    train.coded_integers().len()
 }
 
 /// The coefficients of a part as a tensor train that leaves out next to nothing.
 struct Train {
-    /// The dimensions of the first three cores.
+    /// The variables of the first three cores.
     order: [usize; 3],
-    /// For each bond, the root mean square that each of its indices adds to the logarithms,
+    /// For each bond, the root mean square that each of its indices adds to the functions,
     /// descending.
     weights: [Vec<f64>; 3],
     /// The cores, row-major over the bond before, the function along the axis, and the next bond.
@@ -171,15 +179,15 @@ impl Train {
     /// (root mean square) at each bond.
     fn of(part: &Part, order: [usize; 3], tail: f64) -> Self {
         let Coefficients { functions, core } = &part.coefficients;
-        let held = part.quantities.len();
-        // The mean is that over the quantities.
+        let held = part.count;
+        // The mean is that over the functions.
         let scale = (held as f64).sqrt();
         let counts: Vec<usize> = functions.iter().map(Mat::ncols).collect();
         let mut rest = permuted(core, &counts, order);
         let (mut weights, mut cores) = ([const { Vec::new() }; 3], [const { Vec::new() }; 4]);
         let mut before = 1;
-        for (i, dimension) in order.into_iter().enumerate() {
-            let rows = before * counts[dimension - 1];
+        for (i, variable) in order.into_iter().enumerate() {
+            let rows = before * counts[variable - 1];
             let unfolding = MatRef::from_row_major_slice(&rest, rows, rest.len() / rows);
             let (vectors, values) = singular_vectors(unfolding, tail * scale);
             let projected = vectors.transpose() * unfolding;
@@ -196,13 +204,13 @@ impl Train {
         }
     }
 
-    /// Returns the low-rank form without the last indices of each bond, which leave out at most
+    /// Returns the train without the last indices of each bond, which leave out at most
     /// `left_out` steps (root mean square), and with numbers rounded to multiples of `step`.
-    fn truncated(&self, part: &Part, left_out: f64, step: f64) -> Result<LowRank, Error> {
-        let held = part.quantities.len();
+    fn truncated(&self, part: &Part, left_out: f64, step: f64) -> IntegerTrain {
+        let held = part.count;
         let functions = |i: usize| {
-            let dimension = self.order.get(i).copied().unwrap_or(4);
-            &part.coefficients.functions[dimension - 1]
+            let variable = self.order.get(i).copied().unwrap_or(4);
+            &part.coefficients.functions[variable - 1]
         };
         // Steps finer than the rounding of f64 at the largest number are of no use.
         let largest = self.weights[0][0].max(f64::MIN_POSITIVE);
@@ -256,24 +264,26 @@ impl Train {
                 .map(|(degree, pair)| integer(degree, pair))
                 .collect();
         }
-        Ok(LowRank::new(
-            part.quantities.clone(),
+        let smooth_degree = |variable: usize| part.axes[(variable + 3) % 4].smooth_degree;
+        let train = IntegerTrain::new(
+            held,
             self.order,
+            [0, 1, 2, 3].map(smooth_degree),
             terms,
             exponents,
             step,
             cores,
-        )?)
+        );
+        train.expect("values within the bounds of a train make one")
     }
 }
 
-/// Returns a tensor of the film's modulus, `nu1`, the substrate's modulus and the rest, with the
-/// first three dimensions in another order.
+/// Returns a tensor of the variables 1, 2, 3 and the rest, with the first three in another order.
 fn permuted(tensor: &[f64], counts: &[usize], order: [usize; 3]) -> Vec<f64> {
     let width = tensor.len() / counts[..3].iter().product::<usize>();
     let strides = [counts[1] * counts[2], counts[2], 1];
     let [first, second, third] =
-        order.map(|dimension| (counts[dimension - 1], strides[dimension - 1]));
+        order.map(|variable| (counts[variable - 1], strides[variable - 1]));
     let mut result = Vec::with_capacity(tensor.len());
     for i in 0..first.0 {
         for j in 0..second.0 {

@@ -1,43 +1,44 @@
-//! The low-rank form of a table, or of a tile of it: a tensor train, one core for each axis.
+//! A tensor train of small integers, one core for each variable: its parts, their bounds, its values.
 
-use crate::curve::nodes::REASONABLE;
-use crate::table::chebyshev::{polynomials, smoothness};
-use crate::table::entropy;
-use crate::table::weighted_sum::add_rows;
-use crate::{Error, Quantity};
+use std::ops::RangeInclusive;
 
+use crate::Malformed;
+use crate::chebyshev::{polynomials, smoothness};
+use crate::entropy;
+use crate::weighted_sum::add_rows;
+
+/// The step, and the largest contribution of an integer: far from overflow.
+const REASONABLE: RangeInclusive<f64> = 1e-30..=1e30;
 /// The largest integer of a core: f64 holds whole numbers up to this one exactly.
 const LARGEST_INTEGER: u64 = 1 << 53;
 /// The largest binary logarithm of a weight: 2^99 is 6e29.
 const LARGEST_WEIGHT: u8 = 99;
 
-/// The logarithms of a table's quantities in a box of its parameters, as a tensor train (I. V.
-/// Oseledets, SIAM J. Sci. Comput. 33 (2011) 2295) of polynomials.
+/// Functions of four variables in a box, as a tensor train (I. V. Oseledets, SIAM J. Sci. Comput. 33
+/// (2011) 2295) of polynomials.
 ///
-/// With the scale `s = es`, or 1 for `Delta0`, and at the coordinates `y`, `u1`, `u2`,
-/// `u3` of `a/t` and of the parameters of the material, in an order of their own,
+/// The variable number 0, here `y`, belongs to the last core. The variables 1, 2 and 3, here `u1`,
+/// `u2` and `u3`, may be in any order. The function number `q` is
 ///
 /// ```text
-/// ln(Q_q / s) = sum_{abc}  C1(u1)[a] / w1[a]  C2(u2)[a,b] / w2[b]  C3(u3)[b,c] / w3[c]  C4(y)[c,q]
-/// C2(u)[a,b]  = step sum_k p_k(u) n2[a,k,b], and the other cores likewise
+/// f_q(y, u1, u2, u3) = sum_{abc}  C1(u1)[a] / w1[a]  C2(u2)[a,b] / w2[b]  C3(u3)[b,c] / w3[c]  C4(y)[c,q]
+/// C2(u)[a,b]         = step sum_k p_k(u) n2[a,k,b], and the other cores likewise
 /// ```
 ///
 /// The bonds `a`, `b` and `c` are the indices shared by neighbouring cores `C`; `w` are their
 /// weights, powers of two; `n` are integers. The polynomials of the degrees `k = 0, 1, 2, ...`
 /// along an axis are Chebyshev's between the ends of the box: `p_0 = 1`, and `p_k = 2^(1/2) T_k`
-/// over `(1 + (k/s)^2)^(1/2)`, where `s` is 40 for `a/t`, 2 for `nu1` and 20 for the moduli. With
-/// these factors the rounding to integers does not spoil derivatives.
+/// over `(1 + (k/s)^2)^(1/2)`, where `s` is the smooth degree of the variable. With these factors the
+/// rounding to integers does not spoil derivatives.
 ///
-/// The weight of a bond index is about the root mean square of its contribution to the logarithms.
+/// The weight of a bond index is about the root mean square of its contribution to the functions.
 /// With these weights each number of a core is about as large as its contribution, and all numbers
 /// can be rounded to multiples of one step.
-///
-/// Along `a/t` a table takes the values at its nodes, and the spline through them. Along the other
-/// axes the lookup evaluates the polynomials.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LowRank {
-    quantities: Vec<Quantity>,
+pub struct IntegerTrain {
+    functions: usize,
     order: [usize; 3],
+    smooth_degrees: [f64; 4],
     terms: [usize; 4],
     weights: [Vec<i8>; 3],
     step: f64,
@@ -45,67 +46,59 @@ pub struct LowRank {
 }
 
 /// Returns the shape of each core: the bond before, the terms, and the next bond, or the
-/// quantities.
-pub(crate) fn shapes(
-    [a, b, c]: [usize; 3],
-    terms: [usize; 4],
-    quantities: usize,
-) -> [[usize; 3]; 4] {
-    let bonds = [[1, a], [a, b], [b, c], [c, quantities]];
+/// functions.
+fn shapes([a, b, c]: [usize; 3], terms: [usize; 4], functions: usize) -> [[usize; 3]; 4] {
+    let bonds = [[1, a], [a, b], [b, c], [c, functions]];
     std::array::from_fn(|i| [bonds[i][0], terms[i], bonds[i][1]])
 }
 
-impl LowRank {
-    /// Makes the form from its parts.
+impl IntegerTrain {
+    /// Makes the train from its parts.
     ///
-    /// * `quantities`: the quantities held, ascending.
-    /// * `order`: the dimensions of the first three cores, see [`Table::parameters`]: 1 for the
-    ///   film's modulus, 2 for `nu1`, 3 for the substrate's modulus. The last core is that of
-    ///   `a/t`.
+    /// * `functions`: the number of functions.
+    /// * `order`: the variables of the first three cores. The last core is that of the variable 0.
+    /// * `smooth_degrees`: for each variable, the degree from which the factors of its polynomials
+    ///   fall; positive.
     /// * `terms`: the number of polynomials of each core, from degree 0 on.
     /// * `weights`: the binary logarithms of the weights of the three bonds, one for each value of
     ///   the bond.
     /// * `step`: what an integer of 1 stands for.
     /// * `cores`: the integers of the cores, row-major over the bond before, the degree, and the
-    ///   bond after (the quantities held, for the last core).
-    ///
-    /// [`Table::parameters`]: crate::Table::parameters
+    ///   bond after (the functions, for the last core).
     ///
     /// # Errors
-    /// [`Error::Malformed`]
+    /// [`Malformed`]
     ///
-    /// * if no quantity of a sphere ([`Quantity::ALL`]) is given, one is given twice, or they are
-    ///   not in order;
+    /// * if a smooth degree is not positive;
     /// * if `order` does not hold 1, 2 and 3;
     /// * if a bond or a core is empty, the lengths contradict each other, or a bond is longer than
     ///   the product of the bond before and the terms between;
     /// * if a weight is not in `[-99, 99]`, the step not in `[1e-30, 1e30]`, an integer not in
     ///   `[-2^53, 2^53]`, or its product with the step not in `[-1e30, 1e30]`.
     pub fn new(
-        quantities: Vec<Quantity>,
+        functions: usize,
         order: [usize; 3],
+        smooth_degrees: [f64; 4],
         terms: [usize; 4],
         weights: [Vec<i8>; 3],
         step: f64,
         cores: [Vec<i64>; 4],
-    ) -> Result<Self, Error> {
-        let malformed = |what: String| Err(Error::Malformed(what));
-        let of_sphere = |quantity: &Quantity| Quantity::ALL.contains(quantity);
-        if !quantities.iter().any(of_sphere) || !quantities.is_sorted_by(|a, b| a < b) {
+    ) -> Result<Self, Malformed> {
+        let malformed = |what: String| Err(Malformed(what));
+        if !smooth_degrees.iter().all(|&degree| degree > 0.0) {
             return malformed(format!(
-                "a low-rank form holds {quantities:?}: it must hold one quantity of a sphere at least, \
-                 in order"
+                "a train has the smooth degrees {smooth_degrees:?}: they must be positive"
             ));
         }
-        if !(1..=3).all(|dimension| order.contains(&dimension)) {
+        if !(1..=3).all(|variable| order.contains(&variable)) {
             return malformed(format!(
-                "the cores of a low-rank form have the dimensions {order:?}: they must be 1, 2 and 3 \
+                "the first cores of a train have the variables {order:?}: they must be 1, 2 and 3 \
                  in any order"
             ));
         }
         if !REASONABLE.contains(&step) {
             return malformed(format!(
-                "a low-rank form has the step {step:?}, outside [1e-30, 1e30]"
+                "a train has the step {step:?}, outside [1e-30, 1e30]"
             ));
         }
         if let Some(weight) = weights
@@ -114,11 +107,11 @@ impl LowRank {
             .find(|weight| weight.unsigned_abs() > LARGEST_WEIGHT)
         {
             return malformed(format!(
-                "a low-rank form has the weight 2^{weight}, outside [2^-99, 2^99]"
+                "a train has the weight 2^{weight}, outside [2^-99, 2^99]"
             ));
         }
         let ranks = weights.each_ref().map(Vec::len);
-        let shapes = shapes(ranks, terms, quantities.len());
+        let shapes = shapes(ranks, terms, functions);
         for (i, (core, shape)) in cores.iter().zip(shapes).enumerate() {
             let [before, terms, after] = shape;
             let count = before
@@ -144,8 +137,9 @@ impl LowRank {
             }
         }
         Ok(Self {
-            quantities,
+            functions,
             order,
+            smooth_degrees,
             terms,
             weights,
             step,
@@ -153,9 +147,36 @@ impl LowRank {
         })
     }
 
-    /// Returns the quantities held, in the order of [`Quantity::ALL`].
-    pub fn quantities(&self) -> &[Quantity] {
-        &self.quantities
+    /// Makes the train from its parts, with the integers as [`coded_integers`](Self::coded_integers)
+    /// returns them.
+    ///
+    /// # Errors
+    /// [`Malformed`] as for [`new`](Self::new), and if the code is not that of integers of these shapes.
+    pub fn of_code(
+        functions: usize,
+        order: [usize; 3],
+        smooth_degrees: [f64; 4],
+        terms: [usize; 4],
+        weights: [Vec<i8>; 3],
+        step: f64,
+        integers: &[u8],
+    ) -> Result<Self, Malformed> {
+        let ranks = weights.each_ref().map(Vec::len);
+        let cores = entropy::decode(shapes(ranks, terms, functions), integers)?;
+        Self::new(
+            functions,
+            order,
+            smooth_degrees,
+            terms,
+            weights,
+            step,
+            cores,
+        )
+    }
+
+    /// Returns the number of functions.
+    pub fn functions(&self) -> usize {
+        self.functions
     }
 
     /// Returns the ranks: the lengths of the bonds between the cores.
@@ -163,10 +184,14 @@ impl LowRank {
         self.weights.each_ref().map(Vec::len)
     }
 
-    /// Returns the dimensions of the first three cores: 1 for the film's modulus, 2 for `nu1`, 3
-    /// for the substrate's modulus.
+    /// Returns the variables of the first three cores.
     pub fn order(&self) -> [usize; 3] {
         self.order
+    }
+
+    /// Returns the smooth degree of each variable.
+    pub fn smooth_degrees(&self) -> [f64; 4] {
+        self.smooth_degrees
     }
 
     /// Returns the number of polynomials of each core.
@@ -174,43 +199,38 @@ impl LowRank {
         self.terms
     }
 
-    /// Returns the number of bytes that the integers take in a file.
-    pub fn coded_bytes(&self) -> usize {
-        entropy::encode(self.shapes(), &self.cores).len()
+    /// Returns the integers of the cores in code, a few bits each.
+    pub fn coded_integers(&self) -> Vec<u8> {
+        entropy::encode(self.shapes(), &self.cores)
     }
 
     /// Returns the binary logarithms of the weights.
-    pub(crate) fn exponents(&self) -> &[Vec<i8>; 3] {
+    pub fn exponents(&self) -> &[Vec<i8>; 3] {
         &self.weights
     }
 
     /// Returns what an integer of 1 stands for.
-    pub(crate) fn step(&self) -> f64 {
+    pub fn step(&self) -> f64 {
         self.step
     }
 
-    /// Returns the integers of the cores.
-    pub(crate) fn integers(&self) -> &[Vec<i64>; 4] {
-        &self.cores
-    }
-
     /// Returns the shape of each core: the bond before, the terms, and the next bond, or the
-    /// quantities.
-    pub(crate) fn shapes(&self) -> [[usize; 3]; 4] {
-        shapes(self.ranks(), self.terms, self.quantities.len())
+    /// functions.
+    pub fn shapes(&self) -> [[usize; 3]; 4] {
+        shapes(self.ranks(), self.terms, self.functions)
     }
 
-    /// Returns the dimension of each core.
-    pub(crate) fn dimensions(&self) -> [usize; 4] {
+    /// Returns the variable of each core.
+    pub fn variables(&self) -> [usize; 4] {
         let [first, second, third] = self.order;
         [first, second, third, 0]
     }
 
     /// Returns the weights and the cores times the step, scaled such that each bond index has a
-    /// root mean square of 1 over the cores before it, and its contribution to the logarithms as
+    /// root mean square of 1 over the cores before it, and its contribution to the functions as
     /// weight. Means are those over the angles of the polynomials.
     ///
-    /// Recomputed, because lookup drops small entries and must not trust the file.
+    /// Recomputed, because a [`PreparedTrain`](crate::PreparedTrain) drops small entries and must not trust a file.
     pub(crate) fn normalised(&self) -> ([Vec<f64>; 3], [Vec<f64>; 4]) {
         let mut weights = self.weights();
         let mut cores = self.cores.each_ref().map(|core| {
@@ -218,11 +238,11 @@ impl LowRank {
                 .map(|&n| self.step * n as f64)
                 .collect::<Vec<_>>()
         });
-        let dimensions = self.dimensions();
+        let variables = self.variables();
         // The mean square of a row: the squares of the polynomials have the means `1 / w_k^2`.
         let means = |core: usize| -> Vec<f64> {
             let degrees = 0..self.terms[core];
-            let weight = |k| smoothness(dimensions[core], k);
+            let weight = |k| smoothness(self.smooth_degrees[variables[core]], k);
             degrees.map(|k| weight(k).powi(-2)).collect()
         };
         // A bond index without any contribution vanishes in both cores, and one with next to none
@@ -257,7 +277,7 @@ impl LowRank {
             let (core, next, width) = (&mut before[bond], &after[0], weights[bond].len());
             let length = next.len() / width;
             let after = length / self.terms[bond + 1];
-            // The last core is a mean over the quantities.
+            // The last core is a mean over the functions.
             let averaged = if bond == 2 { after as f64 } else { 1.0 };
             for (j, (weight, row)) in weights[bond]
                 .iter_mut()
@@ -284,16 +304,16 @@ impl LowRank {
             .map(|exponents| exponents.iter().map(weight).collect())
     }
 
-    /// Returns the logarithms at a grid of coordinates, row-major over those of the film's modulus,
-    /// of `nu1`, of the substrate's modulus and of `a/t`, and the quantities held.
+    /// Returns the values at a grid of coordinates, row-major over those of the variables 1, 2, 3 and
+    /// 0, and the functions.
     ///
-    /// `ends` are the ends of the box, and `places` the coordinates of the grid. Both have an entry
-    /// for each dimension of a table: `a/t`, the film's modulus, `nu1`, the substrate's modulus.
-    pub fn logarithms(&self, ends: [[f64; 2]; 4], places: [&[f64]; 4]) -> Vec<f64> {
-        let dimensions = self.dimensions();
+    /// `ends` are the ends of the box, and `places` the coordinates of the grid: an entry for each
+    /// variable, 0 to 3.
+    pub fn values(&self, ends: [[f64; 2]; 4], places: [&[f64]; 4]) -> Vec<f64> {
+        let variables = self.variables();
         let mut vectors = vec![1.0];
         for (i, [before, terms, after]) in self.shapes().into_iter().enumerate() {
-            let dimension = dimensions[i];
+            let variable = variables[i];
             let weights = match i {
                 0 => vec![self.step; before],
                 _ => self.weights()[i - 1]
@@ -303,9 +323,10 @@ impl LowRank {
             };
             let integers: Vec<f64> = self.cores[i].iter().map(|&n| n as f64).collect();
             // The core at each place: a row over the next bond for each index of the bond before.
-            let mut at_places = Vec::with_capacity(places[dimension].len() * before * after);
-            for &place in places[dimension] {
-                let polynomials = polynomials(dimension, terms, ends[dimension], place);
+            let mut at_places = Vec::with_capacity(places[variable].len() * before * after);
+            for &place in places[variable] {
+                let polynomials =
+                    polynomials(self.smooth_degrees[variable], terms, ends[variable], place);
                 for (b, rows) in integers.chunks_exact(terms * after).enumerate() {
                     let mut row = vec![0.0; after];
                     add_rows(&mut row, &polynomials, rows, after);
@@ -313,7 +334,7 @@ impl LowRank {
                 }
             }
             let mut next =
-                Vec::with_capacity(vectors.len() / before * places[dimension].len() * after);
+                Vec::with_capacity(vectors.len() / before * places[variable].len() * after);
             for vector in vectors.chunks_exact(before) {
                 for core in at_places.chunks_exact(before * after) {
                     let mut row = vec![0.0; after];
@@ -323,25 +344,25 @@ impl LowRank {
             }
             vectors = next;
         }
-        // From the order of the cores to that of the dimensions.
-        let counts = self.order.map(|dimension| places[dimension].len());
+        // From the order of the cores to that of the variables.
+        let counts = self.order.map(|variable| places[variable].len());
         let strides = [counts[1] * counts[2], counts[2], 1];
-        let stride = |dimension: usize| {
-            let core = self.order.iter().position(|&other| other == dimension);
-            strides[core.expect("the order holds each dimension")]
+        let stride = |variable: usize| {
+            let core = self.order.iter().position(|&other| other == variable);
+            strides[core.expect("the order holds each variable")]
         };
-        let [by_film, by_nu, by_substrate] = [1, 2, 3].map(stride);
-        let width = places[0].len() * self.quantities.len();
-        let mut logarithms = Vec::with_capacity(vectors.len());
-        for film in 0..places[1].len() {
-            for nu in 0..places[2].len() {
-                for substrate in 0..places[3].len() {
-                    let row = film * by_film + nu * by_nu + substrate * by_substrate;
-                    logarithms.extend_from_slice(&vectors[row * width..][..width]);
+        let [by_1, by_2, by_3] = [1, 2, 3].map(stride);
+        let width = places[0].len() * self.functions;
+        let mut values = Vec::with_capacity(vectors.len());
+        for i in 0..places[1].len() {
+            for j in 0..places[2].len() {
+                for k in 0..places[3].len() {
+                    let row = i * by_1 + j * by_2 + k * by_3;
+                    values.extend_from_slice(&vectors[row * width..][..width]);
                 }
             }
         }
-        logarithms
+        values
     }
 }
 
@@ -352,45 +373,4 @@ fn mean_square<'a>(entries: impl Iterator<Item = &'a f64>, means: &[f64], after:
         .enumerate()
         .map(|(i, entry)| means[i / after % means.len()] * entry * entry)
         .sum()
-}
-
-#[cfg(all(test, feature = "embedded"))]
-mod tests {
-    use crate::{Material, Table};
-
-    /// Factors that cancel between two neighbouring cores.
-    #[test]
-    fn what_a_lookup_leaves_out_depends_on_the_product_only() {
-        let embedded = Table::embedded();
-        let tiles = embedded.low_rank().expect("it is low-rank");
-        let material = Material::new(1e-3, 0.4999, 2e5, 0.25).expect("physical");
-        let look_up = |table: &Table| {
-            table
-                .curve(&material)
-                .and_then(|curve| curve.quantities(0.5))
-                .expect("inside")
-                .to_array()
-        };
-        let expected = look_up(embedded);
-        for bond in 0..3 {
-            for factor in [-7_i8, 7] {
-                let mut tiles = tiles.to_vec();
-                for tile in &mut tiles {
-                    // The step is a factor of all four cores.
-                    tile.form.weights[bond]
-                        .iter_mut()
-                        .for_each(|weight| *weight += 4 * factor);
-                    tile.form.step *= f64::from(factor).exp2();
-                }
-                let (description, axes) = (embedded.description().clone(), embedded.axes());
-                let table = Table::from_low_rank(description, axes, tiles).expect("sound forms");
-                for (found, expected) in look_up(&table).into_iter().zip(expected) {
-                    assert!(
-                        (found / expected - 1.0).abs() < 1e-12,
-                        "bond {bond}, {factor}: {found}, not {expected}"
-                    );
-                }
-            }
-        }
-    }
 }

@@ -8,8 +8,8 @@
 ///
 /// Higher degrees save few nodes at tolerances from 1e-4 to 1e-8, and each doubles the number of
 /// coefficients that a curve is summed from. A quintic needs 1.2 to 1.3 times as many nodes on each
-/// axis at 1e-6, and 1.7 to 1.9 times as many at 1e-8 (measured by
-/// `cargo xtask cargo bench -p tabulate --bench interpolation`).
+/// axis at 1e-6, and 1.7 to 1.9 times as many at 1e-8 (the bench `interpolation` of the crate
+/// `tabulate` measures it).
 pub const TABLE_DEGREE: usize = 9;
 
 /// The highest degree of a [`Basis`].
@@ -83,7 +83,7 @@ impl Basis {
     }
 
     /// Returns the number of nodes, and of coefficients.
-    pub(crate) fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.count
     }
 
@@ -170,7 +170,7 @@ impl Basis {
     /// # Panics
     /// If `values` has fewer numbers than nodes times `width`.
     pub fn interpolate(&self, values: &mut [f64], width: usize) {
-        let (n, p) = (self.len(), self.degree);
+        let (n, p) = (self.count(), self.degree);
         for i in 0..n {
             for k in 1..=p.min(i) {
                 subtract_row(values, width, i, i - k, self.factors[i][p - k]);

@@ -1,10 +1,10 @@
-//! Weighted sums of rows, of which the interpolation along the material axes consists.
+//! Weighted sums of rows, of which interpolation consists.
 
 /// Adds rows, each times its weight, to `sum`.
 ///
 /// Row `i` begins at `rows[i * stride]` and is as long as `sum`. Four rows are added at a time,
 /// because the sum is not kept in registers.
-pub(crate) fn add_rows(sum: &mut [f64], weights: &[f64], rows: &[f64], stride: usize) {
+pub fn add_rows(sum: &mut [f64], weights: &[f64], rows: &[f64], stride: usize) {
     let length = sum.len();
     let row = |i: usize| &rows[i * stride..][..length];
     let (groups, rest) = weights.as_chunks::<4>();

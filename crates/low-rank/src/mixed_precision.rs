@@ -8,8 +8,8 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x16, f64x8};
 
-use crate::table::blocks::{Addends, Blocks};
-use crate::table::vectors::{BLOCK, Vectors};
+use crate::blocks::{Addends, Blocks};
+use crate::vectors::{BLOCK, Vectors};
 
 /// A weight for each row of a [`MixedPrecision`], in both precisions.
 #[derive(Clone, Debug)]

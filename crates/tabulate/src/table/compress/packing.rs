@@ -56,6 +56,7 @@ pub fn low_rank(
         let mut packed = Table::from_low_rank(
             description.clone(),
             table.axes(),
+            table.quantities(),
             compress(table, truncation)?,
         )?;
         observer.begin("checking", points, 0);

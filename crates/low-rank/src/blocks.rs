@@ -3,7 +3,7 @@
 
 use fearless_simd::prelude::*;
 
-use crate::table::vectors::BLOCK;
+use crate::vectors::BLOCK;
 
 /// The blocks of rows that are stored in one precision, block by block.
 #[derive(Clone, Debug)]

@@ -1,17 +1,16 @@
-//! The coefficients of the logarithms of a table in the polynomials of a tile.
+//! The coefficients of functions, given at nodes, in the polynomials of a box.
 //!
-//! The splines of the table, whose error is certified, are evaluated at Chebyshev points of the
-//! tile, and the values at these points become coefficients. The splines reach over the whole axis:
-//! next to the end of a tile inside the table they are as accurate as elsewhere.
+//! The splines through all nodes are evaluated at Chebyshev points of the box, and the values at these
+//! points become coefficients. The splines reach over the whole axis: next to an end of the box inside
+//! it they are as accurate as elsewhere.
 
 use faer::{Mat, MatRef};
-use interp::bspline::Basis;
-use interp::chebyshev::{points, transform};
 
-use crate::table::compress::matrices::{row_major, singular_vectors};
-use solve::larger;
+use super::matrices::{larger, row_major, singular_vectors};
+use crate::bspline::Basis;
+use crate::chebyshev::{points, transform};
 
-/// The first number of points for each node of a tile, and the number of further ones.
+/// The first number of points for each node of a box, and the number of further ones.
 const POINTS: [f64; 2] = [1.25, 12.0];
 /// The largest number of points for each node. Splines of degree 9 have coefficients that fall as
 /// the tenth power of the degree at last.
@@ -22,32 +21,33 @@ const CONVERGED: f64 = 0.01;
 /// show beside what the truncation of the train leaves out.
 const LEFT_OUT: f64 = 2e-4;
 
-/// An axis of a table.
-pub(super) struct Axis {
-    /// The dimension in a table.
-    pub dimension: usize,
+/// The axis of a variable: all nodes, and those of the box.
+#[derive(Clone, Debug)]
+pub struct Axis {
     /// The coordinates of all nodes.
     pub coordinates: Vec<f64>,
-    /// The first and the last node of the tile.
+    /// The first and the last node of the box.
     pub nodes: [usize; 2],
+    /// The degree from which the factors of the polynomials fall, positive.
+    pub smooth_degree: f64,
 }
 
 /// Coefficients as a sum over functions along each axis: `sum core[f1,f2,...] g1[f1] g2[f2] ...`.
 pub(super) struct Coefficients {
     /// For each axis, the coefficients of orthonormal functions: a column for each.
     pub functions: Vec<Mat<f64>>,
-    /// The core, row-major over the functions of the axes, then the quantities.
+    /// The core, row-major over the functions of the axes, then the compressed functions.
     pub core: Vec<f64>,
 }
 
 impl Axis {
-    /// Returns the coordinates of the ends of the tile.
-    pub fn ends(&self) -> [f64; 2] {
+    /// Returns the coordinates of the ends of the box.
+    pub(super) fn ends(&self) -> [f64; 2] {
         self.nodes.map(|node| self.coordinates[node])
     }
 
     /// Returns the matrix from the values at the nodes of the axis to `count` coefficients in the
-    /// tile.
+    /// box.
     fn matrix(&self, count: usize) -> Mat<f64> {
         let nodes = self.coordinates.len();
         let basis = Basis::of_table(&self.coordinates);
@@ -68,7 +68,7 @@ impl Axis {
                 }
             }
         }
-        let transform = transform(self.dimension, count);
+        let transform = transform(self.smooth_degree, count);
         Mat::from_fn(count, count, |k, i| transform[k][i]) * values
     }
 
@@ -96,9 +96,9 @@ impl Axis {
 }
 
 impl Coefficients {
-    /// Expands the `values` at the nodes of the `axes`, row-major over them and `quantities`,
-    /// accurate enough for `error`.
-    pub fn new(axes: &[Axis], quantities: usize, values: &[f64], error: f64) -> Self {
+    /// Expands the `values` at the nodes of the `axes`, row-major over them and then the `count`
+    /// functions, accurate enough for `error`.
+    pub fn new(axes: &[Axis], count: usize, values: &[f64], error: f64) -> Self {
         let mut tensor = values.to_vec();
         let mut functions = Vec::with_capacity(axes.len());
         for (i, axis) in axes.iter().enumerate() {
@@ -107,22 +107,22 @@ impl Coefficients {
             let width = tensor.len() / nodes;
             let unfolding = MatRef::from_row_major_slice(&tensor, nodes, width);
             let coefficients = axis.expand(unfolding, error);
-            // A sum of squares over all other nodes and quantities, as a mean.
+            // A sum of squares over all other nodes and functions, as a mean.
             let others: usize = axes[i + 1..]
                 .iter()
                 .map(|axis| axis.coordinates.len())
                 .product();
-            let scale = ((others * quantities) as f64).sqrt();
+            let scale = ((others * count) as f64).sqrt();
             let (vectors, _) = singular_vectors(coefficients.as_ref(), LEFT_OUT * error * scale);
             let projected = coefficients.transpose() * &vectors;
             // A row for each place on the other axes, a column for each function.
             tensor = row_major(projected.as_ref()).collect();
             functions.push(vectors);
         }
-        // The quantities, last at first, have come first.
-        let places = tensor.len() / quantities;
-        let core = (0..places * quantities)
-            .map(|i| tensor[i % quantities * places + i / quantities])
+        // The functions, last at first, have come first.
+        let places = tensor.len() / count;
+        let core = (0..places * count)
+            .map(|i| tensor[i % count * places + i / count])
             .collect();
         Self { functions, core }
     }

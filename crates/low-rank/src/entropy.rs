@@ -1,4 +1,4 @@
-//! The coding of the integers of a low-rank form in few bits: an adaptive binary range coder
+//! The coding of the integers of a train in few bits: an adaptive binary range coder
 //! (G. N. N. Martin, *Range encoding*, 1979; in the form of P. Deutsch's and I. Pavlov's LZMA).
 //!
 //! An integer is written as the length of its absolute value in bits, one binary decision for each
@@ -8,7 +8,7 @@
 //!
 //! Reading is linear in the number of integers, of which a byte holds at most [`MOST_IN_A_BYTE`].
 
-use crate::Error;
+use crate::Malformed;
 
 /// The largest number of integers for each byte. It limits what a forged file can claim. Where
 /// fewer bytes would do, zeros follow.
@@ -276,10 +276,9 @@ pub(crate) fn encode(shapes: [[usize; 3]; 4], cores: &[Vec<i64>; 4]) -> Vec<u8> 
 /// Reads the integers of cores that [`encode`] wrote.
 ///
 /// # Errors
-/// [`Error::Malformed`] if the cores have more integers than the bytes can hold, or other bytes
-/// than
-/// [`encode`] writes follow them.
-pub(crate) fn decode(shapes: [[usize; 3]; 4], bytes: &[u8]) -> Result<[Vec<i64>; 4], Error> {
+/// [`Malformed`] if the cores have more integers than the bytes can hold, or if bytes follow them
+/// that [`encode`] does not write.
+pub(crate) fn decode(shapes: [[usize; 3]; 4], bytes: &[u8]) -> Result<[Vec<i64>; 4], Malformed> {
     let counts = shapes.map(|shape| {
         let product = shape.into_iter().try_fold(1_usize, usize::checked_mul);
         product.unwrap_or(usize::MAX)
@@ -287,7 +286,7 @@ pub(crate) fn decode(shapes: [[usize; 3]; 4], bytes: &[u8]) -> Result<[Vec<i64>;
     let all = counts.into_iter().fold(0, usize::saturating_add);
     let most = bytes.len().saturating_mul(MOST_IN_A_BYTE);
     if all > most {
-        return Err(Error::Malformed(format!(
+        return Err(Malformed(format!(
             "its cores of the shapes {shapes:?} have {all} integers: {} bytes hold {most} at most",
             bytes.len()
         )));
@@ -300,7 +299,7 @@ pub(crate) fn decode(shapes: [[usize; 3]; 4], bytes: &[u8]) -> Result<[Vec<i64>;
     });
     let expected = decoder.at.max(all.div_ceil(MOST_IN_A_BYTE));
     if expected != bytes.len() || bytes[decoder.at..].iter().any(|&byte| byte != 0) {
-        return Err(Error::Malformed(format!(
+        return Err(Malformed(format!(
             "the integers of its cores take {expected} bytes, but there are {}, or the last ones are \
              not zeros",
             bytes.len()
@@ -346,7 +345,7 @@ mod tests {
                 "{bits} bits"
             );
             for wrong in [&bytes[..bytes.len() - 1], &[&bytes[..], &[0]].concat()] {
-                assert!(matches!(decode(shapes, wrong), Err(Error::Malformed(_))));
+                assert!(matches!(decode(shapes, wrong), Err(Malformed(_))));
             }
         }
     }
@@ -379,7 +378,7 @@ mod tests {
         let one = [1, 1, 1];
         for shape in [[1, 1, 100], [1 << 20, 1 << 20, 1 << 20], [usize::MAX, 2, 1]] {
             let result = decode([shape, one, one, one], &[0; 10]);
-            assert!(matches!(result, Err(Error::Malformed(_))), "{result:?}");
+            assert!(matches!(result, Err(Malformed(_))), "{result:?}");
         }
         // Zeros take next to no bits.
         let zeros = [vec![0; 6000], vec![0], vec![0], vec![0]];

@@ -1,14 +1,14 @@
-//! A tensor train prepared for lookup: from its cores to the coefficients of the splines of one
-//! material over `ln(a/t)`.
+//! A tensor train prepared for evaluation: from three of its variables to the coefficients of splines
+//! of the functions along the fourth.
 //!
 //! A core is a sum of polynomials of up to a high degree. Therefore the axis is divided into
 //! intervals, equal in the angle of the Chebyshev polynomials, and on each of them the core is
 //! expanded in ten functions that oscillate more and more. The contribution of a bond index and a
-//! function to a block of indices of the next bond is dropped where it is far below the table's
+//! function to a block of indices of the next bond is dropped where it is far below the
 //! tolerance, and stored in single precision where that is accurate enough. This leaves fewer
 //! multiplications, and more of them are done at a time. All but the first two functions vanish at
 //! the ends of an interval: dropping them makes no jump there. An interval is expanded at the first
-//! lookup in it, because a program that looks one material up needs one interval of each core.
+//! evaluation in it, because a program that evaluates once needs one interval of each core.
 //!
 //! A function with an argument `simd` is compiled for several instruction sets, and that of the
 //! processor is chosen at run time. It must be inlined, with its closures: only then is it compiled
@@ -19,20 +19,20 @@ use std::f64::consts::PI;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
-use crate::curve::bspline::Basis;
+use crate::bspline::Basis;
+use crate::chebyshev::polynomials;
+use crate::integer_train::IntegerTrain;
+use crate::mixed_precision::{Contraction, MixedPrecision, RowWeights};
 use crate::once::Once;
-use crate::table::chebyshev::polynomials;
-use crate::table::low_rank::LowRank;
-use crate::table::mixed_precision::{Contraction, MixedPrecision, RowWeights};
-use crate::table::vectors::{BLOCK, Vectors, WeightedSum};
-use crate::table::weighted_sum::add_rows;
+use crate::vectors::{BLOCK, Vectors, WeightedSum};
+use crate::weighted_sum::add_rows;
 
-/// The largest norm of a block that is dropped, relative to the table's tolerance.
+/// The largest norm of a block that is dropped, relative to the tolerance.
 ///
-/// Norms are root mean squares of contributions to the logarithms.
+/// Norms are root mean squares of contributions to the functions.
 const NEGLIGIBLE: f64 = 3e-5;
 /// The largest rounding to single precision, and the largest jump between intervals. Smaller than
-/// [`NEGLIGIBLE`], because it acts as noise: a difference quotient of two lookups divides it by its
+/// [`NEGLIGIBLE`], because it acts as noise: a difference quotient of two values divides it by its
 /// step.
 const ROUNDING: f64 = 3e-7;
 
@@ -52,26 +52,27 @@ pub(crate) const fn intervals(terms: usize) -> usize {
     }
 }
 
-/// The cores of a [`LowRank`] form, prepared for lookup.
+/// The cores of an [`IntegerTrain`], prepared for evaluation.
 #[derive(Clone, Debug)]
-pub(crate) struct TensorTrain {
-    /// The cores of the material parameters.
+pub struct PreparedTrain {
+    /// The cores of the variables 1, 2 and 3, in the order of the train.
     cores: [Core; 3],
-    /// The core of `a_over_t`: a row of coefficients over `ln(a/t)` for each index of the last
-    /// bond, a group of the quantities for each B-spline.
+    /// The core of the variable 0: a row of coefficients for each index of the last bond, a group of
+    /// the functions for each B-spline.
     last: MixedPrecision,
 }
 
-/// A core of a material parameter.
+/// The core of the variable 1, 2 or 3.
 #[derive(Clone, Debug)]
 struct Core {
-    /// The number of its coordinate among those of the material.
+    /// The number of its variable, less one.
     axis: usize,
+    smooth_degree: f64,
     /// The normalised entries: row-major over the bond before, the polynomials, and the next bond.
     entries: Vec<f64>,
     /// The number of polynomials.
     terms: usize,
-    /// The ends of the tile.
+    /// The ends of the box.
     ends: [f64; 2],
     /// The ends of the intervals of the axis.
     parts: Vec<[f64; 2]>,
@@ -79,7 +80,7 @@ struct Core {
     intervals: Vec<Once<Interval>>,
     /// One over the weights of the next bond.
     scales: Vec<f64>,
-    /// The tolerance of the table.
+    /// The tolerance of the functions.
     tolerance: f64,
 }
 
@@ -104,45 +105,47 @@ struct Functions {
     count: usize,
 }
 
-impl TensorTrain {
-    /// Prepares `form` in a tile with these `ends`, accurate enough for `tolerance`. `a_over_t`
-    /// holds the coordinates of the nodes of `a/t`, and `basis` the B-splines through them.
-    pub(crate) fn new(
-        form: &LowRank,
+impl PreparedTrain {
+    /// Prepares `train` in a box with these `ends`, accurate enough for `tolerance`. `nodes` are the
+    /// values of the variable 0 at which the functions are taken, and `basis` is that of the splines
+    /// through them.
+    pub fn new(
+        train: &IntegerTrain,
         ends: [[f64; 2]; 4],
-        a_over_t: &[f64],
+        nodes: &[f64],
         basis: &Basis,
         tolerance: f64,
     ) -> Self {
-        let (weights, [first, second, third, of_a_over_t]) = form.normalised();
-        let [.., [before, terms, quantities]] = form.shapes();
+        let (weights, [first, second, third, of_last]) = train.normalised();
+        let [.., [before, terms, functions]] = train.shapes();
         let mut entries = [first, second, third].into_iter();
         let cores = std::array::from_fn(|i| {
-            let (dimension, terms) = (form.order()[i], form.terms()[i]);
-            let parts: Vec<_> = parts(ends[dimension], intervals(terms)).collect();
+            let (variable, terms) = (train.order()[i], train.terms()[i]);
+            let parts: Vec<_> = parts(ends[variable], intervals(terms)).collect();
             Core {
-                axis: dimension - 1,
+                axis: variable - 1,
+                smooth_degree: train.smooth_degrees()[variable],
                 entries: entries.next().expect("three cores"),
                 terms,
-                ends: ends[dimension],
+                ends: ends[variable],
                 intervals: vec![Once::new(); parts.len()],
                 parts,
                 scales: weights[i].iter().map(|weight| 1.0 / weight).collect(),
                 tolerance,
             }
         });
-        let width = a_over_t.len() * quantities;
+        let width = nodes.len() * functions;
         let mut last = vec![0.0; before * width];
-        for (node, &place) in a_over_t.iter().enumerate() {
-            let polynomials = polynomials(0, terms, ends[0], place);
-            for (b, entries) in of_a_over_t.chunks_exact(terms * quantities).enumerate() {
-                let row = &mut last[b * width + node * quantities..][..quantities];
-                add_rows(row, &polynomials, entries, quantities);
+        for (node, &place) in nodes.iter().enumerate() {
+            let polynomials = polynomials(train.smooth_degrees()[0], terms, ends[0], place);
+            for (b, entries) in of_last.chunks_exact(terms * functions).enumerate() {
+                let row = &mut last[b * width + node * functions..][..functions];
+                add_rows(row, &polynomials, entries, functions);
             }
         }
         last.chunks_exact_mut(width)
-            .for_each(|row| basis.interpolate(row, quantities));
-        // A column of the last core is a logarithm: the error of a dropped block is spread over its
+            .for_each(|row| basis.interpolate(row, functions));
+        // A column of the last core is a function at a node: the error of a dropped block is spread over its
         // columns, not summed.
         let limit = |share: f64| (BLOCK as f64).sqrt() * share * tolerance;
         Self {
@@ -151,21 +154,21 @@ impl TensorTrain {
         }
     }
 
-    /// Returns the coefficients over `ln(a/t)` of the material with these coordinates of
-    /// `e1_over_e2`, `nu1` and `e0_over_e2`.
-    pub(crate) fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
+    /// Returns the coefficients of the splines of the functions at these values of the variables 1, 2
+    /// and 3.
+    pub fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
         dispatch!(Level::new(), simd => self.value(simd, coordinates))
     }
 
     /// Returns these coefficients, followed by their derivatives with respect to the three
     /// coordinates.
-    pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
+    pub fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
         dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
     }
 
     /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
-    /// of materials that differ in one coordinate, the number `axis`, which has the values `places`.
-    pub(crate) fn sums_along<const N: usize>(
+    /// at coordinates that differ in one of the three, the number `axis`, which has the values `places`.
+    pub fn sums_along<const N: usize>(
         &self,
         coordinates: [f64; 3],
         axis: usize,
@@ -252,8 +255,8 @@ impl Core {
             ends: part,
             count: self.terms.min(MOST_FUNCTIONS),
         };
-        let (dimension, terms, after) = (self.axis + 1, self.terms, self.scales.len());
-        let transform = functions.transform(|u| polynomials(dimension, terms, self.ends, u));
+        let (smooth_degree, terms, after) = (self.smooth_degree, self.terms, self.scales.len());
+        let transform = functions.transform(|u| polynomials(smooth_degree, terms, self.ends, u));
         let row = |b: usize, k: usize| &self.entries[(b * terms + k) * after..][..after];
         let before = self.entries.len() / (terms * after);
         Interval::new(functions, &transform, before, row, self.tolerance)

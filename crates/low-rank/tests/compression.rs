@@ -1,0 +1,181 @@
+//! Compressed functions that are known in closed form: their values, their slopes and their size.
+
+use low_rank::bspline::Basis;
+use low_rank::compress::{Axis, NotReached, compress};
+use low_rank::{IntegerTrain, PreparedTrain};
+
+const COUNT: usize = 12;
+
+/// Two functions of (`y`, `u`, `v`, `w`) in `[0, 1]`.
+fn functions([y, u, v, w]: [f64; 4]) -> [f64; 2] {
+    [
+        (1.0 + y + u * v).ln() * (w - y).cos(),
+        (y * u - 2.0 * v * w).exp() / (1.5 + w),
+    ]
+}
+
+/// The derivatives of the two functions with respect to `u`, `v` and `w`.
+fn slopes([y, u, v, w]: [f64; 4]) -> [[f64; 2]; 3] {
+    let (sum, angle) = (1.0 + y + u * v, w - y);
+    let other = (y * u - 2.0 * v * w).exp() / (1.5 + w);
+    [
+        [v / sum * angle.cos(), y * other],
+        [u / sum * angle.cos(), -2.0 * w * other],
+        [
+            -sum.ln() * angle.sin(),
+            -(2.0 * v + 1.0 / (1.5 + w)) * other,
+        ],
+    ]
+}
+
+fn nodes() -> Vec<f64> {
+    (0..COUNT).map(|i| i as f64 / (COUNT - 1) as f64).collect()
+}
+
+/// Compresses the functions at the nodes of a part of the box.
+fn compressed(part: [usize; 2], error: f64) -> Result<IntegerTrain, NotReached> {
+    let axis = |nodes_of_box| Axis {
+        coordinates: nodes(),
+        nodes: nodes_of_box,
+        smooth_degree: 20.0,
+    };
+    let whole = [0, COUNT - 1];
+    let mut values = Vec::new();
+    for u in nodes() {
+        for v in nodes() {
+            for w in nodes() {
+                values.extend(nodes().iter().flat_map(|&y| functions([y, u, v, w])));
+            }
+        }
+    }
+    compress(
+        [axis(part), axis(whole), axis(whole), axis(whole)],
+        2,
+        &values,
+        error,
+    )
+}
+
+/// The prepared train evaluated: both functions at a place, and their slopes along `u`, `v` and `w`.
+struct Evaluated {
+    basis: Basis,
+    prepared: PreparedTrain,
+}
+
+impl Evaluated {
+    fn new(train: &IntegerTrain, ends: [[f64; 2]; 4], tolerance: f64) -> Self {
+        let basis = Basis::of_table(&nodes());
+        let prepared = PreparedTrain::new(train, ends, &nodes(), &basis, tolerance);
+        Self { basis, prepared }
+    }
+
+    fn at(&self, [y, u, v, w]: [f64; 4]) -> [[f64; 2]; 4] {
+        let weights = self.basis.weights(y);
+        self.prepared
+            .coefficients_and_slopes([u, v, w])
+            .map(|coefficients| {
+                [0, 1].map(|function| {
+                    let of = |k: usize| coefficients[2 * (weights.first + k) + function];
+                    (0..weights.count).map(|k| weights.values[k] * of(k)).sum()
+                })
+            })
+    }
+}
+
+/// Places spread evenly over the part `[from, to]` of `u`, and over the other axes (an additive
+/// recurrence).
+fn places([from, to]: [f64; 2]) -> impl Iterator<Item = [f64; 4]> {
+    (1..400).map(move |i| {
+        let [y, u, v, w] = [0.856_674_9, 0.733_891_9, 0.628_706_7, 0.538_597_2]
+            .map(|s| (f64::from(i) * s).fract());
+        [y, from + (to - from) * u, v, w]
+    })
+}
+
+#[test]
+fn values_and_slopes_keep_the_error() {
+    for (part, error) in [
+        ([0, COUNT - 1], 1e-3),
+        ([0, COUNT - 1], 1e-7),
+        ([3, 9], 1e-6),
+    ] {
+        let train = compressed(part, error).expect("it reaches the error");
+        let from_to = part.map(|node| nodes()[node]);
+        let ends = [[0.0, 1.0], from_to, [0.0, 1.0], [0.0, 1.0]];
+        let evaluated = Evaluated::new(&train, ends, error);
+        let (mut of_value, mut of_slope) = (0.0_f64, 0.0_f64);
+        for place in places(from_to) {
+            let [found, found_slopes @ ..] = evaluated.at(place);
+            for (found, exact) in found.iter().zip(functions(place)) {
+                of_value = of_value.max((found - exact).abs());
+            }
+            let found = found_slopes.as_flattened().iter();
+            for (found, exact) in found.zip(slopes(place).as_flattened()) {
+                of_slope = of_slope.max((found - exact).abs());
+            }
+        }
+        let bytes = train.coded_integers().len();
+        println!("{error:e}: {of_value:.1e}, slopes {of_slope:.1e}, {bytes} bytes");
+        // Between the nodes, the splines of 12 nodes add an error of their own.
+        assert!(of_value < 1.5 * error + 2e-8, "{error:e}: {of_value:e}");
+        assert!(of_slope < 200.0 * error, "{error:e}: {of_slope:e}");
+        assert!(bytes < 8 * 2 * COUNT.pow(4) / 64, "{bytes} bytes");
+    }
+}
+
+/// Four sums are those of one function, so the last index of each bond has little to add.
+#[test]
+fn a_looser_error_takes_fewer_bytes() {
+    let bytes = [1e-2, 1e-4, 1e-6].map(|error| {
+        let train = compressed([0, COUNT - 1], error).expect("it reaches the error");
+        train.coded_integers().len()
+    });
+    assert!(bytes.is_sorted_by(|a, b| a < b), "{bytes:?}");
+}
+
+#[test]
+fn an_error_below_rounding_is_not_reached() {
+    let result = compressed([0, COUNT - 1], 1e-18);
+    assert!(
+        matches!(result, Err(NotReached { error: 1e-18, reached }) if reached > 1e-18),
+        "{result:?}"
+    );
+}
+
+/// Factors that cancel between two neighbouring cores change nothing: what an evaluation leaves out
+/// depends on the product only.
+#[test]
+fn evaluation_depends_on_the_product_of_the_cores_only() {
+    let train = compressed([0, COUNT - 1], 1e-5).expect("it reaches the error");
+    let ends = [[0.0, 1.0]; 4];
+    let before = Evaluated::new(&train, ends, 1e-5);
+    for bond in 0..3 {
+        for factor in [-7_i8, 7] {
+            let mut weights = train.exponents().clone();
+            // The step is a factor of all four cores.
+            weights[bond]
+                .iter_mut()
+                .for_each(|weight| *weight += 4 * factor);
+            let changed = IntegerTrain::of_code(
+                train.functions(),
+                train.order(),
+                train.smooth_degrees(),
+                train.terms(),
+                weights,
+                train.step() * f64::from(factor).exp2(),
+                &train.coded_integers(),
+            );
+            let after = Evaluated::new(&changed.expect("sound"), ends, 1e-5);
+            for place in places([0.0, 1.0]).take(20) {
+                let [found, ..] = after.at(place);
+                let [expected, ..] = before.at(place);
+                for (found, expected) in found.iter().zip(expected) {
+                    assert!(
+                        (found - expected).abs() < 1e-12,
+                        "bond {bond}, {factor}: {found}, not {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
