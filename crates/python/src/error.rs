@@ -209,7 +209,7 @@ fn reason(source: &io::Error) -> String {
 /// The error of a stack that is not that of a table.
 pub fn other_stack() -> Failure {
     Failure::of_words(
-        "OtherTableError",
+        "OutsideTableError",
         "the table is of another stack of layers than the system: take that of the table, \
          `table.stack`, make the table of this one with `generate`, or solve it with `Stack.contact`",
     )
@@ -247,18 +247,18 @@ impl From<Error> for Failure {
                 name,
                 value,
                 allowed,
-            } => of("UnphysicalError").about(name, value).allowed(allowed),
+            } => of("InputError").about(name, value).allowed(allowed),
             Error::InvalidArgument {
                 name,
                 value,
                 allowed,
-            } => of("InvalidArgumentError")
+            } => of("InputError")
                 .about(name, value)
                 .allowed(&allowed),
             Error::BeyondSphere {
                 contact_radius,
                 sphere_radius,
-            } => of("BeyondSphereError")
+            } => of("InputError")
                 .about("contact radius", contact_radius)
                 .range(0.0, sphere_radius),
             Error::BeyondProbe {
@@ -266,12 +266,12 @@ impl From<Error> for Failure {
                 allowed,
                 limit,
                 ..
-            } => of("BeyondProbeError")
+            } => of("InputError")
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
-            Error::OtherProbe { .. } | Error::StackProbe => of("OtherProbeError"),
-            Error::Sticks { .. } => of("FrictionError"),
-            Error::LongZone { zone, what, length, most } => of("LongZoneError")
+            Error::OtherProbe { .. } | Error::StackProbe => of("InputError"),
+            Error::Sticks { .. } => of("InputError"),
+            Error::LongZone { zone, what, length, most } => of("InputError")
                 .about("zone", zone)
                 .range(0.0, most * length)
                 .saying(&format!(
@@ -279,7 +279,7 @@ impl From<Error> for Failure {
                      {length:?} m, and the correction for a short zone does not hold: give a larger \
                      stress of the attraction, or solve a zone of any length with `Cohesive`"
                 )),
-            Error::Profile { row, .. } => of("ProfileError").about("row", row as f64),
+            Error::Profile { row, .. } => of("InputError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
                 value,
@@ -288,7 +288,7 @@ impl From<Error> for Failure {
             } => of("OutsideTableError").about(axis, value).range(from, to),
             Error::Extrapolation { value, edge, .. } => {
                 let ends_above = value < edge;
-                of("ExtrapolationError").about("a_over_t", value).range(
+                of("OutsideTableError").about("a_over_t", value).range(
                     if ends_above { edge } else { 0.0 },
                     if ends_above { f64::INFINITY } else { edge },
                 )
@@ -299,7 +299,7 @@ impl From<Error> for Failure {
                 from,
                 to,
                 ..
-            } => of("OutsideRadiiError").about(name, value).allowed(&format!(
+            } => of("NoContactError").about(name, value).allowed(&format!(
                 "such that the contact radius is from {from:?} m to {to:?} m"
             )),
             Error::NoContact { name, value, least } => of("NoContactError")
@@ -307,25 +307,25 @@ impl From<Error> for Failure {
                 .range(least, f64::INFINITY),
             Error::Equivalent { nu0, cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
-                ..of("EquivalentError").about("nu0", nu0)
+                ..of("OutsideTableError").about("nu0", nu0)
             },
-            Error::Normalisation { .. } => of("NormalisationError"),
-            Error::OfStack => of("OtherTableError").saying(
+            Error::Normalisation { .. } => of("OutsideTableError"),
+            Error::OfStack => of("OutsideTableError").saying(
                 "the table is of one stack of layers, and the system has one film: give a \
                  StackSystem with the stack of the table, `table.stack`; for a film use a table of \
                  films, such as `Table.embedded()`",
             ),
-            Error::NotOfStack => of("OtherTableError").saying(
+            Error::NotOfStack => of("OutsideTableError").saying(
                 "the table is of films on substrates, and the system has a stack of layers: make \
                  the table of a scene with a stack by `generate`, or solve the stack with \
                  `Stack.contact`",
             ),
-            Error::MissingQuantity(_) | Error::BeginsTooLate { .. } => of("MissingQuantityError"),
+            Error::MissingQuantity(_) | Error::BeginsTooLate { .. } => of("OutsideTableError"),
             Error::FixedParameter(name) => Self {
                 axis: Some(name.to_owned()),
-                ..of("FixedParameterError")
+                ..of("InputError")
             },
-            Error::NoGradient => of("FixedParameterError").saying(
+            Error::NoGradient => of("InputError").saying(
                 "the contact has no derivatives with respect to the material, as those of a stack \
                  and of a SolvedCurve: take differences, or for a film the contact of a table of \
                  films",
@@ -359,44 +359,40 @@ impl From<::solve::Error> for Failure {
                 value,
                 from,
                 to,
-            } => of("DomainError").about(name, value).range(from, to),
+            } => of("SolveError").about(name, value).range(from, to),
             Error::NotConverged {
                 tolerance, reached, ..
-            } => of("NotConvergedError")
-                .about("tolerance", tolerance)
-                .range(reached, f64::INFINITY),
-            Error::StackNotConverged {
+            }
+            | Error::StackNotConverged {
                 tolerance, reached, ..
-            } => of("NotConvergedError")
-                .about("tolerance", tolerance)
-                .range(reached, f64::INFINITY),
-            Error::StickNotConverged {
+            }
+            | Error::StickNotConverged {
                 tolerance, reached, ..
-            } => of("NotConvergedError")
+            } => of("SolveError")
                 .about("tolerance", tolerance)
                 .range(reached, f64::INFINITY),
-            Error::Coupled { beta, .. } => of("FrictionError").about("beta", beta),
+            Error::Coupled { beta, .. } => of("InputError").about("beta", beta),
             Error::StackReach {
                 a_over_t, reach, ..
-            } => of("DomainError")
+            } => of("SolveError")
                 .about("a_over_t", a_over_t)
                 .range(0.0, reach),
-            Error::NoLayers => of("StackError"),
-            Error::Layer { layer, .. } => of("StackError").about("layer", layer as f64),
+            Error::NoLayers => of("InputError"),
+            Error::Layer { layer, .. } => of("InputError").about("layer", layer as f64),
             Error::NotAContact { contact_radius, .. } => {
-                of("NotAContactError").about("contact radius", contact_radius)
+                of("NoContactError").about("contact radius", contact_radius)
             }
             Error::NarrowAnnulus { range, .. } => {
-                of("NotAContactError").about("interaction range", range)
+                of("NoContactError").about("interaction range", range)
             }
             Error::AnnulusReach {
                 contact_radius,
                 reach,
-            } => of("DomainError")
+            } => of("SolveError")
                 .about("contact radius", contact_radius)
                 .range(0.0, reach),
-            Error::PullOffReach { .. } => of("DomainError"),
-            Error::OnlyParaboloid { .. } => of("OtherProbeError"),
+            Error::PullOffReach { .. } => of("SolveError"),
+            Error::OnlyParaboloid { .. } => of("InputError"),
             _ => of("ContactError"),
         }
     }
@@ -411,7 +407,7 @@ impl From<tabulate::Error> for Failure {
         match error {
             Error::Table(error) => error.into(),
             Error::Solve(error) => error.into(),
-            Error::StackFile { .. } => of("StackError"),
+            Error::StackFile { .. } => of("InputError"),
             Error::Read { path, source } | Error::Write { path, source } => {
                 of("OSError").about_file(&path, &source)
             }
@@ -421,14 +417,14 @@ impl From<tabulate::Error> for Failure {
                 let words = words.replace("--certificate-points ", "certificate_points=");
                 let words = words.replace("--seed ", "seed=");
                 let words = words.replace("--resume", "resume=True");
-                of("GenerationError").saying(&words)
+                of("TableError").saying(&words)
             }
             Error::Scene { .. }
             | Error::TooLarge { .. }
             | Error::TooClose { .. }
             | Error::Unresolved { .. }
             | Error::Kept { .. }
-            | Error::Piece { .. } => of("GenerationError"),
+            | Error::Piece { .. } => of("TableError"),
             _ => of("ContactError"),
         }
     }
@@ -474,7 +470,7 @@ impl From<fit::Cause> for Failure {
         };
         match cause.downcast::<Error>() {
             Ok(error) => (*error).into(),
-            Err(cause) => Self::new("StackError", &*cause),
+            Err(cause) => Self::new("InputError", &*cause),
         }
     }
 }

@@ -40,7 +40,7 @@ fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Relaxa
 
 impl From<HistoryError> for Failure {
     fn from(error: HistoryError) -> Self {
-        let of = Self::new("InvalidArgumentError", &error);
+        let of = Self::new("InputError", &error);
         match error {
             HistoryError::Contact(error) => error.into(),
             HistoryError::Law {

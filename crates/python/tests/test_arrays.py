@@ -5,7 +5,7 @@ import threading
 import numpy as np
 import pytest
 
-from coated_contact import BeyondSphereError, ContactError, FixedParameterError, State, States
+from coated_contact import InputError, ContactError, State, States
 
 W = 0.04
 
@@ -58,7 +58,7 @@ def test_other_types_are_refused_by_name(contact, value):
 
 def test_an_error_names_the_first_point(contact):
     a = np.array([[65e-6, 65e-6], [65e-6, 2e-3]])
-    with pytest.raises(BeyondSphereError, match="below the sphere's radius") as caught:
+    with pytest.raises(InputError, match="below the sphere's radius") as caught:
         contact.load(a, W)
     error = caught.value
     assert (error.axis, error.value, error.range) == ("contact radius", 2e-3, (0.0, 1e-3))
@@ -70,7 +70,7 @@ def test_an_error_names_the_first_point(contact):
     assert np.isnan(contact.load(2e-3, W, errors="nan"))
     with pytest.raises(ValueError, match="errors = 'ignore'"):
         contact.load(a, W, errors="ignore")
-    with pytest.raises(BeyondSphereError) as caught:
+    with pytest.raises(InputError) as caught:
         contact.load(2e-3, W)
     assert caught.value.index is None
 
@@ -103,7 +103,7 @@ def test_states_broadcast(contact):
 
 def test_unknown_derivatives_are_errors(contact):
     gradient = contact.gradient([65e-6, 65e-6], [W, 0.0])
-    with pytest.raises(FixedParameterError, match="work of adhesion") as caught:
+    with pytest.raises(InputError, match="work of adhesion") as caught:
         gradient.by("work_of_adhesion")
     assert caught.value.axis == "work of adhesion"
     gradient = contact.gradient([65e-6, 65e-6], [W, 0.0], errors="nan")

@@ -6,7 +6,7 @@ import signal
 import numpy as np
 import pytest
 
-from coated_contact import GenerationError, InvalidArgumentError, Table, _core, generate, solve
+from coated_contact import TableError, InputError, Table, _core, generate, solve
 from conftest import ROOT
 
 SCENE = {
@@ -122,9 +122,9 @@ def test_other_pieces_are_not_mixed_in(tmp_path):
 
     with pytest.raises(StoppedHereError):
         generate(SCENE, path, tolerance=1e-7, progress=stop)
-    with pytest.raises(GenerationError, match="finished pieces of an interrupted"):
+    with pytest.raises(TableError, match="finished pieces of an interrupted"):
         generate(SCENE, path, tolerance=1e-7, progress=False)
-    with pytest.raises(GenerationError, match="cannot resume"):
+    with pytest.raises(TableError, match="cannot resume"):
         generate(SCENE, path, tolerance=1e-6, resume=True, progress=False)
 
 
@@ -141,10 +141,10 @@ def test_scenes_that_cannot_be_used_are_named(tmp_path):
         "tolerance": "tolerance",
         "colour": "unknown field",
     }.items():
-        with pytest.raises(GenerationError, match=words):
+        with pytest.raises(TableError, match=words):
             generate({**SCENE, change: 0.6}, progress=False)
     for wrong in ({"certificate_points": 0}, {"certificate_points": -1}, {"seed": -1}):
-        with pytest.raises(InvalidArgumentError, match=next(iter(wrong))):
+        with pytest.raises(InputError, match=next(iter(wrong))):
             generate(SCENE, progress=False, **wrong)
     with pytest.raises(FileNotFoundError):
         generate(tmp_path / "missing.toml", progress=False)

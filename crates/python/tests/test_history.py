@@ -11,7 +11,7 @@ from coated_contact import (
     Contact,
     Elastic,
     HalfSpace,
-    InvalidArgumentError,
+    InputError,
     Relaxation,
 )
 
@@ -83,16 +83,16 @@ def test_adhesion_of_the_receding_line() -> None:
 )
 def test_mistakes(change: dict[str, object], words: str) -> None:
     arguments = {"time": PROGRAM[0], "penetration": PROGRAM[1], **change}
-    with pytest.raises(InvalidArgumentError, match=words):
+    with pytest.raises(InputError, match=words):
         CONTACT.history(relaxation=LAW, **arguments)
 
 
 def test_laws_of_no_solid() -> None:
-    with pytest.raises(InvalidArgumentError, match="below 1"):
+    with pytest.raises(InputError, match="below 1"):
         Relaxation.power_law(1.0)
-    with pytest.raises(InvalidArgumentError, match="sum"):
+    with pytest.raises(InputError, match="sum"):
         Relaxation.prony(0.3, [1.0, 2.0], [0.3, 0.3])
-    with pytest.raises(InvalidArgumentError, match="weights"):
+    with pytest.raises(InputError, match="weights"):
         Relaxation.prony(0.3, [1.0, 2.0])
     with pytest.raises(TypeError, match="Relaxation"):
         CONTACT.history(*PROGRAM[:1], "sls", penetration=PROGRAM[1])  # type: ignore[arg-type]

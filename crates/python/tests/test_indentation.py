@@ -16,7 +16,7 @@ from coated_contact import (
     HalfSpace,
     Indentation,
     Layer,
-    OtherProbeError,
+    InputError,
     Stack,
     StackSystem,
     System,
@@ -60,7 +60,7 @@ def test_the_moving_stiffness_is_the_slope_of_the_force_curve() -> None:
 def test_a_flat_punch_has_no_moving_stiffness() -> None:
     punch = HalfSpace(probe=FlatPunch(radius=1e-6), sphere_modulus=DIAMOND, solid=SILICON)
     contact = Contact.half_space(punch)
-    with pytest.raises(OtherProbeError):
+    with pytest.raises(InputError):
         contact.moving_stiffness(1e-6, 0.1)
     assert np.isnan(contact.moving_stiffness(1e-6, 0.1, errors="nan"))
 

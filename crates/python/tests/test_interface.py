@@ -14,7 +14,7 @@ from coated_contact import (
     Layer,
     Springs,
     Stack,
-    StackError,
+    InputError,
     StackSystem,
     fit,
     generate,
@@ -136,5 +136,5 @@ def test_a_fit_finds_the_stiffness():
     ],
 )
 def test_what_is_no_interface_is_refused(interface, words):
-    with pytest.raises(StackError, match=words):
+    with pytest.raises(InputError, match=words):
         film(interface)

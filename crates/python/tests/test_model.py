@@ -17,7 +17,7 @@ from coated_contact import (
     Forecast,
     Free,
     HalfSpace,
-    InvalidArgumentError,
+    InputError,
     branches,
     fit,
     fit_map,
@@ -207,7 +207,7 @@ def test_what_cannot_be_used_is_named():
         predict(3)
     with pytest.raises(FitError, match="noise = -1"):
         simulate(planned(), noise=-1.0, seed=0)
-    with pytest.raises(InvalidArgumentError, match="seed = -1"):
+    with pytest.raises(InputError, match="seed = -1"):
         simulate(planned(), noise=1.0, seed=-1)
     with pytest.raises(FitError, match="finite"):
         branches(planned())

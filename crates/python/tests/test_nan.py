@@ -5,7 +5,7 @@ from inspect import getmembers, signature
 import numpy as np
 import pytest
 
-from coated_contact import Cohesive, LongZoneError, Table, fit_map, solve
+from coated_contact import Cohesive, InputError, Table, fit_map, solve
 from conftest import make_system
 from test_fit import WANTED, lens
 
@@ -68,9 +68,9 @@ def test_the_pull_off_error_is_nan_where_it_is_not_known(contact):
     assert np.isnan(error).tolist() == [False, True]
     assert error[0] == contact.adhesion_range(0.04, interaction_range=1e-9).pull_off_error()
     # Each way to ask for another answer.
-    with pytest.raises(LongZoneError):
+    with pytest.raises(InputError):
         found.pull_off_error(errors="raise")
     strict = contact.adhesion_range(0.04, interaction_range=ranges)
-    with pytest.raises(LongZoneError):
+    with pytest.raises(InputError):
         strict.pull_off_error()
     assert np.isnan(strict.pull_off_error(errors="nan")).tolist() == [False, True]

@@ -29,7 +29,7 @@ from coated_contact import (
     System,
     Table,
     TableError,
-    UnphysicalError,
+    InputError,
     __version__,
 )
 from conftest import PROBES, ROOT, make_system
@@ -100,7 +100,7 @@ def test_the_radius_of_a_system_is_replaced(system, stack):
         # The shape stays.
         ball = replace(one, probe=Sphere(radius=1e-3))
         assert replace(ball, sphere_radius=2e-5).probe == Sphere(radius=2e-5)
-        with pytest.raises(UnphysicalError, match="-1"):
+        with pytest.raises(InputError, match="-1"):
             replace(one, sphere_radius=-1.0)
         with pytest.raises(TypeError, match="the probe is a Cone: replace the probe"):
             replace(replace(one, probe=Cone(half_angle=1.2)), sphere_radius=2e-5)
@@ -148,11 +148,11 @@ def test_errors_are_pickled_whole(contact):
 
 
 def test_values_that_cannot_be_are_refused(system):
-    with pytest.raises(UnphysicalError, match=r"Poisson ratio = 0\.6") as caught:
+    with pytest.raises(InputError, match=r"Poisson ratio = 0\.6") as caught:
         Elastic(young_modulus=1e6, poisson_ratio=0.6)
     error = caught.value
     assert (error.axis, error.value, error.allowed) == ("Poisson ratio", 0.6, "in (-1, 0.5]")
-    with pytest.raises(UnphysicalError, match="film_thickness"):
+    with pytest.raises(InputError, match="film_thickness"):
         dataclasses.replace(system, film_thickness=0.0)
     with pytest.raises(TypeError, match="film must be an Elastic"):
         dataclasses.replace(system, film=1e6)
@@ -175,9 +175,9 @@ def test_numpy_numbers_become_floats():
 def test_controls(contact):
     with pytest.raises(ContactError, match="control = 'weight' cannot be used"):
         contact.pull_off(0.04, control="weight")
-    with pytest.raises(UnphysicalError, match="stiffness of the spring"):
+    with pytest.raises(InputError, match="stiffness of the spring"):
         contact.pull_off(0.04, control=Spring(stiffness=-1.0))
-    with pytest.raises(UnphysicalError, match="work of adhesion"):
+    with pytest.raises(InputError, match="work of adhesion"):
         contact.equilibria(-1.0)
     with pytest.raises(ContactError, match=r"number of points = -5\.0"):
         contact.force_displacement(0.04, most=1e-6, points=-5)

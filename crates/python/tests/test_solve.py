@@ -7,9 +7,8 @@ import pytest
 
 from coated_contact import (
     ContactError,
-    DomainError,
-    NotConvergedError,
-    UnphysicalError,
+    SolveError,
+    InputError,
     solve,
 )
 from conftest import rows
@@ -78,7 +77,7 @@ def test_parameters_broadcast():
 
 
 def test_errors():
-    with pytest.raises(DomainError, match="a_over_t") as caught:
+    with pytest.raises(SolveError, match="a_over_t") as caught:
         solve([1.0, 1e7, 1e8], 1.75, 0.5, 1e5)
     error = caught.value
     assert (error.axis, error.value, error.range, error.index) == (
@@ -87,11 +86,11 @@ def test_errors():
         (1e-6, 1e6),
         (1,),
     )
-    with pytest.raises(UnphysicalError, match="nu1"):
+    with pytest.raises(InputError, match="nu1"):
         solve(1.0, 1.75, 0.6, 1e5)
-    with pytest.raises(DomainError, match="tolerance"):
+    with pytest.raises(SolveError, match="tolerance"):
         solve(1.0, 1.75, 0.5, 1e5, tolerance=1e-20)
-    with pytest.raises(NotConvergedError) as caught:
+    with pytest.raises(SolveError) as caught:
         solve(1e5, 1e20, 0.3, 1e-10, tolerance=1e-13)
     assert caught.value.range[0] > 1e-13
     with pytest.raises(TypeError, match="nu1 must be real numbers"):

@@ -11,22 +11,17 @@ from coated_contact import (
     Cone,
     Contact,
     ContactError,
-    DomainError,
+    SolveError,
     Elastic,
-    FixedParameterError,
+    InputError,
     FlatPunch,
     Layer,
-    NotConvergedError,
-    OtherProbeError,
-    OtherTableError,
     OutsideTableError,
     SolvedCurve,
     Spring,
     Stack,
-    StackError,
     StackSystem,
     Table,
-    UnphysicalError,
     solve_stack,
 )
 from conftest import ROOT, make_system, rows
@@ -109,7 +104,7 @@ def test_a_contact_answers_what_one_of_a_film_answers(stack):
     assert validity.a_over_t == pytest.approx(6.5)
     assert validity.compressibility == stack.compressibility * 6.5**2
     assert stack.compressibility == 0.0  # incompressible
-    with pytest.raises(FixedParameterError, match="no derivatives"):
+    with pytest.raises(InputError, match="no derivatives"):
         contact.gradient(65e-6, w)
     with pytest.raises(OutsideTableError):
         contact.load(1e-3 * 0.9, w)
@@ -144,7 +139,7 @@ def test_a_punch_on_a_stack(stack):
     step = 1e-9
     slope = (sphere.stiffness(2e-5 + step) - sphere.stiffness(2e-5 - step)) / (2 * step)
     assert pulled.penetration**2 * slope / (4 * pi * 2e-5) == pytest.approx(0.04, rel=1e-5)
-    with pytest.raises(OtherProbeError, match="paraboloid or a flat punch only"):
+    with pytest.raises(InputError, match="paraboloid or a flat punch only"):
         stack.contact(probe=Cone(half_angle=1.2), sphere_modulus=2e6, a_over_t=(1, 4))
 
 
@@ -159,7 +154,7 @@ def test_a_graded_film_converges_with_the_square_of_the_layers():
         found.append(solve_stack(1.0, stack, inf).eeq)
     ratio = (found[0] - found[1]) / (found[1] - found[2])
     assert ratio == pytest.approx(4, rel=0.1)
-    with pytest.raises(StackError, match="Young's modulus is inf"):
+    with pytest.raises(InputError, match="Young's modulus is inf"):
         replace(stack, surface=Elastic(young_modulus=inf, poisson_ratio=0.3))
 
 
@@ -172,7 +167,7 @@ def test_solves_broadcast(stack):
     data = solution.to_xarray()
     assert isinstance(data, xarray.Dataset)
     assert dict(data.sizes) == {"a_over_t": 3, "sphere_modulus": 2}
-    with pytest.raises(DomainError) as caught:
+    with pytest.raises(SolveError) as caught:
         solve_stack([1.0, 1e5], stack, 2e6)
     assert (caught.value.axis, caught.value.value) == ("a_over_t", 1e5)
     assert caught.value.range == (0.0, pytest.approx(750.0))
@@ -183,27 +178,27 @@ def test_solves_broadcast(stack):
 
 def test_layers_that_cannot_be_are_named(stack):
     soft = Layer(material=Elastic(young_modulus=1e5, poisson_ratio=0.3), thickness=1e-6)
-    with pytest.raises(StackError, match=r"layer 2 of 2.*thickness is 0") as caught:
+    with pytest.raises(InputError, match=r"layer 2 of 2.*thickness is 0") as caught:
         replace(stack, layers=[soft, replace(soft, thickness=0.0)])
     assert (caught.value.axis, caught.value.value) == ("layer", 2.0)
     rigid = replace(soft, material=Elastic(young_modulus=inf, poisson_ratio=0.3))
-    with pytest.raises(StackError, match="give it as the base"):
+    with pytest.raises(InputError, match="give it as the base"):
         replace(stack, layers=[rigid])
-    with pytest.raises(StackError, match="at least one layer"):
+    with pytest.raises(InputError, match="at least one layer"):
         replace(stack, layers=[])
-    with pytest.raises(StackError, match="two layers have the name 'primer'"):
+    with pytest.raises(InputError, match="two layers have the name 'primer'"):
         replace(stack, layers=[replace(soft, name="primer"), replace(soft, name="primer")])
     with pytest.raises(TypeError, match="layers must be Layer"):
         replace(stack, layers=[3.0])
     with pytest.raises(TypeError, match="material must be an Elastic"):
         Layer(material=1e6, thickness=1e-6)
-    with pytest.raises(UnphysicalError, match="sphere_modulus"):
+    with pytest.raises(InputError, match="sphere_modulus"):
         StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=0.0)
     with pytest.raises(TypeError, match="stack must be a Stack"):
         StackSystem(stack=3, sphere_radius=1e-3, sphere_modulus=1e6)
     system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=1e6)
     assert system.sphere_radius == 1e-3
-    with pytest.raises(OtherTableError, match="of films on substrates"):
+    with pytest.raises(OutsideTableError, match="of films on substrates"):
         Contact(system=system, table=Table.embedded())
     with pytest.raises(TypeError, match="a contact needs"):
         Contact(system=system, table=None)
@@ -215,7 +210,7 @@ def test_ranges_that_cannot_be_are_refused(stack):
     for ends in ((1.0, 0.1), (0.0, 1.0), (0.1, 1e4), (np.nan, 1.0)):
         with pytest.raises(ContactError):
             stack.contact(**KNOWN, a_over_t=ends)
-    with pytest.raises((DomainError, NotConvergedError), match="tolerance"):
+    with pytest.raises(SolveError, match="tolerance"):
         stack.contact(**KNOWN, a_over_t=(0.1, 1), tolerance=1e-30)
 
 
@@ -237,7 +232,7 @@ def test_files_that_are_no_stack_are_named(tmp_path, old, new, words):
     assert old in text
     path = tmp_path / "stack.toml"
     path.write_text(text.replace(old, new, 1))
-    with pytest.raises(StackError, match=words) as caught:
+    with pytest.raises(InputError, match=words) as caught:
         Stack.read(path)
     assert str(path) in str(caught.value)
 
@@ -246,7 +241,7 @@ def test_a_stack_file_has_the_errors_of_rust(tmp_path, program):
     path = tmp_path / "stack.toml"
     for old, new, _ in FILES:
         path.write_text(PRIMER.read_text().replace(old, new, 1))
-        with pytest.raises(StackError) as caught:
+        with pytest.raises(InputError) as caught:
             Stack.read(path)
         command = [program, "solve", "--stack", path, "--a-over-t=1", "--sphere-modulus=2e6"]
         printed = subprocess.run(command, check=False, capture_output=True, text=True)

@@ -9,7 +9,7 @@ import pytest
 from coated_contact import (
     ContactError,
     Elastic,
-    FrictionError,
+    InputError,
     Paraboloid,
     SolvedCurve,
     Sphere,
@@ -64,11 +64,11 @@ def test_the_stiffness_is_that_of_the_stuck_punch(gel):
 
 
 def test_what_is_not_solved_is_refused(gel):
-    with pytest.raises(FrictionError, match="artanh"):
+    with pytest.raises(InputError, match="artanh"):
         CURVE.contact(replace(gel, film=Elastic(young_modulus=1.0, poisson_ratio=0.49)))
-    with pytest.raises(FrictionError, match="paraboloid"):
+    with pytest.raises(InputError, match="paraboloid"):
         CURVE.contact(replace(gel, probe=Sphere(radius=1.0)))
-    with pytest.raises(FrictionError, match="finite range"):
+    with pytest.raises(InputError, match="finite range"):
         CURVE.contact(gel).finite_range(1e-9, stress=1e3).pull_off()
     with pytest.raises(ContactError, match=r"1\.5"):
         replace(CURVE, advancing=1.5).contact(gel)

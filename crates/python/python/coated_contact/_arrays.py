@@ -13,7 +13,7 @@ import numpy as np
 from numpy import ma
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import ContactError, InvalidArgumentError
+from ._errors import ContactError, InputError
 
 Errors = Literal["raise", "nan"]
 
@@ -30,7 +30,7 @@ def integer(name: str, value: int, least: int, end: int) -> int:
     """Return an integer from ``least`` to ``end - 1``; refuse all else."""
     whole = operator.index(value)
     if not least <= whole < end:
-        raise InvalidArgumentError(
+        raise InputError(
             f"{name} = {whole} cannot be used: it must be from {least} to {end - 1}",
             axis=name,
             value=float(whole),

@@ -30,7 +30,7 @@ class Elastic:
 
     Raises
     ------
-    UnphysicalError
+    InputError
         For other values.
 
     Examples
@@ -119,7 +119,7 @@ class System(UnderProbe):
 
     Raises
     ------
-    UnphysicalError
+    InputError
         For a length or modulus that is not positive, or a rigid film.
 
     Examples
@@ -182,7 +182,7 @@ class HalfSpace(UnderProbe):
 
     Raises
     ------
-    UnphysicalError
+    InputError
         For a length or modulus that is not positive, or a rigid sphere on a rigid solid.
     """
 

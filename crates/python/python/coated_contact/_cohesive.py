@@ -40,9 +40,9 @@ class Cohesive(Remade):
 
     Raises
     ------
-    DomainError
+    SolveError
         For a work of adhesion or a range that cannot be.
-    OtherProbeError
+    InputError
         For another probe.
 
     Examples
@@ -89,9 +89,9 @@ class Cohesive(Remade):
 
         Raises
         ------
-        DomainError
+        SolveError
             For a radius that is not positive or out of reach, or whose annulus is.
-        NotAContactError
+        NoContactError
             Where the contact would open inside, or the gap in the annulus is not between 0 and h0.
         """
         return cohesive_states(evaluate(self._native.state, errors, contact_radius=a))
@@ -114,10 +114,10 @@ class Cohesive(Remade):
 
         Raises
         ------
-        DomainError
+        SolveError
             For a radius that is not positive, beyond that at which the contact begins, or beyond
             120 times the thickness of the (top) layer.
-        NotAContactError
+        NoContactError
             For a load or penetration that overflows a float.
         """
         return cohesive_states(evaluate(self._native.without_contact, errors, outer_radius=c))
@@ -134,7 +134,7 @@ class Cohesive(Remade):
 
         Raises
         ------
-        DomainError, NotAContactError
+        SolveError, NoContactError
             As :meth:`state`.
         """
         first, last = contact_radii

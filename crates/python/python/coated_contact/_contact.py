@@ -111,11 +111,10 @@ class Contact(Remade):
 
         Raises
         ------
-        OutsideTableError, ExtrapolationError
+        OutsideTableError
             Where the table does not cover a/t.
-        BeyondSphereError
+        InputError
             For an ``a`` that is not below the radius of the sphere.
-        UnphysicalError
             For ``a`` <= 0, ``w`` < 0, infinity, NaN, or a load that overflows a float.
         """
         (load,) = evaluate(self._native.load, errors, contact_radius=a, work_of_adhesion=w)
@@ -217,7 +216,7 @@ class Contact(Remade):
 
         Raises
         ------
-        OtherProbeError
+        InputError
             For a flat punch, whose contact line cannot move.
         """
         (stiffness,) = evaluate(
@@ -279,7 +278,7 @@ class Contact(Remade):
 
         Raises
         ------
-        OutsideRadiiError
+        NoContactError
             If its contact radius is out of range.
         """
         imposed = native_control(control)
@@ -322,9 +321,9 @@ class Contact(Remade):
 
         Raises
         ------
-        OutsideRadiiError
+        NoContactError
             If a state has a contact radius out of range.
-        InvalidArgumentError
+        InputError
             Unless ``points`` is from 2 to 1,000,000.
         """
         return self.equilibria(w, control=control).force_displacement(most=most, points=points)
@@ -505,12 +504,10 @@ class Contact(Remade):
 
         Raises
         ------
-        UnphysicalError
+        InputError
             For a work of adhesion or a stress that is not positive and finite.
-        LongZoneError
             For a zone that is not short beside the film, or top layer, or the largest contact:
             :class:`Cohesive` solves it.
-        OtherProbeError
             For a shape with an edge or a bend.
 
         Examples
@@ -587,11 +584,10 @@ class SolvedCurve:
 
         Raises
         ------
-        DomainError
+        SolveError
             For a range, a tolerance or a material outside the domain of the solver.
-        NotConvergedError
             Where double precision does not allow the tolerance.
-        FrictionError
+        InputError
             For a sphere that sticks where Dundurs' beta is not 0.
         """
         return Contact(system=system, table=self)

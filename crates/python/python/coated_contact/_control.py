@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from ._arrays import number
-from ._errors import InvalidArgumentError
+from ._errors import InputError
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -37,7 +37,7 @@ def native_control(control: Control) -> tuple[str, float]:
         return "spring", control.stiffness
     if control in ("load", "displacement"):
         return control, 0.0
-    raise InvalidArgumentError(
+    raise InputError(
         f'control = {control!r} cannot be used: give "load", "displacement" or Spring(stiffness=k)',
         axis="control",
         allowed='"load", "displacement" or Spring(stiffness=k)',

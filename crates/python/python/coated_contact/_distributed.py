@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._errors import GenerationError
+from ._errors import TableError
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -33,7 +33,7 @@ def solved_pieces(
         tasks = ((solve_piece, (scene, nodes, piece)) for piece in missing)
         for index, (build, values) in unordered(client, tasks):
             if build != own:
-                raise GenerationError(
+                raise TableError(
                     f"a worker runs another build of the package or another processor, {build}, "
                     f"and this is {own}: the last digits may differ; install one wheel everywhere"
                 )

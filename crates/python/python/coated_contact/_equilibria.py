@@ -66,7 +66,7 @@ class Equilibria:
 
         Raises
         ------
-        OutsideRadiiError
+        NoContactError
             If a stable equilibrium has a contact radius out of range.
         """
         found = self._native.equilibria_at(
@@ -85,7 +85,6 @@ class Equilibria:
         ------
         NoContactError
             For a negative value, at which the sphere does not touch yet.
-        OutsideRadiiError
             If the contact radius is out of range.
         """
         return self._branch("loading", imposed, errors)
@@ -101,7 +100,6 @@ class Equilibria:
         ------
         NoContactError
             For a value below that of the pull-off.
-        OutsideRadiiError
             If the contact radius is out of range.
         """
         return self._branch("unloading", imposed, errors)

@@ -41,97 +41,35 @@ class ContactError(ValueError):
         self.index = index
 
 
-class UnphysicalError(ContactError):
-    """A value that no physical system has, or a result that overflows a float."""
+class InputError(ContactError):
+    """An argument that no physical system has, or that the question does not take.
 
-
-class InvalidArgumentError(ContactError):
-    """An argument whose value the computation does not accept."""
-
-
-class BeyondSphereError(ContactError):
-    """A contact radius that is not below the radius of the sphere."""
-
-
-class BeyondProbeError(ContactError):
-    """A contact radius that the shape of the probe does not have."""
-
-
-class OtherProbeError(ContactError):
-    """A question that makes no sense for the shape of the probe, or is not answered for it."""
-
-
-class FrictionError(ContactError):
-    """A contact with full friction that is not solved, or a question that it does not answer."""
-
-
-class ProfileError(ContactError):
-    """Points of a measured probe that are no convex shape; ``value`` is the row, from 1."""
+    A negative modulus, a contact radius beyond the sphere, a layer that a stack cannot have, a
+    question that makes no sense for the shape of the probe, a derivative that is not known.
+    """
 
 
 class OutsideTableError(ContactError):
-    """A material outside the box of the table, or an a/t outside the curve."""
+    """A table that does not hold what is asked for: another material, a/t, quantity or kind of body.
 
-
-class ExtrapolationError(OutsideTableError):
-    """An a/t beyond the nodes, where the expansion about the limit is not accurate enough."""
-
-
-class OutsideRadiiError(ContactError):
-    """A state whose contact radius is outside the range of the search."""
+    Another table or a direct solve answers it.
+    """
 
 
 class NoContactError(ContactError):
-    """A load, penetration or position of the spring at which there is no contact."""
+    """A state that the contact does not have, or that is not within the radii searched."""
 
 
-class EquivalentError(ContactError):
-    """A material without an equivalent in a table made for another substrate's Poisson ratio."""
+class SolveError(ContactError):
+    """A solve beyond the reach of the solver, or a tolerance that it does not meet.
 
-
-class NormalisationError(ContactError):
-    """A rigid sphere in a table for compliant spheres, or the other way round."""
-
-
-class MissingQuantityError(ContactError):
-    """A quantity that the table does not hold."""
-
-
-class FixedParameterError(ContactError):
-    """A derivative that is not known."""
-
-
-class OtherTableError(ContactError):
-    """A table of other bodies: of a stack for one film, of films for a stack, of another stack."""
+    Of a tolerance, ``range`` begins at the error reached.
+    """
 
 
 class TableError(ContactError):
-    """A file that is no table, a damaged one, or one of another version."""
-
-
-class DomainError(ContactError):
-    """A parameter or a tolerance outside the domain of the solver."""
-
-
-class NotConvergedError(ContactError):
-    """A tolerance that double precision does not allow; ``range`` begins at the error reached."""
-
-
-class StackError(ContactError):
-    """A layer that a stack cannot have; ``value`` is its number, from 1 at the base."""
-
-
-class LongZoneError(ContactError):
-    """A zone of attraction that is not short beside the contact radius or the film."""
-
-
-class NotAContactError(ContactError):
-    """An attraction of finite range that has no solution at a contact radius."""
+    """A file that is no sound table, a scene that cannot be used, or a table that cannot be made."""
 
 
 class FitError(ContactError):
     """A fit that cannot be made: points, parameters or options that cannot be used."""
-
-
-class GenerationError(ContactError):
-    """A scene that cannot be used, or a table that cannot be made."""

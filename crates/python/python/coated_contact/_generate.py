@@ -92,7 +92,7 @@ def generate(
         points, and that of the finished ones; if it raises, the generation ends like by Ctrl-C.
     resume : bool
         Whether to go on from the finished pieces of an interrupted generation of the same scene.
-        Without it, pieces that are kept are a :class:`GenerationError` that names their file.
+        Without it, pieces that are kept are a :class:`TableError` that names their file.
     certificate_points : int, optional
         The number of points at which the accuracy is measured; by default 2500 for each axis.
     seed : int
@@ -109,12 +109,12 @@ def generate(
 
     Raises
     ------
-    GenerationError
+    TableError
         For a scene that cannot be used, a table that would be too large, pieces of another
         generation, or workers of another build.
     OSError
         If a file cannot be read or written.
-    NotConvergedError
+    SolveError
         Where double precision does not allow the tolerance.
 
     Examples

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import number, real, scalar_or_array
 from ._columns import Array, Columns
 from ._control import Control, Spring, native_control
-from ._errors import InvalidArgumentError
+from ._errors import InputError
 
 if TYPE_CHECKING:
     import xarray
@@ -72,14 +72,14 @@ class Relaxation:
         several = np.atleast_1d(real("times", times)).ravel()
         if weights is None:
             if several.size != 1:
-                raise InvalidArgumentError(
+                raise InputError(
                     f"weights are missing: give one for each of the {several.size} times",
                     axis="weights",
                 )
             weights = 1.0 - part
         own = np.atleast_1d(real("weights", weights)).ravel()
         if own.size != several.size:
-            raise InvalidArgumentError(
+            raise InputError(
                 f"there are {own.size} weights for {several.size} times: give one for each",
                 axis="weights",
             )
@@ -187,12 +187,12 @@ def history(
     given = {"penetration": penetration, "load": load, "height": height}
     imposed = {name: value for name, value in given.items() if value is not None}
     if len(imposed) != 1:
-        raise InvalidArgumentError(
+        raise InputError(
             f"give one of penetration, load and height, which is imposed; {len(imposed)} are given"
         )
     ((name, value),) = imposed.items()
     if (name == "height") != (stiffness is not None):
-        raise InvalidArgumentError(
+        raise InputError(
             "stiffness and height belong together: give the stiffness (N/m) of the cantilever with "
             "its heights, and none otherwise",
             axis="stiffness",
@@ -202,7 +202,7 @@ def history(
         control = Spring(stiffness=stiffness)
     times, values = real("time", time), real(name, value)
     if times.ndim != 1 or times.shape != values.shape:
-        raise InvalidArgumentError(
+        raise InputError(
             f"time and {name} must be rows of one length, and have the shapes {times.shape} and "
             f"{values.shape}"
         )

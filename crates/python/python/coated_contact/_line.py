@@ -197,7 +197,7 @@ class ContactLine:
 
         Raises
         ------
-        OutsideRadiiError
+        NoContactError
             Where the line may leave the table. The state is then that before the call.
         """
         found = _core.impose(*self._native(), native_control(control), number("value", value))
@@ -230,10 +230,10 @@ class ContactLine:
 
         Raises
         ------
-        InvalidArgumentError
+        InputError
             For a law without finite speeds, which only :meth:`impose` can follow, and for a
             tolerance out of range.
-        OutsideRadiiError
+        NoContactError
             Where the line leaves the table. The state is then that before the call.
         ContactError
             Where the ramp is too slow for the solver; :meth:`impose` is accurate there.

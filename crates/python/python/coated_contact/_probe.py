@@ -23,7 +23,7 @@ class Probe(Remade):
     shape; film, substrate and the elasticity of the probe enter as for a sphere. All shapes are
     convex, such that a contact is one disc.
 
-    A shape whose lengths or angle cannot be raises an UnphysicalError.
+    A shape whose lengths or angle cannot be raises an InputError.
     """
 
     #: The name in words.
@@ -210,7 +210,7 @@ class Profile(Probe):
 
     Raises
     ------
-    ProfileError
+    InputError
         For points that are no convex shape, with the number of the row, from 1.
     """
 

@@ -325,7 +325,7 @@ class Gradient(OneLine):
 
         Raises
         ------
-        FixedParameterError
+        InputError
             For an input whose derivative needs a parameter that the table fixes, an input of the
             film on a half-space, and the work of adhesion where it is 0. Not where the gradient was
             computed with ``errors="nan"``.

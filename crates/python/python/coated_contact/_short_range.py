@@ -49,11 +49,9 @@ class ShortRange:
 
     Raises
     ------
-    UnphysicalError
+    InputError
         For a work of adhesion or a stress that is not positive and finite.
-    LongZoneError
         For a zone longer than ``LONGEST`` times the film, or top layer, or largest contact.
-    OtherProbeError
         For a shape with an edge or a bend.
 
     Attributes
@@ -97,7 +95,7 @@ class ShortRange:
 
         Raises
         ------
-        LongZoneError
+        InputError
             For a contact radius below the zone over ``LONGEST``.
         ContactError
             As ``Contact.load``.
@@ -115,9 +113,9 @@ class ShortRange:
 
         Raises
         ------
-        LongZoneError
+        InputError
             For a contact radius below the zone over ``LONGEST``.
-        OutsideRadiiError
+        NoContactError
             If the contact radius is out of range.
         """
         return CohesiveState(*_core.short_range_pull_off(*self._native, native_control(control)))
@@ -136,9 +134,9 @@ class ShortRange:
 
         Raises
         ------
-        LongZoneError
+        InputError
             For a stable equilibrium of such a contact radius.
-        OutsideRadiiError
+        NoContactError
             If a stable equilibrium has a contact radius out of range.
         """
         found = _core.short_range_equilibria(

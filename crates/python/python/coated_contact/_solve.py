@@ -186,11 +186,10 @@ def solve(
 
     Raises
     ------
-    UnphysicalError
+    InputError
         For a parameter that no material has.
-    DomainError
+    SolveError
         For an ``a_over_t``, a ``tolerance`` or a ratio of moduli outside the domain.
-    NotConvergedError
         Where double precision does not allow the tolerance.
 
     Examples
@@ -243,9 +242,8 @@ def solve_stack(
 
     Raises
     ------
-    DomainError
+    SolveError
         For an ``a_over_t``, a ``tolerance`` or a ratio of moduli outside the domain.
-    NotConvergedError
         Where double precision does not allow the tolerance.
 
     Examples

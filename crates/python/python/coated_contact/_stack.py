@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, final
 
 from . import _core
 from ._bodies import Elastic, UnderProbe, check_solid
-from ._errors import StackError
+from ._errors import InputError
 from ._probe import Probe
 from ._values import Remade, set_field, set_numbers
 
@@ -79,7 +79,7 @@ class Layer:
         if self.name is not None and not isinstance(self.name, str):
             raise TypeError(f"name must be a str, not {type(self.name).__name__}")
         if not isinstance(self.interface, Springs) and self.interface not in _NAMED:
-            raise StackError(
+            raise InputError(
                 f'interface = {self.interface!r} is none: give "bonded", "sliding" or Springs',
                 axis="interface",
             )
@@ -126,7 +126,7 @@ class Stack(Remade):
 
     Raises
     ------
-    StackError
+    InputError
         Without a layer; for a thickness that is not positive and finite, a rigid layer, or a
         Young's modulus more than 1e9 times that of another body; for a stiffness of an interface
         that is negative or NaN, and a normal one that is 0 or too small.
@@ -167,7 +167,7 @@ class Stack(Remade):
         names = [layer.name for layer in self.layers if layer.name is not None]
         for name in names:
             if names.count(name) > 1:
-                raise StackError(f"two layers have the name {name!r}: give another", axis="name")
+                raise InputError(f"two layers have the name {name!r}: give another", axis="name")
         if self.surface is not None:
             check_solid("surface", self.surface)
         native = _core.Stack(
@@ -234,7 +234,7 @@ class Stack(Remade):
         ------
         OSError
             If the file cannot be read.
-        StackError
+        InputError
             If it is no stack; the message names the file and the layer.
         """
         return cls._of_parts(*_core.read_stack(os.fspath(path)))
@@ -264,7 +264,7 @@ class Stack(Remade):
     def _scene(self) -> dict[str, Any]:
         """Return the stack as the mapping of its file."""
         if self.surface is not None:
-            raise StackError(
+            raise InputError(
                 "the stack has a surface of its own, which a scene cannot state: leave it out with "
                 "dataclasses.replace(stack, surface=None)",
                 axis="surface",
@@ -326,11 +326,10 @@ class Stack(Remade):
 
         Raises
         ------
-        DomainError
+        SolveError
             For a range out of reach.
-        NotConvergedError
             Where double precision does not allow the tolerance.
-        OtherProbeError
+        InputError
             For another shape.
         """
         from ._contact import SolvedCurve

@@ -70,9 +70,8 @@ def solve_stick_punch(
 
     Raises
     ------
-    DomainError
+    SolveError
         For a parameter outside the domain.
-    NotConvergedError
         Where double precision does not allow the tolerance.
 
     Examples

@@ -108,9 +108,8 @@ class Table:
 
         Raises
         ------
-        OutsideTableError, EquivalentError, NormalisationError
+        OutsideTableError
             If the table does not hold the material.
-        OtherTableError
             For a film in a table of a stack, a stack in a table of films, and for another stack.
         """
         return Contact(system=system, table=self)
@@ -201,13 +200,10 @@ class Table:
 
         Raises
         ------
-        OutsideTableError, EquivalentError, NormalisationError
+        OutsideTableError
             If the table does not hold the material.
-        ExtrapolationError
             For an a/t so far beyond the nodes that the expansion is not accurate enough.
-        MissingQuantityError
             If the table answers some of the quantities only.
-        OtherTableError
             In a table of a stack of layers.
 
         Examples

@@ -137,9 +137,8 @@ class AdhesionRange(OneLine):
 
         Raises
         ------
-        LongZoneError
+        InputError
             For a zone that is not short beside the contact radius or the film, or top layer.
-        OtherProbeError
             For a shape with an edge or a bend.
 
         Examples
