@@ -7,14 +7,14 @@ use acceptance::{Data, larger};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Direction, Error, Experiment, Fit, Free, Indentation, Kind,
-    Layer, Layered, Options, Parameter, Point, PointErrors, Reach, WarningKind,
+    Layered, NamedLayer, Options, Parameter, Point, PointErrors, Reach, WarningKind,
     simulate_experiment,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
-use solve::stack::Interface;
+use solve::stack::Layer;
 
 use crate::imagined::{measurement, solid};
 use crate::recovery::{SETS, assert_coverage};
@@ -256,7 +256,7 @@ fn stiffness_at_depths_with_a_reference_sample() {
 }
 
 /// Layers under a diamond, solved directly.
-fn layered(system: &System, layers: Vec<Layer>) -> Layered {
+fn layered(system: &System, layers: Vec<NamedLayer>) -> Layered {
     Layered {
         probe: system.probe.clone(),
         sphere_modulus: system.sphere_modulus,
@@ -270,12 +270,10 @@ fn layered(system: &System, layers: Vec<Layer>) -> Layered {
     }
 }
 
-fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
-    Layer {
+fn layer(name: &str, solid: Elastic, thickness: f64) -> NamedLayer {
+    NamedLayer {
         name: Some(name.parse().expect("a name")),
-        solid,
-        thickness,
-        interface: Interface::Bonded,
+        layer: Layer::bonded(solid, thickness),
     }
 }
 

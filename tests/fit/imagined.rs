@@ -136,15 +136,7 @@ impl Imagined {
                 Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
             }
             Bodies::Layered(layered) => {
-                let layers = layered.layers.iter();
-                let layers: Vec<_> = layers
-                    .map(|one| solve::stack::Layer {
-                        solid: one.solid,
-                        thickness: one.thickness,
-                        interface: one.interface,
-                    })
-                    .collect();
-                let stack = solve::stack::Stack::new(layered.base, layers).expect("physical");
+                let stack = layered.stack().expect("physical");
                 let [from, to] = self.radii.map(|radius| radius / stack.thickness());
                 let modulus = layered.sphere_modulus;
                 let curve = solve::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);

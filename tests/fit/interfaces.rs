@@ -1,7 +1,7 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
 use acceptance::{assert_names, springs};
-use fit::{Bodies, Fit, Kind, Layer, Parameter, WarningKind};
+use fit::{Bodies, Fit, Kind, Parameter, WarningKind};
 use interp::System;
 use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
@@ -40,10 +40,8 @@ fn set(imagined: &mut Imagined, interface: Interface, change: impl Fn(&mut Syste
         Bodies::HalfSpace(_) => unreachable!("a lens is on a film"),
     };
     change(&mut system);
-    let film = Layer {
-        interface,
-        ..layer("film", system.film, system.film_thickness)
-    };
+    let mut film = layer("film", system.film, system.film_thickness);
+    film.layer.interface = interface;
     imagined.truth.bodies = on_layers(&system, &[film]);
 }
 

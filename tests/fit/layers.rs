@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use acceptance::{assert_names, larger};
 use contact::Contact;
 use fit::{
-    Bodies, Cause, Experiment, Fit, Free, Interruptible, Kind, Layer, LayerName, Layered,
-    LayeredSolver, Loss, Options, Parameter, Reach, WarningKind,
+    Bodies, Cause, Experiment, Fit, Free, Interruptible, Kind, LayerName, Layered, LayeredSolver,
+    Loss, NamedLayer, Options, Parameter, Reach, WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
-use solve::stack::Interface;
+use solve::stack::Layer;
 
 use crate::imagined::{Course, Imagined, doubts, measurement, solid};
 
@@ -19,17 +19,15 @@ pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
 }
 
-pub fn layer(name: &str, solid: Elastic, thickness: f64) -> Layer {
-    Layer {
+pub fn layer(name: &str, solid: Elastic, thickness: f64) -> NamedLayer {
+    NamedLayer {
         name: Some(named(name)),
-        solid,
-        thickness,
-        interface: Interface::Bonded,
+        layer: Layer::bonded(solid, thickness),
     }
 }
 
 /// Puts a sphere on layers on a base.
-pub fn on_layers(system: &System, layers: &[Layer]) -> Bodies {
+pub fn on_layers(system: &System, layers: &[NamedLayer]) -> Bodies {
     Bodies::Layered(Layered {
         probe: system.probe.clone(),
         sphere_modulus: system.sphere_modulus,

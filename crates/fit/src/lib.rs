@@ -77,7 +77,8 @@ pub use estimate::{
 pub use magnitude::Magnitude;
 pub use model::{
     AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
-    Free, Indentation, Interruptible, Kind, Known, Layer, LayerName, Layered, LayeredSolver, Loss,
-    LossAngle, MOST_COEFFICIENTS, Measurement, Options, Parameter, Point, PointErrors, Prediction,
-    Prior, Reach, Scope, StickSolver, simulate, simulate_experiment, stack_of, system_on,
+    Free, Indentation, Interruptible, Kind, Known, LayerName, Layered, LayeredSolver, Loss,
+    LossAngle, MOST_COEFFICIENTS, Measurement, NamedLayer, Options, Parameter, Point, PointErrors,
+    Prediction, Prior, Reach, Scope, StickSolver, simulate, simulate_experiment, stack_of,
+    system_on,
 };

@@ -70,7 +70,9 @@ impl Bodies {
             Self::HalfSpace(_) => {}
             Self::Layered(layered) => {
                 let layers = layered.layers.iter();
-                lengths.extend(layers.map(|layer| ("the thickness of a layer", layer.thickness)));
+                lengths.extend(
+                    layers.map(|named| ("the thickness of a layer", named.layer.thickness)),
+                );
             }
         }
         let moduli: Vec<(&'static str, f64)> = match self {
@@ -85,7 +87,8 @@ impl Bodies {
             ],
             Self::Layered(layered) => {
                 let layers = layered.layers.iter();
-                let moduli = layers.map(|layer| ("the modulus of a layer", layer.solid.young()));
+                let moduli =
+                    layers.map(|named| ("the modulus of a layer", named.layer.solid.young()));
                 let others = [
                     ("the sphere's modulus", layered.sphere_modulus),
                     ("the modulus of the base", layered.base.young()),

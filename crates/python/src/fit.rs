@@ -7,9 +7,9 @@ use ::solve::parallel;
 use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Interruptible, Kind, Known, Layer,
-    Layered, LayeredSolver, Loss, Magnitude, Measurement, Options, Parameter, Point, PointErrors,
-    Reach, Scope, WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Interruptible, Kind, Known, Layered,
+    LayeredSolver, Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point,
+    PointErrors, Reach, Scope, WithoutFilm,
 };
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
@@ -305,11 +305,9 @@ fn layered(
 ) -> Result<Layered, fit::Error> {
     let layers = named.stack.layers().iter().zip(&named.names);
     let layers = layers.map(|(layer, name)| {
-        Ok(Layer {
+        Ok(NamedLayer {
             name: name.as_deref().map(str::parse).transpose()?,
-            solid: layer.solid,
-            thickness: layer.thickness,
-            interface: layer.interface,
+            layer: *layer,
         })
     });
     Ok(Layered {

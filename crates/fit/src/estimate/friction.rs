@@ -2,7 +2,7 @@
 //! laws of friction.
 
 use contact::Contact;
-use solve::stack::{Interface, Layer, Stack};
+use solve::stack::{Interface, Stack};
 use solve::stick::{MOST_OF_PUNCH, Sticking};
 
 use super::warnings::Warnings;
@@ -71,26 +71,15 @@ pub(super) fn add(
 /// Returns the load with full friction over that without, of a flat punch of radius `a` (m); `None`
 /// where it is not solved, or there is no film.
 fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
-    let (base, sphere_modulus, layers) = match bodies {
-        Bodies::Coated(system) => {
-            let film = Layer {
-                solid: system.film,
-                thickness: system.film_thickness,
-                interface: Interface::Bonded,
-            };
-            (system.substrate, system.sphere_modulus, vec![film])
-        }
-        Bodies::Layered(layered) => {
-            let layers = layered.layers.iter().map(|layer| Layer {
-                solid: layer.solid,
-                thickness: layer.thickness,
-                interface: layer.interface,
-            });
-            (layered.base, layered.sphere_modulus, layers.collect())
-        }
+    let (stack, sphere_modulus) = match bodies {
+        Bodies::Coated(system) => (
+            Stack::of_film(system, Interface::Bonded),
+            system.sphere_modulus,
+        ),
+        Bodies::Layered(layered) => (layered.stack(), layered.sphere_modulus),
         Bodies::HalfSpace(_) => return None,
     };
-    let stack = Stack::new(base, layers).ok()?;
+    let stack = stack.ok()?;
     let most = MOST_OF_PUNCH * stack.shape().top * stack.thickness();
     let sticking = Sticking::on_stack(&stack, sphere_modulus, nu2).ok()?;
     sticking

@@ -128,17 +128,7 @@ fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &U
 fn layers(bodies: &Bodies) -> Option<(Layer, Stack)> {
     let stack = match bodies {
         Bodies::Coated(system) => Stack::of_film(system, Interface::Bonded),
-        Bodies::Layered(layered) => {
-            let layer = |one: &crate::Layer| Layer {
-                solid: one.solid,
-                thickness: one.thickness,
-                interface: one.interface,
-            };
-            Stack::new(
-                layered.base,
-                layered.layers.iter().map(layer).collect::<Vec<_>>(),
-            )
-        }
+        Bodies::Layered(layered) => layered.stack(),
         Bodies::HalfSpace(_) => return None,
     };
     let stack = stack.ok().filter(Stack::is_bonded)?;

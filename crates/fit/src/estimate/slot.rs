@@ -1,6 +1,6 @@
 //! The values to be found, and the coordinates in which the method moves them.
 
-use crate::{Error, Experiment, Free, Layer, Parameter, Prior, Scope};
+use crate::{Error, Experiment, Free, NamedLayer, Parameter, Prior, Scope};
 
 /// The part of the distance between two bounds by which a start keeps away from them.
 const INSIDE: f64 = 0.02;
@@ -177,7 +177,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
                 Parameter::Hardness => experiments[e].hardness_to_start_from(),
                 Parameter::LayerInterfaceStiffness(name) => {
-                    experiments[e].layer(name).map(Layer::own_stiffness)
+                    experiments[e].layer(name).map(NamedLayer::own_stiffness)
                 }
                 _ => None,
             })
@@ -240,7 +240,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
 
 /// Returns the bounds of the stiffness of an interface that has none of its own. Beyond them the layer
 /// slides, or is bonded, to all that data tell, and the way to 0 or to infinity would not end.
-fn interface_bounds(layer: &Layer, start: f64) -> [f64; 2] {
+fn interface_bounds(layer: &NamedLayer, start: f64) -> [f64; 2] {
     /// The bounds over the stiffness of the layer itself, and the least distance from the start.
     const REACH: f64 = 1e5;
     const ROOM: f64 = 10.0;

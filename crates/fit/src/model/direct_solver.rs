@@ -2,7 +2,7 @@
 
 use contact::Contact;
 use interp::{HalfSpace, System};
-use solve::stack::{Layer, Stack};
+use solve::stack::Stack;
 use solve::{A_OVER_T, Error, stack_curve};
 
 use super::layered::{Cause, Layered, LayeredSolver};
@@ -29,9 +29,10 @@ const OVER_TOP: f64 = 300.0;
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// use std::sync::Arc;
 ///
-/// use fit::{Bodies, Experiment, Free, Kind, Layer, Layered, Measurement, Parameter, Point, Reach};
+/// use fit::{Bodies, Experiment, Free, Kind, Layered, Measurement, NamedLayer, Parameter, Point};
+/// use fit::Reach;
 /// use interp::{Elastic, Probe, Table};
-/// use solve::stack::Interface;
+/// use solve::stack::Layer;
 ///
 /// // Radii (m) of a contact, and loads (N) that are to be fitted.
 /// let radii = [5e-5, 7e-5, 9e-5, 1.1e-4, 1.3e-4];
@@ -43,8 +44,8 @@ const OVER_TOP: f64 = 300.0;
 ///     points: radii.into_iter().zip(loads).map(point).collect(),
 /// };
 /// let layer = |name: &str, modulus: f64, thickness: f64| {
-///     let solid = Elastic::new(modulus, 0.5)?;
-///     Ok::<_, fit::Error>(Layer { name: Some(name.parse()?), solid, thickness, interface: Interface::Bonded })
+///     let layer = Layer::bonded(Elastic::new(modulus, 0.5)?, thickness);
+///     Ok::<_, fit::Error>(NamedLayer { name: Some(name.parse()?), layer })
 /// };
 /// let probe = Probe::Paraboloid { radius: 1e-3 };
 /// let bodies = Bodies::Layered(Layered {
@@ -101,16 +102,7 @@ impl LayeredSolver for DirectSolver {
 /// # Errors
 /// Those of [`Stack::new`], with the name of the layer.
 pub fn stack_of(layered: &Layered) -> Result<Stack, Cause> {
-    let layers: Vec<Layer> = layered
-        .layers
-        .iter()
-        .map(|layer| Layer {
-            solid: layer.solid,
-            thickness: layer.thickness,
-            interface: layer.interface,
-        })
-        .collect();
-    Stack::new(layered.base, layers).map_err(|error| named(layered, error))
+    layered.stack().map_err(|error| named(layered, error))
 }
 
 /// Returns the probe on the layers as a system.

@@ -5,7 +5,9 @@ use std::borrow::Cow;
 use contact::Contact;
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
-use super::{Indentation, Kind, Layer, LayerName, Layered, Measurement, Parameter, PointErrors};
+use super::{
+    Indentation, Kind, LayerName, Layered, Measurement, NamedLayer, Parameter, PointErrors,
+};
 use crate::Error;
 
 /// The bodies in contact.
@@ -105,7 +107,7 @@ impl Bodies {
         match self {
             Self::Coated(system) => Some(system.film_thickness),
             Self::HalfSpace(_) => None,
-            Self::Layered(layered) => layered.layers.last().map(|layer| layer.thickness),
+            Self::Layered(layered) => layered.layers.last().map(|top| top.layer.thickness),
         }
     }
 
@@ -238,13 +240,13 @@ impl Experiment {
                 };
                 let film = layered.film()?;
                 match parameter {
-                    Parameter::FilmModulus => film.solid.young(),
-                    Parameter::FilmPoissonRatio => film.solid.poisson(),
-                    _ => film.thickness,
+                    Parameter::FilmModulus => film.layer.solid.young(),
+                    Parameter::FilmPoissonRatio => film.layer.solid.poisson(),
+                    _ => film.layer.thickness,
                 }
             }
-            Parameter::LayerModulus(name) => self.layer(name)?.solid.young(),
-            Parameter::LayerThickness(name) => self.layer(name)?.thickness,
+            Parameter::LayerModulus(name) => self.layer(name)?.layer.solid.young(),
+            Parameter::LayerThickness(name) => self.layer(name)?.layer.thickness,
             Parameter::LayerInterfaceStiffness(name) => {
                 return self.layer(name)?.interface_stiffness();
             }
@@ -268,7 +270,7 @@ impl Experiment {
     }
 
     /// Returns the layer with a name.
-    pub(crate) fn layer(&self, name: LayerName) -> Option<&Layer> {
+    pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
         match &self.bodies {
             Bodies::Layered(layered) => layered.layer(name),
             _ => None,

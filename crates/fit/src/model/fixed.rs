@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use interp::{Elastic, Probe};
 
-use super::{Bodies, Experiment, Parameter};
+use super::{Bodies, Experiment, NamedLayer, Parameter};
 use crate::Error;
 use crate::data::Dimension;
 
@@ -166,9 +166,9 @@ impl Experiment {
             Fixed::SphereRadius => self.bodies.probe().radius(),
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
-            Fixed::LayerModulus(number) => Some(layer(number)?.solid.young()),
-            Fixed::LayerThickness(number) => Some(layer(number)?.thickness),
-            Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.solid),
+            Fixed::LayerModulus(number) => Some(layer(number)?.layer.solid.young()),
+            Fixed::LayerThickness(number) => Some(layer(number)?.layer.thickness),
+            Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.layer.solid),
         }
     }
 
@@ -222,7 +222,8 @@ impl Experiment {
                 let Bodies::Layered(layered) = &mut self.bodies else {
                     return Ok(());
                 };
-                let Some(layer) = layered.layers.get_mut(number.wrapping_sub(1)) else {
+                let Some(NamedLayer { layer, .. }) = layered.layers.get_mut(number.wrapping_sub(1))
+                else {
                     return Ok(());
                 };
                 if matches!(one, Fixed::LayerThickness(_)) {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use arrayvec::ArrayString;
 use contact::Contact;
 use interp::{Elastic, Probe};
-use solve::stack::Interface;
+use solve::stack::{Interface, Layer, Stack};
 
 use super::{Kind, Measurement, Parameter};
 use crate::Error;
@@ -63,32 +63,28 @@ impl FromStr for LayerName {
     }
 }
 
-/// One layer.
+/// One layer, and its name.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Layer {
+pub struct NamedLayer {
     /// The name by which parameters call it: they set the values of all layers that have it. A
     /// layer without a name is fixed.
     pub name: Option<LayerName>,
-    /// The solid.
-    pub solid: Elastic,
-    /// The thickness, m.
-    pub thickness: f64,
-    /// What joins it to the layer below, or to the base.
-    pub interface: Interface,
+    /// The layer.
+    pub layer: Layer,
 }
 
-impl Layer {
+impl NamedLayer {
     /// Returns the tangential stiffness (Pa/m) of the springs below; `None` where there are none: the
     /// layer is bonded or slides.
     pub(crate) fn interface_stiffness(&self) -> Option<f64> {
-        let [tangential, _] = self.interface.stiffnesses();
+        let [tangential, _] = self.layer.interface.stiffnesses();
         (tangential > 0.0 && tangential.is_finite()).then_some(tangential)
     }
 
     /// Returns the tangential stiffness (Pa/m) of an interface as stiff as the layer itself, at which
     /// the data are most likely to tell how stiff it is.
     pub(crate) fn own_stiffness(&self) -> f64 {
-        self.solid.reduced() / self.thickness
+        self.layer.solid.reduced() / self.layer.thickness
     }
 }
 
@@ -171,7 +167,7 @@ pub struct Layered {
     /// The base; with an infinite modulus it is rigid.
     pub base: Elastic,
     /// The layers, from the base up. The probe touches the last one.
-    pub layers: Vec<Layer>,
+    pub layers: Vec<NamedLayer>,
     /// Up to which contact radii contacts are needed.
     pub reach: Reach,
     /// Makes the contact.
@@ -187,19 +183,28 @@ impl PartialEq for Layered {
 }
 
 impl Layered {
+    /// Returns the layers on their base.
+    ///
+    /// # Errors
+    /// Those of [`Stack::new`].
+    pub fn stack(&self) -> Result<Stack, solve::Error> {
+        let layers = self.layers.iter().map(|named| named.layer);
+        Stack::new(self.base, layers.collect::<Vec<_>>())
+    }
+
     /// Returns the thickness of all layers, m.
     pub fn thickness(&self) -> f64 {
-        self.layers.iter().map(|layer| layer.thickness).sum()
+        self.layers.iter().map(|named| named.layer.thickness).sum()
     }
 
     /// Returns the solid that the probe touches; the base where there is no layer.
     pub fn surface(&self) -> Elastic {
-        self.layers.last().map_or(self.base, |layer| layer.solid)
+        self.layers.last().map_or(self.base, |top| top.layer.solid)
     }
 
     /// Lists the parameters of the layers that have a name.
     pub fn parameters(&self) -> Vec<Parameter> {
-        let names = self.layers.iter().filter_map(|layer| layer.name);
+        let names = self.layers.iter().filter_map(|named| named.name);
         names
             .flat_map(|name| {
                 [
@@ -213,7 +218,7 @@ impl Layered {
 
     /// Returns the film: the only layer, if it has no name. The parameters of the film are its
     /// parameters.
-    pub(crate) fn film(&self) -> Option<&Layer> {
+    pub(crate) fn film(&self) -> Option<&NamedLayer> {
         match &self.layers[..] {
             [film] if film.name.is_none() => Some(film),
             _ => None,
@@ -221,15 +226,15 @@ impl Layered {
     }
 
     /// Returns the layer with a name.
-    pub(crate) fn layer(&self, name: LayerName) -> Option<&Layer> {
-        self.layers.iter().find(|layer| layer.name == Some(name))
+    pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
+        self.layers.iter().find(|named| named.name == Some(name))
     }
 
     /// Replaces the value of a parameter of the bodies. Other parameters change nothing.
     pub(crate) fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), interp::Error> {
-        let of = |name: LayerName| move |layer: &&mut Layer| layer.name == Some(name);
+        let of = |name: LayerName| move |named: &&mut NamedLayer| named.name == Some(name);
         if self.film().is_some() {
-            let film = &mut self.layers[0];
+            let film = &mut self.layers[0].layer;
             match parameter {
                 Parameter::FilmModulus => film.solid = Elastic::new(value, film.solid.poisson())?,
                 Parameter::FilmPoissonRatio => {
@@ -242,17 +247,17 @@ impl Layered {
         match parameter {
             Parameter::SphereModulus => self.sphere_modulus = value,
             Parameter::LayerModulus(name) => {
-                for layer in self.layers.iter_mut().filter(of(name)) {
+                for NamedLayer { layer, .. } in self.layers.iter_mut().filter(of(name)) {
                     layer.solid = Elastic::new(value, layer.solid.poisson())?;
                 }
             }
             Parameter::LayerThickness(name) => {
-                for layer in self.layers.iter_mut().filter(of(name)) {
+                for NamedLayer { layer, .. } in self.layers.iter_mut().filter(of(name)) {
                     layer.thickness = value;
                 }
             }
             Parameter::LayerInterfaceStiffness(name) => {
-                for layer in self.layers.iter_mut().filter(of(name)) {
+                for NamedLayer { layer, .. } in self.layers.iter_mut().filter(of(name)) {
                     let [_, normal] = layer.interface.stiffnesses();
                     let tangential = value;
                     layer.interface = Interface::Springs { tangential, normal };

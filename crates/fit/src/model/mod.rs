@@ -40,7 +40,7 @@ pub use fixed::Fixed;
 pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};
 pub use interruptible::Interruptible;
-pub use layered::{Cause, Layer, LayerName, Layered, LayeredSolver, Reach};
+pub use layered::{Cause, LayerName, Layered, LayeredSolver, NamedLayer, Reach};
 pub use measurement::{Direction, Kind, Measurement, Point};
 pub use parameter::Parameter;
 pub(crate) use predict::Predicted;

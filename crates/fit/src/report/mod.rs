@@ -21,7 +21,7 @@ use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
-    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Layer, Measurement, ModulusBias,
+    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, NamedLayer,
     Parameter,
 };
 
@@ -214,9 +214,10 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
                 text(layered.base.poisson(), "1"),
             ));
         }
-        for (i, layer) in layered.layers.iter().enumerate() {
+        for (i, named) in layered.layers.iter().enumerate() {
+            let layer = &named.layer;
             let poisson = text(layer.solid.poisson(), "1");
-            match layer.name {
+            match named.name {
                 Some(name) => rows.push((format!("{name}.poisson-ratio").into(), poisson)),
                 // The parameters of a film are listed with all others.
                 None if layered.film().is_some() => {}
@@ -232,8 +233,8 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
                     (format!("layer-{}.poisson-ratio", i + 1).into(), poisson),
                 ]),
             }
-            if let Some(interface) = interface(layer, |stiffness| text(stiffness, "Pa/m")) {
-                let name = layer.name.map(|name| name.to_string());
+            if let Some(interface) = interface(named, |stiffness| text(stiffness, "Pa/m")) {
+                let name = named.name.map(|name| name.to_string());
                 let name = name.unwrap_or_else(|| format!("layer-{}", i + 1));
                 rows.push((format!("{name}.interface").into(), interface));
             }
@@ -260,12 +261,12 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
 
 /// Says what joins a layer to what lies below it, as far as its `interface-stiffness` does not; `None`
 /// if it is bonded.
-fn interface(layer: &Layer, text: impl Fn(f64) -> String) -> Option<String> {
-    let [tangential, normal] = layer.interface.stiffnesses();
-    let sideways = match layer.interface_stiffness() {
-        _ if layer.interface.is_bonded() => return None,
+fn interface(named: &NamedLayer, text: impl Fn(f64) -> String) -> Option<String> {
+    let [tangential, normal] = named.layer.interface.stiffnesses();
+    let sideways = match named.interface_stiffness() {
+        _ if named.layer.interface.is_bonded() => return None,
         None if tangential == 0.0 => Some("sliding".to_owned()),
-        Some(stiffness) if layer.name.is_none() => {
+        Some(stiffness) if named.name.is_none() => {
             Some(format!("tangential stiffness {}", text(stiffness)))
         }
         _ => None,

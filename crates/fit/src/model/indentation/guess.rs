@@ -148,7 +148,7 @@ impl Experiment {
         let softest = match &self.bodies {
             Bodies::Layered(Layered { base, layers, .. }) => layers
                 .iter()
-                .map(|layer| layer.solid.reduced())
+                .map(|layer| layer.layer.solid.reduced())
                 .fold(base.reduced(), f64::min),
             bodies => bodies.film().reduced(),
         };

@@ -99,7 +99,7 @@ impl Sample {
 fn thinned(layered: &Layered, by: f64) -> Layered {
     let mut layered = layered.clone();
     if let Some(top) = layered.layers.last_mut() {
-        top.thickness -= by;
+        top.layer.thickness -= by;
     }
     layered
 }

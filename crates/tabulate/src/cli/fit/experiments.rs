@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Experiment, Free, Kind, Layer, LayerName, Layered, LayeredSolver, Measurement,
+    Bodies, Experiment, Free, Kind, LayerName, Layered, LayeredSolver, Measurement, NamedLayer,
     Parameter, Reach, Scope, StickSolver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
@@ -17,7 +17,7 @@ use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
 use fit::DirectSolver;
-use solve::stack::{self, Interface};
+use solve::stack::Layer;
 
 /// The flags of known values.
 #[derive(clap::Args)]
@@ -121,11 +121,9 @@ impl KnownArguments {
             });
             // A film is a single layer without a name.
             let film = || {
-                vec![Layer {
+                vec![NamedLayer {
                     name: None,
-                    solid: system.film,
-                    thickness: system.film_thickness,
-                    interface: Interface::Bonded,
+                    layer: Layer::bonded(system.film, system.film_thickness),
                 }]
             };
             layers = Some((layers.map_or_else(film, |(layers, _)| layers), solver));
@@ -189,18 +187,16 @@ fn is_of_shape(value: Value) -> bool {
 }
 
 /// Returns the layers of a stack for fits, with what makes their contacts.
-fn layers(layers: &Layers) -> anyhow::Result<(Vec<Layer>, Arc<dyn LayeredSolver>)> {
+fn layers(layers: &Layers) -> anyhow::Result<(Vec<NamedLayer>, Arc<dyn LayeredSolver>)> {
     let solver: Arc<dyn LayeredSolver> = match layers {
         Layers::Text(_) => Arc::new(DirectSolver),
         Layers::Table(table) => table.clone(),
     };
-    let layer = |(layer, name): (&stack::Layer, &Option<String>)| {
+    let layer = |(layer, name): (&Layer, &Option<String>)| {
         let name = name.as_deref().map(str::parse::<LayerName>).transpose();
-        Ok(Layer {
+        Ok(NamedLayer {
             name: name.context("--stack")?,
-            solid: layer.solid,
-            thickness: layer.thickness,
-            interface: layer.interface,
+            layer: *layer,
         })
     };
     let named = layers.named();
@@ -338,7 +334,7 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
 /// Returns the modulus of the film, or of the top layer if it has a name.
 fn modulus_of_top(bodies: &Bodies) -> Parameter {
     let top = match bodies {
-        Bodies::Layered(layered) => layered.layers.last().and_then(|layer| layer.name),
+        Bodies::Layered(layered) => layered.layers.last().and_then(|top| top.name),
         _ => None,
     };
     top.map_or(Parameter::FilmModulus, Parameter::LayerModulus)
