@@ -29,8 +29,9 @@ const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
 const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate/cli, tabulate/default, tabulate/figures, tabulate/fit";
 
 /// Crates under other licences, their licences, and the features that need them.
-const OTHERS: [(&str, &str, &str); 9] = [
+const OTHERS: [(&str, &str, &str); 10] = [
     ("approx", "Apache-2.0", FITS),
+    ("cbindgen", "MPL-2.0", TESTS),
     ("ciborium", "Apache-2.0", TESTS),
     ("ciborium-io", "Apache-2.0", TESTS),
     ("ciborium-ll", "Apache-2.0", TESTS),
