@@ -15,6 +15,7 @@ mod licences;
 mod python;
 mod python_tests;
 mod selection;
+mod site;
 mod tables;
 mod tabulate;
 mod venv;
@@ -44,6 +45,7 @@ usage: cargo xtask COMMAND
                  build them for a release: the wheel runs on every Linux since 2014
   wheel --test   build the wheel, and run the tests of the Python package with it; `test` runs them with the compiled
                  module of the workspace
+  site           make the site of the documentation in target/site/
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
   compare --small
@@ -66,6 +68,7 @@ fn main() -> ExitCode {
         Some("wheel") if rest.is_empty() => wheel::build(),
         Some("wheel") if rest == ["--release"] => wheel::release(),
         Some("wheel") if rest == ["--test"] => wheel::test(),
+        Some("site") if rest.is_empty() => site::site(),
         Some("compare") if rest.is_empty() => compare(&[]),
         Some("compare") if rest == ["--small"] => compare(&["--", "--small"]),
         Some("licences") if rest.is_empty() => licences::licences(),

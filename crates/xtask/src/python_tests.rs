@@ -26,6 +26,12 @@ pub fn in_place() -> Result<(), String> {
         // Modules are linked in another way there, which maturin knows.
         return wheel::test();
     }
+    run(&venv::interpreter()?, Some(&package()?))
+}
+
+/// Puts the package together as it stands in the workspace, with the module that is compiled for the
+/// tests, and returns the folder that holds it, for `PYTHONPATH`.
+pub fn package() -> Result<PathBuf, String> {
     // With the tests, whose dependencies have more features.
     succeed(&mut hdf5::cargo(&[
         "build",
@@ -43,7 +49,7 @@ pub fn in_place() -> Result<(), String> {
     copy(&sources().join("python/coated_contact"), &package)?;
     let module = workspace::target()?.join("release/lib_core.so");
     copy(&module, &package.join("_core.abi3.so"))?;
-    run(&venv::interpreter()?, Some(&folder))
+    Ok(folder)
 }
 
 /// Runs tests and checks with an interpreter, on the package that it has or that of a folder.

@@ -1,0 +1,43 @@
+//! The site of the documentation, made by Sphinx from PyPI.
+
+use std::env;
+use std::process::Command;
+
+use crate::{python, python_tests, succeed, venv, workspace};
+
+/// Sphinx, its reader of Markdown, its theme, and the formulas.
+const PACKAGES: [&str; 4] = [
+    "sphinx==9.0.4",
+    "myst-parser==5.2.0",
+    "furo==2025.12.19",
+    "latex2mathml==3.81.1",
+];
+
+/// Makes the site in `site` of the target directory. A dead link between its pages, an image that is
+/// missing, and a docstring that cannot be read are errors.
+pub fn site() -> Result<(), String> {
+    let out = workspace::target()?.join("site");
+    let modules = [python::packages(&PACKAGES)?, python_tests::package()?];
+    let modules = env::join_paths(modules).map_err(|e| format!("a folder with a colon: {e}"))?;
+    let root = workspace::root();
+    succeed(
+        Command::new(venv::interpreter()?)
+            .args([
+                "-m",
+                "sphinx",
+                "-q",
+                "-W",
+                "--keep-going",
+                "-b",
+                "html",
+                "-c",
+            ])
+            .arg(root.join("crates/site"))
+            .arg(&root)
+            .arg(&out)
+            .env("PYTHONPATH", modules)
+            .env("PYTHONDONTWRITEBYTECODE", "1"),
+    )?;
+    println!("xtask: the site is in {}", out.display());
+    Ok(())
+}
