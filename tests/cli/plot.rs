@@ -7,6 +7,7 @@ use contact::{ForceDisplacement, Jump, State};
 use interp::{Parameter, Probe, Table};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Node, Options, Tree};
+use solve::stack::Interface;
 use tabulate::plot::{error_map, fig2, fig3, fig4, force_displacement, interface, paper};
 
 /// The width of every figure in pixels.
@@ -132,7 +133,7 @@ fn fig4_shows_the_lines_of_jkr_and_the_published_radii_at_zero_load() {
 
 #[test]
 fn force_curves_jump_at_what_is_imposed_and_separate_where_jkr_does() {
-    for film in force_displacement::data(&paper::PROBE).unwrap() {
+    for film in force_displacement::data(&paper::PROBE, Interface::Bonded).unwrap() {
         let (displacement, load): (&ForceDisplacement, &ForceDisplacement) =
             (&film.displacement, &film.load);
         for jump in &displacement.jumps {
@@ -173,6 +174,60 @@ fn force_curves_jump_at_what_is_imposed_and_separate_where_jkr_does() {
     }
 }
 
+/// Springs that are stiff enough bond the films. Films that slide yield more, the thinnest the most:
+/// with the penetration imposed the load is smaller, and the load of separation is another one.
+#[test]
+fn films_that_slide_are_drawn_as_well() {
+    let of = |interface| force_displacement::data(&paper::PROBE, interface).unwrap();
+    let stiff = Interface::Springs {
+        tangential: 1e25,
+        normal: f64::INFINITY,
+    };
+    let [bonded, stiff, sliding] = [Interface::Bonded, stiff, Interface::Sliding].map(of);
+    let separation = |film: &force_displacement::Film| film.load.jumps.last().unwrap().from.load;
+    for ((bonded, stiff), sliding) in bonded.iter().zip(&stiff).zip(&sliding) {
+        close(separation(stiff), separation(bonded), 1e-6, "stiff springs");
+        let change = separation(sliding) / separation(bonded) - 1.0;
+        let is_thin = bonded.thickness < 1e-4;
+        assert_eq!(
+            change.abs() > 1e-3,
+            is_thin,
+            "{}: {change}",
+            bonded.thickness
+        );
+    }
+    let workdir = workdir!();
+    let plot = |more: &[&str]| {
+        let arguments = [
+            "plot",
+            "force-displacement",
+            "--specimen",
+            "paper",
+            "-o",
+            "sliding.svg",
+        ];
+        workdir.run(&[&arguments[..], more].concat())
+    };
+    assert!(plot(&["--interface", "sliding"]).status.success());
+    assert!(plot(&["--interface-stiffness", "1e13"]).status.success());
+    for (wrong, names) in [
+        (
+            &["--interface", "sliding", "--probe", "cone"][..],
+            ["--interface", "--probe"],
+        ),
+        (
+            &["--interface", "sliding", "--interface-stiffness", "1e13"],
+            ["--interface", "--interface-stiffness"],
+        ),
+        (&["--interface-stiffness", "1e13,0"], ["film", "normal"]),
+        (&["--interface-stiffness=-1"], ["film", "-1"]),
+    ] {
+        let run = plot(wrong);
+        assert!(!run.status.success(), "{wrong:?}");
+        assert_names(&run.stderr, &names);
+    }
+}
+
 #[test]
 fn other_probes_separate_from_the_thickest_film_as_from_a_half_space() {
     let (w, modulus) = (0.04_f64, 1.4e6_f64);
@@ -192,7 +247,7 @@ fn other_probes_separate_from_the_thickest_film_as_from_a_half_space() {
         ),
     ];
     for (probe, truth) in cases {
-        let films = force_displacement::data(&probe).unwrap();
+        let films = force_displacement::data(&probe, Interface::Bonded).unwrap();
         let [thin, .., thick] = &films[..] else {
             panic!("{} films", films.len());
         };

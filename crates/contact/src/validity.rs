@@ -198,6 +198,8 @@ impl AdhesionRange<'_> {
 impl Contact {
     /// Compares a contact of radius `a` (m) with the assumptions of the model.
     ///
+    /// The size of friction takes two solves and is told by `solve::stick::Sticking::stiffening`.
+    ///
     /// # Errors
     /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
     /// [`Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `t`

@@ -1,22 +1,25 @@
 //! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use ::solve::parallel;
+use ::solve::stack::Layer;
 use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Interruptible, Kind, Known, Layered,
-    LayeredSolver, Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point,
-    PointErrors, Reach, Scope, WithoutFilm,
+    Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Kind, Known, Layered, LayeredSolver,
+    Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point, PointErrors, Reach, Scope,
+    WithoutFilm,
 };
+use interp::System;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
+use crate::contacts_on_layers::{Solvers, stick};
 use crate::error::{Failure, OrRaise as _};
 use crate::indentation::{GivenIndentation, loss};
 use crate::interruption::interruptible;
@@ -41,6 +44,9 @@ pub struct Given<'py> {
     noise: Option<GivenNoise<'py>>,
     abscissa_noise: GivenNoise<'py>,
     indentation: Option<GivenIndentation>,
+    friction: String,
+    sphere_poisson_ratio: f64,
+    advancing: f64,
 }
 
 /// A standard deviation, or one for each point.
@@ -114,13 +120,13 @@ pub fn fit_together<'py>(
         ..options
     };
     let table = table.get();
-    let (solver, interrupted) = interruptible_solver(py, table)?;
+    let solvers = Solvers::new(table.layered_solver(py)?);
     let experiments = experiments
         .iter()
-        .map(|given| experiment(py, given, &solver));
+        .map(|given| experiment(py, given, &solvers));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
-    let found = interruptible(py, &interrupted, || {
+    let found = interruptible(py, &solvers.interrupted, || {
         checked_fit(table.get(), &experiments, &free, &options, allow_magnitudes)
     })?
     .map_err(|failure| failure.raise(py))?;
@@ -164,18 +170,20 @@ pub fn fit_map<'py>(
     const BLOCK: usize = 64;
     let (options, allow_magnitudes) = options(given_options)?;
     let table = table.get();
-    let (solver, interrupted) = interruptible_solver(py, table)?;
+    let solvers = Solvers::new(table.layered_solver(py)?);
     let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
-        let curves = curves.iter().map(|given| experiment(py, given, &solver));
+        let curves = curves.iter().map(|given| experiment(py, given, &solvers));
         let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
         let one = |curve: &Experiment| {
-            let goes_on = !interrupted.load(Ordering::Relaxed);
+            let goes_on = !solvers.interrupted.load(Ordering::Relaxed);
             let curve = std::slice::from_ref(curve);
             goes_on.then(|| checked_fit(table.get(), curve, &free, &options, allow_magnitudes))
         };
-        let found = interruptible(py, &interrupted, || parallel::map_while_some(&curves, one))?;
+        let found = interruptible(py, &solvers.interrupted, || {
+            parallel::map_while_some(&curves, one)
+        })?;
         for (i, found) in found.into_iter().enumerate() {
             match found {
                 Ok(found) => results.append(summary(py, &found)?)?,
@@ -211,25 +219,8 @@ fn checked_fit(
     Ok(found)
 }
 
-/// Returns what makes the contacts on layers of a table until the flag beside it is set.
-fn interruptible_solver(
-    py: Python<'_>,
-    table: &Table,
-) -> PyResult<(Arc<dyn LayeredSolver>, Arc<AtomicBool>)> {
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let solver = Interruptible {
-        solver: table.layered_solver(py)?,
-        interrupted: interrupted.clone(),
-    };
-    Ok((Arc::new(solver), interrupted))
-}
-
-/// Makes an experiment; `solver` makes its contacts if they are on layers.
-pub fn experiment(
-    py: Python<'_>,
-    given: &Given<'_>,
-    solver: &Arc<dyn LayeredSolver>,
-) -> PyResult<Experiment> {
+/// Makes an experiment; one of the `solvers` makes its contacts if they are on layers or stick.
+pub fn experiment(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Experiment> {
     let kind = match given.kind.as_str() {
         "load-radius" => Kind::LoadRadius,
         "penetration-radius" => Kind::PenetrationRadius,
@@ -265,7 +256,12 @@ pub fn experiment(
         kind,
         points: points.collect(),
     };
+    let stick = stick(&given.friction, given.sphere_poisson_ratio, given.advancing)?;
+    let solver = solvers.of(stick);
     let bodies = match &given.bodies {
+        GivenBodies::Coated(system) if stick.is_some() => {
+            Bodies::Layered(of_film(&system.get().0, &measurement, solver))
+        }
         GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
         GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
@@ -297,11 +293,26 @@ pub fn experiment(
     Ok(made)
 }
 
+/// Makes the film of an experiment a single layer without a name, whose contacts a solver makes.
+fn of_film(system: &System, measurement: &Measurement, solver: Arc<dyn LayeredSolver>) -> Layered {
+    Layered {
+        reach: Reach::of(measurement, &system.probe),
+        probe: system.probe.clone(),
+        sphere_modulus: system.sphere_modulus,
+        base: system.substrate,
+        layers: vec![NamedLayer {
+            name: None,
+            layer: Layer::bonded(system.film, system.film_thickness),
+        }],
+        solver,
+    }
+}
+
 /// Makes the layers of an experiment.
 fn layered(
     NativeStackSystem { named, system }: &NativeStackSystem,
     measurement: &Measurement,
-    solver: &Arc<dyn LayeredSolver>,
+    solver: Arc<dyn LayeredSolver>,
 ) -> Result<Layered, fit::Error> {
     let layers = named.stack.layers().iter().zip(&named.names);
     let layers = layers.map(|(layer, name)| {
@@ -316,7 +327,7 @@ fn layered(
         sphere_modulus: system.sphere_modulus,
         base: system.substrate,
         layers: layers.collect::<Result<_, fit::Error>>()?,
-        solver: Arc::clone(solver),
+        solver,
     })
 }
 

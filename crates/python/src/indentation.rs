@@ -24,6 +24,7 @@ pub struct GivenIndentation {
     frame_compliance: f64,
     loads: Option<Vec<f64>>,
     phases: Option<Vec<f64>>,
+    loss_tangent: f64,
     reference: bool,
 }
 
@@ -46,6 +47,7 @@ impl GivenIndentation {
             frame_compliance: self.frame_compliance,
             loads: self.loads.clone().unwrap_or_default(),
             phases: self.phases.clone().unwrap_or_default(),
+            loss_tangent: self.loss_tangent,
         };
         if !self.reference {
             return Ok(());

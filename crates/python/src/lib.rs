@@ -13,6 +13,7 @@ mod arrays;
 mod bodies;
 mod cohesive;
 mod contact;
+mod contacts_on_layers;
 mod error;
 mod fit;
 mod generate;
@@ -59,7 +60,7 @@ mod _core {
         short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,
     };
     #[pymodule_export]
-    use super::solve::{solve, solve_stack, solve_stick_punch};
+    use super::solve::{solve, solve_stack, solve_stick_punch, stick_stiffening};
     #[pymodule_export]
     use super::table::Table;
 

@@ -4,12 +4,13 @@
 use std::sync::Arc;
 
 use fit::DirectSolver;
-use fit::{Branch, Error, Experiment, LayeredSolver};
+use fit::{Branch, Error, Experiment};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Output;
+use crate::contacts_on_layers::Solvers;
 use crate::error::OrRaise as _;
 use crate::fit::{Given, GivenFree, estimates, experiment, frees, parameter, unknown};
 use crate::table::Table;
@@ -36,8 +37,7 @@ pub fn branches(
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
     // No contact is made.
-    let solver: Arc<dyn LayeredSolver> = Arc::new(DirectSolver);
-    let experiment = experiment(py, &given, &solver)?;
+    let experiment = experiment(py, &given, &Solvers::new(Arc::new(DirectSolver)))?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
     let free = free.or_raise(py)?;
     let branches = experiment.branches(&free).or_raise(py)?;
@@ -55,7 +55,7 @@ pub fn predict<'py>(
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiment = experiment(py, &given, &table.layered_solver(py)?)?;
+    let experiment = experiment(py, &given, &Solvers::new(table.layered_solver(py)?))?;
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = parameters.or_raise(py)?;
     let branch = |name: String| {
@@ -80,7 +80,8 @@ pub fn predict<'py>(
     Ok(fields)
 }
 
-/// Returns the ordinates of synthetic data, and the loads of a contact stiffness at depths.
+/// Returns the ordinates of synthetic data, the loads of a contact stiffness at depths, and the phases
+/// of a loss tangent.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,
@@ -88,15 +89,16 @@ pub fn simulate<'py>(
     given: Given<'py>,
     noise: f64,
     seed: u64,
-) -> PyResult<[Output<'py>; 2]> {
+) -> PyResult<[Output<'py>; 3]> {
     let table = table.get();
-    let experiment = experiment(py, &given, &table.layered_solver(py)?)?;
+    let experiment = experiment(py, &given, &Solvers::new(table.layered_solver(py)?))?;
     let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
     let made = made.or_raise(py)?;
     let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
     Ok([
         PyArray1::from_iter(py, ordinates),
         PyArray1::from_vec(py, made.indentation.loads),
+        PyArray1::from_vec(py, made.indentation.phases),
     ])
 }
 
@@ -110,10 +112,10 @@ pub fn forecast<'py>(
     free: Vec<GivenFree>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let solver = table.layered_solver(py)?;
+    let solvers = Solvers::new(table.layered_solver(py)?);
     let experiments = experiments
         .iter()
-        .map(|given| experiment(py, given, &solver));
+        .map(|given| experiment(py, given, &solvers));
     let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
     let free = frees(py, free)?;
     let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));

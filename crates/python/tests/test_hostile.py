@@ -45,6 +45,7 @@ from coated_contact import (
     solve,
     solve_stack,
     solve_stick_punch,
+    stick_stiffening,
 )
 
 ENDS = [0.0, 5e-324, 1e-310, 2.3e-308, 1e-154, 1e-30, 2.2e-16, 0.25, 0.5, 1.0, 1e30, 1e154, 1.8e308]
@@ -398,6 +399,14 @@ FUNCTIONS = {
     "solve_stick_punch": (
         [1.0, 1.75, 0.5, 1e5, 0.25, 0.5, 1e-6],
         lambda *n: [solve_stick_punch(*n).eeq_s, solve_stick_punch(*n).gamma_eff],
+    ),
+    "stick_stiffening": (
+        [*BODIES, 2e-5, 0.5, 1e-4],
+        lambda *n: [
+            stick_stiffening(
+                contact_of(n[:7]).system, n[7], sphere_poisson_ratio=n[8], tolerance=n[9]
+            )
+        ],
     ),
     "SolvedCurve.contact": (
         [*BODIES, 0.5, 2.0, 1e-4],

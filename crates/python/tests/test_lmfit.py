@@ -112,6 +112,28 @@ def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack):
         assert found.params[name].stderr == pytest.approx(expected.stderr[parameter], rel=1e-2)
 
 
+def test_the_stiffness_of_an_interface_is_fitted_like_by_fit(model_class, stack):
+    base, film = stack.layers
+    springs = Springs(tangential_stiffness=1e12)
+    on_springs = replace(stack, layers=(base, replace(film, interface=springs)))
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(4e-5, 1.3e-4, 25),
+        system=StackSystem(stack=on_springs, sphere_radius=1e-3, sphere_modulus=2e6),
+        work_of_adhesion=0.04,
+    )
+    made = simulate(plan, noise=2e-6, seed=1)
+    free = [f"{film.name}.interface_stiffness", "work_of_adhesion"]
+    expected = fit(made, free)
+    name = f"{film.name}_interface_stiffness"
+    model = model_class(made, free)
+    # A bonded layer has no such parameter.
+    assert f"{base.name}_interface_stiffness" not in model.param_names
+    found = model.fit(made.ordinate, x=made.abscissa, weights=1 / 2e-6)
+    assert found.best_values[name] == pytest.approx(expected.params[free[0]], rel=1e-2)
+    assert found.params[name].stderr == pytest.approx(expected.stderr[free[0]], rel=0.1)
+
+
 def test_unknown_parameters_are_named(model_class):
     with pytest.raises(ValueError, match="film_thickness"):
         model_class(lens(seed=1), ["film_thickness"])

@@ -18,7 +18,7 @@ use crate::Error;
 /// radii are always in contact (a radius of 0 is none). `noise` is the standard deviation of the
 /// normal noise that is added to each ordinate; one `seed` always gives one measurement. Of a contact
 /// stiffness it is relative, 0.01 is 1 %, and its logarithm is normal; [`simulate_experiment`] also
-/// makes the loads of depths.
+/// makes the loads of depths and the phases.
 ///
 /// # Errors
 /// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
@@ -34,10 +34,12 @@ pub fn simulate(
 }
 
 /// Makes the experiment that the values of an experiment would give: the measurement of [`simulate`],
-/// and the loads of depths, which follow from the hardness.
+/// the loads of depths, which follow from the hardness, and the phases of a loss tangent. A phase has
+/// the noise of a stiffness, in rad: both parts of a complex stiffness are as noisy.
 ///
 /// # Errors
-/// As [`simulate`], and [`Error::Setting`] for depths without a hardness.
+/// As [`simulate`], and [`Error::Setting`] for depths without a hardness and for a loss tangent
+/// outside 0 to 1.
 pub fn simulate_experiment(
     table: &Table,
     experiment: &Experiment,
@@ -65,6 +67,9 @@ pub fn simulate_experiment(
     for i in 0..made.measurement.points.len() {
         let noisy = made.compared(i) + noise * normal();
         made.measurement.points[i].ordinate = made.ordinate_of(noisy);
+    }
+    for phase in &mut made.indentation.phases {
+        *phase += noise * normal();
     }
     Ok(made)
 }

@@ -19,17 +19,23 @@ const OVER_TOP: f64 = 10.0;
 /// Makes the contact of a sphere that sticks to a film or to layers: a `solver` of
 /// [`fit::Layered`](crate::Layered). A film is a single layer without a name.
 ///
-/// Points stick when they are touched, and the contact advances and recedes with one work of
-/// adhesion. The quantities are within 1e-8, up to contact radii of 30 times the thickness of the top
-/// layer.
+/// Points stick when they are touched. The work of adhesion of the experiment is the one with which
+/// the contact recedes; it has grown with [`advancing`](Self::advancing) times this work, and a fit
+/// that finds the work keeps the ratio. The quantities are within 1e-8, up to contact radii of 30
+/// times the thickness of the top layer.
 ///
 /// # Errors
 /// Those of [`Sticking::grown`](solve::stick::Sticking::grown): Dundurs' beta of sphere and top
-/// layer must be 0.
+/// layer must be 0; and those of
+/// [`StickCurves::receding`](solve::stick::StickCurves::receding) for the ratio.
 #[derive(Clone, Copy, Debug)]
 pub struct StickSolver {
     /// The Poisson ratio of the sphere; a rigid sphere needs none.
     pub sphere_poisson_ratio: f64,
+    /// The work of adhesion with which the contact has grown over that with which it recedes, 0 to 1:
+    /// 1 is a contact with one work of adhesion, 0 one that was pressed on without attraction. Below
+    /// 1 the states are those of a contact that recedes, and no approach is described.
+    pub advancing: f64,
 }
 
 impl LayeredSolver for StickSolver {
@@ -47,14 +53,14 @@ impl LayeredSolver for StickSolver {
         let curves = StickCurves::new(&sticking, range, TOLERANCE)?;
         Ok(Contact::new(
             &system_on(layered, &stack),
-            curves.receding(1.0)?,
+            curves.receding(self.advancing)?,
         )?)
     }
 
     fn why_not_receding(&self) -> Option<&'static str> {
         Some(
-            "a contact with full friction is fitted with one work of adhesion; a line that recedes with \
-             another one is solved outside fits only",
+            "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
+             keeps: give this ratio to the solver, and points of retract only",
         )
     }
 }

@@ -2,7 +2,9 @@
 
 use std::borrow::Cow;
 
-use crate::{AreaFunction, ContactDepth, Experiment, Fit, FittedPoint, Kind, Parameter};
+use crate::{
+    AreaFunction, Bodies, ContactDepth, Experiment, Fit, FittedExperiment, Kind, Parameter,
+};
 
 /// Returns what is known of the indenter.
 pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
@@ -37,17 +39,9 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
             continue;
         }
         let name = &fitted.name;
-        let radii = fitted.points.iter().filter_map(radius);
-        let [least, most] = radii.fold([f64::INFINITY, 0.0_f64], |[l, m], a| [l.min(a), m.max(a)]);
-        let found = fit.estimate(Parameter::FilmThickness);
-        let thickness = found
-            .map(|one| one.value)
-            .or(experiment.bodies.top_thickness());
-        if let Some(thickness) = thickness.filter(|_| most > 0.0) {
+        if let Some([least, most]) = a_over_t(fit, fitted, experiment) {
             lines.push(format!(
-                "{name}: contact radius over thickness from {:.3} to {:.3}",
-                least / thickness,
-                most / thickness
+                "{name}: contact radius over thickness from {least:.3} to {most:.3}"
             ));
         }
         if let Some(loss) = fitted.loss {
@@ -64,6 +58,18 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
     lines
 }
 
-fn radius(point: &FittedPoint) -> Option<f64> {
-    point.contact_radius
+/// Returns the smallest and the largest contact radius of the points of an experiment over the
+/// thickness of its film or top layer; `None` on a half-space, or where no point is in contact.
+pub fn a_over_t(fit: &Fit, fitted: &FittedExperiment, experiment: &Experiment) -> Option<[f64; 2]> {
+    let top = match &experiment.bodies {
+        Bodies::Layered(layered) => layered.layers.last().and_then(|layer| layer.name),
+        _ => None,
+    };
+    let free = top.map_or(Parameter::FilmThickness, Parameter::LayerThickness);
+    let found = fit.estimate(free).map(|one| one.value);
+    let thickness = found.or(experiment.bodies.top_thickness())?;
+    let radii = fitted.points.iter().filter_map(|one| one.contact_radius);
+    let radii = radii.filter(|radius| *radius > 0.0);
+    let [least, most] = radii.fold([f64::INFINITY, 0.0_f64], |[l, m], a| [l.min(a), m.max(a)]);
+    (most > 0.0).then(|| [least, most].map(|radius| radius / thickness))
 }

@@ -15,6 +15,7 @@ use std::fmt::{self, Write};
 
 use interp::Probe;
 
+pub use self::indentation::a_over_t;
 pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};

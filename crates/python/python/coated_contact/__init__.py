@@ -85,7 +85,7 @@ from ._results import (
 from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
 from ._stack import Layer, Springs, Stack, StackSystem
-from ._stick import StickPunch, solve_stick_punch
+from ._stick import StickPunch, solve_stick_punch, stick_stiffening
 from ._table import Table
 from ._validity import AdhesionRange, Validity
 
@@ -164,4 +164,5 @@ __all__ = [
     "solve",
     "solve_stack",
     "solve_stick_punch",
+    "stick_stiffening",
 ]

@@ -432,6 +432,8 @@ class Contact(Remade):
     def validity(self, a: ArrayLike, *, errors: Errors = "raise") -> Validity:
         """Compare contacts of given radii with the assumptions of the model.
 
+        The size of friction, which takes two solves, is a function of its own: ``stick_stiffening``.
+
         Parameters
         ----------
         a : array_like

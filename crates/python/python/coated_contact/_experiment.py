@@ -117,6 +117,16 @@ class Experiment(Remade, OneLine):
     abscissa_noise : float or array_like
         Standard deviation of an abscissa, m, or one for each point; 0 is exact. It counts by the
         slope of the model: a point has the variance ``noise**2 + (slope * abscissa_noise)**2``.
+    friction : {"none", "stick"}
+        Whether the surfaces slide freely, or never slide where they have touched. Contacts that
+        stick are solved directly, for each change of a modulus or thickness, where Dundurs' beta of
+        sphere and film is 0: see :class:`SolvedCurve`.
+    sphere_poisson_ratio : float
+        With ``friction="stick"``: the Poisson ratio of the sphere. A rigid one needs none.
+    advancing : float
+        With ``friction="stick"``: the work of adhesion with which the contact has grown over
+        ``work_of_adhesion``, with which it recedes; a fit keeps this ratio. Below 1 all points must
+        be of retract, or without a direction.
     indentation : Indentation, optional
         What is known of a measurement of contact stiffness; None is the usual. Other kinds do not
         use it.
@@ -140,6 +150,9 @@ class Experiment(Remade, OneLine):
     stiffness: float | None = None
     noise: Any = None
     abscissa_noise: Any = 0.0
+    friction: Literal["none", "stick"] = "none"
+    sphere_poisson_ratio: float = 0.5
+    advancing: float = 1.0
     indentation: Indentation | None = None
     name: str = "experiment"
     reading: str = ""
@@ -151,6 +164,13 @@ class Experiment(Remade, OneLine):
         if not isinstance(self.system, System | HalfSpace | StackSystem):
             raise TypeError(
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
+            )
+        one_of("friction", self.friction, ("none", "stick"))
+        if self.friction == "stick" and isinstance(self.system, HalfSpace):
+            raise FitError(
+                "friction on a half-space is not fitted: at a Poisson ratio of 0.5 it has no effect; "
+                "give a film or a stack, or leave friction out",
+                axis="friction",
             )
         if isinstance(self.system, StackSystem) and self.system.stack.surface is not None:
             raise FitError(
@@ -172,6 +192,13 @@ class Experiment(Remade, OneLine):
             shapes.add(retract.shape)
         if len(shapes) != 1 or points[0].ndim != 1:
             raise FitError(f"abscissa, ordinate and retract must be as long, not {shapes}")
+        advances = self.retract is not None and not np.all(self.retract)
+        if self.friction == "stick" and self.advancing != 1.0 and advances:
+            raise FitError(
+                f"advancing = {self.advancing} describes the retract only, and there are points of "
+                "approach: leave them out, or leave out advancing",
+                axis="advancing",
+            )
         for name in _NUMBERS:
             value = getattr(self, name)
             if value is not None:
@@ -195,6 +222,8 @@ _NUMBERS = (
     "baseline",
     "baseline_slope",
     "stiffness",
+    "sphere_poisson_ratio",
+    "advancing",
 )
 
 

@@ -13,7 +13,15 @@ from ._values import OneLine, Remade
 
 ContactDepth = Literal["oliver-pharr", "loubet"]
 
-_NUMBERS = ("beta", "epsilon", "thinning", "hardness", "tip_rounding", "frame_compliance")
+_NUMBERS = (
+    "beta",
+    "epsilon",
+    "thinning",
+    "hardness",
+    "tip_rounding",
+    "frame_compliance",
+    "loss_tangent",
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
@@ -56,6 +64,9 @@ class Indentation(Remade, OneLine):
         Phase of each point, rad: the angle of the complex stiffness, of which the ordinates are the
         storage part. Then the modulus of the film is the absolute value of the complex one, and
         ``FittedExperiment.loss`` its loss tangent, up to 1.
+    loss_tangent : float
+        The loss tangent of the film or top layer, 0 to 1, of which :func:`simulate` makes the
+        phases; 0 makes none. Fits find their own and do not use it.
     reference : bool
         Whether the sample, a :class:`HalfSpace`, is a bare one of known modulus, which tells tip
         and frame: the parameters of the film are not its own.
@@ -77,6 +88,7 @@ class Indentation(Remade, OneLine):
     frame_compliance: float = 0.0
     loads: Any = None
     phases: Any = None
+    loss_tangent: float = 0.0
     reference: bool = False
 
     def __post_init__(self) -> None:

@@ -167,7 +167,8 @@ def simulate(
     Returns
     -------
     Experiment
-        A copy with ordinates, and with the loads of a contact stiffness at depths.
+        A copy with ordinates, with the loads of a contact stiffness at depths, and with the phases
+        where the indentation has a loss tangent; a phase has the noise of a stiffness, in rad.
 
     Examples
     --------
@@ -182,10 +183,12 @@ def simulate(
     experiments_of([experiment])
     native = (table or Table.embedded())._native
     whole = integer("seed", seed, 0, 2**63)
-    ordinate, loads = _core.simulate(native, experiment, number("noise", noise), whole)
-    if loads.size == 0:
-        return replace(experiment, ordinate=ordinate)
-    indentation = replace(experiment.indentation or Indentation(), loads=loads)
+    ordinate, loads, phases = _core.simulate(native, experiment, number("noise", noise), whole)
+    indentation = experiment.indentation
+    if loads.size or phases.size:
+        made = {"loads": loads, "phases": phases}
+        made = {name: array for name, array in made.items() if array.size}
+        indentation = replace(indentation or Indentation(), **made)
     return replace(experiment, ordinate=ordinate, indentation=indentation)
 
 

@@ -1,14 +1,17 @@
-"""The flat punch that never slides."""
+"""The flat punch that never slides, and the size of friction."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Errors, evaluate, scalar_or_array
+from ._bodies import System
+from ._stack import StackSystem
 from ._values import OneLine
 
 
@@ -93,3 +96,63 @@ def solve_stick_punch(
         tolerance=tolerance,
     )
     return StickPunch(*map(scalar_or_array, found))
+
+
+def stick_stiffening(
+    system: System | StackSystem,
+    a: ArrayLike,
+    *,
+    sphere_poisson_ratio: ArrayLike = 0.5,
+    tolerance: ArrayLike = 1e-6,
+    errors: Errors = "raise",
+) -> Any:
+    """Return the size of friction: the load with full friction over that without.
+
+    It is that of flat punches at equal penetration, one solve each, and nearly that of a sphere with
+    the same contact radius. A model without friction finds moduli of a film that are at most larger
+    by this factor (on a stiff base under a stiff sphere). ``Contact.validity`` compares the other
+    assumptions of the model.
+
+    Parameters
+    ----------
+    system : System or StackSystem
+        The bodies. The shape of the probe does not matter.
+    a : array_like
+        Contact radius, m, up to 300 times the thickness of the film or top layer.
+    sphere_poisson_ratio : array_like
+        Poisson ratio of the sphere; a rigid one needs none.
+    tolerance : array_like
+        The largest relative error of each of the two solves, 1e-13 to 1e-2.
+    errors : {"raise", "nan"}
+        What a point with an error gives: an exception, or NaN.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, 1 or more.
+
+    Raises
+    ------
+    SolveError
+        For a parameter outside the domain.
+        Where double precision does not allow the tolerance.
+
+    Examples
+    --------
+    >>> from coated_contact import Elastic
+    >>> gel = System(sphere_radius=1e-4, sphere_modulus=float("inf"),
+    ...              film=Elastic(young_modulus=1e4, poisson_ratio=0.5), film_thickness=1e-5,
+    ...              substrate=Elastic(young_modulus=float("inf"), poisson_ratio=0.25))
+    >>> stick_stiffening(gel, [5e-6, 1e-5, 2e-5]).round(3)
+    array([1.01 , 1.086, 1.366])
+    """
+    if not isinstance(system, System | StackSystem):
+        raise TypeError(f"system must be a System or a StackSystem, not {system!r}")
+    (found,) = evaluate(
+        partial(_core.stick_stiffening, system._native),
+        errors,
+        contact_radius=a,
+        sphere_poisson_ratio=sphere_poisson_ratio,
+        tolerance=tolerance,
+    )
+    return scalar_or_array(found)

@@ -24,7 +24,7 @@ from ._bodies import Elastic, HalfSpace, System
 from ._columns import Array
 from ._experiment import Experiment, ParameterName
 from ._model import Prediction, branches, predict
-from ._stack import Layer, StackSystem
+from ._stack import Layer, Springs, StackSystem
 from ._table import Table
 
 __all__ = ["Model"]
@@ -43,7 +43,9 @@ class Model(LmfitModel):  # type: ignore[misc]
     ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons.
 
     With a stack the parameters of a layer of the name ``primer`` are ``primer_modulus`` and
-    ``primer_thickness`` in lmfit, and ``"primer.modulus"`` and ``"primer.thickness"`` in ``free``.
+    ``primer_thickness`` in lmfit, and ``"primer.modulus"`` and ``"primer.thickness"`` in ``free``;
+    with springs below it also ``primer_interface_stiffness`` and ``"primer.interface_stiffness"``,
+    the tangential one.
     Layers whose names lmfit cannot take are fixed, and so is the modulus of one called ``sphere``.
 
     At the abscissae of the experiment the branch of each point is read from its data, as
@@ -190,8 +192,10 @@ def parameters_of(experiment: Experiment) -> dict[str, ParameterName]:
     named = {name: name for name in names if np.isfinite(value_of(experiment, name))}
     if isinstance(system, StackSystem):
         for layer in system.stack.layers:
-            for what in ("modulus", "thickness"):
+            for what in ("modulus", "thickness", "interface_stiffness"):
                 name = f"{layer.name}_{what}"
+                if what == "interface_stiffness" and not 0.0 < _tangential(layer) < np.inf:
+                    continue
                 if layer.name is not None and name not in named and valid_symbol_name(name):
                     named[name] = f"{layer.name}.{what}"
     return named
@@ -203,6 +207,8 @@ def value_of(experiment: Experiment, name: ParameterName) -> float:
     if isinstance(system, StackSystem) and "." in name:
         layer, _, what = name.rpartition(".")
         found = next(one for one in system.stack.layers if one.name == layer)
+        if what == "interface_stiffness":
+            return _tangential(found)
         return found.thickness if what == "thickness" else found.material.young_modulus
     if not isinstance(system, StackSystem) and name in OF_FILM:
         return float(getattr(_film(system), OF_FILM[name]))
@@ -239,7 +245,17 @@ def _layer_with(layer: Layer, values: dict[ParameterName, float]) -> Layer:
     young = values.get(f"{layer.name}.modulus", layer.material.young_modulus)
     thickness = values.get(f"{layer.name}.thickness", layer.thickness)
     material = replace(layer.material, young_modulus=young)
-    return replace(layer, material=material, thickness=thickness)
+    interface = layer.interface
+    if isinstance(interface, Springs):
+        tangential = values.get(f"{layer.name}.interface_stiffness", _tangential(layer))
+        interface = replace(interface, tangential_stiffness=tangential)
+    return replace(layer, material=material, thickness=thickness, interface=interface)
+
+
+def _tangential(layer: Layer) -> float:
+    """Return the tangential stiffness of the springs below a layer; 0 without springs."""
+    springs = layer.interface
+    return springs.tangential_stiffness if isinstance(springs, Springs) else 0.0
 
 
 def _film(system: System | HalfSpace) -> Elastic:

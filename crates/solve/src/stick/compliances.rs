@@ -139,11 +139,12 @@ fn functionals<S: Simd>(top: &Slab, y: Minors<S>) -> Three<[S::f64s; 4]> {
 
 #[cfg(test)]
 mod tests {
-    use interp::Material;
+    use interp::{Elastic, Material};
 
     use super::*;
     use crate::estimate::larger;
     use crate::layered::tests::random_stack;
+    use crate::stack::{Interface, Layer, Stack};
 
     /// An incompressible film on a rigid base at `q = 0.7`, by another program in 20 digits, and in
     /// closed form elsewhere.
@@ -176,6 +177,40 @@ mod tests {
             for (found, exact) in samples.excess.iter().zip(exact) {
                 assert!(
                     (found[i] - exact).abs() <= 3e-15,
+                    "{q}: {}, not {exact}",
+                    found[i]
+                );
+            }
+        }
+    }
+
+    /// An incompressible film that slides on a rigid base is half of a layer that is pressed on both of
+    /// its faces: `X11 = (cosh 2q - 1)/D`, `X22 = (cosh 2q + 1)/D`, `X12 = -2q/D`,
+    /// `D = sinh 2q + 2q`.
+    #[test]
+    fn a_film_that_slides_has_its_closed_form() {
+        let layer = Layer {
+            solid: Elastic::new(0.75, 0.5).expect("physical"),
+            thickness: 1.0,
+            interface: Interface::Sliding,
+        };
+        let rigid = Elastic::new(f64::INFINITY, 0.0).expect("physical");
+        let film = LayeredCompliance::new(&Stack::new(rigid, [layer]).expect("within limits"));
+        let q: Vec<f64> = (0..200)
+            .map(|i| 1e-6 * 10_f64.powf(0.04 * f64::from(i)))
+            .collect();
+        let samples = sample_all(&film, &q);
+        for (i, q) in q.iter().enumerate().filter(|(_, q)| **q < 200.0) {
+            let d = (2.0 * q).sinh() + 2.0 * q;
+            let exact = [
+                2.0 * q.sinh() * q.sinh() / d - 1.0,
+                -2.0 * q / d,
+                2.0 * q.cosh() * q.cosh() / d - 1.0,
+            ];
+            let unit = 1.0 + exact[2].abs();
+            for (found, exact) in samples.excess.iter().zip(exact) {
+                assert!(
+                    (found[i] - exact).abs() <= 4e-15 * unit,
                     "{q}: {}, not {exact}",
                     found[i]
                 );

@@ -10,7 +10,7 @@ use crate::galerkin;
 use crate::layered::LayeredCompliance;
 use crate::power_law::EXPONENTS;
 use crate::quadrature::Panels;
-use crate::stack::{Interface, Layer, Stack};
+use crate::stack::Stack;
 use crate::stacked::factors;
 use crate::stick::bodies::Bodies;
 use crate::stick::field::{Field, Waves};
@@ -92,20 +92,9 @@ impl Sticking {
     /// `nu2` on a stack of layers.
     ///
     /// # Errors
-    /// As [`Sticking::on_film`] and [`Stack::material`]; [`Error::Layer`] for a layer that slides
-    /// freely on what lies below it.
+    /// As [`Sticking::on_film`] and [`Stack::material`].
     pub fn on_stack(stack: &Stack, sphere_modulus: f64, nu2: f64) -> Result<Self, Error> {
         check_poisson(nu2)?;
-        let slides = |layer: &Layer| layer.interface == Interface::Sliding;
-        if let Some(below) = stack.layers().iter().position(slides) {
-            return Err(Error::Layer {
-                layer: below + 1,
-                layers: stack.layers().len(),
-                what: "it slides freely on what lies below, where a contact with full friction at the \
-                       surface is not solved; join it by springs of a finite tangential stiffness"
-                    .into(),
-            });
-        }
         let merged = stack.merged().of_top_layer();
         let of_top = merged.material(sphere_modulus)?;
         let material = stack.material(sphere_modulus)?;

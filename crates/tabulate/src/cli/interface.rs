@@ -68,7 +68,7 @@ impl From<Word> for Interface {
 }
 
 /// Reads the tangential and perhaps the normal stiffness, in Pa/m.
-fn springs(text: &str) -> Result<[f64; 2], String> {
+pub fn springs(text: &str) -> Result<[f64; 2], String> {
     pair(text, Some(Dimension::ModulusPerLength))
 }
 

@@ -6,6 +6,7 @@ use clap::{Args, Subcommand, ValueHint};
 
 use super::cost;
 use super::default_table;
+use super::interface::{self, Word};
 use super::output::Output;
 use super::probe::SizedProbeArguments;
 use super::progress::progress_bar;
@@ -17,7 +18,7 @@ use crate::plot::chart;
 use crate::plot::picture::Format;
 use crate::plot::{
     contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, friction,
-    interface, lookup_cost, pull_off, relaxation, table_cost, work_precision,
+    lookup_cost, pull_off, relaxation, table_cost, work_precision,
 };
 
 /// Draw a figure as SVG or PNG
@@ -33,6 +34,9 @@ pub struct Arguments {
     figure: Figure,
 }
 
+/// The arguments of a probe that is no paraboloid.
+const OF_PROBE: [&str; 5] = ["probe", "half_angle", "exponent", "coefficient", "profile"];
+
 #[derive(Subcommand)]
 enum Figure {
     /// Fig. 2 of the paper: Pi0 against a/t, with both limits
@@ -46,9 +50,10 @@ enum Figure {
     #[command(after_help = super::examples!("tabulate plot fig4 -o fig4.png"))]
     Fig4(Picture),
     /// Load against penetration of the paper's system for several films, with the jumps, under any
-    /// probe
+    /// probe, or on films that slide
     #[command(after_help = super::examples!(
         "tabulate plot force-displacement --specimen paper -o curves.svg",
+        "tabulate plot force-displacement --specimen paper --interface sliding -o sliding.svg",
         "tabulate plot force-displacement --specimen paper --probe cone --half-angle 70 -o cone.svg",
     ))]
     ForceDisplacement {
@@ -57,6 +62,20 @@ enum Figure {
         /// The specimen. Without it a comment line on standard error names the values of the paper
         #[arg(long, value_enum)]
         specimen: Option<Specimen>,
+        /// What joins the films to the substrate, under a paraboloid [default: bonded]. A film that
+        /// slides has no friction there and is held by tension: one that lifts off is not modelled
+        #[arg(long, value_enum, conflicts_with_all = OF_PROBE, conflicts_with = "interface_stiffness")]
+        interface: Option<Word>,
+        /// Springs between films and substrate, Pa/m, under a paraboloid: the tangential stiffness,
+        /// and perhaps the normal one [default: inf]. 0 slides, inf is bonded
+        #[arg(
+            long,
+            value_name = "KT[,KN]",
+            conflicts_with_all = OF_PROBE,
+            value_parser = interface::springs,
+            allow_hyphen_values = true
+        )]
+        interface_stiffness: Option<[f64; 2]>,
         #[command(flatten)]
         output: Picture,
     },
@@ -190,14 +209,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::ForceDisplacement {
             probe,
             specimen,
+            interface,
+            interface_stiffness,
             output,
         } => output.write(probe.shape.profile.as_deref(), || {
             if specimen.is_none() {
                 system::name_example(&probe.missing());
             }
             let probe = probe.probe()?;
-            let films = force_displacement::data(&probe)?;
-            Ok(force_displacement::figure(&films, &probe))
+            let joined = interface::interface(*interface, *interface_stiffness);
+            let films = force_displacement::data(&probe, joined)?;
+            Ok(force_displacement::figure(&films, &probe, joined))
         }),
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
         Figure::ContactStiffness(output) => output.write(None, || {
@@ -207,9 +229,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Figure::Relaxation(output) => {
             output.write(None, || Ok(relaxation::figure(&relaxation::data()?)))
         }
-        Figure::Interface(output) => {
-            output.write(None, || Ok(interface::figure(&interface::data()?)))
-        }
+        Figure::Interface(output) => output.write(None, || {
+            Ok(crate::plot::interface::figure(
+                &crate::plot::interface::data()?,
+            ))
+        }),
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {
                 let table = default_table::read_or_make(table.as_ref())?;

@@ -22,7 +22,7 @@ use super::fit::{kinds, one_of};
 use super::json::{self, Number};
 use super::output::Output;
 use super::points::{evenly, number};
-use super::quantity::any;
+use super::quantity::{any, number as decimal};
 use super::table_name::{self, TableName};
 
 /// Make the data that an experiment would give, or the errors that its fit would have
@@ -64,6 +64,10 @@ pub struct Arguments {
     /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%)
     #[arg(long, value_parser = indentation::noise, allow_hyphen_values = true)]
     noise: Noise,
+    /// Loss tangent of the film or top layer, 0 to 1, of a contact stiffness: the stiffness is then
+    /// the storage part, and a column of phases is added, with the noise --noise in rad
+    #[arg(long, value_name = "TANGENT", default_value_t = 0.0, value_parser = decimal, allow_hyphen_values = true, conflicts_with = "expect")]
+    loss_tangent: f64,
     /// Seed of the noise
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -139,6 +143,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let measurement = plan(arguments, [from, to]);
     let mut experiments = arguments.known.experiments(vec![measurement])?;
     experiments[0].noise = Some(noise);
+    ensure!(
+        arguments.loss_tangent == 0.0 || arguments.kind.is_stiffness(),
+        "--loss-tangent is for a contact stiffness, and {} is measured: leave it out, or give --kind \
+         stiffness-radius, stiffness-load or stiffness-depth",
+        arguments.kind.name()
+    );
+    experiments[0].indentation.loss_tangent = arguments.loss_tangent;
     let free = if arguments.expect {
         arguments.free.of(&experiments, &[])?
     } else {
@@ -197,7 +208,7 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
 
 /// Writes a measurement as a table that `tabulate fit` reads.
 fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
-    let (measurement, loads) = (&made.measurement, &made.indentation.loads);
+    let (measurement, of) = (&made.measurement, &made.indentation);
     let mut writer = csv::Writer::from_writer(Vec::new());
     let command: Vec<String> = env::args().skip(1).collect();
     let command = command.join(" ");
@@ -207,12 +218,14 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
         .iter()
         .any(|point| point.direction.is_some());
     let names = roles(measurement.kind).map(Role::name);
-    let load = (!loads.is_empty()).then_some(Role::Load.name());
+    let load = (!of.loads.is_empty()).then_some(Role::Load.name());
+    let phase = (!of.phases.is_empty()).then_some(Role::PhaseShift.name());
     let segment = has_segments.then_some(Role::Segment.name());
-    writer.write_record(names.into_iter().chain(load).chain(segment))?;
+    writer.write_record(names.into_iter().chain(load).chain(phase).chain(segment))?;
     for (i, point) in measurement.points.iter().enumerate() {
         let numbers = [point.abscissa, point.ordinate].into_iter();
-        let numbers = numbers.chain(loads.get(i).copied()).map(number);
+        let beside = [of.loads.get(i), of.phases.get(i)].into_iter().flatten();
+        let numbers = numbers.chain(beside.copied()).map(number);
         let direction = point.direction.map(|direction| direction.name().to_owned());
         writer.write_record(numbers.chain(direction))?;
     }

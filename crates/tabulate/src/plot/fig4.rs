@@ -3,6 +3,7 @@
 
 use contact::{Contact, JkrPoint};
 use interp::HalfSpace;
+use solve::stack::Interface;
 
 use super::axis::Axis;
 use super::chart::{BLACK, BLUE, Figure, GREEN, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
@@ -43,7 +44,7 @@ pub fn data() -> Result<Data, Error> {
     Ok(Data {
         films: THICKNESSES
             .iter()
-            .map(|&t| jkr_plot(&paper::contact(&paper::PROBE, t)?))
+            .map(|&t| jkr_plot(&paper::contact(&paper::PROBE, t, Interface::Bonded)?))
             .collect::<Result<_, Error>>()?,
         sphere: jkr_plot(&half_space(system.substrate)?)?,
         sphere_film: jkr_plot(&half_space(system.film)?)?,

@@ -4,6 +4,7 @@
 
 use contact::{Contact, Control, ForceDisplacement, Jump, State};
 use interp::Probe;
+use solve::stack::Interface;
 
 use super::axis::Axis;
 use super::chart::{BLUE, Figure, GREEN, GREY, Panel, Point, Side, VERMILION};
@@ -31,16 +32,16 @@ pub struct Film {
 }
 
 /// Computes the data of the paper's system under a `probe` from direct solves, for each of
-/// [`THICKNESSES`]. All curves reach the same load, twice the largest one at a separation, or the
+/// [`THICKNESSES`], with an `interface` between film and substrate. All curves reach the same load, twice the largest one at a separation, or the
 /// largest penetration under it.
 ///
 /// # Errors
-/// Those of [`solve::curve`], of [`Contact::new`] and of
+/// Those of [`paper::contact`] and of
 /// [`contact::Equilibria::force_displacement`].
-pub fn data(probe: &Probe) -> Result<Vec<Film>, Error> {
+pub fn data(probe: &Probe, interface: Interface) -> Result<Vec<Film>, Error> {
     let contacts: Vec<Contact> = THICKNESSES
         .iter()
-        .map(|&thickness| paper::contact(probe, thickness))
+        .map(|&thickness| paper::contact(probe, thickness, interface))
         .collect::<Result<_, _>>()?;
     let courses = |control, most: f64| {
         let course = |contact: &Contact| {
@@ -132,20 +133,26 @@ fn unit(value: f64, symbol: &str) -> (String, f64) {
 }
 
 /// Draws imposed penetration on the left and imposed load on the right.
-pub fn figure(films: &[Film], probe: &Probe) -> Figure {
+pub fn figure(films: &[Film], probe: &Probe, interface: Interface) -> Figure {
     let axes = Axes::new(films);
+    let joined = match interface {
+        Interface::Bonded => "",
+        Interface::Sliding => ", sliding films",
+        Interface::Springs { .. } => ", films on springs",
+    };
+    let panel = |imposed: &str, course| {
+        let title = format!("Imposed {imposed}: {}{joined}", probe.name());
+        panel(title, films, &axes, course)
+    };
     let panels = [
-        panel("penetration", probe, films, &axes, |film| {
-            &film.displacement
-        }),
-        panel("load", probe, films, &axes, |film| &film.load),
+        panel("penetration", |film| &film.displacement),
+        panel("load", |film| &film.load),
     ];
     Figure::new(460, panels)
 }
 
 fn panel(
-    imposed: &str,
-    probe: &Probe,
+    title: String,
     films: &[Film],
     axes: &Axes,
     course: fn(&Film) -> &ForceDisplacement,
@@ -153,7 +160,7 @@ fn panel(
     let [(metres, _), (newtons, _)] = &axes.units;
     let leftmost = axes.ends[0][0];
     let mut panel = Panel::new(
-        format!("Imposed {imposed}: {}", probe.name()),
+        title,
         Axis::linear(format!("penetration ({metres})"), axes.ends[0]),
         Axis::linear(format!("load ({newtons})"), axes.ends[1]),
     );

@@ -53,6 +53,7 @@ mod tests {
     use crate::cost::{Measurement, read_csv};
     use crate::hostile::each_damaged;
     use interp::Probe;
+    use solve::stack::Interface;
 
     /// Damages shipped measurements, reads them, and draws every 50th of those that are accepted.
     fn damage<R: Measurement>(name: &str, figure: fn(&[R]) -> Result<Figure, Error>) {
@@ -112,10 +113,10 @@ mod tests {
     #[test]
     fn the_texts_of_the_shipped_figures_collide_with_nothing() {
         let probe = Probe::Paraboloid { radius: 1e-3 };
-        let films = force_displacement::data(&probe).expect("within reach");
+        let films = force_displacement::data(&probe, Interface::Bonded).expect("within reach");
         assert_clear(
             "force-displacement",
-            &force_displacement::figure(&films, &probe),
+            &force_displacement::figure(&films, &probe, Interface::Bonded),
         );
         let lookup = lookup_cost::figure(&shipped("lookup.csv")).expect("rows");
         assert_clear("lookup-cost", &lookup);

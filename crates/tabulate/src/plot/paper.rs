@@ -5,7 +5,8 @@ use contact::Contact;
 use interp::{Curve, Elastic, Probe, System};
 
 use crate::Error;
-use solve::curve;
+use solve::stack::{Interface, Stack};
+use solve::{curve, stack_curve};
 
 /// The work of adhesion, J/m^2 (Table 2).
 pub const WORK_OF_ADHESION: f64 = 0.04;
@@ -45,19 +46,23 @@ pub fn quantities() -> Result<Curve, Error> {
     Ok(curve(&system(1e-6)?.material()?, A_OVER_T, TOLERANCE)?)
 }
 
-/// Computes the contact of a `probe` with a film of `film_thickness` (m), from direct solves.
+/// Computes the contact of a `probe` with a film of `film_thickness` (m) that an `interface` joins to
+/// the substrate, from direct solves.
 ///
 /// # Errors
-/// Those of [`curve`] and of [`Contact::new`].
-pub fn contact(probe: &Probe, film_thickness: f64) -> Result<Contact, Error> {
+/// Those of [`curve`], of [`stack_curve`] and of [`Contact::new`].
+pub fn contact(probe: &Probe, film_thickness: f64, interface: Interface) -> Result<Contact, Error> {
     let system = System {
         probe: probe.clone(),
         ..system(film_thickness)?
     };
-    Ok(Contact::new(
-        &system,
-        curve(&system.material()?, WIDE, TOLERANCE)?,
-    )?)
+    let curve = if interface.is_bonded() {
+        curve(&system.material()?, WIDE, TOLERANCE)?
+    } else {
+        let stack = Stack::of_film(&system, interface)?;
+        stack_curve(&stack, system.sphere_modulus, WIDE, TOLERANCE)?
+    };
+    Ok(Contact::new(&system, curve)?)
 }
 
 /// Returns `count` values of `a/t`, evenly spaced in its logarithm, with both ends of [`A_OVER_T`].

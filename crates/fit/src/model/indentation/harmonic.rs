@@ -6,6 +6,7 @@
 //! `ln|S*| = ln S - s2 phi^2/2 + s4 phi^4/24`, `arg S* = s1 phi - s3 phi^3/6`, with the derivatives
 //! `s_n` of `ln S` by `ln E1`.
 
+use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::model::predict::Predicted;
 use crate::{Bodies, Branch, Error, Experiment, Parameter};
@@ -15,8 +16,10 @@ const STEP: f64 = 0.25;
 /// The most steps to the loss angle, and the change (rad) at which they end.
 const MOST_STEPS: usize = 30;
 const ACCURACY: f64 = 1e-12;
-/// The largest loss tangent found. Up to 1 the expansion is within 1 %.
-const LARGEST_TANGENT: f64 = 1.01;
+/// The largest loss tangent up to which the expansion is within 1 %, and the largest one that is
+/// accepted where noise alone, two standard errors, may bring a tangent of 1 there.
+const LARGEST_TANGENT: f64 = 1.0;
+const LARGEST_BY_NOISE: f64 = 1.1;
 
 /// The angle `phi` of the complex modulus `|E| exp(i phi)` of a film or top layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,15 +78,20 @@ impl Series {
 }
 
 impl Experiment {
-    /// Returns the modulus that is complex: that of the film, the half-space or the top layer.
-    fn lossy(&self) -> Option<Parameter> {
-        match &self.bodies {
-            Bodies::Coated(_) | Bodies::HalfSpace(_) => Some(Parameter::FilmModulus),
-            Bodies::Layered(layered) => {
-                let name = layered.layers.last()?.name?;
-                Some(Parameter::LayerModulus(name))
+    /// Returns the modulus that is complex, that of the film, the half-space or the top layer, with
+    /// its absolute value (Pa).
+    fn complex_modulus(&self) -> Result<(Parameter, f64), Error> {
+        let parameter = match &self.bodies {
+            Bodies::Layered(layered) if layered.film().is_none() => {
+                let top = layered.layers.last().and_then(|top| top.name);
+                top.map(Parameter::LayerModulus)
             }
-        }
+            _ => Some(Parameter::FilmModulus),
+        };
+        let parameter = parameter.ok_or_else(|| Error::NoLoss {
+            experiment: self.measurement.name.clone(),
+        })?;
+        Ok((parameter, self.get(parameter).unwrap_or(f64::NAN)))
     }
 
     /// Returns the series of each point that counts; `None` of the others.
@@ -92,12 +100,7 @@ impl Experiment {
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
     ) -> Result<Vec<Option<Series>>, Error> {
-        let Some(parameter) = self.lossy() else {
-            return Err(Error::NoLoss {
-                experiment: self.measurement.name.clone(),
-            });
-        };
-        let modulus = self.get(parameter).unwrap_or(f64::NAN);
+        let (parameter, modulus) = self.complex_modulus()?;
         let mut logarithms = vec![[f64::NAN; 5]; branches.len()];
         for k in 0..5 {
             let mut moved = self.clone();
@@ -114,6 +117,68 @@ impl Experiment {
         let series = series
             .map(|(values, branch)| (*branch != Branch::LeftOut).then(|| Series::new(values)));
         Ok(series.collect())
+    }
+
+    /// Returns the samples of which [`Self::read_at`] makes a complex stiffness: at the moduli of the
+    /// series, or one sample without a loss tangent. The film is thinner by up to `most` (m).
+    pub(super) fn samples(
+        &self,
+        contact_of: &ContactOf<'_>,
+        most: f64,
+    ) -> Result<Vec<Sample>, Error> {
+        if self.indentation.loss_tangent == 0.0 {
+            return Ok(vec![Sample::new(&self.bodies, contact_of, most)?]);
+        }
+        let (parameter, modulus) = self.complex_modulus()?;
+        let at = |k: usize| {
+            let mut moved = self.clone();
+            moved.replace(parameter, modulus * ((k as f64 - 2.0) * STEP).exp())?;
+            Sample::new(&moved.bodies, contact_of, most)
+        };
+        (0..5).map(at).collect()
+    }
+
+    /// Returns the storage part (N/m) of the stiffness that is read at a contact radius (m), where the
+    /// film is thinner by a depth (m), and its phase (rad).
+    pub(super) fn read_at(
+        &self,
+        samples: &[Sample],
+        radius: f64,
+        thinner: f64,
+    ) -> Result<[f64; 2], Error> {
+        let of = &self.indentation;
+        let mut values = [0.0; 5];
+        for (value, sample) in values.iter_mut().zip(samples) {
+            *value = of.beta * sample.stiffness(radius, thinner)?;
+        }
+        if let [_] = samples {
+            return Ok([1.0 / (1.0 / values[0] + of.frame_compliance), 0.0]);
+        }
+        let series = Series::new(values.map(f64::ln));
+        let [size, phase] = series.at(of.loss_tangent.atan(), of.frame_compliance);
+        Ok([size.exp() * phase.cos(), phase])
+    }
+
+    /// Makes the points those of a film with a loss tangent, at radii or loads: the ordinates the
+    /// storage part, and the phases.
+    pub(super) fn make_phases(
+        &mut self,
+        contact_of: &ContactOf<'_>,
+        branches: &[Branch],
+    ) -> Result<(), Error> {
+        let of = &self.indentation;
+        let (phi, compliance) = (of.loss_tangent.atan(), of.frame_compliance);
+        let series = self.series(contact_of, branches)?;
+        let read: Vec<[f64; 2]> = series
+            .iter()
+            .flatten()
+            .map(|one| one.at(phi, compliance))
+            .collect();
+        for (point, [size, phase]) in self.measurement.points.iter_mut().zip(&read) {
+            point.ordinate = size.exp() * phase.cos();
+        }
+        self.indentation.phases = read.into_iter().map(|[_, phase]| phase).collect();
+        Ok(())
     }
 
     /// Returns the loss angle of least squares of the phases.
@@ -186,7 +251,8 @@ impl Experiment {
     /// the complex one; `None` where no phase is measured.
     ///
     /// # Errors
-    /// [`Error::Loss`] for a loss tangent above 1, where the expansion is not within 1 %.
+    /// [`Error::Loss`] for a loss tangent above 1 by more than two standard errors, or above 1.1, where
+    /// the expansion is not within 1 %.
     pub(crate) fn loss_angle(
         &self,
         contact_of: &ContactOf<'_>,
@@ -197,7 +263,11 @@ impl Experiment {
         }
         let found = self.angle_of(&self.series(contact_of, branches)?);
         let tangent = found.tangent();
-        if found.angle.abs() < std::f64::consts::FRAC_PI_2 && tangent.abs() <= LARGEST_TANGENT {
+        let least = tangent.abs() - (2.0 * found.tangent_error()).max(0.0);
+        if found.angle.abs() < std::f64::consts::FRAC_PI_2
+            && least <= LARGEST_TANGENT
+            && tangent.abs() <= LARGEST_BY_NOISE
+        {
             return Ok(Some(found));
         }
         Err(Error::Loss {

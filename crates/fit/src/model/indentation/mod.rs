@@ -58,6 +58,9 @@ pub struct Indentation {
     /// The phase of each point, rad: that of the complex stiffness, of which the ordinate is the
     /// storage part. Empty where none is measured, and then the bodies are elastic.
     pub phases: Vec<f64>,
+    /// The loss tangent of the film or top layer in synthetic data, 0 to 1; 0 makes no phases. Fits
+    /// find their own and do not use it.
+    pub loss_tangent: f64,
 }
 
 /// How the contact depth follows from the depth `h`, the load `P` and the measured stiffness `S`.
@@ -106,6 +109,7 @@ impl Indentation {
         frame_compliance: 0.0,
         loads: Vec::new(),
         phases: Vec::new(),
+        loss_tangent: 0.0,
     };
 }
 

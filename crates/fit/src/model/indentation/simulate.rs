@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::{Branch, Error, Experiment, Kind};
 
@@ -12,10 +11,19 @@ const RADII: [f64; 2] = [1e-12, 1.0];
 const BISECTIONS: usize = 200;
 
 impl Experiment {
-    /// Gives the points the stiffness that the model has there, and those at depths the loads of the
-    /// hardness.
+    /// Gives the points the stiffness that the model has there, those at depths the loads of the
+    /// hardness, and with a loss tangent the phases.
     pub(crate) fn make_stiffness(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
         self.accept_directions()?;
+        let loss_tangent = self.indentation.loss_tangent;
+        if !(0.0..=1.0).contains(&loss_tangent) {
+            return Err(Error::Setting {
+                name: format!("the loss tangent of {}", self.measurement.name),
+                value: loss_tangent,
+                allowed: "from 0 to 1, where the phases are exact to 1 %".into(),
+            });
+        }
+        self.indentation.phases.clear();
         let count = self.measurement.points.len();
         let branches = vec![Branch::Advancing; count];
         if self.measurement.kind == Kind::StiffnessDepth {
@@ -25,6 +33,9 @@ impl Experiment {
         let predicted = self.predict_stiffness(contact_of, &branches)?;
         for (point, value) in self.measurement.points.iter_mut().zip(predicted.values) {
             point.ordinate = value.exp();
+        }
+        if loss_tangent > 0.0 {
+            self.make_phases(contact_of, &branches)?;
         }
         Ok(())
     }
@@ -42,19 +53,19 @@ impl Experiment {
         };
         let depths = self.measurement.points.iter().map(|point| point.abscissa);
         let deepest = depths.fold(0.0, f64::max);
-        let sample = Sample::new(&self.bodies, contact_of, of.thinning * 1.2 * deepest)?;
-        let mut loads = Vec::with_capacity(self.measurement.points.len());
-        for point in &mut self.measurement.points {
-            let target = point.abscissa;
-            // The depth, the load and the stiffness that are read at a contact radius.
+        let samples = self.samples(contact_of, of.thinning * 1.2 * deepest)?;
+        let (mut loads, mut phases) = (Vec::new(), Vec::new());
+        for i in 0..self.measurement.points.len() {
+            let target = self.measurement.points[i].abscissa;
+            // The depth, the load, the stiffness and the phase that are read at a contact radius.
             let at = |radius: f64| {
                 let contact_depth = of.area.depth(radius);
                 let load = PI * hardness * radius * radius;
                 let thinner = of.thinning * contact_depth;
-                let stiffness = of.beta * sample.stiffness(radius, thinner)?;
+                let [read, phase] = self.read_at(&samples, radius, thinner)?;
+                let stiffness = 1.0 / (1.0 / read - of.frame_compliance);
                 let h = of.indented(contact_depth, load, stiffness);
-                let read = 1.0 / (1.0 / stiffness + of.frame_compliance);
-                Ok::<_, Error>((h + of.frame_compliance * load, load, read))
+                Ok::<_, Error>((h + of.frame_compliance * load, load, read, phase))
             };
             let [mut low, mut high] = RADII.map(f64::ln);
             for _ in 0..BISECTIONS {
@@ -69,12 +80,12 @@ impl Experiment {
                     low = middle;
                 }
             }
-            let (h, load, stiffness) = at(low.exp())?;
+            let (h, load, stiffness, phase) = at(low.exp())?;
             let apart = (h / target - 1.0).abs();
             if apart.is_nan() || apart >= 1e-6 {
                 return Err(Error::Point {
                     measurement: name,
-                    line: point.line,
+                    line: self.measurement.points[i].line,
                     name: "penetration",
                     value: target,
                     allowed: "a depth at which the model has a contact: deeper than the tip \
@@ -82,9 +93,12 @@ impl Experiment {
                 });
             }
             loads.push(load);
-            point.ordinate = stiffness;
+            if of.loss_tangent > 0.0 {
+                phases.push(phase);
+            }
+            self.measurement.points[i].ordinate = stiffness;
         }
-        self.indentation.loads = loads;
+        (self.indentation.loads, self.indentation.phases) = (loads, phases);
         Ok(())
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Experiment, Free, Kind, LayerName, Layered, LayeredSolver, Measurement, NamedLayer,
-    Parameter, Reach, Scope, StickSolver, starts_from_data,
+    Bodies, Direction, Experiment, Free, Kind, LayerName, Layered, LayeredSolver, Measurement,
+    NamedLayer, Parameter, Point, Reach, Scope, StickSolver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
@@ -12,7 +12,7 @@ use interp::HalfSpace;
 use super::indentation::{IndentationArguments, forget_shape, has_no_shape};
 use super::setting::{Bounds, Given, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
-use crate::cli::friction::FrictionArguments;
+use crate::cli::friction::HistoryArguments;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
@@ -29,7 +29,7 @@ pub struct KnownArguments {
     #[arg(long, conflicts_with_all = ["stack", "interface", "interface_stiffness"])]
     pub half_space: bool,
     #[command(flatten)]
-    friction: FrictionArguments,
+    history: HistoryArguments,
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
     pub stiffness: Option<f64>,
@@ -105,19 +105,25 @@ impl KnownArguments {
         let bodies::Bodies {
             system,
             stack,
-            work_of_adhesion,
+            mut work_of_adhesion,
             ..
         } = self.bodies.read()?;
         let mut layers = stack.as_ref().map(layers).transpose()?;
-        if let Some(nu2) = self.friction.sticks() {
+        if let Some(nu2) = self.history.sticks()? {
             ensure!(
                 !self.half_space,
                 "--friction stick is for films and stacks: on a half-space of Poisson ratio 0.5 friction \
                  has no effect, and for other ones it is not solved; leave out --half-space or \
                  --friction"
             );
+            let advancing;
+            (work_of_adhesion, advancing) = self.history.works(work_of_adhesion)?;
+            if advancing < 1.0 {
+                measurements.iter().try_for_each(recedes)?;
+            }
             let solver: Arc<dyn LayeredSolver> = Arc::new(StickSolver {
                 sphere_poisson_ratio: nu2,
+                advancing,
             });
             // A film is a single layer without a name.
             let film = || {
@@ -178,6 +184,20 @@ impl KnownArguments {
             .map(experiment)
             .collect()
     }
+}
+
+/// Refuses points of approach, which a contact that recedes with a work of adhesion of its own does
+/// not describe.
+fn recedes(measurement: &Measurement) -> anyhow::Result<()> {
+    let advances = |point: &Point| point.direction == Some(Direction::Approach);
+    ensure!(
+        !measurement.points.iter().any(advances),
+        "{}: with --friction stick, --work-of-adhesion-receding describes the retract only, and there \
+         are points of approach: keep the retract (`tabulate fit --only retract`, `tabulate simulate \
+         --segments retract`), or leave out --work-of-adhesion-receding",
+        measurement.name
+    );
+    Ok(())
 }
 
 /// Tells whether a value is the shape of the probe or the adhesion, which a contact stiffness at a

@@ -182,7 +182,7 @@ pub struct Arguments {
     ///
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
-    /// "reduced_chi_squared", "noise", "abscissa_noise", "left_out", "loss": {"angle", "tangent", "stderr"} where
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its

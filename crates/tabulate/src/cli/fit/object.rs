@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use ::fit::data::Notes;
-use ::fit::report::reading;
+use ::fit::report::{a_over_t, reading};
 use ::fit::{
     Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, LeftOut, LossAngle, Parameter,
     WithoutFilm,
@@ -29,6 +29,9 @@ pub struct FitObject<'a> {
     reduced_chi_squared: Option<Number>,
     noise: OneOrAll<Number>,
     abscissa_noise: OneOrAll<Number>,
+    /// Of each file, the smallest and the largest contact radius of its points over the thickness of
+    /// the film or top layer; null on a half-space.
+    a_over_t: OneOrAll<Option<[Number; 2]>>,
     /// Of each file, the points that were left out, by reason.
     left_out: OneOrAll<Vec<LeftOutObject>>,
     /// Of each file, the loss tangent of the film, where phases are measured.
@@ -208,6 +211,13 @@ impl<'a> FitObject<'a> {
             reduced_chi_squared: fit.reduced_chi_squared.map(Number),
             noise: of_files(|one| one.noise),
             abscissa_noise: of_files(|one| one.abscissa_noise),
+            a_over_t: OneOrAll(
+                fit.experiments
+                    .iter()
+                    .zip(experiments)
+                    .map(|(fitted, one)| a_over_t(fit, fitted, one).map(|ends| ends.map(Number)))
+                    .collect(),
+            ),
             left_out: OneOrAll(fit.experiments.iter().map(left_out).collect()),
             loss: losses.iter().any(Option::is_some).then(|| {
                 let objects = losses.iter().map(|one| one.map(LossObject::new));
