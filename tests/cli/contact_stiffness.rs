@@ -557,3 +557,79 @@ fn published_measurements_of_gold_are_doubted() {
     let ratio = by_pharr / by_loubet;
     assert!(ratio > 1.2 && ratio < 1.5, "{ratio}");
 }
+
+/// Data with phases: the fit finds the modulus and the loss tangent that they were made with, at
+/// depths with the compliance of a frame, too; and tells a/t.
+#[test]
+fn simulated_phases_give_their_loss_tangent_back() {
+    let workdir = workdir!();
+    let bodies = |modulus: &'static str| {
+        [
+            "--specimen",
+            "paper",
+            "--sphere-modulus",
+            "1100GPa",
+            "--sphere-radius",
+            "1um",
+            "--film-modulus",
+            modulus,
+            "--film-poisson-ratio",
+            "0.2",
+            "--film-thickness",
+            "500nm",
+            "--substrate-modulus",
+            "170GPa",
+        ]
+    };
+    let of_depth = ["--hardness", "9GPa", "--frame-compliance", "1e-7"];
+    for (kind, ends, known, used) in [
+        ("stiffness-radius", ["50nm", "400nm"], &[][..], &[][..]),
+        ("stiffness-load", ["0.1mN", "5mN"], &of_depth, &of_depth),
+        (
+            "stiffness-depth",
+            ["60nm", "250nm"],
+            &of_depth,
+            &of_depth[2..],
+        ),
+    ] {
+        let ends = ["--from", ends[0], "--to", ends[1]];
+        let plan = ["simulate", "--kind", kind, "--noise", "0.5%", "--seed", "1"];
+        let lossy = ["--loss-tangent", "0.6", "-o", "lossy.csv"];
+        workdir.succeed(&[&plan[..], &ends, &bodies("70GPa"), known, &lossy].concat());
+        let args = ["fit", "lossy.csv", "--kind", kind, "--json"];
+        let text = workdir.succeed(&[&args[..], &bodies("50GPa"), used].concat());
+        let json: Value = serde_json::from_str(&text).expect("JSON");
+        let near = |found: &Value, key: &str, truth: f64| {
+            let [value, error] = [key, "stderr"].map(|key| found[key].as_f64().expect("a number"));
+            assert!((value - truth).abs() < 4.0 * error, "{kind}: {found}");
+            assert!(error < 0.02 * truth, "{kind}: {found}");
+        };
+        near(&json["parameters"]["film_modulus"], "value", 70e9);
+        near(&json["loss"], "tangent", 0.6);
+        if kind == "stiffness-radius" {
+            let ends = [0, 1].map(|i| json["a_over_t"][i].as_f64().expect("a number"));
+            assert!(
+                (ends[0] - 0.1).abs() < 1e-9 && (ends[1] - 0.8).abs() < 1e-9,
+                "{ends:?}"
+            );
+        }
+    }
+    for (kind, tangent, names) in [
+        ("stiffness-radius", "1.2", ["loss tangent", "from 0 to 1"]),
+        ("stiffness-radius", "nan", ["loss tangent", "from 0 to 1"]),
+        (
+            "load-radius",
+            "0.5",
+            ["--loss-tangent", "contact stiffness"],
+        ),
+    ] {
+        let noise = if kind == "load-radius" { "1uN" } else { "1%" };
+        let plan = [
+            "simulate", "--kind", kind, "--from", "50nm", "--to", "400nm",
+        ];
+        let lossy = ["--noise", noise, "--loss-tangent", tangent];
+        let run = workdir.run(&[&plan[..], &bodies("70GPa"), &lossy].concat());
+        assert_ne!(run.status, 0);
+        assert_names(&run.stderr, &names);
+    }
+}

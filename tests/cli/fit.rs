@@ -199,6 +199,7 @@ fn the_object_has_the_keys_of_its_help() {
         "correlation",
         "reduced_chi_squared",
         "noise",
+        "a_over_t",
         "left_out",
         "abscissa_noise",
         "without_film",

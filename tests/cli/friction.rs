@@ -160,7 +160,7 @@ fn pull_offs_of_the_histories_are_those_of_another_program() {
 fn a_force_curve_has_the_loads_of_stick() {
     let workdir = workdir!();
     let load = |friction: &str| {
-        let text = workdir.succeed(
+        let run = workdir.run(
             &[
                 &["curve", "--friction", friction, "--work-of-adhesion", "0"][..],
                 &GEL,
@@ -168,7 +168,7 @@ fn a_force_curve_has_the_loads_of_stick() {
             ]
             .concat(),
         );
-        let row = text.lines().nth(2).expect("two rows").to_owned();
+        let row = run.stdout.lines().nth(2).expect("two rows").to_owned();
         let cells: Vec<f64> = row
             .split(',')
             .map(|cell| cell.parse().expect("a number"))
@@ -305,4 +305,61 @@ fn a_fit_without_friction_is_warned_and_one_with_stick_finds_the_modulus() {
     let (without, warning) = fit("none");
     assert!(without > 1.1 * with, "{without}, {with}");
     assert!(warning.is_some());
+}
+
+/// A contact that was pressed on without attraction and recedes: the fit finds what the data were made
+/// with, and points of approach are refused.
+#[test]
+fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
+    let workdir = workdir!();
+    let works = ["--work-of-adhesion", "0", "--work-of-adhesion-receding"];
+    let run = |command: &[&str], receding: &str, more: &[&str]| {
+        let stick = ["--friction", "stick"];
+        workdir.run(&[command, &GEL, &stick, &works, &[receding], more].concat())
+    };
+    let plan = [
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--from",
+        "1e-4",
+        "--to",
+        "3e-4",
+        "--noise",
+        "1uN",
+    ];
+    let made = run(
+        &plan,
+        "0.01",
+        &["--segments", "retract", "-o", "retract.csv"],
+    );
+    assert_eq!(made.status, 0, "{}", made.stderr);
+    let free = ["--free", "work-of-adhesion,film-modulus", "--json"];
+    let fitted = run(&["fit", "retract.csv"], "0.02", &free);
+    assert_eq!(fitted.status, 0, "{}", fitted.stderr);
+    let json: serde_json::Value = serde_json::from_str(&fitted.stdout).expect("JSON");
+    for (name, truth) in [("work_of_adhesion", 0.01), ("film_modulus", 7.5e5)] {
+        let found = &json["parameters"][name];
+        let [value, error] = ["value", "stderr"].map(|key| found[key].as_f64().expect("a number"));
+        assert!((value - truth).abs() < 4.0 * error, "{name}: {found}");
+        assert!(error < 0.01 * truth, "{name}: {found}");
+    }
+    // One work of adhesion describes these data with another modulus.
+    let approach = run(&plan, "0.01", &["--segments", "approach"]);
+    assert_ne!(approach.status, 0);
+    assert_names(&approach.stderr, &["points of approach", "--only retract"]);
+}
+
+/// A curve without friction tells how much full friction would change, where that is more than 1 %.
+#[test]
+fn curves_tell_the_size_of_friction() {
+    let workdir = workdir!();
+    let curve = |to: &str, more: &[&str]| {
+        let range = ["curve", "--from", "1e-5", "--points", "2", "--to", to];
+        workdir.run(&[&range[..], &GEL, more].concat()).stderr
+    };
+    // +65.9 % at a/t = 3, and 0.15 % at 0.3, by another program.
+    assert_names(&curve("3e-4", &[]), &["66 %", "--friction stick"]);
+    assert!(!curve("3e-5", &[]).contains("friction"));
+    assert!(!curve("3e-4", &["--friction", "stick"]).contains("66 %"));
 }

@@ -26,4 +26,5 @@ mod short_range;
 mod stack_limits;
 mod stacks;
 mod stick;
+mod stick_effects;
 mod viscoelastic;

@@ -110,10 +110,17 @@ impl<'a> Waves<'a> {
             }
         }
         // The tangential transforms begin in proportion to `q`: long waves of the tangential
-        // compliance, which are large where a film slides on its base, hardly matter.
+        // compliance hardly matter. Where a film slides on its base they grow like `1/q`, and the
+        // product with two transforms is what the first panel resolves.
         abscissae.x = largest;
-        let errors = |i: usize| quadrature_errors(&abscissae, &slope[i]);
-        let resolution = errors(0)[0] + errors(1)[0] + errors(2)[1];
+        let errors = |slope: &[f64]| quadrature_errors(&abscissae, slope);
+        let end = abscissae.panels.edges[1];
+        let mut tangential = slope[2].clone();
+        let first = abscissae.panels.rule.abscissae.len();
+        for (value, q) in tangential.iter_mut().zip(&abscissae.q).take(first) {
+            *value *= (q / end).powi(2) * larger(1.0, largest * end);
+        }
+        let resolution = errors(&slope[0])[0] + errors(&slope[1])[0] + errors(&tangential)[1];
         Self {
             bodies,
             resolution,
