@@ -349,17 +349,3 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     assert_ne!(approach.status, 0);
     assert_names(&approach.stderr, &["points of approach", "--only retract"]);
 }
-
-/// A curve without friction tells how much full friction would change, where that is more than 1 %.
-#[test]
-fn curves_tell_the_size_of_friction() {
-    let workdir = workdir!();
-    let curve = |to: &str, more: &[&str]| {
-        let range = ["curve", "--from", "1e-5", "--points", "2", "--to", to];
-        workdir.run(&[&range[..], &GEL, more].concat()).stderr
-    };
-    // +65.9 % at a/t = 3, and 0.15 % at 0.3, by another program.
-    assert_names(&curve("3e-4", &[]), &["66 %", "--friction stick"]);
-    assert!(!curve("3e-5", &[]).contains("friction"));
-    assert!(!curve("3e-4", &["--friction", "stick"]).contains("66 %"));
-}

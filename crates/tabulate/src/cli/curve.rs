@@ -8,7 +8,7 @@ use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
-use super::friction::{self, HistoryArguments};
+use super::friction::HistoryArguments;
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
@@ -119,10 +119,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
     if paraboloid && to > Validity::WARNING_A_OVER_R * bodies.sphere_radius {
         note(LARGE_CONTACT);
-    }
-    if arguments.history.sticks()?.is_none() {
-        let widest = if punch { bodies.sphere_radius } else { to };
-        friction::tell_size(&bodies, &arguments.history, widest);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let columns = [

@@ -4,12 +4,9 @@ use clap::ValueEnum;
 use contact::Contact;
 use interp::Probe;
 use solve::Error;
-use solve::stick::{
-    MOST_OF_PUNCH, MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLERANCE,
-};
+use solve::stick::{MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLERANCE};
 
 use super::bodies::Bodies;
-use super::note;
 use super::quantity::{force_per_length, number};
 
 /// The flags of friction.
@@ -173,30 +170,6 @@ impl HistoryArguments {
     }
 }
 
-/// Tells on standard error by how much full friction would raise the load of a contact of radius `a`
-/// (m), or of the widest one that is solved, where that is more than 1 %.
-pub fn tell_size(bodies: &Bodies, history: &HistoryArguments, a: f64) {
-    /// The relative tolerance of the two solves, and the least effect that is told.
-    const TOLERANCE: f64 = 1e-4;
-    const LEAST: f64 = 0.01;
-    let Ok(sticking) = surface(bodies, history.friction.nu2) else {
-        return;
-    };
-    let widest = MOST_OF_PUNCH / MOST_OF_TIP * reach(bodies);
-    let a = a.min(widest);
-    // The contact is computed: a doubt that cannot be told is no error.
-    let ratio = sticking.stiffening(a / bodies.system.film_thickness, TOLERANCE);
-    if let Ok(ratio) = ratio
-        && ratio > 1.0 + LEAST
-    {
-        note(&format!(
-            "without friction: full friction would raise the load at a contact radius of {a:.2e} m by \
-             {:.0} %. --friction stick solves that end",
-            1e2 * (ratio - 1.0)
-        ));
-    }
-}
-
 /// Returns the bodies that stick.
 pub fn sticking(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
     anyhow::ensure!(
@@ -204,15 +177,10 @@ pub fn sticking(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
         "--friction stick takes --probe paraboloid only; `tabulate solve --friction stick` answers for \
          a flat punch (eeq_s, gamma_eff)"
     );
-    Ok(surface(bodies, nu2)?)
-}
-
-/// Returns the surface that sticks to a probe of any shape.
-fn surface(bodies: &Bodies, nu2: f64) -> Result<Sticking, Error> {
-    match &bodies.stack {
-        Some(layers) => Sticking::on_stack(layers.stack(), bodies.system.sphere_modulus, nu2),
-        None => Sticking::on_film(&bodies.system.material()?, nu2),
-    }
+    Ok(match &bodies.stack {
+        Some(layers) => Sticking::on_stack(layers.stack(), bodies.system.sphere_modulus, nu2)?,
+        None => Sticking::on_film(&bodies.system.material()?, nu2)?,
+    })
 }
 
 /// Returns the largest contact radius (m) up to which a contact of `bodies` that sticks is solved.
