@@ -1,9 +1,11 @@
 """The model of lmfit: the numbers of `fit`, with fewer evaluations by exact derivatives."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from coated_contact import Experiment, StackSystem, fit, simulate
+from coated_contact import Experiment, Springs, StackSystem, fit, simulate
 from conftest import make_system
 from test_fit import WANTED, lens
 from test_model import retract

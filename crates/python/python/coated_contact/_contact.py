@@ -432,7 +432,7 @@ class Contact(Remade):
     def validity(self, a: ArrayLike, *, errors: Errors = "raise") -> Validity:
         """Compare contacts of given radii with the assumptions of the model.
 
-        The size of friction, which takes two solves, is a function of its own: ``stick_stiffening``.
+        The size of friction takes two solves and is a function of its own: ``stick_stiffening``.
 
         Parameters
         ----------

@@ -168,7 +168,7 @@ class Experiment(Remade, OneLine):
         one_of("friction", self.friction, ("none", "stick"))
         if self.friction == "stick" and isinstance(self.system, HalfSpace):
             raise FitError(
-                "friction on a half-space is not fitted: at a Poisson ratio of 0.5 it has no effect; "
+                "friction on a half-space is not fitted (none at a Poisson ratio of 0.5): "
                 "give a film or a stack, or leave friction out",
                 axis="friction",
             )

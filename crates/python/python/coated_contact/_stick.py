@@ -108,7 +108,7 @@ def stick_stiffening(
 ) -> Any:
     """Return the size of friction: the load with full friction over that without.
 
-    It is that of flat punches at equal penetration, one solve each, and nearly that of a sphere with
+    It is that of flat punches at equal penetration, one solve each, and nearly that of a sphere of
     the same contact radius. A model without friction finds moduli of a film that are at most larger
     by this factor (on a stiff base under a stiff sphere). ``Contact.validity`` compares the other
     assumptions of the model.
