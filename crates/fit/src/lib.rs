@@ -57,7 +57,7 @@
 //! from the model: see [`Branch`].
 //!
 //! [`Experiment::predictions`] evaluates the model for other methods of fitting, with its
-//! derivatives.
+//! derivatives, and [`Likelihood`] the logarithm of the likelihood.
 
 #![forbid(unsafe_code)]
 
@@ -72,7 +72,8 @@ mod statistics;
 pub use error::Error;
 pub use estimate::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
-    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast, starts_from_data,
+    LeftOutReason, Likelihood, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast,
+    starts_from_data,
 };
 pub use magnitude::Magnitude;
 pub use model::{

@@ -406,7 +406,7 @@ pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
 }
 
 /// Returns the name of a parameter in Python.
-fn name(parameter: Parameter) -> String {
+pub fn name(parameter: Parameter) -> String {
     match parameter {
         Parameter::LayerInterfaceStiffness(layer) => format!("{layer}{INTERFACE}"),
         _ if is_of_layer(parameter) => parameter.name().into_owned(),

@@ -3,7 +3,7 @@
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
-//! `interruption`; `indentation`, `line`, `history`, `short_range`, `read`, `fit`, `model`,
+//! `interruption`; `indentation`, `likelihood`, `line`, `history`, `short_range`, `read`, `fit`, `model`,
 //! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
 //! of them.
 
@@ -20,6 +20,7 @@ mod generate;
 mod history;
 mod indentation;
 mod interruption;
+mod likelihood;
 mod line;
 mod model;
 mod read;
@@ -49,6 +50,8 @@ mod _core {
     use super::generate::{build, generate, solve_piece};
     #[pymodule_export]
     use super::history::{check_relaxation, history, relaxation_values};
+    #[pymodule_export]
+    use super::likelihood::NativeLikelihood;
     #[pymodule_export]
     use super::line::{check_law, energy_of_speed, impose, line, ramp};
     #[pymodule_export]

@@ -29,6 +29,15 @@ fn names(branches: &[Branch]) -> Vec<&'static str> {
     branches.iter().map(|branch| branch.name()).collect()
 }
 
+/// Returns the branches of names.
+pub fn of_names(names: &[String]) -> PyResult<Vec<Branch>> {
+    let branch = |name: &String| {
+        let found = BRANCHES.into_iter().find(|branch| branch.name() == name);
+        found.ok_or_else(|| unknown("branch", name))
+    };
+    names.iter().map(branch).collect()
+}
+
 /// Reads from the data on which branch each point is.
 #[pyfunction]
 pub fn branches(
@@ -58,13 +67,7 @@ pub fn predict<'py>(
     let experiment = experiment(py, &given, &Solvers::new(table.layered_solver(py)?))?;
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = parameters.or_raise(py)?;
-    let branch = |name: String| {
-        let found = BRANCHES.into_iter().find(|branch| branch.name() == name);
-        found.ok_or_else(|| unknown("branch", &name))
-    };
-    let branches: Option<Vec<Branch>> = branches
-        .map(|names| names.into_iter().map(branch).collect())
-        .transpose()?;
+    let branches = branches.map(|names| of_names(&names)).transpose()?;
     let predicted =
         py.detach(|| experiment.predictions(table.get(), branches.as_deref(), &parameters));
     let predicted = predicted.or_raise(py)?;

@@ -47,11 +47,7 @@ pub fn forecast(
     for experiment in experiments {
         experiment.accept_instrument()?;
         experiment.accept_errors()?;
-        let noise = experiment.usual_noise().ok_or_else(|| Error::Setting {
-            name: format!("the noise of {}", experiment.measurement.name),
-            value: f64::NAN,
-            allowed: "given, positive and finite".into(),
-        })?;
+        let noise = experiment.known_noise()?;
         let mut experiment = experiment.clone();
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let receding = experiment.work_of_adhesion_receding;

@@ -7,7 +7,7 @@
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
 //! that do not count, `warnings` the doubts, with `agreement`, `wanted`, `cycle` and `interfaces`.
 //! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
-//! experiment. `result` holds what comes out.
+//! experiment, `likelihood` is for samplers. `result` holds what comes out.
 
 mod agreement;
 mod cycle;
@@ -18,6 +18,7 @@ mod indentation;
 mod interfaces;
 mod jkr;
 mod left_out;
+mod likelihood;
 mod loss;
 mod minima;
 mod problem;
@@ -35,6 +36,7 @@ mod without_film;
 
 pub use forecast::forecast;
 pub(crate) use left_out::text as left_out_text;
+pub use likelihood::Likelihood;
 pub use result::{
     Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
     LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,

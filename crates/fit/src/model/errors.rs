@@ -32,6 +32,15 @@ impl Experiment {
         Some(median(own.collect()))
     }
 
+    /// Returns the standard deviation of a usual ordinate, which must be known.
+    pub(crate) fn known_noise(&self) -> Result<f64, Error> {
+        self.usual_noise().ok_or_else(|| Error::Setting {
+            name: format!("the noise of {}", self.measurement.name),
+            value: f64::NAN,
+            allowed: "given, positive and finite".into(),
+        })
+    }
+
     /// Returns the standard deviation of a usual abscissa; 0 if they are exact.
     pub(crate) fn usual_abscissa_noise(&self) -> f64 {
         if self.errors.abscissa.is_empty() {

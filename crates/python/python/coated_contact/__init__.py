@@ -26,11 +26,13 @@ A sphere of 1 mm with E2* = 2 MPa, an incompressible film of 10 um, a stiff subs
 The names are those of the Rust crate ``interp``, and so are the numbers, bit for bit.
 """
 
+from ._afm import read_afm
 from ._bodies import Elastic, HalfSpace, System
 from ._cohesive import Cohesive
 from ._contact import Contact, SolvedCurve
 from ._control import Spring
 from ._core import __version__
+from ._design import Design, design
 from ._equilibria import Equilibria
 from ._errors import (
     ContactError,
@@ -53,9 +55,11 @@ from ._fit_results import (
     Forecast,
     WithoutFilm,
 )
+from ._force_map import ForceMap
 from ._generate import generate
 from ._history import HistoryStates, Relaxation
 from ._indentation import Indentation
+from ._likelihood import LogLikelihood, log_likelihood
 from ._line import ContactLine, Hysteresis, RateDependent, TimedStates
 from ._model import Prediction, branches, forecast, predict, simulate
 from ._probe import (
@@ -100,6 +104,7 @@ __all__ = [
     "ContactError",
     "ContactLine",
     "Derivatives",
+    "Design",
     "Elastic",
     "Equilibria",
     "Equilibrium",
@@ -114,6 +119,7 @@ __all__ = [
     "FlatEndedCone",
     "FlatPunch",
     "ForceDisplacement",
+    "ForceMap",
     "Forecast",
     "Free",
     "Gradient",
@@ -124,6 +130,7 @@ __all__ = [
     "InputError",
     "Jump",
     "Layer",
+    "LogLikelihood",
     "NoContactError",
     "OutsideTableError",
     "Paraboloid",
@@ -154,11 +161,14 @@ __all__ = [
     "WithoutFilm",
     "__version__",
     "branches",
+    "design",
     "fit",
     "fit_map",
     "forecast",
     "generate",
+    "log_likelihood",
     "predict",
+    "read_afm",
     "read_experiment",
     "simulate",
     "solve",

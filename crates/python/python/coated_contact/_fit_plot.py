@@ -130,8 +130,13 @@ def _scale(ax: Axes, axis: Literal["x", "y"], name: str, unit: str, values: list
     from matplotlib.ticker import FuncFormatter
 
     most = max((float(np.nanmax(np.abs(one), initial=0.0)) for one in values), default=0.0)
-    exponent = 3 * int(np.floor(np.log10(most) / 3)) if 0 < most < np.inf else 0
-    exponent = min(max(exponent, min(PREFIXES)), max(PREFIXES))
+    exponent = exponent_of(most)
     drawn = ax.xaxis if axis == "x" else ax.yaxis
     drawn.set_major_formatter(FuncFormatter(lambda value, _: f"{value / 10.0**exponent:.10g}"))
     drawn.set_label_text(f"{name} ({PREFIXES[exponent]}{unit})")
+
+
+def exponent_of(most: float) -> int:
+    """Return the power of ten of the prefix for the unit of a largest value."""
+    exponent = 3 * int(np.floor(np.log10(most) / 3)) if 0 < most < np.inf else 0
+    return min(max(exponent, min(PREFIXES)), max(PREFIXES))

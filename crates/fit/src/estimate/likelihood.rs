@@ -1,0 +1,246 @@
+//! The likelihood of parameters, for samplers.
+
+use std::f64::consts::TAU;
+
+use interp::Table;
+
+use super::problem::Assigned;
+use super::slot::Slot;
+use super::solve::prepare;
+use crate::{Bodies, Branch, Error, Experiment, Free, Parameter};
+
+/// The logarithm of the likelihood of the free parameters of one or several experiments.
+///
+/// ```text
+/// ln L = -1/2 sum_i ((model_i - ordinate_i) / sigma_i)^2 - sum_i ln(sqrt(2 pi) sigma_i)
+/// ```
+///
+/// The sum is over the points that count, on fixed branches, and over the priors of [`Free`], which
+/// are normal. The noise is known and normal. The values are in SI units, in the order of
+/// [`Likelihood::parameters`].
+#[derive(Clone, Debug)]
+pub struct Likelihood {
+    assigned: Vec<Assigned>,
+    slots: Vec<Slot>,
+    /// The numbers of the slots of each experiment, and their parameters.
+    columns: Vec<(Vec<usize>, Vec<Parameter>)>,
+    /// The least and the largest value of each slot.
+    limits: Vec<[f64; 2]>,
+    /// `-sum ln(sqrt(2 pi) sigma)`.
+    constant: f64,
+}
+
+impl Likelihood {
+    /// Takes the measurements with their noise, and the free parameters.
+    ///
+    /// `branches` holds the branch of each point of each experiment, such as those of a fit; `None`
+    /// reads them from the data, as [`fit`](crate::fit) does before it leaves out points near the end
+    /// of a branch. Errors of the abscissae are weighed by the slope of the model at the values of
+    /// the experiments, and these weights stay.
+    ///
+    /// # Errors
+    /// As [`fit`](crate::fit), and [`Error::Setting`] for an experiment without a noise, or with
+    /// another number of branches than points.
+    pub fn new(
+        table: &Table,
+        experiments: &[Experiment],
+        free: &[Free],
+        branches: Option<&[Vec<Branch>]>,
+    ) -> Result<Self, Error> {
+        for experiment in experiments {
+            experiment.known_noise()?;
+        }
+        let (data, slots) = prepare(experiments, free)?;
+        let mut assigned = data.assigned;
+        if let Some(branches) = branches {
+            accept_lengths(branches, &assigned)?;
+            for (own, given) in assigned.iter_mut().zip(branches) {
+                own.branches.clone_from(given);
+                for branch in &mut own.branches {
+                    // A pinned point is a receding one whose line does not move.
+                    if *branch == Branch::Pinned {
+                        *branch = Branch::Receding;
+                    }
+                }
+            }
+        }
+        let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+        for own in &mut assigned {
+            let (of, branches) = (&own.experiment, &own.branches);
+            let parts = of.abscissa_parts(&contact_of, branches, &own.order)?;
+            let factors = of.noise_factors(&contact_of, branches)?;
+            (own.abscissa_parts, own.factors) = (parts, factors);
+        }
+        let of_experiment = |(e, own): (usize, &Assigned)| {
+            let is_of = |slot: &Slot| {
+                let shared_or_own = slot.experiment.is_none_or(|other| other == e);
+                shared_or_own && own.experiment.why_without_effect(slot.parameter).is_none()
+            };
+            let of: Vec<usize> = (0..slots.len()).filter(|&s| is_of(&slots[s])).collect();
+            let parameters = of.iter().map(|&s| slots[s].parameter).collect();
+            (of, parameters)
+        };
+        let deviations = assigned.iter().flat_map(|own| {
+            let counts = |&i: &usize| own.branches[i] != Branch::LeftOut;
+            let points = (0..own.branches.len()).filter(counts);
+            points.map(|i| own.deviation(i))
+        });
+        let widths = slots.iter().filter_map(|slot| Some(slot.prior?.width));
+        let constant = deviations.chain(widths).map(|one| -(TAU.sqrt() * one).ln());
+        Ok(Self {
+            constant: constant.sum(),
+            columns: assigned.iter().enumerate().map(of_experiment).collect(),
+            limits: slots.iter().map(|slot| limits(slot, free)).collect(),
+            assigned,
+            slots,
+        })
+    }
+
+    /// Lists the parameters in the order of the values, each with the number of the experiment to
+    /// which it belongs; `None` is shared by all.
+    pub fn parameters(&self) -> impl Iterator<Item = (Parameter, Option<usize>)> {
+        self.slots
+            .iter()
+            .map(|slot| (slot.parameter, slot.experiment))
+    }
+
+    /// Computes the logarithm of the likelihood at values.
+    ///
+    /// It is negative infinity where there is none: outside the bounds, for a value that is not
+    /// positive and must be, for one that is not finite, and where there is no contact, such as
+    /// outside the table.
+    ///
+    /// # Errors
+    /// [`Error::Setting`] for another number of values than parameters.
+    pub fn value(&self, table: &Table, values: &[f64]) -> Result<f64, Error> {
+        self.accept(values)?;
+        Ok(self
+            .evaluate(table, values, None)
+            .unwrap_or(f64::NEG_INFINITY))
+    }
+
+    /// Computes the logarithm of the likelihood at values, and its derivatives with respect to them,
+    /// which are exact, on layers and of contact stiffnesses by central differences. They are NaN where the
+    /// likelihood is 0.
+    ///
+    /// # Errors
+    /// As [`Likelihood::value`].
+    pub fn value_and_gradient(
+        &self,
+        table: &Table,
+        values: &[f64],
+    ) -> Result<(f64, Vec<f64>), Error> {
+        self.accept(values)?;
+        let mut gradient = vec![0.0; values.len()];
+        match self.evaluate(table, values, Some(&mut gradient)) {
+            Some(value) => Ok((value, gradient)),
+            None => Ok((f64::NEG_INFINITY, vec![f64::NAN; values.len()])),
+        }
+    }
+
+    /// Accepts the number of values.
+    fn accept(&self, values: &[f64]) -> Result<(), Error> {
+        if values.len() == self.slots.len() {
+            return Ok(());
+        }
+        let names: Vec<_> = self
+            .slots
+            .iter()
+            .map(|slot| slot.parameter.name())
+            .collect();
+        Err(Error::Setting {
+            name: "the number of values".into(),
+            value: values.len() as f64,
+            allowed: format!("{}, one for each of {}", self.slots.len(), names.join(", ")),
+        })
+    }
+
+    /// Computes the logarithm of the likelihood, and adds its derivatives to `gradient`; `None`
+    /// where there is none.
+    fn evaluate(
+        &self,
+        table: &Table,
+        values: &[f64],
+        mut gradient: Option<&mut [f64]>,
+    ) -> Option<f64> {
+        let within = |(value, [least, most]): (&f64, &[f64; 2])| {
+            (*least..=*most).contains(value) && value.is_finite()
+        };
+        if !values.iter().zip(&self.limits).all(within) {
+            return None;
+        }
+        let mut squares = 0.0;
+        for (own, (slots, parameters)) in self.assigned.iter().zip(&self.columns) {
+            let mut experiment = own.experiment.clone();
+            for (&slot, &parameter) in slots.iter().zip(parameters) {
+                experiment.replace(parameter, values[slot]).ok()?;
+            }
+            let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+            let wanted = gradient.is_some().then_some(parameters.as_slice());
+            let predicted = experiment
+                .predict_with(&contact_of, &own.branches, &own.order, wanted)
+                .ok()?;
+            for (i, branch) in own.branches.iter().enumerate() {
+                if *branch == Branch::LeftOut {
+                    continue;
+                }
+                let deviation = own.deviation(i);
+                let residual = (predicted.values[i] - experiment.compared(i)) / deviation;
+                squares += residual * residual;
+                if let Some(gradient) = gradient.as_deref_mut() {
+                    let row = &predicted.derivatives[i * slots.len()..][..slots.len()];
+                    for (&slot, by) in slots.iter().zip(row) {
+                        gradient[slot] -= residual * by / deviation;
+                    }
+                }
+            }
+        }
+        for (slot, of) in self.slots.iter().enumerate() {
+            let Some(prior) = of.prior else { continue };
+            let residual = (values[slot] - prior.mean) / prior.width;
+            squares += residual * residual;
+            if let Some(gradient) = gradient.as_deref_mut() {
+                gradient[slot] -= residual / prior.width;
+            }
+        }
+        let value = self.constant - 0.5 * squares;
+        let gradient_is_finite = gradient.is_none_or(|all| all.iter().all(|one| one.is_finite()));
+        (value.is_finite() && gradient_is_finite).then_some(value)
+    }
+}
+
+/// Returns the least and the largest value of a slot.
+fn limits(slot: &Slot, free: &[Free]) -> [f64; 2] {
+    let is_own = |one: &&Free| one.parameter == slot.parameter;
+    if let Some(bounds) = free.iter().find(is_own).and_then(|one| one.bounds) {
+        return bounds;
+    }
+    match slot.parameter {
+        Parameter::FilmPoissonRatio => [0.0, 0.5],
+        parameter if parameter.is_positive() => [f64::MIN_POSITIVE, f64::MAX],
+        _ => [f64::MIN, f64::MAX],
+    }
+}
+
+/// Accepts branches for each point of each experiment.
+fn accept_lengths(branches: &[Vec<Branch>], assigned: &[Assigned]) -> Result<(), Error> {
+    let setting = |name: String, found: usize, wanted: usize| Error::Setting {
+        name,
+        value: found as f64,
+        allowed: format!("{wanted}, as many as there are"),
+    };
+    if branches.len() != assigned.len() {
+        let name = "the number of experiments with branches".into();
+        return Err(setting(name, branches.len(), assigned.len()));
+    }
+    for (given, own) in branches.iter().zip(assigned) {
+        if given.len() != own.branches.len() {
+            let name = format!(
+                "the number of branches of {}",
+                own.experiment.measurement.name
+            );
+            return Err(setting(name, given.len(), own.branches.len()));
+        }
+    }
+    Ok(())
+}

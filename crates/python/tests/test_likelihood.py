@@ -1,0 +1,369 @@
+"""The likelihood: its value and gradient, what samplers make of it, and its adapters."""
+
+import pickle
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Elastic,
+    Experiment,
+    FitError,
+    Free,
+    HalfSpace,
+    Indentation,
+    Layer,
+    Stack,
+    StackSystem,
+    System,
+    branches,
+    fit,
+    log_likelihood,
+    predict,
+    simulate,
+)
+
+GLASS = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+GEL = System(
+    sphere_radius=5e-6,
+    sphere_modulus=GLASS.reduced_modulus,
+    film=Elastic(young_modulus=3e4, poisson_ratio=0.45),
+    film_thickness=2e-6,
+    substrate=GLASS,
+)
+
+
+def lens(system, count=40):
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(3e-5, 1.2e-4, count),
+        system=system,
+        work_of_adhesion=0.04,
+        noise=2e-6,
+    )
+    return simulate(plan, noise=2e-6, seed=1)
+
+
+def cantilever(count=150):
+    """A cycle of forces against heights, with adhesion and a baseline."""
+    down = np.linspace(1e-6, -1e-6, count)
+    plan = Experiment(
+        kind="force-height",
+        abscissa=np.concatenate([down, down[::-1]]),
+        retract=np.repeat([False, True], count),
+        system=GEL,
+        work_of_adhesion=1e-3,
+        contact_point=1e-7,
+        stiffness=0.5,
+        noise=1e-10,
+    )
+    return simulate(plan, noise=1e-10, seed=2)
+
+
+def on_a_stack():
+    layers = [
+        Layer(name="primer", material=Elastic(young_modulus=5e5, poisson_ratio=0.5), thickness=2e-6)
+    ]
+    stack = Stack(base=Elastic(young_modulus=2e11, poisson_ratio=0.25), layers=layers)
+    system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
+    plan = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(3e-5, 6e-5, 5),
+        system=system,
+        work_of_adhesion=0.04,
+        noise=2e-6,
+    )
+    return simulate(plan, noise=2e-6, seed=1)
+
+
+def stiffnesses():
+    silicon = Elastic(young_modulus=1.7e11, poisson_ratio=0.28)
+    oxide = System(
+        sphere_radius=1e-5,
+        sphere_modulus=1.147e12,
+        film=Elastic(young_modulus=7.2e10, poisson_ratio=0.17),
+        film_thickness=5e-7,
+        substrate=silicon,
+    )
+    plan = Experiment(
+        kind="stiffness-depth",
+        abscissa=np.linspace(4e-8, 2.5e-7, 10),
+        system=oxide,
+        indentation=Indentation(beta=1.034, hardness=1e10),
+        noise=0.01,
+    )
+    return simulate(plan, noise=0.01, seed=1)
+
+
+def cases(system):
+    """Experiments with free parameters, values near the truth, and the error of the gradient."""
+    film = ["film_modulus", "film_thickness", "work_of_adhesion", "load_offset"]
+    prior = Free(parameter="film_modulus", prior=(3e6, 2e5))
+    curve = ["film_modulus", "work_of_adhesion", "contact_point", "baseline", "stiffness"]
+    return {
+        "lens": (lens(system), film, [3.6e6, 1.1e-5, 0.041, 1e-7], 1e-6),
+        "lens, prior": (lens(system), [prior, "load_offset"], [3.6e6, 1e-7], 1e-6),
+        "curve": (cantilever(), curve, [3.1e4, 1.05e-3, 1.01e-7, 1e-11, 0.51], 1e-5),
+        "two": (
+            [cantilever(), cantilever(80)],
+            ["film_modulus", "contact_point"],
+            [3.1e4, 1.01e-7, 0.99e-7],
+            1e-5,
+        ),
+        "stack": (on_a_stack(), ["primer.modulus", "work_of_adhesion"], [5.1e5, 0.041], 1e-3),
+        "stiffness": (stiffnesses(), ["film_modulus", "frame_compliance"], [7.1e10, 1e-7], 1e-4),
+    }
+
+
+@pytest.mark.parametrize(
+    "name", ["lens", "lens, prior", "curve", "two", "stack", "stiffness"]
+)
+def test_the_gradient_is_that_of_differences(system, name):
+    given, free, values, tolerance = cases(system)[name]
+    likelihood = log_likelihood(given, free)
+    assert len(likelihood.names) == len(values)
+    value, gradient = likelihood.value_and_gradient(values)
+    # Lookups with and without derivatives differ by rounding.
+    assert value == pytest.approx(likelihood(values), rel=1e-9)
+    for i, own in enumerate(values):
+        # The error of a difference of four points is of the fourth order.
+        step = 1e-4 * own
+        moved = [np.where(np.arange(len(values)) == i, own + n * step, values) for n in (1, -1, 2, -2)]
+        at = likelihood(moved)
+        difference = (8 * (at[0] - at[1]) - (at[2] - at[3])) / (12 * step)
+        scale = max(abs(difference), abs(value / own) * 1e-3)
+        assert abs(gradient[i] - difference) < tolerance * scale, (likelihood.names[i], difference)
+
+
+def test_the_value_is_the_sum_over_the_points_that_count(system):
+    given = cantilever()
+    free = ["film_modulus", "contact_point"]
+    on = branches(given, free)
+    found = predict(given, branches=on)
+    used = np.array([one != "left-out" for one in on])
+    residuals = (found.ordinate - given.ordinate)[used] / 1e-10
+    expected = -0.5 * np.sum(residuals**2) - used.sum() * np.log(np.sqrt(2 * np.pi) * 1e-10)
+    values = [GEL.film.young_modulus, given.contact_point]
+    assert log_likelihood(given, free)(values) == pytest.approx(expected, rel=1e-12)
+    # A prior is one more normal density.
+    prior = [Free(parameter="film_modulus", prior=(2e4, 5e3)), "contact_point"]
+    density = -0.5 * 2.0**2 - np.log(np.sqrt(2 * np.pi) * 5e3)
+    assert log_likelihood(given, prior)(values) == pytest.approx(expected + density, rel=1e-12)
+    # Fewer points count on the branches of a fit.
+    fitted = fit(given, free)
+    of_fit = log_likelihood(given, free, branches=[fitted.experiments[0].branch])
+    best = list(fitted.params.values())
+    constant = sum(not np.isnan(one) for one in fitted.experiments[0].fit)
+    expected = -0.5 * fitted.chi_squared - constant * np.log(np.sqrt(2 * np.pi) * 1e-10)
+    assert of_fit(best) == pytest.approx(expected, rel=1e-9)
+    # At the minimum of the fit the gradient is 0, in units of the standard errors.
+    errors = np.array(list(fitted.stderr.values()))
+    assert np.all(np.abs(of_fit.gradient(best) * errors) < 1e-3)
+
+
+def test_arrays_and_copies(system):
+    likelihood = log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
+    values = np.array([[3.4e6, 0.04], [3.5e6, 0.041], [3.6e6, 0.039]])
+    one_by_one = [likelihood(row) for row in values]
+    assert likelihood(values).tolist() == one_by_one
+    assert likelihood(values.reshape(3, 1, 2)).shape == (3, 1)
+    assert likelihood.value_and_gradient(values)[1].shape == (3, 2)
+    assert isinstance(likelihood(values[0]), float)
+    assert likelihood(np.empty((0, 2))).shape == (0,)
+    again = pickle.loads(pickle.dumps(likelihood))
+    assert again(values).tolist() == one_by_one
+    assert "LogLikelihood(experiments=" in repr(likelihood)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [[-1.0, 0.04], [0.0, 0.04], [3.5e6, -0.04], [np.nan, 0.04], [np.inf, 0.04], [1e30, 0.04]],
+)
+def test_without_a_contact_the_likelihood_is_zero(system, values):
+    likelihood = log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
+    value, gradient = likelihood.value_and_gradient(values)
+    assert value == likelihood(values) == -np.inf
+    assert np.all(np.isnan(gradient))
+
+
+def test_bounds_end_the_likelihood(system):
+    free = [Free(parameter="film_modulus", bounds=(3e6, 4e6)), "film_poisson_ratio"]
+    likelihood = log_likelihood(lens(system), free)
+    assert np.isfinite(likelihood([3e6, 0.5]))
+    assert likelihood([2.99e6, 0.5]) == likelihood([3e6, 0.51]) == likelihood([3e6, -0.1]) == -np.inf
+
+
+def test_what_cannot_be_used_is_refused(system):
+    given = lens(system)
+    free = ["film_modulus", "work_of_adhesion"]
+    with pytest.raises(FitError, match="the noise of experiment"):
+        log_likelihood(Experiment(kind="load-radius", abscissa=[1e-5], ordinate=[0], system=system), free)
+    likelihood = log_likelihood(given, free)
+    for wrong in ([3e6], [3e6, 0.04, 0.0], 3e6, np.ones((2, 3))):
+        with pytest.raises(FitError, match="one value for each of film_modulus, work_of_adhesion"):
+            likelihood(wrong)
+    with pytest.raises(TypeError, match="real numbers"):
+        likelihood(["a", "b"])
+    with pytest.raises(FitError, match="number of branches of experiment = 3"):
+        log_likelihood(given, free, branches=[["advancing"] * 3])
+    with pytest.raises(FitError, match="number of experiments with branches = 2"):
+        log_likelihood(given, free, branches=[["advancing"] * 40] * 2)
+    with pytest.raises(FitError, match="'up'"):
+        log_likelihood(given, free, branches=[["up"] * 40])
+    with pytest.raises(TypeError, match="list of names for each"):
+        log_likelihood(given, free, branches="advancing")
+    with pytest.raises(FitError, match="no height of a cantilever"):
+        log_likelihood(given, ["stiffness"])
+    with pytest.raises(FitError, match="nothing|no free parameter|free parameter"):
+        log_likelihood(given, [])
+
+
+def sampled(likelihood, start, width, steps):
+    """Samples of emcee, without those of its way to the posterior."""
+    emcee = pytest.importorskip("emcee")
+    random = np.random.RandomState(1)
+    first = start + width * random.normal(size=(32, len(start)))
+    sampler = emcee.EnsembleSampler(32, len(start), likelihood, vectorize=True)
+    sampler._random.set_state(random.get_state())
+    sampler.run_mcmc(first, steps)
+    return sampler.get_chain(discard=steps // 5, flat=True)
+
+
+def test_of_a_linear_problem_a_sampler_finds_the_covariance_of_the_fit():
+    """A load is linear in the modulus of a half-space under a rigid sphere without adhesion."""
+    gel = Elastic(young_modulus=5e3, poisson_ratio=0.5)
+    system = HalfSpace(sphere_radius=1e-4, sphere_modulus=np.inf, solid=gel)
+    plan = Experiment(
+        kind="load-radius", abscissa=np.linspace(5e-6, 3e-5, 20), system=system, noise=1e-8
+    )
+    given = simulate(plan, noise=1e-8, seed=3)
+    free = ["film_modulus", "load_offset"]
+    found = fit(given, free)
+    best, errors = (np.array(list(one.values())) for one in (found.params, found.stderr))
+    samples = sampled(log_likelihood(given, free), best, errors, 4000)
+    # Some 4000 samples are independent, so that a standard deviation has an error of about 1 %.
+    assert np.abs((samples.mean(0) - best) / errors).max() < 0.08
+    ratio = np.cov(samples.T) / found.covariance
+    assert np.abs(ratio - 1).max() < 0.08
+
+
+def test_of_a_bent_problem_a_sampler_finds_the_ridge_and_not_the_ellipse(system):
+    """Modulus and thickness of a soft thin film: loads tell little but one number of the two."""
+    film = Elastic(young_modulus=1e5, poisson_ratio=0.5)
+    soft = replace(system, sphere_modulus=1e9, film=film)
+    plan = replace(lens(soft, 20), noise=3e-4)
+    given = simulate(plan, noise=3e-4, seed=1)
+    free = ["film_thickness", "film_modulus"]
+    likelihood = log_likelihood(given, free)
+    found = fit(given, free)
+    best, errors = (np.array(list(one.values())) for one in (found.params, found.stderr))
+    samples = sampled(likelihood, best, 0.05 * errors, 3000)
+    thickness, modulus = samples.T
+    # The best modulus at each thickness bends away from the axis of the ellipse of the fit.
+    slope = found.covariance[0, 1] / found.covariance[0, 0]
+    for units in (-1, 1):
+        held = best[0] + units * errors[0]
+        moduli = np.geomspace(0.3, 3.0, 20001) * best[1]
+        ridge = moduli[np.argmax(likelihood(np.stack([np.full_like(moduli, held), moduli], 1)))]
+        straight = best[1] + slope * (held - best[0])
+        median = np.median(modulus[np.abs(thickness - held) < 0.05 * errors[0]])
+        assert abs(median - ridge) < 0.25 * abs(ridge - straight)
+
+
+ADAPTERS = """
+import numpy as np
+from coated_contact import Elastic, Experiment, HalfSpace, log_likelihood
+
+glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)
+system = HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=glass)
+lens = Experiment(kind="load-radius", abscissa=[5e-5, 8e-5, 1e-4], noise=1e-6, system=system,
+                  ordinate=[-1.69e-4, 4.17e-4, 1.249e-3])
+likelihood = log_likelihood(lens, ["sphere_modulus", "work_of_adhesion"])
+at = np.array([2.01e6, 0.0402])
+value, gradient = likelihood.value_and_gradient(at)
+"""
+
+JAX = """
+import jax
+f = likelihood.jax()
+try:
+    f(at.astype(np.float32))
+except TypeError as error:
+    assert "jax_enable_x64" in str(error)
+else:
+    raise AssertionError
+jax.config.update("jax_enable_x64", True)
+assert float(f(at)) == float(jax.jit(f)(at)) == value
+for found in (jax.grad(f)(at), jax.jit(jax.grad(f))(at)):
+    np.testing.assert_allclose(found, gradient, rtol=1e-14)
+tangent = np.array([1e4, 1e-3])
+found, derivative = jax.jvp(f, (at,), (tangent,))
+np.testing.assert_allclose(derivative, gradient @ tangent, rtol=1e-13)
+rows = np.stack([at, 1.01 * at, -at])
+np.testing.assert_array_equal(jax.vmap(f)(rows), likelihood(rows))
+np.testing.assert_array_equal(f(rows), likelihood(rows))
+np.testing.assert_allclose(
+    jax.vmap(jax.grad(f))(rows), likelihood.gradient(rows), rtol=1e-14
+)
+scaled = jax.grad(lambda x: f(at * (1 + x)))(np.zeros(2))
+np.testing.assert_allclose(scaled, gradient * at, rtol=1e-14)
+"""
+
+TORCH = """
+import torch
+f = likelihood.torch()
+x = torch.tensor(at, requires_grad=True)
+found = f(x)
+assert found.item() == value
+(2 * found).backward()
+np.testing.assert_allclose(x.grad.numpy(), 2 * gradient, rtol=1e-14)
+rows = torch.tensor(np.stack([at, 1.01 * at]), requires_grad=True)
+f(rows).sum().backward()
+np.testing.assert_allclose(rows.grad.numpy(), likelihood.gradient(rows.detach()), rtol=1e-14)
+unit = torch.tensor([1.0, 1.0], dtype=torch.float64, requires_grad=True)
+scale = torch.tensor(at)
+assert torch.autograd.gradcheck(lambda z: f(z * scale), (unit,), rtol=1e-4, eps=1e-6)
+try:
+    f(x.float())
+except TypeError as error:
+    assert "double" in str(error)
+else:
+    raise AssertionError
+"""
+
+PYMC = """
+import pymc
+op = likelihood.pytensor()
+with pymc.Model() as model:
+    z = pymc.Normal("z", 0, 10, shape=2)
+    pymc.Potential("contact", op(at * (1 + 0.01 * z)))
+point = {"z": np.zeros(2)}
+prior, contact = model.compile_logp(sum=False)(point)
+np.testing.assert_allclose(contact, value, rtol=1e-13)
+np.testing.assert_allclose(model.compile_dlogp()(point), 0.01 * at * gradient, rtol=1e-12)
+"""
+
+
+@pytest.mark.parametrize(("package", "script"), [("jax", JAX), ("torch", TORCH), ("pymc", PYMC)])
+def test_adapters(package, script):
+    """In a process of their own, which has their threads and their settings."""
+    found = subprocess.run(
+        [sys.executable, "-c", f"import {package}"], capture_output=True, text=True
+    )
+    if found.returncode != 0:
+        pytest.skip(f"{package} is not installed")
+    run = subprocess.run(
+        [sys.executable, "-c", ADAPTERS + script], capture_output=True, text=True
+    )
+    assert run.returncode == 0, run.stderr
+
+
+def test_nothing_is_imported_unless_it_is_used():
+    script = (
+        "import sys, coated_contact;"
+        "assert not {'jax', 'torch', 'pytensor', 'pymc', 'afmformats'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True)
