@@ -19,6 +19,7 @@ from coated_contact import (
     Table,
     fit,
     fit_map,
+    log_likelihood,
     predict,
     simulate,
 )
@@ -151,6 +152,38 @@ def fits():
     print(f"ours {fit(one, free).params['film_modulus']:.4g} Pa")
 
 
+def likelihoods():
+    """Measure likelihoods of 300 points, one vector of parameters a call, in CPU time."""
+    lens = Experiment(
+        kind="load-radius",
+        abscissa=np.linspace(3e-5, 1.2e-4, 300),
+        system=made(),
+        work_of_adhesion=0.04,
+        noise=2e-6,
+    )
+    curve = replace(retract(0), noise=1e-9)
+    film = ["film_modulus", "work_of_adhesion"]
+    cases = {
+        "at contact radii": (simulate(lens, noise=2e-6, seed=0), film, [3.5e6, 0.04]),
+        "against heights": (curve, list(TRUTH), list(TRUTH.values())),
+    }
+    for name, (given, free, values) in cases.items():
+        likelihood = log_likelihood(given, free)
+        rows = np.array(values) * (1 + 1e-6 * np.arange(1000)[:, np.newaxis])
+
+        def alone(likelihood=likelihood, rows=rows):
+            for row in rows:
+                likelihood(row)
+
+        def gradients(likelihood=likelihood, rows=rows):
+            for row in rows:
+                likelihood.gradient(row)
+
+        times = [1e6 * best(work, 5, process_time) / len(rows) for work in (alone, gradients)]
+        print(f"likelihood {name:16} {times[0]:5.1f} us, with its gradient {times[1]:5.1f} us")
+
+
 if __name__ == "__main__":
     lookups()
     fits()
+    likelihoods()

@@ -1,6 +1,7 @@
 """Every function takes any float: it returns finite numbers or raises a ContactError."""
 
 import inspect
+import sys
 import tempfile
 import warnings
 from dataclasses import replace
@@ -35,11 +36,14 @@ from coated_contact import (
     System,
     Table,
     branches,
+    design,
     fit,
     fit_map,
     forecast,
     generate,
+    log_likelihood,
     predict,
+    read_afm,
     read_experiment,
     simulate,
     solve,
@@ -190,6 +194,53 @@ def fitted(numbers):
     free = Free(parameter="film_modulus", start=start, bounds=(low, high), prior=(mean, width))
     found = fit(measured(loads, w), [free, "work_of_adhesion"])
     return list(found.params.values())
+
+
+def likely(numbers):
+    """The likelihood, not its logarithm, which is infinite where that is 0."""
+    *loads, noise, low, high, mean, width, modulus, w = numbers
+    free = Free(parameter="film_modulus", bounds=(low, high), prior=(mean, width))
+    given = replace(measured(loads), noise=noise)
+    likelihood = log_likelihood(given, [free, "work_of_adhesion"])
+    value, gradient = likelihood.value_and_gradient([modulus, w])
+    return [np.exp(min(value, 0.0)), *(gradient if np.isfinite(value) else [])]
+
+
+class Afm:
+    """What `read_afm` uses of afmformats, with one curve of three points."""
+
+    supported_extensions = (".csv",)
+    columns = columns_innate = ("force", "height (measured)", "segment")
+    modality = "force-distance"
+
+    @property
+    def formats(self):
+        return self
+
+    def load_data(self, path, meta_override):
+        self.metadata = meta_override
+        return [self]
+
+    def __getitem__(self, column):
+        return {
+            "force": np.array([0.0, 1e-9, 4e-9]) * self.metadata["sensitivity"] / 5e-8,
+            "height (measured)": np.array([3e-6, 2e-6, 1e-6]),
+            "segment": np.zeros(3, dtype=np.uint8),
+        }[column]
+
+
+def from_afm(stiffness, sensitivity, surface, zero):
+    with tempfile.NamedTemporaryFile(suffix=".csv") as file, pytest.MonkeyPatch.context() as patch:
+        patch.setitem(sys.modules, "afmformats", Afm())
+        (found,) = read_afm(
+            file.name,
+            system=contact_of(BODIES).system,
+            stiffness=stiffness,
+            sensitivity=sensitivity,
+            height_image=[surface],
+            zero_level=zero,
+        )
+    return [*found.abscissa, *found.ordinate, found.system.film_thickness]
 
 
 def mapped(loads):
@@ -448,6 +499,17 @@ FUNCTIONS = {
         LENS,
         lambda *n: forecast(experiment_of(n), ["film_modulus"]).estimates[0].value,
     ),
+    "design": (
+        LENS,
+        lambda *n: list(
+            design([experiment_of(n)], ["film_modulus"], about="film_modulus").stderr.values()
+        ),
+    ),
+    "log_likelihood": (
+        [-1.8e-4, -1.1e-4, 4e-5, 3e-4, 7e-4, 1e-6, 1e5, 1e8, 3e6, 1e6, 3.5e6, 0.04],
+        lambda *n: likely(n),
+    ),
+    "read_afm": ([0.05, 5e-8, 1e-5, 1e-6], lambda *n: from_afm(*n)),
     "branches": (
         [-1.8e-4, -1.1e-4, 4e-5, 3e-4, 7e-4],
         lambda *n: float(len(branches(measured(n), ["work_of_adhesion"]))),

@@ -118,9 +118,7 @@ def cases(system):
     }
 
 
-@pytest.mark.parametrize(
-    "name", ["lens", "lens, prior", "curve", "two", "stack", "stiffness"]
-)
+@pytest.mark.parametrize("name", ["lens", "lens, prior", "curve", "two", "stack", "stiffness"])
 def test_the_gradient_is_that_of_differences(system, name):
     given, free, values, tolerance = cases(system)[name]
     likelihood = log_likelihood(given, free)
@@ -131,7 +129,9 @@ def test_the_gradient_is_that_of_differences(system, name):
     for i, own in enumerate(values):
         # The error of a difference of four points is of the fourth order.
         step = 1e-4 * own
-        moved = [np.where(np.arange(len(values)) == i, own + n * step, values) for n in (1, -1, 2, -2)]
+        moved = [
+            np.where(np.arange(len(values)) == i, own + n * step, values) for n in (1, -1, 2, -2)
+        ]
         at = likelihood(moved)
         difference = (8 * (at[0] - at[1]) - (at[2] - at[3])) / (12 * step)
         scale = max(abs(difference), abs(value / own) * 1e-3)
@@ -193,14 +193,18 @@ def test_bounds_end_the_likelihood(system):
     free = [Free(parameter="film_modulus", bounds=(3e6, 4e6)), "film_poisson_ratio"]
     likelihood = log_likelihood(lens(system), free)
     assert np.isfinite(likelihood([3e6, 0.5]))
-    assert likelihood([2.99e6, 0.5]) == likelihood([3e6, 0.51]) == likelihood([3e6, -0.1]) == -np.inf
+    assert (
+        likelihood([2.99e6, 0.5]) == likelihood([3e6, 0.51]) == likelihood([3e6, -0.1]) == -np.inf
+    )
 
 
 def test_what_cannot_be_used_is_refused(system):
     given = lens(system)
     free = ["film_modulus", "work_of_adhesion"]
     with pytest.raises(FitError, match="the noise of experiment"):
-        log_likelihood(Experiment(kind="load-radius", abscissa=[1e-5], ordinate=[0], system=system), free)
+        log_likelihood(
+            Experiment(kind="load-radius", abscissa=[1e-5], ordinate=[0], system=system), free
+        )
     likelihood = log_likelihood(given, free)
     for wrong in ([3e6], [3e6, 0.04, 0.0], 3e6, np.ones((2, 3))):
         with pytest.raises(FitError, match="one value for each of film_modulus, work_of_adhesion"):
@@ -217,7 +221,7 @@ def test_what_cannot_be_used_is_refused(system):
         log_likelihood(given, free, branches="advancing")
     with pytest.raises(FitError, match="no height of a cantilever"):
         log_likelihood(given, ["stiffness"])
-    with pytest.raises(FitError, match="nothing|no free parameter|free parameter"):
+    with pytest.raises(FitError, match="there is no free parameter"):
         log_likelihood(given, [])
 
 
@@ -355,9 +359,7 @@ def test_adapters(package, script):
     )
     if found.returncode != 0:
         pytest.skip(f"{package} is not installed")
-    run = subprocess.run(
-        [sys.executable, "-c", ADAPTERS + script], capture_output=True, text=True
-    )
+    run = subprocess.run([sys.executable, "-c", ADAPTERS + script], capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
 
 

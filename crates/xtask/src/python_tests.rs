@@ -9,8 +9,12 @@ use std::process::Command;
 
 use crate::{hdf5, python, succeed, venv, wheel, workspace};
 
-/// The version of nanite whose source holds the measured curve of a test.
-const NANITE: &str = "4.2.3";
+/// The packages whose sources hold measured curves, with their versions and the environment variables
+/// that tell the tests where they are.
+const MEASURED: [[&str; 3]; 2] = [
+    ["afmformats", "0.18.7", "AFMFORMATS_SOURCE"],
+    ["nanite", "4.2.3", "NANITE_SOURCE"],
+];
 
 /// Tests the package as it stands in the workspace, with the compiled module that the tests in Rust
 /// were built with: that of a wheel has all its dependencies compiled again, with fewer features.
@@ -54,13 +58,15 @@ pub fn package() -> Result<PathBuf, String> {
 
 /// Runs tests and checks with an interpreter, on the package that it has or that of a folder.
 pub fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
-    let measured = match python::source("nanite", NANITE) {
-        Ok(folder) => Some(folder),
+    let source = |[name, version, variable]: [&'static str; 3]| match python::source(name, version)
+    {
+        Ok(folder) => Some((variable, folder)),
         Err(message) => {
-            eprintln!("xtask: {message}\nxtask: the tests with a measured curve are skipped");
+            eprintln!("xtask: {message}\nxtask: the tests with curves of {name} are skipped");
             None
         }
     };
+    let measured: Vec<_> = MEASURED.into_iter().filter_map(source).collect();
     let cache = |name: &str| Ok::<_, String>(workspace::target()?.join("tools").join(name));
     let run = |module: &str, arguments: &[&str]| -> Result<(), String> {
         let mut command = Command::new(python);
@@ -74,8 +80,8 @@ pub fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
         if let Some(folder) = folder {
             command.env("PYTHONPATH", folder);
         }
-        if let Some(folder) = &measured {
-            command.env("NANITE_SOURCE", folder);
+        for (variable, folder) in &measured {
+            command.env(variable, folder);
         }
         if let Some(program) = program()? {
             command.env("TABULATE", program);

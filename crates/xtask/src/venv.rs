@@ -22,9 +22,14 @@ const PACKAGES: [&str; 12] = [
     "tqdm==4.70.1",
     "xarray==2026.9.0",
 ];
-/// The packages with whose numbers those of the package are compared. Without them the tests that
-/// need them are skipped.
-const PEERS: [&str; 2] = ["ContactMechanics==1.8.3", "nanite==4.2.3"];
+/// The packages with whose numbers those of the package are compared, and whose formats and
+/// functions it takes (nanite brings afmformats). Without them the tests that need them are skipped.
+const PEERS: [&str; 4] = [
+    "ContactMechanics==1.8.3",
+    "emcee==3.1.6",
+    "jax==0.10.2",
+    "nanite==4.2.3",
+];
 
 /// Returns whether there is a python3 that the package supports, with which an environment can be
 /// made.

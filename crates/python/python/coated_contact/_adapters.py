@@ -1,4 +1,4 @@
-"""A likelihood as a function of JAX, PyTorch and PyTensor, which are imported where they are used."""
+"""A likelihood as a function of JAX, PyTorch and PyTensor, imported where they are used."""
 
 from __future__ import annotations
 
@@ -28,16 +28,14 @@ def jax(likelihood: LogLikelihood) -> Callable[..., Any]:
         found, gradient = likelihood.value_and_gradient(np.asarray(values))
         return np.asarray(found), gradient
 
-    @package.custom_jvp
+    @package.custom_jvp  # type: ignore[untyped-decorator, unused-ignore]
     def function(values: Any) -> Any:
         return called(values, value, values.shape[:-1])[0]
 
-    @function.defjvp
+    @function.defjvp  # type: ignore[untyped-decorator, unused-ignore]
     def derivative(primals: Any, tangents: Any) -> Any:
         (values,), (tangent,) = primals, tangents
-        found, gradient = called(
-            values, value_and_gradient, values.shape[:-1], values.shape
-        )
+        found, gradient = called(values, value_and_gradient, values.shape[:-1], values.shape)
         return found, (gradient * tangent).sum(-1)
 
     def checked(values: Any) -> Any:

@@ -205,7 +205,7 @@ def _foreign(name: str) -> Iterator[None]:
 def _fields(curve: Any, name: str, only: Direction | None) -> tuple[dict[str, Any], Array | None]:
     """Return the fields of an experiment, and the times of its points."""
     columns, metadata = set(curve.columns), curve.metadata
-    stiffness = metadata["spring constant"] if "spring constant" in metadata else np.nan
+    stiffness = metadata.get("spring constant", np.nan)
     if not 0 < stiffness < np.inf:
         raise FitError(
             f"{name}: the file does not tell the stiffness of the cantilever: give stiffness=, N/m",
@@ -307,7 +307,7 @@ class _Thickness:
 
     def at(self, i: int, count: int, place: _Place, fields: dict[str, Any]) -> Any:
         """Return the bodies under a curve."""
-        if self.values is None and self.zero is None:
+        if not isinstance(self.system, System) or (self.values is None and self.zero is None):
             return self.system
         if self.values is None:
             value = _surface(fields)

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, get_args
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _adapters, _core
@@ -131,9 +130,9 @@ def log_likelihood(
 ) -> LogLikelihood:
     """Return the logarithm of the likelihood as a function of the free parameters.
 
-    ``ln L = -1/2 sum(((model - ordinate) / sigma)^2) - sum(ln(sqrt(2 pi) sigma))``, for normal noise
-    that is known. A prior of a :class:`Free` is one term more, of a normal density; outside its
-    bounds the likelihood is 0. Other priors are added by the sampler. Errors of the abscissae count
+    ``ln L = -1/2 sum(((model - ordinate) / sigma)^2) - sum(ln(sqrt(2 pi) sigma))``, for normal
+    noise that is known. A prior of a :class:`Free` is one term more, of a normal density; outside
+    its bounds the likelihood is 0. Other priors are added by the sampler. Errors of the abscissae count
     by the slope of the model at the values of the experiments, and these weights stay.
 
     Parameters

@@ -1,0 +1,419 @@
+"""Files of AFMs: the curves that afmformats and nanite ship, what they give, and why not.
+
+None of them is a film of known thickness: they test reading and refusing, not physics. The data
+are fetched with the source distributions of both (afmformats: MIT, nanite: GPL-3), and not kept.
+"""
+
+import os
+import sys
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    ContactError,
+    Elastic,
+    FitError,
+    ForceMap,
+    HalfSpace,
+    System,
+    fit_map,
+    read_afm,
+)
+
+GEL = HalfSpace(
+    sphere_radius=1e-4,
+    sphere_modulus=np.inf,
+    solid=Elastic(young_modulus=1e3, poisson_ratio=0.5),
+)
+COATED = System(
+    sphere_radius=1e-4,
+    sphere_modulus=1e11,
+    film=Elastic(young_modulus=1e3, poisson_ratio=0.5),
+    film_thickness=5e-5,
+    substrate=Elastic(young_modulus=64e9, poisson_ratio=0.2),
+)
+FREE = ["film_modulus", "contact_point", "baseline"]
+
+# What must be given beside the file.
+NOTHING, STIFFNESS, BOTH = (), ("stiffness",), ("stiffness", "sensitivity")
+GIVEN = {"stiffness": 0.05, "sensitivity": 5e-8}
+
+AFMFORMATS, NANITE = "AFMFORMATS", "NANITE"
+# Why a curve has no modulus: no contact, an approach of one point, no force, no gel under a tip.
+NO_MODULUS = "JKR finds no positive modulus"
+ONE_HEIGHT = "at every point, which determines nothing"
+ZERO = "Young's modulus = 0.0"
+UNITS = "is below the moduli of all solids"
+# Source, file, what must be given, curves, curves with a modulus, and why others have none.
+FILES = [
+    (AFMFORMATS, "docs/data/force-map2x2-example.jpk-force-map", NOTHING, 4, 4, None),
+    (AFMFORMATS, "docs/data/force-save-example.jpk-force", NOTHING, 1, 1, None),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-afm-workshop-fd_mapping_16_2018-08-01_13.07.zip",
+        BOTH,
+        16,
+        16,
+        None,
+    ),
+    (AFMFORMATS, "tests/data/fmt-afm-workshop-fd_single_2018-08-01_13.06.09.csv", BOTH, 1, 1, None),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-afm-workshop-fd_single_2020-02-14_13.41.25.csv",
+        STIFFNESS,
+        1,
+        0,
+        NO_MODULUS,
+    ),
+    (AFMFORMATS, "tests/data/fmt-afm-workshop-fd_single_2021-01-15.csv", BOTH, 1, 0, UNITS),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-afm-workshop-fd_single_2021-10-22_14.16.csv",
+        STIFFNESS,
+        1,
+        1,
+        None,
+    ),
+    (AFMFORMATS, "tests/data/fmt-chiaro-txt_AEBP1_Indentation_002.zip", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-hdf5-fd_version_0.13.3.h5", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-igor-fd_SiN_FD_plot.ibw", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-igor-fd_U3_3_p10004.ibw", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-jpk-cc_pr14-brain-2021.06.30.jpk-force", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-jpk-cc_pr14-polymergel-2021.06.30.jpk-force", NOTHING, 1, 1, None),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-jpk-cl_calibration_force-save-2015.02.04-11.25.21.294.jpk-force",
+        BOTH,
+        1,
+        1,
+        None,
+    ),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-jpk-fd_2020.02.07-16.29.05.036.jpk-qi-data",
+        NOTHING,
+        4,
+        0,
+        NO_MODULUS,
+    ),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-jpk-fd_flipsign_2015.05.22-15.31.49.352.jpk-force",
+        NOTHING,
+        1,
+        1,
+        None,
+    ),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-jpk-fd_map-data-reference-points.jpk-force-map",
+        NOTHING,
+        3,
+        3,
+        None,
+    ),
+    (AFMFORMATS, "tests/data/fmt-jpk-fd_map0d_extracted.jpk-force-map", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-jpk-fd_map2x2_extracted.jpk-force-map", NOTHING, 4, 4, None),
+    (AFMFORMATS, "tests/data/fmt-jpk-fd_qi-data-2021.04.13.jpk-qi-series", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-jpk-fd_single-modified_2023.jpk-force", STIFFNESS, 1, 0, ZERO),
+    (AFMFORMATS, "tests/data/fmt-jpk-fd_spot3-0192.jpk-force", NOTHING, 1, 1, None),
+    (AFMFORMATS, "tests/data/fmt-jpk-sr_cell1-0008.jpk-force", NOTHING, 1, 1, None),
+    (
+        AFMFORMATS,
+        "tests/data/fmt-ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt",
+        BOTH,
+        1,
+        0,
+        UNITS,
+    ),
+    (AFMFORMATS, "tests/data/fmt-tab-fd_version_0.13.3.tab", NOTHING, 1, 1, None),
+    (NANITE, "docs/data/force-save-example.jpk-force", NOTHING, 1, 1, None),
+    (NANITE, "examples/data/zebrafish-head-section-gray-matter.jpk-force", NOTHING, 1, 1, None),
+    (NANITE, "tests/data/fmt-afm-workshop-fd_single_2021-10-22_14.16.csv", STIFFNESS, 1, 1, None),
+    (NANITE, "tests/data/fmt-jpk-cl_calibration_force-save-2015-02-04.jpk-force", BOTH, 1, 1, None),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_flipsign_2015.05.22-15.31.49.352.jpk-force",
+        NOTHING,
+        1,
+        1,
+        None,
+    ),
+    (NANITE, "tests/data/fmt-jpk-fd_map-data-reference-points.jpk-force-map", NOTHING, 3, 3, None),
+    (NANITE, "tests/data/fmt-jpk-fd_map0d_extracted.jpk-force-map", NOTHING, 1, 1, None),
+    (NANITE, "tests/data/fmt-jpk-fd_map1d_2016-11-07.jpk-force-map", NOTHING, 8, 8, None),
+    (NANITE, "tests/data/fmt-jpk-fd_map2x2_extracted.jpk-force-map", NOTHING, 4, 4, None),
+    (NANITE, "tests/data/fmt-jpk-fd_map_bad_2013-05-27_1.jpk-force-map", NOTHING, 1, 0, NO_MODULUS),
+    (NANITE, "tests/data/fmt-jpk-fd_map_bad_2013-05-27_2.jpk-force-map", NOTHING, 1, 0, NO_MODULUS),
+    (NANITE, "tests/data/fmt-jpk-fd_single_bad_2017-01-16_1.jpk-force", NOTHING, 1, 0, NO_MODULUS),
+    (NANITE, "tests/data/fmt-jpk-fd_single_bad_2017-01-16_2.jpk-force", NOTHING, 1, 0, ONE_HEIGHT),
+    (NANITE, "tests/data/fmt-jpk-fd_single_bad_2017-01-16_3.jpk-force", NOTHING, 1, 0, ONE_HEIGHT),
+    (NANITE, "tests/data/fmt-jpk-fd_single_bad_2017-01-16_4.jpk-force", NOTHING, 1, 0, ONE_HEIGHT),
+    (NANITE, "tests/data/fmt-jpk-fd_single_bad_2017-01-16_5.jpk-force", NOTHING, 1, 0, ONE_HEIGHT),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_single_bad_GWAT_2017-10-17.jpk-force",
+        NOTHING,
+        1,
+        0,
+        ONE_HEIGHT,
+    ),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_single_bad_bead10_2017-04-27.jpk-force",
+        NOTHING,
+        1,
+        0,
+        ONE_HEIGHT,
+    ),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_single_bad_bead46_2017-04-20.jpk-force",
+        NOTHING,
+        1,
+        0,
+        ONE_HEIGHT,
+    ),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_single_bad_bead7_2017-04-27.jpk-force",
+        NOTHING,
+        1,
+        0,
+        ONE_HEIGHT,
+    ),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_single_tilted-baseline-drift-mitotic_2021-01-29.jpk-force",
+        NOTHING,
+        1,
+        1,
+        None,
+    ),
+    (
+        NANITE,
+        "tests/data/fmt-jpk-fd_single_tilted-baseline-shift-adyp_2023-06-26.jpk-force",
+        NOTHING,
+        1,
+        1,
+        None,
+    ),
+    (NANITE, "tests/data/fmt-jpk-fd_spot3-0192.jpk-force", NOTHING, 1, 1, None),
+]
+MAP = "tests/data/fmt-jpk-fd_map2x2_extracted.jpk-force-map"
+
+
+def file_of(source, name, folder):
+    """The path of a file in the source distribution of a package; of an archive its content."""
+    pytest.importorskip("afmformats")
+    root = os.environ.get(f"{source}_SOURCE")
+    if root is None:
+        pytest.skip(f"{source}_SOURCE does not name the source: `cargo xtask test` sets it")
+    path = Path(root) / name
+    if "chiaro" in name:
+        # One text in an archive; archives that afmformats reads itself are maps of AFM workshop.
+        with zipfile.ZipFile(path) as archive:
+            (inside,) = archive.namelist()
+            path = Path(archive.extract(inside, folder))
+    return path
+
+
+def test_every_file_is_in_the_list():
+    listed = {(source, name) for source, name, *_ in FILES}
+    for source in ("AFMFORMATS", "NANITE"):
+        root = os.environ.get(f"{source}_SOURCE")
+        if root is None:
+            pytest.skip(f"{source}_SOURCE does not name the source: `cargo xtask test` sets it")
+        patterns = ("tests/data/fmt-*", "examples/data/*.jpk-*", "docs/data/*.jpk-*")
+        found = {path for pattern in patterns for path in Path(root).glob(pattern)}
+        for path in found:
+            assert (source, str(path.relative_to(root))) in listed, path
+
+
+@pytest.mark.parametrize(
+    ("source", "name", "wanted", "curves", "fitted", "reason"),
+    FILES,
+    ids=[f"{source}-{Path(name).name}" for source, name, *_ in FILES],
+)
+def test_files(source, name, wanted, curves, fitted, reason, tmp_path):
+    path = file_of(source, name, tmp_path)
+    if wanted:
+        with pytest.raises(FitError, match=f"give .*{wanted[0]}=, N/m|give .*=, m/V"):
+            read_afm(path, system=GEL)
+    found = read_afm(path, system=GEL, only="approach", **{one: GIVEN[one] for one in wanted})
+    assert isinstance(found, ForceMap)
+    assert len(found) == curves
+    assert found.refused == {}
+    for one, time in zip(found, found.times, strict=True):
+        assert one.kind == "force-height"
+        assert np.isfinite(one.abscissa).all()
+        assert np.isfinite(one.ordinate).all()
+        assert not one.retract.any()
+        assert one.stiffness > 0
+        assert time is None or (time.shape == one.abscissa.shape and np.all(np.diff(time) >= 0))
+    results = fit_map(found, FREE, errors="nan")
+    assert int(np.isfinite(results.params["film_modulus"]).sum()) == fitted
+    for error in results.failures.values():
+        assert isinstance(error, ContactError)
+        assert reason in str(error)
+    if fitted == curves:
+        assert reason is None
+
+
+@pytest.fixture
+def force_map(tmp_path):
+    return file_of("AFMFORMATS", MAP, tmp_path)
+
+
+def test_a_curve_has_what_the_file_tells(force_map):
+    afmformats = pytest.importorskip("afmformats")
+    found = read_afm(force_map, system=GEL, work_of_adhesion=1e-4, noise=1e-11)
+    original = afmformats.load_data(force_map)
+    assert repr(found) == "<ForceMap of 4 curves on 10 x 10 pixels, 0 refused>"
+    for one, time, curve in zip(found, found.times, original, strict=True):
+        np.testing.assert_array_equal(curve["height (measured)"], one.abscissa)
+        np.testing.assert_array_equal(curve["force"], one.ordinate)
+        np.testing.assert_array_equal(curve["time"], time)
+        assert one.retract.tolist() == (curve["segment"] == 1).tolist()
+        assert one.stiffness == curve.metadata["spring constant"]
+        assert (one.work_of_adhesion, one.noise, one.system) == (1e-4, 1e-11, GEL)
+        assert "JPK Instruments" in one.reading
+    places = [(m["position x"], m["position y"]) for m in (curve.metadata for curve in original)]
+    np.testing.assert_array_equal(found.position, places)
+    assert found.shape == (10, 10)
+    # Positions are as far apart as the pixels.
+    for i in (1, 2, 3):
+        distance = np.hypot(*(found.position[i] - found.position[0]))
+        apart = (found.pixel[i] - found.pixel[0]) * found.pixel_size
+        assert distance == pytest.approx(np.hypot(*apart), rel=0.02)
+    assert found[1].name.endswith("curve 1")
+    softer = read_afm(force_map, system=GEL, stiffness=0.01)
+    scale = 0.01 / found[0].stiffness
+    np.testing.assert_allclose(softer[0].ordinate, scale * found[0].ordinate, rtol=1e-9)
+
+
+def test_directions_and_pauses(tmp_path):
+    """A stress relaxation has a pause before the approach, and another one after it."""
+    name = "tests/data/fmt-jpk-sr_cell1-0008.jpk-force"
+    path = file_of("AFMFORMATS", name, tmp_path)
+    found = read_afm(path, system=GEL)
+    assert [int((~found[0].retract).sum()), int(found[0].retract.sum())] == [2048, 1951]
+    assert found.times[0][[0, -1]].tolist() == pytest.approx([1.0, 32.952], abs=1e-3)
+    # The segments of an Igor file are not told: it is split at the smallest height.
+    path = file_of("AFMFORMATS", "tests/data/fmt-igor-fd_U3_3_p10004.ibw", tmp_path)
+    (one,) = read_afm(path, system=GEL)
+    assert one.abscissa[one.retract].min() >= one.abscissa.min()
+    assert np.argmin(one.abscissa) == (~one.retract).sum() - 1
+    (only,) = read_afm(path, system=GEL, only="retract")
+    assert len(only.abscissa) == one.retract.sum()
+
+
+def test_a_position_of_the_tip_tells_the_height(tmp_path):
+    """What Chiaro calls "indentation" is no height of the base, whose tip is at height + F / k."""
+    name = "tests/data/fmt-chiaro-txt_AEBP1_Indentation_002.zip"
+    path = file_of("AFMFORMATS", name, tmp_path)
+    (one,) = read_afm(path, system=GEL)
+    (curve,) = sys.modules["afmformats"].load_data(path)
+    tip = one.abscissa + one.ordinate / one.stiffness
+    np.testing.assert_allclose(curve["tip position"], tip, rtol=1e-12)
+
+
+def test_the_thickness_of_each_pixel(force_map):
+    thickness = np.full((10, 10), 1e-5)
+    found = read_afm(force_map, system=COATED)
+    places = found.pixel
+    thickness[tuple(places.T)] = [1e-5, 2e-5, 3e-5, -1e-6]
+    read = read_afm(force_map, system=COATED, film_thickness=thickness)
+    assert [one.system.film_thickness for one in read] == [1e-5, 2e-5, 3e-5]
+    assert list(read.refused) == [3]
+    assert "curve 3: the film is -1e-06 m thick there" in read.refused[3]
+    image = read.image([one.system.film_thickness for one in read])
+    assert np.nansum(image) == pytest.approx(6e-5)
+    assert image[tuple(places[1])] == 2e-5
+    # The surface over the zero level, one for each curve.
+    surface = np.array([1.1e-5, 1.2e-5, 1.3e-5, 1.4e-5])
+    read = read_afm(force_map, system=COATED, height_image=surface, zero_level=1e-6)
+    thicknesses = [one.system.film_thickness for one in read]
+    np.testing.assert_allclose(thicknesses, surface - 1e-6, rtol=1e-12)
+
+
+def test_the_surface_from_the_approach(force_map):
+    """The contact points of the fits are within the noise of the surface that curves show."""
+    zero = 4e-5
+    found = read_afm(force_map, system=COATED, zero_level=zero)
+    assert len(found) + len(found.refused) == 4
+    fitted = fit_map(read_afm(force_map, system=GEL, only="approach"), FREE, errors="nan")
+    for one, contact in zip(found, fitted.params["contact_point"], strict=True):
+        assert abs(zero + one.system.film_thickness - contact) < 2e-6
+
+
+def test_maps_and_pictures(force_map):
+    found = read_afm(force_map, system=GEL, only="approach")
+    results = fit_map(found, FREE, errors="nan")
+    moduli = results.params["film_modulus"]
+    image = found.image(moduli)
+    assert image.shape == (10, 10)
+    assert np.isfinite(image).sum() == 4
+    assert image[tuple(found.pixel[2])] == moduli[2]
+    xarray = pytest.importorskip("xarray")
+    maps = found.to_xarray(results)
+    assert isinstance(maps, xarray.Dataset)
+    np.testing.assert_array_equal(maps["film_modulus"], image)
+    assert maps["film_modulus"].attrs["units"] == "Pa"
+    assert maps["x"].values[:2].tolist() == pytest.approx([3e-5, 9e-5])
+    assert set(maps.data_vars) == {*FREE, *(f"{one}_stderr" for one in FREE), "chi_squared"}
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    figure, ax = pyplot.subplots()
+    assert found.plot(moduli, "film modulus", "Pa", ax=ax) is ax
+    assert figure.axes[1].get_ylabel() == "film modulus (kPa)"
+    (bar,) = ax.artists
+    assert bar.txt_label.get_text() == "200 µm"
+    figure.canvas.draw()
+    pyplot.close(figure)
+    with pytest.raises(FitError, match=r"shape \(2,\): give \(4,\)"):
+        found.image([1.0, 2.0])
+
+
+def test_wrong_calls_say_what_to_give(force_map, tmp_path):
+    single = file_of("AFMFORMATS", "docs/data/force-save-example.jpk-force", tmp_path)
+    with pytest.raises(FitError, match="holds no map"):
+        read_afm(single, system=GEL).image([1.0])
+    with pytest.raises(FileNotFoundError):
+        read_afm(tmp_path / "none.jpk-force", system=GEL)
+    text = tmp_path / "curve.png"
+    text.write_text("1 2 3")
+    with pytest.raises(FitError, match=r"afmformats reads .*\.jpk-force, .*not '\.png'; read_exp"):
+        read_afm(text, system=GEL)
+    broken = tmp_path / "broken.jpk-force"
+    broken.write_bytes(force_map.read_bytes()[:5000])
+    with pytest.raises(FitError, match=r"cannot be read: .*export it as text for read_experiment"):
+        read_afm(broken, system=GEL)
+    igor = file_of("AFMFORMATS", "tests/data/fmt-igor-fd_SiN_FD_plot.ibw", tmp_path)
+    with pytest.raises(FitError, match="has a stiffness and a sensitivity of its own"):
+        read_afm(igor, system=GEL, stiffness=1.0)
+    for name in ("stiffness", "sensitivity"):
+        for value in (0.0, -1.0, np.nan, np.inf):
+            with pytest.raises(FitError, match="must be positive"):
+                read_afm(single, system=GEL, **{name: value})
+    with pytest.raises(FitError, match="'up'"):
+        read_afm(single, system=GEL, only="up")
+    with pytest.raises(FitError, match="a HalfSpace has no film whose thickness changes"):
+        read_afm(single, system=GEL, film_thickness=[1e-5])
+    with pytest.raises(FitError, match="height_image needs zero_level"):
+        read_afm(single, system=COATED, height_image=[1e-5])
+    with pytest.raises(FitError, match="film_thickness stands beside"):
+        read_afm(single, system=COATED, film_thickness=[1e-5], zero_level=0.0)
+    with pytest.raises(FitError, match=r"shape \(2, 2\): give \(4,\), one for each curve or \(10,"):
+        read_afm(force_map, system=COATED, film_thickness=np.ones((2, 2)))
+    with pytest.raises(FitError, match=r"film is .* thick there"):
+        read_afm(single, system=COATED, film_thickness=[np.nan])
+
+
+def test_without_afmformats_the_error_says_how_to_install_it(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "afmformats", None)
+    with pytest.raises(ModuleNotFoundError, match="pip install afmformats"):
+        read_afm(tmp_path / "x.jpk-force", system=GEL)
