@@ -132,8 +132,8 @@ def log_likelihood(
 
     ``ln L = -1/2 sum(((model - ordinate) / sigma)^2) - sum(ln(sqrt(2 pi) sigma))``, for normal
     noise that is known. A prior of a :class:`Free` is one term more, of a normal density; outside
-    its bounds the likelihood is 0. Other priors are added by the sampler. Errors of the abscissae count
-    by the slope of the model at the values of the experiments, and these weights stay.
+    its bounds the likelihood is 0. Other priors are added by the sampler. Errors of the abscissae
+    count by the slope of the model at the values of the experiments, and these weights stay.
 
     Parameters
     ----------
