@@ -12,20 +12,34 @@ const LARGEST_FIRST: f64 = 4.0;
 /// The tolerance of a curve that does not state its own.
 const FINE: f64 = 1e-9;
 
-/// The material of a contact, or one that differs from it a little.
+/// The material of a contact.
 #[derive(Clone, Debug)]
 pub(super) struct Medium {
     curve: Curve,
     es: f64,
     /// The relative tolerance of the results.
     pub tolerance: f64,
-    /// A parameter by number, as in `QuantityGradient::relative`, and its change.
-    change: Option<(usize, f64)>,
-    /// The first node, and the numbers `alpha` and `u` of the thick film there, see the page
-    /// `curve/thick_film.rs` of the source.
+    /// The first node, and the numbers of the thick film there.
     first: f64,
+    thick: Thick,
+}
+
+/// The numbers `alpha` and `u` of a thick film, see the page `curve/thick_film.rs` of the source, or
+/// their derivatives with respect to a parameter.
+#[derive(Clone, Copy, Debug)]
+struct Thick {
     alpha: f64,
     u: f64,
+}
+
+impl Thick {
+    /// Returns the numbers at an `x` that is `ratio` times as large.
+    fn at(self, ratio: f64) -> Self {
+        Self {
+            alpha: ratio * self.alpha,
+            u: ratio.powi(3) * self.u,
+        }
+    }
 }
 
 /// `Gamma/es`, its logarithmic derivative `dln(Gamma)/dx`, and `Eeq/es`.
@@ -36,35 +50,92 @@ pub(super) struct At {
     pub eeq: f64,
 }
 
+/// A parameter of the material by number, as in `QuantityGradient::relative`, with respect to which
+/// the derivatives of a medium are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Change {
+    parameter: usize,
+    thick: Thick,
+}
+
+/// The derivatives of `ln Gamma`, `dln(Gamma)/dx` and `Eeq/es` with respect to a parameter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Changed {
+    pub ln_gamma: f64,
+    pub growth: f64,
+    pub eeq: f64,
+}
+
 impl Medium {
-    /// Takes the curve of a material, with a change of one parameter if one is given.
-    pub(super) fn new(curve: &Curve, change: Option<(usize, f64)>) -> Result<Self, Error> {
+    /// Takes the curve of a material.
+    pub(super) fn new(curve: &Curve) -> Result<Self, Error> {
         let first = curve.range()[0];
-        let mut medium = Self {
-            curve: curve.clone(),
-            es: curve.material().sphere_film_modulus(),
-            tolerance: curve.tolerance().unwrap_or(FINE),
-            change,
-            first,
-            alpha: 0.0,
-            u: 0.0,
-        };
+        let es = curve.material().sphere_film_modulus();
         let at = curve.quantities(first)?;
-        let by = medium.by_parameter(first)?;
-        let pi0 = at.pi0 / medium.es * (1.0 + by[0]);
-        medium.u = 0.375 * pi0 - 1.0;
-        medium.alpha = medium.es / (at.eeq * (1.0 + by[1])) - 1.0 - medium.u;
-        Ok(medium)
+        let u = 0.375 * at.pi0 / es - 1.0;
+        Ok(Self {
+            es,
+            tolerance: curve.tolerance().unwrap_or(FINE),
+            first,
+            thick: Thick {
+                alpha: es / at.eeq - 1.0 - u,
+                u,
+            },
+            curve: curve.clone(),
+        })
     }
 
-    /// Returns the relative changes of `Pi0`, `Eeq` and `Gamma` over `es`, and the derivative of the
-    /// last one.
-    fn by_parameter(&self, x: f64) -> Result<[f64; 4], Error> {
-        let Some((parameter, step)) = self.change else {
-            return Ok([0.0; 4]);
+    /// Returns what the derivatives with respect to a parameter of the material need. `curve` is that
+    /// of this medium, with derivatives.
+    pub(super) fn change(&self, curve: &Curve, parameter: usize) -> Result<Change, Error> {
+        let [pi0, eeq, ..] = curve.over_es_by(parameter, self.first)?;
+        let Thick { alpha, u } = self.thick;
+        let by_u = (1.0 + u) * pi0;
+        Ok(Change {
+            parameter,
+            thick: Thick {
+                alpha: -(1.0 + alpha + u) * eeq - by_u,
+                u: by_u,
+            },
+        })
+    }
+
+    /// Returns the derivative of `dln(Gamma)/dx` with respect to a parameter.
+    pub(super) fn growth_by(&self, change: Change, x: f64) -> Result<f64, Error> {
+        if x < self.first {
+            return Ok(self.changed(change, x)?.growth);
+        }
+        let [.., growth] = self.curve.over_es_by(change.parameter, x)?;
+        Ok(growth)
+    }
+
+    /// Returns the derivatives at `x` with respect to a parameter.
+    pub(super) fn changed(&self, change: Change, x: f64) -> Result<Changed, Error> {
+        if x >= self.first {
+            let [_, eeq, ln_gamma, growth] = self.curve.over_es_by(change.parameter, x)?;
+            let own = self.curve.quantity(Quantity::Eeq, x)? / self.es;
+            return Ok(Changed {
+                ln_gamma,
+                growth,
+                eeq: own * eeq,
+            });
+        }
+        let ratio = x / self.first;
+        let (Thick { alpha, u }, by) = (self.thick.at(ratio), change.thick.at(ratio));
+        let (stiffness, rigid) = (1.0 + alpha + u, 1.0 + u);
+        let softer = (by.alpha + by.u) / stiffness;
+        let growth = if x > 0.0 {
+            ((by.alpha + 3.0 * by.u - (alpha + 3.0 * u) * softer) / stiffness
+                + 3.0 * by.u / (rigid * rigid))
+                / x
+        } else {
+            change.thick.alpha / self.first
         };
-        let by = self.curve.over_es_by(parameter, x)?;
-        Ok(by.map(|by| step * by))
+        Ok(Changed {
+            ln_gamma: -softer - by.u / rigid,
+            growth: -growth,
+            eeq: -softer / stiffness,
+        })
     }
 
     /// Returns the largest `x` of the nodes.
@@ -74,23 +145,29 @@ impl Medium {
 
     /// Returns the `x` below which the film is thick to rounding.
     pub(super) fn thick(&self) -> f64 {
-        let third = (THIRD_ORDER * self.tolerance / self.u.abs()).cbrt();
+        let third = (THIRD_ORDER * self.tolerance / self.thick.u.abs()).cbrt();
         self.first
-            * (FIRST_ORDER / self.alpha.abs())
+            * (FIRST_ORDER / self.thick.alpha.abs())
                 .min(third)
                 .min(LARGEST_FIRST)
     }
 
     /// Returns `es/Eeq - 1` of a thick film at `x`.
     pub(super) fn departure(&self, x: f64) -> f64 {
-        let ratio = x / self.first;
-        ratio * self.alpha + ratio.powi(3) * self.u
+        let Thick { alpha, u } = self.thick.at(x / self.first);
+        alpha + u
+    }
+
+    /// Returns the derivative of [`Self::departure`] with respect to a parameter.
+    pub(super) fn departure_by(&self, change: Change, x: f64) -> f64 {
+        let Thick { alpha, u } = change.thick.at(x / self.first);
+        alpha + u
     }
 
     /// Returns `Gamma/es` and its logarithmic derivative at `x`.
     #[inline]
     pub(super) fn gamma_and_growth(&self, x: f64) -> Result<[f64; 2], Error> {
-        if x < self.first || self.change.is_some() {
+        if x < self.first {
             let At { gamma, growth, .. } = self.at(x)?;
             return Ok([gamma, growth]);
         }
@@ -101,14 +178,13 @@ impl Medium {
     /// Evaluates at `x`.
     pub(super) fn at(&self, x: f64) -> Result<At, Error> {
         if x < self.first {
-            let ratio = x / self.first;
-            let (alpha, u) = (ratio * self.alpha, ratio.powi(3) * self.u);
+            let Thick { alpha, u } = self.thick.at(x / self.first);
             // `es/Gamma = (1 + alpha + u) (1 + u)`.
             let stiffness = 1.0 + alpha + u;
             let growth = if x > 0.0 {
                 ((alpha + 3.0 * u) / stiffness + 3.0 * u / (1.0 + u)) / x
             } else {
-                self.alpha / self.first
+                self.thick.alpha / self.first
             };
             return Ok(At {
                 gamma: 1.0 / (stiffness * (1.0 + u)),
@@ -117,11 +193,10 @@ impl Medium {
             });
         }
         let (values, slopes) = self.curve.quantities_and_slopes(x)?;
-        let [_, eeq, gamma, growth] = self.by_parameter(x)?;
         Ok(At {
-            gamma: values.gamma / self.es * (1.0 + gamma),
-            growth: slopes.get(Quantity::Gamma) / values.gamma / x + growth / (1.0 + gamma),
-            eeq: values.eeq / self.es * (1.0 + eeq),
+            gamma: values.gamma / self.es,
+            growth: slopes.get(Quantity::Gamma) / values.gamma / x,
+            eeq: values.eeq / self.es,
         })
     }
 }

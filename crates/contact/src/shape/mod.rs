@@ -10,7 +10,10 @@
 //! `solved` integrates the shape over it; `polynomial` serves both.
 
 mod field;
+mod legendre;
 mod medium;
+mod modes;
+mod moments;
 mod polynomial;
 mod solved;
 pub(super) mod transform;

@@ -146,41 +146,6 @@ impl Transform {
         }
     }
 
-    /// Returns `b''(s)`, 1/m, without the jumps of `b'`. Beyond a knot `m` it is a constant,
-    ///
-    /// ```text
-    /// b'' = 2 k + k m^4/(s p (s + p)^2) - J m^3/(s p^3)
-    /// ```
-    pub(crate) fn curvature(&self, s: f64) -> f64 {
-        match self {
-            Self::Sphere(radius) => {
-                let alpha = s / radius;
-                2.0 / (radius * ((1.0 - alpha) * (1.0 + alpha)).powi(2))
-            }
-            Self::Power { factor, exponent } => {
-                let steepness = factor * exponent * (exponent - 1.0);
-                if steepness == 0.0 {
-                    0.0
-                } else {
-                    steepness * s.powf(exponent - 2.0)
-                }
-            }
-            Self::Knots(knots) => {
-                let (mut bend, mut rest) = (0.0, 0.0);
-                for knot in knots {
-                    if let Some([_, p, _]) = knot.at(s) {
-                        let ratio = knot.radius / (s + p);
-                        let square = knot.radius / p;
-                        bend += knot.bend;
-                        rest += square * knot.radius / s
-                            * (knot.bend * ratio * ratio - knot.jump * square / p);
-                    }
-                }
-                2.0 * bend + rest
-            }
-        }
-    }
-
     /// Returns the integral of `b` from 0 to `s`, m^2.
     pub(crate) fn integral(&self, s: f64) -> f64 {
         match self {
@@ -252,34 +217,12 @@ impl Transform {
         }
     }
 
-    /// Returns the shape with a factor 1, and the factor.
-    pub(crate) fn normalised(self) -> (Self, f64) {
-        match self {
-            Self::Power { factor, exponent } => (
-                Self::Power {
-                    factor: 1.0,
-                    exponent,
-                },
-                factor,
-            ),
-            other => (other, 1.0),
-        }
-    }
-
     /// Returns the power of the contact radius in whose units load and penetration are smooth: 0
     /// for a shape with knots.
     pub(crate) const fn order(&self) -> f64 {
         match self {
             Self::Power { exponent, .. } => *exponent,
             Self::Sphere(_) | Self::Knots(_) => 0.0,
-        }
-    }
-
-    /// Returns whether `b'` is analytic between the knots, the axis included.
-    pub(crate) fn is_analytic(&self) -> bool {
-        match self {
-            Self::Power { exponent, .. } => exponent.fract() == 0.0,
-            Self::Sphere(_) | Self::Knots(_) => true,
         }
     }
 
@@ -411,9 +354,6 @@ mod tests {
                     |f: &dyn Fn(f64) -> f64| (f(s + step) - f(s - step)) / (2.0 * step);
                 let slope = difference(&|s| transform.value(s));
                 assert!((transform.slope(s) / slope - 1.0).abs() < 1e-8, "{probe:?}");
-                let curvature = difference(&|s| transform.slope(s));
-                let miss = (transform.curvature(s) - curvature).abs();
-                assert!(miss < 1e-6 * (1.0 + curvature.abs()), "{probe:?} at {s}");
                 let value = difference(&|s| transform.integral(s));
                 assert!((value / found - 1.0).abs() < 1e-8, "{probe:?} at {s}");
             }
