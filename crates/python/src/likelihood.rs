@@ -5,6 +5,7 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::arrays::Output;
+use crate::contacts_on_layers::Solvers;
 use crate::error::OrRaise as _;
 use crate::fit::{Given, GivenFree, experiment, frees, name};
 use crate::model::of_names;
@@ -28,10 +29,10 @@ impl NativeLikelihood {
         branches: Option<Vec<Vec<String>>>,
     ) -> PyResult<Self> {
         let table = table.get().clone();
-        let solver = table.layered_solver(py)?;
+        let solvers = Solvers::new(table.layered_solver(py)?);
         let experiments = experiments
             .iter()
-            .map(|given| experiment(py, given, &solver));
+            .map(|given| experiment(py, given, &solvers));
         let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
         let free = frees(py, free)?;
         let branches = branches.map(|all| all.iter().map(|names| of_names(names)).collect());
