@@ -98,7 +98,10 @@ pub use equilibria::{Control, Equilibria, Equilibrium};
 pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};
-pub use history::{Course, History, HistoryError, Phase, Relaxation, TimedContact};
+pub use history::{
+    Course, History, HistoryError, HistoryInputs, LawParameter, MeasuredHistory, Phase, Relaxation,
+    TimedContact,
+};
 pub use jkr_fit::{FilmBias, JkrFit, JkrPoint};
 pub use root::root;
 pub use validity::{AdhesionRange, FilmValidity, Neglected, Validity};

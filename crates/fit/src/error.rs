@@ -154,6 +154,32 @@ pub enum Error {
         /// The name of the measurement.
         experiment: String,
     },
+    /// A measurement that no relaxation function can be fitted to.
+    #[error("{experiment}: {reason}")]
+    NotRelaxing {
+        /// The name of the measurement.
+        experiment: String,
+        /// The reason, with the next step.
+        reason: Cow<'static, str>,
+    },
+    /// Times that do not rise.
+    #[error(
+        "{measurement}, line {line}: time = {time:?} s follows {before:?} s, and times must rise: where the \
+         bodies relax, points are in the order measured, and times go on from one segment to the next"
+    )]
+    Times {
+        /// The name of the measurement.
+        measurement: String,
+        /// The line of the point.
+        line: u64,
+        /// Its time, s.
+        time: f64,
+        /// The time of the point before it, s.
+        before: f64,
+    },
+    /// A contact in time that cannot be computed.
+    #[error(transparent)]
+    History(#[from] contact::HistoryError),
     /// A contact on a stack of layers that cannot be computed.
     #[error(transparent)]
     Layers(Cause),

@@ -71,7 +71,7 @@ mod statistics;
 
 pub use error::Error;
 pub use estimate::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue, Forecast, LeftOut,
     LeftOutReason, Likelihood, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast,
     starts_from_data,
 };
@@ -80,6 +80,6 @@ pub use model::{
     AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
     Free, Indentation, Interruptible, Kind, Known, LayerName, Layered, LayeredSolver, Loss,
     LossAngle, MOST_COEFFICIENTS, Measurement, NamedLayer, Options, Parameter, Point, PointErrors,
-    Prediction, Prior, Reach, Scope, StickSolver, simulate, simulate_experiment, stack_of,
+    Prediction, Prior, Reach, Relaxing, Scope, StickSolver, simulate, simulate_experiment, stack_of,
     system_on,
 };

@@ -101,6 +101,20 @@ pub enum HistoryError {
         /// The radius of the ring, m.
         radius: f64,
     },
+    /// A measured contact that grows after its first retract.
+    #[error(
+        "at {time:?} s the contact grows again after its first retract: measured histories are followed over one \
+         approach, which may be held, and one retract; give the points of one cycle that begins before the contact"
+    )]
+    GrowsAgain {
+        /// The time, s.
+        time: f64,
+    },
+    /// Loads that are imposed, where a penetration or a position is measured.
+    #[error(
+        "the loads are imposed: measured histories follow a penetration or the position of a spring"
+    )]
+    MeasuredLoad,
     /// A tolerance that is not reached.
     #[error(
         "the tolerance {tolerance:?} is not reached: the error is about {reached:.1e} of the largest \

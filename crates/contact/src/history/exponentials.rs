@@ -5,10 +5,8 @@
 //! with the step. `t^-alpha = (1/Gamma(alpha)) int exp(alpha x - t e^x) dx`, and its relative error
 //! at any time is `2 |Gamma(alpha + 2 pi i/step)|/Gamma(alpha)`.
 
-use std::f64::consts::PI;
-
 use super::Relaxation;
-use super::gamma::gamma;
+use super::density::Density;
 use crate::root;
 
 /// `constant + sum weight exp(-rate t) + impulse delta(t)` in place of `phi(t)`, for times in a
@@ -25,83 +23,16 @@ pub(super) struct Exponentials {
     pub error: f64,
 }
 
-/// The density of the exponentials of a law over `x = ln(rate unit)`.
-struct Density<'a> {
-    value: Box<dyn Fn(f64) -> f64 + 'a>,
-    /// The time in whose inverse the rates are measured, s.
-    unit: f64,
-    /// The exponents of the density towards slow and fast rates.
-    exponents: [f64; 2],
-    /// The half width of the strip about the real axis in which it is analytic.
-    strip: f64,
-    /// The largest `x` at which it counts.
-    end: f64,
-}
-
-/// The density below which terms do not count.
-const NEGLIGIBLE: f64 = 1e-17;
 /// The number of times at which the sum is compared with the law.
 const COMPARISONS: i32 = 16;
 
 impl Exponentials {
     /// Takes the law for times in `[shortest, longest]` with a relative error of about `tolerance`.
     pub fn new(law: &Relaxation, [shortest, longest]: [f64; 2], tolerance: f64) -> Self {
-        let own = match *law {
-            Relaxation::Prony { relaxed, ref terms } => {
-                let mut terms = terms.clone();
-                terms.sort_by(|a, b| b[1].total_cmp(&a[1]));
-                return Self {
-                    constant: relaxed,
-                    weights: terms.iter().map(|[weight, _]| *weight).collect(),
-                    rates: terms.iter().map(|[_, time]| 1.0 / time).collect(),
-                    impulse: 0.0,
-                    error: 0.0,
-                };
-            }
-            Relaxation::PowerLaw { exponent, time } => {
-                let density = Density {
-                    value: Box::new(move |x| (exponent * x).exp() / gamma(exponent)),
-                    unit: time,
-                    exponents: [exponent, exponent],
-                    strip: 0.5 * PI,
-                    end: f64::INFINITY,
-                };
-                density.sum(0.0, [shortest, longest], tolerance)
-            }
-            Relaxation::ModifiedPowerLaw {
-                relaxed,
-                exponent,
-                time,
-            } => {
-                let density = Density {
-                    value: Box::new(move |x| (exponent * x - x.exp()).exp() / gamma(exponent)),
-                    unit: time,
-                    exponents: [exponent, exponent],
-                    strip: 0.5 * PI,
-                    end: 4.0,
-                };
-                density.sum(relaxed, [shortest, longest], tolerance)
-            }
-            Relaxation::FractionalZener {
-                relaxed,
-                exponent,
-                time,
-            } => {
-                let (sin, cos) = (PI * exponent).sin_cos();
-                let density = Density {
-                    value: Box::new(move |x| {
-                        // With the power below 1, so that nothing overflows.
-                        let power = (-exponent * x.abs()).exp();
-                        sin / PI * power / (1.0 + 2.0 * power * cos + power * power)
-                    }),
-                    unit: time,
-                    exponents: [exponent, -exponent],
-                    strip: (PI * (1.0 - exponent) / exponent).min(0.5 * PI),
-                    end: f64::INFINITY,
-                };
-                density.sum(relaxed, [shortest, longest], tolerance)
-            }
+        let Some(density) = Density::of(law) else {
+            return Self::of_terms(law);
         };
+        let own = density.sum(&density.grid([shortest, longest], tolerance));
         let ratio = (longest / shortest).powf(1.0 / f64::from(COMPARISONS));
         let error = (0..=COMPARISONS).filter_map(|i| {
             let t = shortest * ratio.powi(i);
@@ -111,6 +42,22 @@ impl Exponentials {
         Self {
             error: if error > 0.0 { error } else { tolerance },
             ..own
+        }
+    }
+
+    /// Takes a law that is a sum of exponentials; of other laws the constant alone.
+    fn of_terms(law: &Relaxation) -> Self {
+        let (relaxed, mut terms) = match law {
+            Relaxation::Prony { relaxed, terms } => (*relaxed, terms.clone()),
+            _ => (0.0, Vec::new()),
+        };
+        terms.sort_by(|a, b| b[1].total_cmp(&a[1]));
+        Self {
+            constant: relaxed,
+            weights: terms.iter().map(|[weight, _]| *weight).collect(),
+            rates: terms.iter().map(|[_, time]| 1.0 / time).collect(),
+            impulse: 0.0,
+            error: 0.0,
         }
     }
 
@@ -236,83 +183,6 @@ impl Exponentials {
         let Ok(u) = root(f, from, widest.ln());
         let offset = sign * u.exp();
         (origin + offset, slope(origin, offset))
-    }
-}
-
-impl Density<'_> {
-    /// Sums the exponentials, and adds a constant to `relaxed` for the slowest of them.
-    fn sum(&self, relaxed: f64, [shortest, longest]: [f64; 2], tolerance: f64) -> Exponentials {
-        /// The most terms beyond the ends that are added up one by one.
-        const MOST: usize = 10_000_000;
-        /// The step, over the whole duration, below which a shorter one adds nothing but terms.
-        const SHORTEST: f64 = 1e-20;
-        let shortest = shortest.max(SHORTEST * longest);
-        let step = 2.0 * PI * self.strip / (9.0 / tolerance).ln();
-        let scale = 1.0 - relaxed;
-        let weight = |i: i64| scale * step * (self.value)(i as f64 * step);
-        let rate = |i: i64| (i as f64 * step).exp() / self.unit;
-        let index = |rate: f64| (rate * self.unit).ln() / step;
-        // Terms of slower rates are nearly constant, to third order in rate times time.
-        let slow = (index((6.0 * tolerance).cbrt() / longest).floor() as i64)
-            .min((self.end / step) as i64 - 1);
-        // Terms of faster rates act at once.
-        let fast = (index(1.0 / (tolerance * shortest)).ceil()).min(self.end / step) as i64;
-        let mut moments = [0.0; 3];
-        let mut i = slow;
-        for _ in 0..MOST {
-            let (own, rate) = (weight(i), rate(i));
-            // From here on the density is a power of the rate, and the sums are geometric.
-            let x = i as f64 * step;
-            let is_power = x < -40.0 / self.exponents[0].min(1.0)
-                || (self.end.is_infinite() && self.exponents[1] > 0.0)
-                || (self.end.is_finite() && x < -40.0);
-            let rest = |j: f64| {
-                if is_power {
-                    -(-(self.exponents[0] + j) * step).exp_m1()
-                } else {
-                    1.0
-                }
-            };
-            moments[0] += own / rest(0.0);
-            moments[1] += own * rate / rest(1.0);
-            moments[2] += own * rate * rate / rest(2.0);
-            if is_power {
-                break;
-            }
-            i -= 1;
-        }
-        let [m0, m1, m2] = moments;
-        let mut weights = vec![m1 * m1 / m2];
-        let mut rates = vec![m2 / m1];
-        for i in slow + 1..=fast {
-            weights.push(weight(i));
-            rates.push(rate(i));
-        }
-        // Beyond the fastest rate the density is a power of the rate or 0.
-        let mut impulse = 0.0;
-        if self.end.is_infinite() {
-            if self.exponents[1] > 0.0 {
-                let first = weight(fast + 1) / rate(fast + 1);
-                impulse = first / -((self.exponents[1] - 1.0) * step).exp_m1();
-            } else {
-                let mut i = fast + 1;
-                loop {
-                    let own = weight(i) / rate(i);
-                    impulse += own;
-                    if own <= NEGLIGIBLE * impulse || own == 0.0 {
-                        break;
-                    }
-                    i += 1;
-                }
-            }
-        }
-        Exponentials {
-            constant: relaxed + m0 - weights[0],
-            weights,
-            rates,
-            impulse,
-            error: 0.0,
-        }
     }
 }
 

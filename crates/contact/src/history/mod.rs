@@ -4,22 +4,35 @@
 //! is any number of turning points: the contact is arithmetic on the elastic curve. `relaxation`
 //! holds the laws, `exponentials` writes them as sums of exponentials, `elastic` is the elastic
 //! curve, `program` what is imposed. `one_turn` (with `retract`) and `growing_load` have many digits,
-//! `elements` serves any history, `run` chooses among them and refines. `moments` and `gamma` are functions for them.
+//! `elements` serves any history, `run` chooses among them and refines. `density` and `variation` hold the
+//! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
+//! them `measured`, in the steps of `approach` and `return_steps`, follows measured points and
+//! differentiates their loads. `moments` and `gamma` are functions for them.
 
+mod approach;
+mod density;
 mod elastic;
 mod elements;
 mod error;
 mod exponentials;
 mod gamma;
 mod growing_load;
+mod law_parameter;
+mod measured;
+#[cfg(test)]
+mod measured_tests;
 mod moments;
 mod one_turn;
 mod program;
 mod relaxation;
 mod retract;
+mod return_steps;
 mod run;
+mod variation;
 
 pub use self::error::HistoryError;
+pub use self::law_parameter::LawParameter;
+pub use self::measured::{HistoryInputs, MeasuredHistory};
 pub use self::relaxation::Relaxation;
 
 use self::program::Program;
@@ -267,19 +280,38 @@ impl<'a, L: CrackTip> History<'a, L> {
         };
         let mut course = run.course()?;
         if let Some(rigid) = self.rigid {
-            course.unlike_bodies = self.unlike(rigid, &program, &course)?;
+            let times = [program.times[1] - program.times[0], program.duration()];
+            course.unlike_bodies = self.unlike(rigid, times, &course.states)?;
         }
         Ok(course)
     }
 
-    /// Returns the bound of the error by bodies that do not relax.
+    /// Returns the bound of the error by bodies that do not relax in a measured history, in parts of
+    /// the largest load; 0 unless [`History::beside`] is told of them.
+    ///
+    /// # Errors
+    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`Error::OutsideRadii`](interp::Error::OutsideRadii)
+    /// where the curve of the rigid bodies does not hold the contact.
+    pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
+        match (self.rigid, &measured.states[..]) {
+            (Some(rigid), states @ [first, second, ..]) => {
+                let last = states[states.len() - 1];
+                let times = [second.time - first.time, last.time - first.time];
+                self.unlike(rigid, times, states)
+            }
+            _ => Ok(0.0),
+        }
+    }
+
+    /// Returns the bound of the error by bodies that do not relax, from the first step and the
+    /// duration (s).
     fn unlike(
         &self,
         rigid: &Contact,
-        program: &Program,
-        course: &Course,
+        [step, duration]: [f64; 2],
+        states: &[TimedContact],
     ) -> Result<f64, HistoryError> {
-        let penetrations = course.states.iter().map(|at| at.state.penetration);
+        let penetrations = states.iter().map(|at| at.state.penetration);
         let largest = penetrations.fold(0.0, f64::max);
         if largest == 0.0 {
             return Ok(0.0);
@@ -290,9 +322,8 @@ impl<'a, L: CrackTip> History<'a, L> {
         };
         let chi = load(rigid)? / load(self.contact)? - 1.0;
         // Of a program with few points the first step of a simulation would be shorter.
-        let first = (program.times[1] - program.times[0]).min(1e-3 * program.duration());
-        let falls =
-            1.0 - self.relaxation.modulus(program.duration())? / self.relaxation.modulus(first)?;
+        let first = step.min(1e-3 * duration);
+        let falls = 1.0 - self.relaxation.modulus(duration)? / self.relaxation.modulus(first)?;
         let bound = chi.max(0.0) * falls;
         if bound > UNLIKE {
             return Err(HistoryError::UnlikeBodies { bound, chi });

@@ -1,5 +1,5 @@
-//! The columns beside abscissa and ordinate that a contact stiffness has: the load at a depth, and
-//! the phase or the loss part of the stiffness.
+//! The columns beside abscissa and ordinate: the time; and those that a contact stiffness has, the load
+//! at a depth, and the phase or the loss part of the stiffness.
 
 use super::assignment::{Columns, Failure, Source};
 use super::column::Role;
@@ -12,6 +12,8 @@ pub(super) struct Beside {
     pub load: f64,
     /// The phase of the stiffness, rad; NaN without a column.
     pub phase: f64,
+    /// The time, s; NaN without a column, and where the cell holds no number.
+    pub time: f64,
 }
 
 /// Lists the roles that a kind needs beside its abscissa and its ordinate.
@@ -27,7 +29,7 @@ pub(super) const fn optional(kind: Kind) -> &'static [Role] {
     if kind.is_stiffness() {
         &[Role::PhaseShift, Role::LossStiffness]
     } else {
-        &[]
+        &[Role::Time]
     }
 }
 
@@ -53,7 +55,12 @@ impl Columns<'_> {
         for &role in optional(kind) {
             // Of phase and loss stiffness, which tell one quantity, the first.
             if found.len() == needed(kind).len() {
-                found.extend(find(role)?);
+                let is_named = self.format.columns.iter().any(|one| one.role == role);
+                found.extend(match find(role) {
+                    // Points need no time: what is doubtful is not read.
+                    Err(_) if role == Role::Time && !is_named => None,
+                    other => other?,
+                });
             }
         }
         Ok(Some(found))
@@ -70,8 +77,13 @@ pub(super) fn beside(
     let mut found = Beside {
         load: f64::NAN,
         phase: f64::NAN,
+        time: f64::NAN,
     };
     for source in sources {
+        if source.role == Role::Time {
+            found.time = value(source).ok().flatten().unwrap_or(f64::NAN);
+            continue;
+        }
         let Some(value) = value(source)? else {
             return Ok(None);
         };

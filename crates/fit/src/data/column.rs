@@ -37,11 +37,13 @@ pub enum Role {
     LossStiffness,
     /// The standard deviation of the contact stiffness.
     ContactStiffnessError,
+    /// The time.
+    Time,
 }
 
 impl Role {
     /// All roles.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::ContactRadius,
         Self::Load,
         Self::Penetration,
@@ -57,6 +59,7 @@ impl Role {
         Self::PhaseShift,
         Self::LossStiffness,
         Self::ContactStiffnessError,
+        Self::Time,
     ];
 
     /// Returns the name on the command line and in messages.
@@ -77,6 +80,7 @@ impl Role {
             Self::PhaseShift => "phase_shift",
             Self::LossStiffness => "loss_stiffness",
             Self::ContactStiffnessError => "contact_stiffness_error",
+            Self::Time => "time",
         }
     }
 
@@ -101,6 +105,7 @@ impl Role {
             }
             Self::ContactArea => Dimension::Area,
             Self::PhaseShift => Dimension::Angle,
+            Self::Time => Dimension::Time,
             _ => Dimension::Length,
         }
     }
@@ -119,6 +124,7 @@ impl Role {
             Self::ContactStiffness | Self::LossStiffness | Self::ContactStiffnessError => "N/m",
             Self::ContactArea => "nm^2",
             Self::PhaseShift => "deg",
+            Self::Time => "s",
             _ => "nm",
         }
     }
@@ -135,6 +141,7 @@ impl Role {
             Self::ContactArea => &["contact_area"],
             Self::PhaseShift => &["phase_shift"],
             Self::LossStiffness => &["loss_stiffness"],
+            Self::Time => &["time"],
             _ => &[],
         };
         names.contains(&heading)

@@ -75,6 +75,8 @@ pub struct Format {
     pub only: Option<Direction>,
     /// The least and the largest abscissa to be kept, in SI units.
     pub between: Option<[f64; 2]>,
+    /// Whether the rows in which the sphere rests are kept, which a history needs.
+    pub keep_pauses: bool,
 }
 
 /// A cantilever.
@@ -111,6 +113,8 @@ pub struct Reading {
     pub loads: Vec<f64>,
     /// The phase of each point, rad, where a contact stiffness has one.
     pub phases: Vec<f64>,
+    /// The time of each point, s, where there is a column of times.
+    pub times: Vec<f64>,
     /// How it was read.
     pub notes: Notes,
 }

@@ -106,6 +106,16 @@ impl Role {
             ],
             Self::ContactArea => &["contact area", "area of contact", "projected contact area"],
             Self::PhaseShift => &["phase shift", "phase angle", "harmonic phase angle"],
+            Self::Time => &[
+                "time",
+                // JPK. Its segment time begins anew in each segment.
+                "series time",
+                "seriestime",
+                "time on sample",
+                "test time",
+                "elapsed time",
+                "t",
+            ],
             Self::LossStiffness => &["loss stiff", "loss stiffness"],
             // Recognised by the name of their quantity: see `deviation`.
             Self::ContactRadiusError

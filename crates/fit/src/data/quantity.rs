@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::unit::{Dimension, power_of_ten};
+use super::unit::{Dimension, Unit, power_of_ten};
 
 /// The longest text that is read as a number, in bytes.
 const LONGEST: usize = 400;
@@ -94,6 +94,17 @@ impl FromStr for Quantity {
         }
         if unit.starts_with(',') {
             return Err(not_a_number());
+        }
+        if let Some(Unit {
+            dimension: Dimension::Time,
+            size,
+        }) = Unit::parse(unit)
+        {
+            return Ok(Self {
+                text: text.to_owned(),
+                value: value * size,
+                dimension: Some(Dimension::Time),
+            });
         }
         let (dimension, exponent) =
             power_of_ten(unit).ok_or_else(|| QuantityError::UnknownUnit {

@@ -74,6 +74,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         waiting: Waiting::default(),
         mark: DecimalMark::default(),
         segment: None,
+        moved: None,
         count: 0,
         missing: 0,
         pauses: 0,
@@ -165,7 +166,7 @@ struct Columns {
     points: Vec<Vec<Point>>,
     /// Their standard deviations.
     errors: Vec<PointErrors>,
-    /// What stands beside them: of a contact stiffness.
+    /// What stands beside them: of a contact stiffness, or the time.
     beside: Vec<Vec<Beside>>,
 }
 
@@ -203,6 +204,8 @@ struct Rows<'a> {
     mark: DecimalMark,
     /// The segment that a comment line has begun, or that of the last row that names one.
     segment: Option<Segment>,
+    /// The last direction, which a pause has that is kept.
+    moved: Option<Direction>,
     count: u64,
     missing: u64,
     pauses: u64,
@@ -281,7 +284,8 @@ impl Rows<'_> {
     /// Tells whether a comment has begun a pause.
     fn is_pause(&self) -> bool {
         let columns = self.columns.last();
-        self.segment == Some(Segment::Pause)
+        !self.format.keep_pauses
+            && self.segment == Some(Segment::Pause)
             && columns.is_none_or(|columns| columns.assignment.segment.is_none())
     }
 
@@ -334,6 +338,7 @@ impl Rows<'_> {
             }
         }
         let direction = match self.segment {
+            Some(Segment::Pause) if self.format.keep_pauses => self.moved,
             Some(Segment::Pause) => {
                 self.count += 1;
                 self.pauses += 1;
@@ -342,6 +347,7 @@ impl Rows<'_> {
             Some(Segment::Moving(direction)) => Some(direction),
             None => None,
         };
+        self.moved = direction;
         let mut found = Vec::with_capacity(assignment.pairs.len());
         for pair in &assignment.pairs {
             let mut value = |source: &Source| {
@@ -399,7 +405,7 @@ impl Rows<'_> {
         for (((points, errors), all_beside), point) in lists.zip(found) {
             match point {
                 Some((point, [of_abscissa, of_ordinate], beside)) => {
-                    if assignment.kind.is_stiffness() {
+                    if assignment.kind.is_stiffness() || !beside.time.is_nan() {
                         all_beside.push(beside);
                     }
                     points.push(point);
@@ -433,6 +439,10 @@ impl Rows<'_> {
         }
         let lists = self.columns.iter_mut().flat_map(|one| &mut one.beside);
         let mut beside: Vec<Beside> = lists.flat_map(std::mem::take).collect();
+        if beside.len() != points.len() && !kind.is_stiffness() {
+            // Times that are not those of all points tell nothing.
+            beside.clear();
+        }
         for (list, source) in [
             (&errors.abscissa, &pair.abscissa),
             (&errors.ordinate, &pair.ordinate),
@@ -508,11 +518,16 @@ impl Rows<'_> {
             .map(|one| one.load)
             .filter(|load| !load.is_nan());
         let phases = beside.iter().map(|one| one.phase);
+        let times = beside
+            .iter()
+            .map(|one| one.time)
+            .filter(|time| !time.is_nan());
         Ok(Reading {
             measurement,
             errors,
             loads: loads.collect(),
             phases: phases.filter(|phase| !phase.is_nan()).collect(),
+            times: times.collect(),
             notes,
         })
     }

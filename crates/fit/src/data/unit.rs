@@ -26,6 +26,8 @@ pub enum Dimension {
     Angle,
     /// In pascals per metre: the stiffness of an interface, per area.
     ModulusPerLength,
+    /// In seconds.
+    Time,
 }
 
 impl Dimension {
@@ -42,6 +44,7 @@ impl Dimension {
             Self::Area => "m^2",
             Self::Angle => "rad",
             Self::ModulusPerLength => "Pa/m",
+            Self::Time => "s",
         }
     }
 
@@ -58,6 +61,7 @@ impl Dimension {
             Self::Area => "2e6nm^2",
             Self::Angle => "12deg",
             Self::ModulusPerLength => "2e14 Pa/m or 200GPa/mm",
+            Self::Time => "0.5s or 20ms",
         }
     }
 }
@@ -75,6 +79,7 @@ impl fmt::Display for Dimension {
             Self::Area => "an area",
             Self::Angle => "an angle",
             Self::ModulusPerLength => "a stiffness per area",
+            Self::Time => "a time",
         })
     }
 }
@@ -140,6 +145,10 @@ impl Unit {
             let dimension = Dimension::Angle;
             return Some(Self { dimension, size });
         }
+        if let Some(size) = time(text) {
+            let dimension = Dimension::Time;
+            return Some(Self { dimension, size });
+        }
         let (dimension, exponent) = power_of_ten(text)?;
         let size = power(exponent);
         Some(Self { dimension, size })
@@ -152,6 +161,16 @@ fn angle(text: &str) -> Option<f64> {
         "rad" => 1.0,
         "mrad" => 1e-3,
         "deg" | "degree" | "degrees" | "\u{b0}" => std::f64::consts::PI / 180.0,
+        _ => return None,
+    })
+}
+
+/// Returns the size of a time in seconds. Other prefixes would make units of the ends of words.
+fn time(text: &str) -> Option<f64> {
+    Some(match text.trim() {
+        "s" | "sec" | "second" | "seconds" => 1.0,
+        "ms" | "msec" | "milliseconds" => 1e-3,
+        "us" | "\u{b5}s" | "\u{3bc}s" | "microseconds" => 1e-6,
         _ => return None,
     })
 }
@@ -273,13 +292,15 @@ mod tests {
             ("um\u{b2}", Dimension::Area, 1e-12),
             ("deg", Dimension::Angle, std::f64::consts::PI / 180.0),
             ("mrad", Dimension::Angle, 1e-3),
+            ("s", Dimension::Time, 1.0),
+            ("ms", Dimension::Time, 1e-3),
             ("GPa/um", Dimension::ModulusPerLength, 1e15),
             ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {
             assert_eq!(Unit::parse(text), Some(Unit { dimension, size }), "{text}");
         }
         for text in [
-            "", "x", "NM", "s", "N/s", "1", "measured", "a", "micro", "gpa", "J", "J/m", "m/",
+            "", "x", "NM", "as", "N/s", "1", "measured", "a", "micro", "gpa", "J", "J/m", "m/",
             "/m", "m/V^2", "N/m/m",
         ] {
             assert_eq!(Unit::parse(text), None, "{text}");

@@ -99,7 +99,12 @@ pub(super) fn add(
             "{name}: between loading and unloading lies a loop that the fitted model does not \
              make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
              the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
-             reason, or fit one direction alone"
+             reason, or fit one direction alone{}",
+            if experiment.times.is_empty() || experiment.relaxing.is_some() {
+                ""
+            } else {
+                "; the points have times: if the film relaxes, fit a relaxation function with them"
+            }
         ),
     );
     if let Some([depth, largest]) = remaining(experiment, local_noise, &ways) {

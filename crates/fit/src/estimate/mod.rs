@@ -6,6 +6,7 @@
 //! looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
 //! that do not count, `warnings` the doubts, with `agreement`, `wanted`, `cycle` and `interfaces`.
+//! `relaxing_start` is the start where bodies relax, and `relaxing` what such a fit tells.
 //! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
 //! experiment, `likelihood` is for samplers. `result` holds what comes out.
 
@@ -23,6 +24,8 @@ mod loss;
 mod minima;
 mod problem;
 mod profile;
+mod relaxing;
+mod relaxing_start;
 mod result;
 mod search;
 mod slot;
@@ -38,8 +41,8 @@ pub use forecast::forecast;
 pub(crate) use left_out::text as left_out_text;
 pub use likelihood::Likelihood;
 pub use result::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FixedValue, Forecast, LeftOut,
-    LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue,
+    Forecast, LeftOut, LeftOutReason, ModulusBias, Warning, WarningKind, WithoutFilm,
 };
 pub use solve::fit;
 pub use start::starts_from_data;

@@ -116,6 +116,22 @@ pub struct FittedExperiment {
     pub loss: Option<LossAngle>,
     /// The points that were left out, by reason.
     pub left_out: Vec<LeftOut>,
+    /// What the relaxation does, where the bodies relax.
+    pub relaxation: Option<FittedRelaxation>,
+}
+
+/// The relaxation of an experiment, as fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FittedRelaxation {
+    /// Young's modulus of the film, of the half-space or of the top layer (Pa) at three times (s)
+    /// after a step of the strain: the shortest interval between points, half of the duration, and
+    /// the duration.
+    pub moduli: [[f64; 2]; 3],
+    /// The largest change (m) of an abscissa that made the penetrations or heights rise to the largest
+    /// one and fall from there.
+    pub made_monotone: f64,
+    /// The bound of the error by bodies that do not relax, in parts of the largest load.
+    pub unlike_bodies: f64,
 }
 
 /// Points that were left out for one reason.
@@ -338,6 +354,18 @@ pub enum WarningKind {
     NonlinearError,
     /// An interval of the profile likelihood without an end on one side.
     OpenInterval,
+    /// A relaxation time that is shorter than three intervals between points, or longer than the
+    /// measurement.
+    RelaxationTime,
+    /// A free thickness beside a free modulus of a film that relaxes.
+    FreeThickness,
+    /// Bodies that deform and do not relax.
+    UnlikeBodies,
+    /// A film that is stiffer than a substrate that relaxes with it, and may pull inside the contact.
+    TensileInside,
+    /// Penetrations or heights in time that go back and forth by more than a hundredth of their
+    /// range.
+    NotMonotone,
 }
 
 impl WarningKind {
@@ -369,6 +397,11 @@ impl WarningKind {
             Self::SeveralMinima => "several-minima",
             Self::NonlinearError => "nonlinear-error",
             Self::OpenInterval => "open-interval",
+            Self::RelaxationTime => "relaxation-time",
+            Self::FreeThickness => "free-thickness",
+            Self::UnlikeBodies => "unlike-bodies",
+            Self::TensileInside => "tensile-inside",
+            Self::NotMonotone => "not-monotone",
         }
     }
 }

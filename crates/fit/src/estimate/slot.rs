@@ -7,6 +7,9 @@ const INSIDE: f64 = 0.02;
 /// The part of the distance between two bounds within which a value is at a bound.
 const AT_BOUND: f64 = 1e-3;
 
+/// The bounds of the exponent of a relaxation function.
+const EXPONENTS: [f64; 2] = [1e-3, 0.99];
+
 /// One value to be found.
 #[derive(Clone, Debug)]
 pub(crate) struct Slot {
@@ -192,6 +195,8 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 1.0,
                 one.bounds.or(match one.parameter {
                     Parameter::FilmPoissonRatio => Some([0.0, 0.5]),
+                    Parameter::RelaxedFraction => Some([0.0, 1.0]),
+                    Parameter::RelaxationExponent => Some(EXPONENTS),
                     Parameter::LayerInterfaceStiffness(name) => experiments[members[0]]
                         .layer(name)
                         .map(|layer| interface_bounds(layer, start)),

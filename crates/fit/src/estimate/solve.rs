@@ -7,12 +7,12 @@ use super::problem::{Assigned, Ending, Problem};
 use super::search::Data;
 use super::slot::{Slot, slots};
 use super::uncertainty::Uncertainty;
-use super::{fixed_values, left_out, loss, profile, warnings, without_film};
+use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
-    Bodies, Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut,
-    LossAngle, Options, Parameter,
+    Bodies, Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint,
+    FittedRelaxation, Free, LeftOut, LossAngle, Options, Parameter,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -66,8 +66,15 @@ pub fn fit(
     }
     accept_errors(&found)?;
     let losses = losses(&found.problem)?;
+    let relaxations = (0..experiments.len()).map(|e| relaxing::of(&found.problem, e));
+    let relaxations = relaxations.collect::<Result<Vec<_>, _>>()?;
     let without_film = without_film::without_film(table, &found, free, options.loss);
-    let mut fit = result(&found, &data, options, (intervals, without_film, left_out));
+    let mut fit = result(
+        &found,
+        &data,
+        options,
+        (intervals, without_film, left_out, relaxations),
+    );
     for (one, loss) in fit.experiments.iter_mut().zip(losses) {
         one.loss = loss;
     }
@@ -250,11 +257,13 @@ pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
     problem.slots.iter().map(name).collect()
 }
 
-/// What is known beside the minimum: intervals, the fit without the film, and the points left out.
+/// What is known beside the minimum: intervals, the fit without the film, the points left out, and
+/// what the relaxations do.
 type Added = (
     Option<Vec<[profile::End; 2]>>,
     Option<without_film::Found>,
     Vec<Vec<LeftOut>>,
+    Vec<Option<FittedRelaxation>>,
 );
 
 /// Puts the result together.
@@ -262,7 +271,7 @@ fn result(
     found: &Minimum<'_>,
     data: &Data,
     options: &Options,
-    (intervals, without, left_out): Added,
+    (intervals, without, left_out, relaxations): Added,
 ) -> Fit {
     let problem = &found.problem;
     let uncertainty = found.uncertainty.as_ref();
@@ -298,9 +307,11 @@ fn result(
         reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
         experiments: left_out
             .into_iter()
+            .zip(relaxations)
             .enumerate()
-            .map(|(e, left_out)| FittedExperiment {
+            .map(|(e, (left_out, relaxation))| FittedExperiment {
                 left_out,
+                relaxation,
                 ..experiment(problem, e, predictions.as_ref().map(|all| &all[e]))
             })
             .collect(),
@@ -367,5 +378,6 @@ fn experiment(
         points: measurement.points.iter().enumerate().map(point).collect(),
         left_out: Vec::new(),
         loss: None,
+        relaxation: None,
     }
 }

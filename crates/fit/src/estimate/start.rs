@@ -6,6 +6,7 @@ use interp::Table;
 use super::indentation;
 use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::problem::{Assigned, Problem};
+use super::relaxing_start;
 use super::slot::Slot;
 use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Point};
 
@@ -89,7 +90,9 @@ pub(crate) fn problem<'a>(
         let found = if one.experiment.measurement.kind.is_stiffness() {
             None
         } else {
-            let found = homogeneous(&at, unknown).ok_or_else(|| Error::NoStart {
+            let elastic = relaxing_start::elastic(&at, unknown.level)?;
+            let shown = elastic.as_ref().unwrap_or(&at);
+            let found = homogeneous(shown, unknown).ok_or_else(|| Error::NoStart {
                 experiment: one.experiment.measurement.name.clone(),
             })?;
             Some(found)
@@ -106,6 +109,12 @@ pub(crate) fn problem<'a>(
             Some(found) => starts(table, &mut at, found, matched, is_unknown)?,
             None => indentation::starts(table, &mut at, matched, is_unknown)?,
         };
+        starts.extend(relaxing_start::starts(
+            table,
+            &mut at.experiment,
+            matched,
+            is_unknown,
+        )?);
         if let Some((parameter, factor)) = multiplied
             && let Some(value) = at.experiment.get(parameter)
         {

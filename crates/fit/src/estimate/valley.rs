@@ -41,10 +41,11 @@ impl Bend {
 }
 
 /// Lists the positive values with large errors, that of the largest error first. On a stack of
-/// layers each step would need further solves; none is listed.
+/// layers each step would need further solves, and where bodies relax a start has been chosen among
+/// several laws; none is listed.
 pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<usize> {
-    let mut bodies = problem.assigned.iter().map(|one| &one.experiment.bodies);
-    if !bodies.all(Bodies::has_derivatives) {
+    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
+    if !experiments.all(|one| Bodies::has_derivatives(&one.bodies) && one.relaxing.is_none()) {
         return Vec::new();
     }
     let is_positive = |slot: &usize| problem.slots[*slot].parameter.is_positive();

@@ -11,7 +11,7 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, friction, indentation, interfaces, wanted};
+use super::{agreement, cycle, friction, indentation, interfaces, relaxing, wanted};
 use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
@@ -68,6 +68,7 @@ pub(super) fn warnings(
     for (e, assigned) in problem.assigned.iter().enumerate() {
         geometry(&mut warnings, problem, e, assigned, options, &fit.estimates);
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
+        relaxing::add(&mut warnings, fit, problem, e);
     }
     if fit.converged {
         indentation::add(&mut warnings, fit, problem);

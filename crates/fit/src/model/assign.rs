@@ -63,6 +63,14 @@ impl Experiment {
         let key = |i: &usize| sense * points[*i].abscissa;
         let mut order: Vec<usize> = (0..points.len()).collect();
         order.sort_by(|i, j| key(j).total_cmp(&key(i)));
+        if self.relaxing.is_some() {
+            let ordinates: Vec<f64> = points.iter().map(|point| point.ordinate).collect();
+            return Ok(Assignment {
+                branches: self.branches_in_time(),
+                order,
+                local_noise: noise_of(&ordinates),
+            });
+        }
         let own_branch = |i: usize| match points[i].direction {
             Some(Direction::Retract) => Branch::Receding,
             _ => Branch::Advancing,

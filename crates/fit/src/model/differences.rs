@@ -30,6 +30,9 @@ impl Experiment {
         order: &[usize],
         parameters: Option<&[Parameter]>,
     ) -> Result<Predicted, Error> {
+        if self.relaxing.is_some() {
+            return self.predict_history(contact_of, parameters);
+        }
         if self.measurement.kind.is_stiffness() {
             return self.stiffness_and_differences(contact_of, branches, parameters);
         }
@@ -106,7 +109,7 @@ impl Experiment {
 
     /// Returns the central differences of numbers, over that of a parameter. They are 0 for a work
     /// of adhesion of 0, as the exact ones.
-    fn differences(
+    pub(super) fn differences(
         &self,
         parameter: Parameter,
         numbers: impl Fn(&Self) -> Result<Vec<f64>, Error>,
@@ -160,7 +163,9 @@ impl Experiment {
         match parameter {
             Parameter::ContactPoint | Parameter::TipRounding => abscissae,
             Parameter::BaselineSlope => ordinates / abscissae,
-            Parameter::FilmPoissonRatio => 1.0,
+            Parameter::FilmPoissonRatio
+            | Parameter::RelaxedFraction
+            | Parameter::RelaxationExponent => 1.0,
             Parameter::FrameCompliance => 1.0 / ordinates,
             _ => ordinates,
         }

@@ -6,7 +6,7 @@ use contact::Contact;
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use super::{
-    Indentation, Kind, LayerName, Layered, Measurement, NamedLayer, Parameter, PointErrors,
+    Indentation, Kind, LayerName, Layered, Measurement, NamedLayer, Parameter, PointErrors, Relaxing,
 };
 use crate::Error;
 
@@ -195,6 +195,10 @@ pub struct Experiment {
     pub errors: PointErrors,
     /// What is known of a measurement of contact stiffness; other kinds do not use it.
     pub indentation: Indentation,
+    /// The time of each point, s; empty where it is not known.
+    pub times: Vec<f64>,
+    /// How the bodies relax: see [`Relaxing`].
+    pub relaxing: Option<Relaxing>,
 }
 
 impl Experiment {
@@ -219,6 +223,8 @@ impl Experiment {
                 ordinate: Vec::new(),
             },
             indentation: Indentation::NEW,
+            times: Vec::new(),
+            relaxing: None,
         }
     }
 
@@ -266,6 +272,10 @@ impl Experiment {
             Parameter::Hardness => return self.indentation.hardness,
             Parameter::TipRounding => self.indentation.tip_rounding,
             Parameter::FrameCompliance => self.indentation.frame_compliance,
+            Parameter::RelaxedFraction
+            | Parameter::RelaxationExponent
+            | Parameter::RelaxationTime(_)
+            | Parameter::RelaxationWeight(_) => return self.relaxing.as_ref()?.get(parameter),
         })
     }
 
@@ -311,6 +321,14 @@ impl Experiment {
             Parameter::Hardness => self.indentation.hardness = Some(value),
             Parameter::TipRounding => self.indentation.tip_rounding = value,
             Parameter::FrameCompliance => self.indentation.frame_compliance = value,
+            Parameter::RelaxedFraction
+            | Parameter::RelaxationExponent
+            | Parameter::RelaxationTime(_)
+            | Parameter::RelaxationWeight(_) => {
+                if let Some(relaxing) = &mut self.relaxing {
+                    relaxing.set(parameter, value);
+                }
+            }
             _ => self.bodies = self.bodies.clone().with(parameter, value)?,
         }
         Ok(())
@@ -322,6 +340,9 @@ impl Experiment {
             FilmModulus, FilmPoissonRatio, FilmThickness, LayerInterfaceStiffness, LayerModulus,
             LayerThickness,
         };
+        if let Some(reason) = self.why_not_relaxing(parameter) {
+            return Some(reason.into());
+        }
         match (&self.bodies, parameter) {
             (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
             (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness)
@@ -415,6 +436,7 @@ impl Experiment {
                 });
             }
         }
+        self.accept_relaxing()?;
         if self.measurement.kind != Kind::ForceHeight {
             return Ok(());
         }

@@ -6,7 +6,8 @@
 //! from the data, and `ways` finds loading and unloading. `predict` compares the points with the
 //! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
 //! stack of layers, `direct_solver` makes its contacts (`stick_solver` those with full friction,
-//! `interruptible` lets them be stopped), and `differences` the derivatives on it. `indentation` is
+//! `interruptible` lets them be stopped), and `differences` the derivatives on it. `relaxing` predicts
+//! the points in time where the bodies relax. `indentation` is
 //! contact stiffness as a measurement. `simulate` makes synthetic points,
 //! `prediction` evaluates the model for other methods of fitting.
 
@@ -26,6 +27,7 @@ mod parameter;
 mod predict;
 mod prediction;
 mod readings;
+mod relaxing;
 mod simulate;
 mod stick_solver;
 mod turn;
@@ -45,5 +47,6 @@ pub use measurement::{Direction, Kind, Measurement, Point};
 pub use parameter::Parameter;
 pub(crate) use predict::Predicted;
 pub use prediction::Prediction;
+pub use relaxing::Relaxing;
 pub use simulate::{simulate, simulate_experiment};
 pub use stick_solver::StickSolver;

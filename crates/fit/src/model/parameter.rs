@@ -12,6 +12,9 @@ use crate::data::Dimension;
 const MODULUS: &str = ".modulus";
 const THICKNESS: &str = ".thickness";
 const INTERFACE: &str = ".interface-stiffness";
+/// The names of relaxation times and their weights, before a point and the number.
+const TIME: &str = "relaxation-time";
+const WEIGHT: &str = "relaxation-weight";
 
 /// A number that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -51,11 +54,20 @@ pub enum Parameter {
     LayerThickness(LayerName),
     /// The tangential stiffness of the interface below a layer of a stack, Pa/m.
     LayerInterfaceStiffness(LayerName),
+    /// The part of the modulus that is left in the end, where the bodies relax.
+    RelaxedFraction,
+    /// The exponent of a relaxation function.
+    RelaxationExponent,
+    /// A relaxation time, s, by its number from 1.
+    RelaxationTime(u8),
+    /// The weight of a relaxation time, by its number from 2. That of the first one is what the
+    /// relaxed fraction and the other weights leave.
+    RelaxationWeight(u8),
 }
 
 impl Parameter {
-    /// All parameters but those of the layers of a stack.
-    pub const ALL: [Self; 14] = [
+    /// All parameters but those of the layers of a stack, and of further relaxation times.
+    pub const ALL: [Self; 17] = [
         Self::SphereModulus,
         Self::FilmModulus,
         Self::FilmPoissonRatio,
@@ -70,10 +82,14 @@ impl Parameter {
         Self::Hardness,
         Self::TipRounding,
         Self::FrameCompliance,
+        Self::RelaxedFraction,
+        Self::RelaxationExponent,
+        Self::RelaxationTime(1),
     ];
 
     /// Returns the name, as on the command line: that of a layer begins with the name of the layer,
-    /// `oxide.modulus`, `oxide.thickness` or `oxide.interface-stiffness`.
+    /// `oxide.modulus`, `oxide.thickness` or `oxide.interface-stiffness`; that of a further relaxation
+    /// time ends with its number, `relaxation-time.2`.
     pub fn name(self) -> Cow<'static, str> {
         Cow::Borrowed(match self {
             Self::SphereModulus => "sphere-modulus",
@@ -93,16 +109,25 @@ impl Parameter {
             Self::LayerModulus(layer) => return format!("{layer}{MODULUS}").into(),
             Self::LayerThickness(layer) => return format!("{layer}{THICKNESS}").into(),
             Self::LayerInterfaceStiffness(layer) => return format!("{layer}{INTERFACE}").into(),
+            Self::RelaxedFraction => "relaxed-fraction",
+            Self::RelaxationExponent => "relaxation-exponent",
+            Self::RelaxationTime(1) => TIME,
+            Self::RelaxationTime(number) => return format!("{TIME}.{number}").into(),
+            Self::RelaxationWeight(number) => return format!("{WEIGHT}.{number}").into(),
         })
     }
 
-    /// Returns the SI unit; `"1"` for a Poisson ratio.
+    /// Returns the SI unit; `"1"` for a number without one.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::SphereModulus | Self::FilmModulus | Self::Hardness | Self::LayerModulus(_) => {
                 "Pa"
             }
-            Self::FilmPoissonRatio => "1",
+            Self::FilmPoissonRatio
+            | Self::RelaxedFraction
+            | Self::RelaxationExponent
+            | Self::RelaxationWeight(_) => "1",
+            Self::RelaxationTime(_) => "s",
             Self::FilmThickness
             | Self::LayerThickness(_)
             | Self::ContactPoint
@@ -115,13 +140,17 @@ impl Parameter {
         }
     }
 
-    /// Returns the dimension; `None` for a Poisson ratio.
+    /// Returns the dimension; `None` for a number without one.
     pub const fn dimension(self) -> Option<Dimension> {
         Some(match self {
             Self::SphereModulus | Self::FilmModulus | Self::Hardness | Self::LayerModulus(_) => {
                 Dimension::Modulus
             }
-            Self::FilmPoissonRatio => return None,
+            Self::FilmPoissonRatio
+            | Self::RelaxedFraction
+            | Self::RelaxationExponent
+            | Self::RelaxationWeight(_) => return None,
+            Self::RelaxationTime(_) => Dimension::Time,
             Self::FilmThickness
             | Self::LayerThickness(_)
             | Self::ContactPoint
@@ -150,6 +179,8 @@ impl Parameter {
                 | Self::LayerModulus(_)
                 | Self::LayerThickness(_)
                 | Self::LayerInterfaceStiffness(_)
+                | Self::RelaxationTime(_)
+                | Self::RelaxationWeight(_)
         )
     }
 
@@ -194,7 +225,15 @@ impl FromStr for Parameter {
             let interface = name.strip_suffix(INTERFACE)?.parse().ok();
             Some(Self::LayerInterfaceStiffness(interface?))
         };
+        let of_time = || {
+            let number = |prefix| name.strip_prefix(prefix)?.strip_prefix('.')?.parse().ok();
+            let time = number(TIME).filter(|&number| number > 0);
+            let weight = number(WEIGHT).filter(|&number| number > 1);
+            let time = time.map(Self::RelaxationTime);
+            time.or(weight.map(Self::RelaxationWeight))
+        };
         found
+            .or_else(of_time)
             .or_else(of_layer)
             .or_else(or_thickness)
             .or_else(or_interface)

@@ -6,7 +6,7 @@ use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Branch, Direction, Experiment, Measurement};
+use super::{Bodies, Branch, Direction, Experiment, Measurement};
 use crate::Error;
 
 /// Makes the measurement that the values of an experiment would give.
@@ -80,9 +80,10 @@ impl Experiment {
         if self.measurement.kind.is_stiffness() {
             return self.make_stiffness(&|bodies, gradient| bodies.contact(table, gradient));
         }
-        let contact = self.bodies.contact(table, true)?;
+        let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+        let contact = contact_of(&self.bodies, true)?;
         let (branches, order) = self.branches_of_model(&contact)?;
-        let predicted = self.predict(&contact, &branches, &order, None)?;
+        let predicted = self.predict_with(&contact_of, &branches, &order, None)?;
         for (point, value) in self.measurement.points.iter_mut().zip(predicted.values) {
             point.ordinate = value;
         }
@@ -101,6 +102,9 @@ impl Experiment {
         order.sort_by(|&i, &j| {
             (sense * points[j].abscissa).total_cmp(&(sense * points[i].abscissa))
         });
+        if self.relaxing.is_some() {
+            return Ok((self.branches_in_time(), order));
+        }
         let ends = [Branch::Advancing, Branch::Receding]
             .map(|branch| self.branch_end(contact, branch, &[]));
         let [advancing, receding] = ends;

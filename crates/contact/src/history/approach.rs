@@ -1,0 +1,294 @@
+//! The steps of a measured history up to the turn.
+
+use super::measured::Setting;
+use super::one_turn::Step;
+use super::{HistoryError, Phase, TimedContact};
+use crate::State;
+
+/// A place of a program.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub time: f64,
+    pub value: f64,
+    /// The number of the point, if it is one.
+    pub point: Option<usize>,
+}
+
+/// A point of the approach.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passed {
+    pub time: f64,
+    pub penetration: f64,
+    /// The elastic load and stiffness.
+    pub load: f64,
+    pub stiffness: f64,
+}
+
+/// The approach so far, with the memories of all exponentials at each of its points.
+pub(super) struct Approach<'a> {
+    pub setting: &'a Setting<'a>,
+    pub passed: Vec<Passed>,
+    /// The integrals of `exp(-rate (t-t'))` over the elastic load and the penetration.
+    pub loads: Vec<f64>,
+    pub lengths: Vec<f64>,
+    /// For each derivative `A` and its integrals, and under a spring the derivative of the
+    /// penetration and its integrals; derivatives of one exponential one after another.
+    pub totals: Vec<f64>,
+    pub of_totals: Vec<f64>,
+    pub moved: Vec<f64>,
+    pub of_moved: Vec<f64>,
+    /// The number of the point of the first touch.
+    pub touch: usize,
+    step: Step,
+}
+
+/// The most steps of Newton's method for a spring, and the change of the penetration, in parts of the step, at
+/// which the next one would be below rounding.
+const NEWTON: usize = 60;
+const CONVERGED: f64 = 1e-9;
+
+/// The coefficients of `dF/dy` on a step, with `y` from 1 at its beginning to 0 at its end.
+pub(super) fn slopes(from: &Passed, to: &Passed) -> [f64; 3] {
+    let rise = to.penetration - from.penetration;
+    let (d0, d1, d) = (
+        from.stiffness * rise,
+        to.stiffness * rise,
+        to.load - from.load,
+    );
+    [d1, 6.0 * d - 2.0 * d0 - 4.0 * d1, 3.0 * (d0 + d1) - 6.0 * d]
+}
+
+impl<'a> Approach<'a> {
+    /// Begins at the first place, without a contact.
+    pub fn new(setting: &'a Setting<'a>, first: &Place) -> Self {
+        let (m, width) = (setting.law.len(), setting.width);
+        let spring = setting.compliance > 0.0;
+        let mut own = Self {
+            setting,
+            passed: vec![Passed {
+                time: first.time,
+                penetration: first.value,
+                load: 0.0,
+                stiffness: 0.0,
+            }],
+            loads: vec![0.0; m],
+            lengths: vec![0.0; m],
+            totals: vec![0.0; width],
+            of_totals: vec![0.0; width * m],
+            moved: Vec::new(),
+            of_moved: vec![0.0; if spring { width * m } else { 0 }],
+            touch: 0,
+            step: Step::new(),
+        };
+        if width > 0 {
+            own.moved.resize(width, 0.0);
+            own.moved[0] = 1.0;
+        }
+        own
+    }
+
+    /// Returns the elastic contact at a penetration.
+    fn at(&self, time: f64, penetration: f64) -> Passed {
+        let curve = &self.setting.curve;
+        let (load, stiffness) = curve.load(curve.piece(penetration.max(0.0)), penetration);
+        Passed {
+            time,
+            penetration,
+            load,
+            stiffness,
+        }
+    }
+
+    /// Takes a step; `None` where the penetration falls. Writes the derivatives of the load.
+    pub fn advance(
+        &mut self,
+        place: &Place,
+        by: &mut [f64],
+    ) -> Result<Option<TimedContact>, HistoryError> {
+        let setting = self.setting;
+        let law = &setting.law;
+        let (m, old) = (law.len(), self.loads.len() - law.len());
+        let from = self.passed[self.passed.len() - 1];
+        let h = place.time - from.time;
+        self.step.set(h, law);
+        // The memories and moments that every penetration at the end of the step has in common.
+        let (mut before, mut sums) = (0.0, [0.0; 3]);
+        for (k, (e, integrals)) in self.step.factors.iter().enumerate() {
+            before += law.weights[k] * e * self.loads[old + k];
+            for (sum, integral) in sums.iter_mut().zip(integrals) {
+                *sum += law.weights[k] * integral;
+            }
+        }
+        let load_at = |to: &Passed| {
+            if to.penetration <= 0.0 {
+                return 0.0;
+            }
+            let slopes = slopes(&from, to);
+            let rise = to.penetration - from.penetration;
+            let last: f64 = slopes
+                .iter()
+                .zip(sums)
+                .map(|(slope, sum)| slope * sum)
+                .sum();
+            law.constant * to.load + before + last + law.impulse * to.stiffness * rise / h
+        };
+        let mean = law.constant + sums[0] + law.impulse / h;
+        let Some(to) = self.end_of_step(place, &from, mean, &load_at) else {
+            return Ok(None);
+        };
+        let load = load_at(&to);
+        let slopes = if to.penetration > 0.0 {
+            slopes(&from, &to)
+        } else {
+            [0.0; 3]
+        };
+        let rise = to.penetration - from.penetration;
+        for (k, (e, [i0, i1, i2])) in self.step.factors.iter().enumerate() {
+            let length = e * self.lengths[old + k] + rise * i0;
+            let own = e * self.loads[old + k] + slopes[0] * i0 + slopes[1] * i1 + slopes[2] * i2;
+            self.loads.push(own);
+            self.lengths.push(length);
+        }
+        self.passed.push(to);
+        if to.penetration <= 0.0 {
+            self.touch = self.passed.len() - 1;
+        }
+        let radius = setting.curve.radius(to.penetration);
+        if setting.width > 0 {
+            self.differentiate(radius, load, (h, mean), by)?;
+        }
+        debug_assert_eq!(self.loads.len(), m * self.passed.len());
+        let phase = match () {
+            () if to.penetration <= 0.0 => {
+                return Ok(Some(TimedContact::separated(to.time, to.penetration)));
+            }
+            () if rise > 0.0 => Phase::Advancing,
+            () => Phase::Resting,
+        };
+        Ok(Some(TimedContact {
+            time: to.time,
+            phase,
+            state: State {
+                contact_radius: radius,
+                load,
+                penetration: to.penetration,
+            },
+        }))
+    }
+
+    /// Returns the elastic contact at the end of a step; `None` where the penetration falls.
+    fn end_of_step(
+        &self,
+        place: &Place,
+        from: &Passed,
+        mean: f64,
+        load_at: &impl Fn(&Passed) -> f64,
+    ) -> Option<Passed> {
+        let compliance = self.setting.compliance;
+        let imposed = place.value;
+        let begin = from.penetration;
+        if compliance == 0.0 || imposed <= 0.0 {
+            return (imposed >= begin).then(|| self.at(place.time, imposed));
+        }
+        let excess = |to: &Passed| to.penetration + compliance * load_at(to) - imposed;
+        let least = self.at(place.time, begin.max(0.0));
+        let at_least = excess(&least);
+        if at_least > 0.0 {
+            // The position of the base is held to its rounding.
+            let slack = CONVERGED * imposed;
+            return (at_least <= slack).then_some(least);
+        }
+        let most = imposed.min(self.setting.curve.last().penetration);
+        let (mut low, mut high) = (least.penetration, most);
+        let mut to = least;
+        let mut excess_at = at_least;
+        for _ in 0..NEWTON {
+            let slope = 1.0 + compliance * mean * to.stiffness;
+            let newton = to.penetration - excess_at / slope;
+            let next = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
+            let change = (next - to.penetration).abs();
+            to = self.at(place.time, next);
+            excess_at = excess(&to);
+            *if excess_at < 0.0 { &mut low } else { &mut high } = next;
+            if change <= CONVERGED * (most - least.penetration) || excess_at == 0.0 {
+                break;
+            }
+        }
+        Some(to)
+    }
+
+    /// Adds the derivatives of the last point, and writes those of its load.
+    fn differentiate(
+        &mut self,
+        radius: f64,
+        load: f64,
+        (h, mean): (f64, f64),
+        by: &mut [f64],
+    ) -> Result<(), HistoryError> {
+        let setting = self.setting;
+        let (law, m, width) = (&setting.law, setting.law.len(), setting.width);
+        let to = self.passed[self.passed.len() - 1];
+        let last = self.totals.len() - width;
+        let spring = setting.compliance > 0.0;
+        // The derivatives of the elastic load at this penetration.
+        let mut elastic = vec![0.0; width];
+        if radius > 0.0 {
+            let gradient = setting.contact.gradient(radius, 0.0)?;
+            for (own, &input) in elastic[2..].iter_mut().zip(setting.inputs) {
+                let by = gradient.by(input)?;
+                *own = by.load - to.stiffness * by.penetration;
+            }
+        }
+        let (old, new) = (self.of_totals.len() - width * m, self.loads.len() - m);
+        // All but the change of the penetration at the end of the step.
+        for (column, by) in by.iter_mut().enumerate() {
+            let total = self.totals[last + column];
+            *by = law.constant * total + mean * (elastic[column] - total);
+            let memories = &self.of_totals[old + column * m..][..m];
+            for ((weight, (e, _)), memory) in
+                law.weights.iter().zip(&self.step.factors).zip(memories)
+            {
+                *by += weight * e * memory;
+            }
+        }
+        let of_law = &mut by[2 + setting.inputs.len()..];
+        for (by, variation) in of_law.iter_mut().zip(&setting.variations) {
+            if to.penetration <= 0.0 {
+                break;
+            }
+            let before = self.passed[self.passed.len() - 2];
+            let speed = (to.penetration - before.penetration) / h;
+            *by += variation.constant * to.load + variation.impulse * to.stiffness * speed;
+            let terms = variation.weights.iter().zip(&self.loads[new..]);
+            *by += terms.map(|(weight, load)| weight * load).sum::<f64>();
+        }
+        let mut moved = vec![0.0; width];
+        setting.complete(load, mean * to.stiffness, by, &mut moved);
+        for column in 0..width {
+            let total = elastic[column] + to.stiffness * moved[column];
+            let change = total - self.totals[last + column];
+            for (k, (e, [i0, ..])) in self.step.factors.iter().enumerate() {
+                let own = e * self.of_totals[old + column * m + k] + change * i0;
+                self.of_totals.push(own);
+            }
+            self.totals.push(total);
+        }
+        if spring {
+            let last = self.moved.len() - width;
+            let old = self.of_moved.len() - width * m;
+            for column in 0..width {
+                let change = moved[column] - self.moved[last + column];
+                for (k, (e, [i0, ..])) in self.step.factors.iter().enumerate() {
+                    let own = e * self.of_moved[old + column * m + k] + change * i0;
+                    self.of_moved.push(own);
+                }
+            }
+        }
+        self.moved.extend(moved);
+        Ok(())
+    }
+}

@@ -1,0 +1,181 @@
+//! Measured histories against those with many digits, and their derivatives against differences.
+
+use interp::{Elastic, Probe, System, Table};
+
+use super::{HistoryInputs, Relaxation};
+use crate::{Contact, Control, HistoryError, Input};
+
+fn system(young: f64) -> System {
+    System {
+        probe: Probe::Paraboloid { radius: 1e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: Elastic::new(young, 0.48).expect("a solid"),
+        film_thickness: 5e-6,
+        substrate: Elastic::new(f64::INFINITY, 0.25).expect("a solid"),
+    }
+}
+
+fn contact(young: f64) -> Contact {
+    Contact::in_table_with_gradient(Table::embedded(), &system(young)).expect("in the table")
+}
+
+/// An approach that begins above the surface, a hold, and a retract, with a shift.
+fn program(points: usize, shift: f64) -> Vec<(f64, f64)> {
+    let value = |t: f64| match t {
+        _ if t < 1.0 => 1.2e-6 * t,
+        _ if t < 1.3 => 1.2e-6,
+        _ => 1.2e-6 - 2e-6 * (t - 1.3),
+    };
+    let time = |i: usize| 2.0 * i as f64 / (points - 1) as f64;
+    let point = |i: usize| (time(i), value(time(i)) - 1e-7 + shift);
+    (0..points).map(point).collect()
+}
+
+fn laws() -> Vec<Relaxation> {
+    vec![
+        Relaxation::Prony {
+            relaxed: 0.3,
+            terms: vec![[0.7, 0.4]],
+        },
+        Relaxation::Prony {
+            relaxed: 0.2,
+            terms: vec![[0.5, 0.03], [0.3, 0.9]],
+        },
+        Relaxation::PowerLaw {
+            exponent: 0.25,
+            time: 1.0,
+        },
+        Relaxation::ModifiedPowerLaw {
+            relaxed: 0.1,
+            exponent: 0.4,
+            time: 0.05,
+        },
+        Relaxation::FractionalZener {
+            relaxed: 0.1,
+            exponent: 0.5,
+            time: 0.3,
+        },
+    ]
+}
+
+const SPRING: Control = Control::Spring { stiffness: 0.01 };
+
+#[test]
+fn loads_agree_with_those_of_many_digits() {
+    let contact = contact(1e3);
+    for law in laws() {
+        let history = contact.history(&law).expect("a law");
+        let cases = [
+            (Control::Displacement, None, 3e-5),
+            (SPRING, Some(1e-4), 3e-4),
+        ];
+        for (control, asked, tolerance) in cases {
+            for points in [101, 401] {
+                let program = program(points, 0.0);
+                let exact = history.run(control, &program, asked).expect("a course");
+                let own = history.measured(control, &program, None).expect("measured");
+                let largest = exact
+                    .states
+                    .iter()
+                    .map(|at| at.state.load)
+                    .fold(0.0, f64::max);
+                let pairs = exact.states.iter().zip(&own.states);
+                let error = |(exact, own): (&super::TimedContact, &super::TimedContact)| {
+                    (exact.state.load - own.state.load).abs() / largest
+                };
+                let error = pairs.map(error).fold(0.0, f64::max);
+                println!("{law:?} {control:?} {points}: {error:.1e}");
+                assert!(error < tolerance, "{law:?} {control:?}: {error:.1e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn derivatives_agree_with_differences() {
+    for law in laws() {
+        let parameters = law.parameters();
+        for control in [Control::Displacement, SPRING] {
+            let loads = |law: &Relaxation, young: f64, control: Control, shift: f64| {
+                let contact = contact(young);
+                let history = contact.history(law).expect("a law");
+                let found = history.measured(control, &program(201, shift), None);
+                let states = found.expect("measured").states;
+                states.iter().map(|at| at.state.load).collect::<Vec<f64>>()
+            };
+            let contact = contact(1e3);
+            let inputs = HistoryInputs {
+                contact: &[Input::FilmModulus],
+                law: &parameters,
+            };
+            let found = contact
+                .history(&law)
+                .expect("a law")
+                .measured(control, &program(201, 0.0), Some(inputs))
+                .expect("measured");
+            let width = 3 + parameters.len();
+            let check = |name: &str, column: usize, step: f64, ends: [Vec<f64>; 2]| {
+                let exact: Vec<f64> = ends[1]
+                    .iter()
+                    .zip(&ends[0])
+                    .map(|(above, below)| (above - below) / (2.0 * step))
+                    .collect();
+                let largest = exact.iter().map(|x| x.abs()).fold(0.0, f64::max);
+                let own = found.derivatives.iter().skip(column).step_by(width);
+                let errors = own
+                    .zip(&exact)
+                    .map(|(own, exact)| (own - exact).abs() / largest);
+                let mut errors: Vec<f64> = errors.collect();
+                let worst = errors.iter().copied().fold(0.0, f64::max);
+                errors.sort_by(f64::total_cmp);
+                let middle = errors[errors.len() / 2];
+                println!("{law:?} {control:?} {name}: {worst:.1e}, median {middle:.1e}");
+                assert!(
+                    worst < 3e-2 && middle < 1e-3,
+                    "{law:?} {control:?} {name}: {worst:.1e}"
+                );
+            };
+            let step = 1e-10;
+            let ends = [-step, step].map(|step| loads(&law, 1e3, control, step));
+            check("place", 0, step, ends);
+            if let Control::Spring { stiffness } = control {
+                let step = 1e-4 * stiffness;
+                let ends = [-step, step].map(|step| {
+                    let stiffness = stiffness + step;
+                    loads(&law, 1e3, Control::Spring { stiffness }, 0.0)
+                });
+                check("stiffness", 1, step, ends);
+            }
+            let ends = [-1.0, 1.0].map(|step| loads(&law, 1e3 + step, control, 0.0));
+            check("modulus", 2, 1.0, ends);
+            for (i, &parameter) in parameters.iter().enumerate() {
+                let value = law.parameter(parameter).expect("its own");
+                let step = 1e-4 * value;
+                let ends = [-step, step]
+                    .map(|step| loads(&law.with(parameter, value + step), 1e3, control, 0.0));
+                check(&format!("{parameter:?}"), 3 + i, step, ends);
+            }
+        }
+    }
+}
+
+#[test]
+fn mistakes() {
+    let contact = contact(1e3);
+    let law = &laws()[0];
+    let history = contact.history(law).expect("a law");
+    let follow = |points: &[(f64, f64)]| history.measured(Control::Displacement, points, None);
+    let begins = follow(&[(0.0, 1e-7), (1.0, 1e-6)]);
+    assert!(matches!(begins, Err(HistoryError::BeginsInContact { .. })));
+    let twice = [(0.0, 0.0), (1.0, 1e-6), (1.2, 0.9e-6), (2.0, 1e-6)];
+    assert!(matches!(
+        follow(&twice),
+        Err(HistoryError::GrowsAgain { .. })
+    ));
+    let apart = follow(&[(0.0, -1e-6), (1.0, -1e-7)]).expect("no contact");
+    assert!(apart.states.iter().all(|at| at.state.load == 0.0));
+    assert!(matches!(
+        history.measured(Control::Load, &[(0.0, 0.0), (1.0, 1e-9)], None),
+        Err(HistoryError::MeasuredLoad)
+    ));
+}

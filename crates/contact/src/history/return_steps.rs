@@ -1,0 +1,397 @@
+//! The steps of a measured history after the turn.
+
+use super::approach::{Approach, Passed, Place, slopes};
+use super::moments::moments;
+use super::one_turn::Step;
+use super::{HistoryError, Phase, TimedContact};
+use crate::State;
+
+/// The lag times the rate beyond which an exponential is 0.
+const FORGOTTEN: f64 = 45.0;
+/// The part of the approach by which its time of the present radius may rise.
+const ROUNDING: f64 = 1e-9;
+/// The change of that time, in parts of a step, after which the next one would be below rounding.
+const CONVERGED: f64 = 1e-8;
+/// The most steps of Newton's method; halvings of the interval are among them.
+const NEWTON: usize = 80;
+
+/// The retract so far.
+pub(super) struct Return<'a> {
+    approach: &'a Approach<'a>,
+    time: f64,
+    penetration: f64,
+    /// The integrals over the penetration up to now, and over its derivatives.
+    lengths: Vec<f64>,
+    moved: Vec<f64>,
+    of_moved: Vec<f64>,
+    step: Step,
+    /// The line was at this point of the approach, or between it and the one before.
+    bracket: usize,
+    /// The time at which the approach had the last radius.
+    last: f64,
+    separated: bool,
+}
+
+/// The present step.
+struct Now {
+    time: f64,
+    h: f64,
+    /// The imposed value.
+    value: f64,
+    /// What the integral over the penetration would be if it stayed where it was, without the constant.
+    stays: f64,
+    mean: f64,
+}
+
+/// The contact if the line is where the approach had it at a time.
+struct Line {
+    penetration: f64,
+    load: f64,
+    /// By how much the imposed value would have to be larger.
+    excess: f64,
+    /// The derivative of the excess by the time.
+    slope: f64,
+}
+
+impl<'a> Return<'a> {
+    /// Begins at the last point of the approach.
+    pub fn new(approach: &'a Approach<'a>) -> Self {
+        let (m, width) = (approach.setting.law.len(), approach.setting.width);
+        let bracket = approach.passed.len() - 1;
+        let Passed {
+            time, penetration, ..
+        } = approach.passed[bracket];
+        let tail = |of: &[f64], count: usize| of[of.len() - count.min(of.len())..].to_vec();
+        Self {
+            approach,
+            time,
+            penetration,
+            lengths: tail(&approach.lengths, m),
+            moved: tail(&approach.moved, width),
+            of_moved: tail(&approach.of_moved, width * m),
+            step: Step::new(),
+            bracket,
+            last: time,
+            separated: penetration <= 0.0,
+        }
+    }
+
+    /// Takes a step, and writes the derivatives of the load.
+    pub fn recede(&mut self, place: &Place, by: &mut [f64]) -> Result<TimedContact, HistoryError> {
+        let setting = self.approach.setting;
+        let law = &setting.law;
+        let h = place.time - self.time;
+        self.step.set(h, law);
+        let (mut stays, mut means) = (0.0, 0.0);
+        for ((weight, (e, [i0, ..])), length) in law
+            .weights
+            .iter()
+            .zip(&self.step.factors)
+            .zip(&self.lengths)
+        {
+            stays += weight * e * length;
+            means += weight * i0;
+        }
+        let now = Now {
+            time: place.time,
+            h,
+            value: place.value,
+            stays,
+            mean: law.constant + means + law.impulse / h,
+        };
+        let found = self.line(&now)?;
+        let (state, line) = match found {
+            None => (TimedContact::separated(now.time, now.value), None),
+            Some((low, t1)) => {
+                let line = self.full(&now, low, t1);
+                let passed = self.passed_at(low, t1);
+                let state = State {
+                    contact_radius: setting.curve.radius(passed.penetration),
+                    load: line.load,
+                    penetration: line.penetration,
+                };
+                let contact = TimedContact {
+                    time: now.time,
+                    phase: Phase::Receding,
+                    state,
+                };
+                (contact, Some((low, t1, passed)))
+            }
+        };
+        let rise = state.state.penetration - self.penetration;
+        let before = std::mem::take(&mut self.moved);
+        self.take(rise);
+        if setting.width > 0 {
+            match line {
+                Some((low, t1, passed)) => {
+                    self.moved = self.differentiate(&now, (low, t1, passed), &state, &before, by);
+                }
+                None => {
+                    by.fill(0.0);
+                    self.moved = vec![0.0; setting.width];
+                    self.moved[0] = 1.0;
+                }
+            }
+            self.take_moved(&before);
+        }
+        self.separated = line.is_none();
+        (self.time, self.penetration) = (now.time, state.state.penetration);
+        Ok(state)
+    }
+
+    /// Adds the last step to the integral over the penetration.
+    fn take(&mut self, rise: f64) {
+        for (length, (e, [i0, ..])) in self.lengths.iter_mut().zip(&self.step.factors) {
+            *length = e * *length + rise * i0;
+        }
+    }
+
+    /// Adds the last step to the integrals over the derivatives of the penetration.
+    fn take_moved(&mut self, before: &[f64]) {
+        let m = self.approach.setting.law.len();
+        let columns = self.of_moved.chunks_exact_mut(m);
+        for ((own, now), before) in columns.zip(&self.moved).zip(before) {
+            for (own, (e, [i0, ..])) in own.iter_mut().zip(&self.step.factors) {
+                *own = e * *own + (now - before) * i0;
+            }
+        }
+    }
+
+    /// Returns where the line is: after a point of the approach, at a time. `None` without a contact.
+    fn line(&mut self, now: &Now) -> Result<Option<(usize, f64)>, HistoryError> {
+        let passed = &self.approach.passed;
+        let touch = self.approach.touch;
+        let grows = HistoryError::GrowsAgain { time: now.time };
+        let slack = ROUNDING * self.approach.setting.curve.last().penetration;
+        let at_touch = self.at_point(now, touch);
+        if self.separated || at_touch.excess >= 0.0 {
+            return if self.separated && at_touch.excess < -slack {
+                Err(grows)
+            } else {
+                Ok(None)
+            };
+        }
+        let mut above = self.at_point(now, self.bracket);
+        if above.excess < -slack {
+            return Err(grows);
+        }
+        let mut low = self.bracket;
+        let mut below = f64::INFINITY;
+        while low > touch {
+            low -= 1;
+            if passed[low].penetration < passed[low + 1].penetration {
+                let at = self.at_point(now, low);
+                below = at.excess;
+                if below < 0.0 {
+                    break;
+                }
+                above = at;
+            }
+        }
+        if below >= 0.0 {
+            return Ok(None);
+        }
+        self.bracket = low + 1;
+        let [t0, t2] = [passed[low].time, passed[low + 1].time];
+        let (mut low_t, mut high_t) = (t0, t2);
+        let mut t = t0 + (t2 - t0) * (below / (below - above.excess.max(0.0)));
+        for _ in 0..NEWTON {
+            let at = self.full(now, low, t);
+            *if at.excess < 0.0 {
+                &mut low_t
+            } else {
+                &mut high_t
+            } = t;
+            let newton = t - at.excess / at.slope;
+            let next = if newton > low_t && newton < high_t {
+                newton
+            } else {
+                0.5 * (low_t + high_t)
+            };
+            let change = (next - t).abs();
+            t = next;
+            if change <= CONVERGED * (t2 - t0) {
+                break;
+            }
+        }
+        if t > self.last + ROUNDING * (passed[passed.len() - 1].time - passed[touch].time) {
+            return Err(grows);
+        }
+        self.last = self.last.min(t);
+        Ok(Some((low, t)))
+    }
+
+    /// Returns the elastic contact of the approach at a time after the point `low`.
+    fn passed_at(&self, low: usize, time: f64) -> Passed {
+        let [from, to] = [self.approach.passed[low], self.approach.passed[low + 1]];
+        let part = (time - from.time) / (to.time - from.time);
+        let penetration = from.penetration + (to.penetration - from.penetration) * part;
+        let curve = &self.approach.setting.curve;
+        let (load, stiffness) = curve.load(curve.piece(penetration.max(0.0)), penetration);
+        Passed {
+            time,
+            penetration,
+            load,
+            stiffness,
+        }
+    }
+
+    /// Returns the contact if the line is where it was at a point of the approach.
+    fn at_point(&self, now: &Now, point: usize) -> Line {
+        let setting = self.approach.setting;
+        let law = &setting.law;
+        let m = law.len();
+        let passed = self.approach.passed[point];
+        let lag = now.time - passed.time;
+        let (lengths, loads) = (
+            &self.approach.lengths[point * m..][..m],
+            &self.approach.loads[point * m..][..m],
+        );
+        let spring = setting.compliance > 0.0;
+        let (mut length, mut load) = (
+            law.constant * passed.penetration,
+            law.constant * passed.load,
+        );
+        for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
+            let exponent = rate * lag;
+            if exponent > FORGOTTEN {
+                break;
+            }
+            let e = weight * (-exponent).exp();
+            length += e * lengths[k];
+            if spring {
+                load += e * loads[k];
+            }
+        }
+        self.with(now, length, load, 0.0)
+    }
+
+    /// Returns the contact if the line is where it was at a time after the point `low`.
+    fn full(&self, now: &Now, low: usize, t1: f64) -> Line {
+        let setting = self.approach.setting;
+        let law = &setting.law;
+        let m = law.len();
+        let [from, to] = [self.approach.passed[low], self.approach.passed[low + 1]];
+        let passed = self.passed_at(low, t1);
+        let speed = (to.penetration - from.penetration) / (to.time - from.time);
+        let (lag, h) = (now.time - t1, t1 - from.time);
+        let slopes = slopes(&from, &passed);
+        let rise = passed.penetration - from.penetration;
+        let (mut length, mut load) = (
+            law.constant * passed.penetration,
+            law.constant * passed.load,
+        );
+        let mut modulus = law.constant;
+        for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
+            let exponent = rate * lag;
+            if exponent > FORGOTTEN {
+                break;
+            }
+            let own = weight * (-exponent).exp();
+            let (e, [i0, i1, i2]) = moments(rate * h);
+            modulus += own;
+            length += own * (e * self.approach.lengths[low * m + k] + rise * i0);
+            let memory = e * self.approach.loads[low * m + k];
+            load += own * (memory + slopes[0] * i0 + slopes[1] * i1 + slopes[2] * i2);
+        }
+        let by_time = modulus * speed;
+        let mut line = self.with(now, length, load, by_time);
+        line.slope += setting.compliance * passed.stiffness * by_time;
+        line
+    }
+
+    /// Returns the contact from the integrals up to the time of the line: the present penetration is
+    /// that at which the integral from there on vanishes.
+    fn with(&self, now: &Now, length: f64, load: f64, by_time: f64) -> Line {
+        let setting = self.approach.setting;
+        let stays = setting.law.constant * self.penetration + now.stays;
+        let penetration = self.penetration + (length - stays) / now.mean;
+        Line {
+            penetration,
+            load,
+            excess: penetration + setting.compliance * load - now.value,
+            slope: by_time / now.mean,
+        }
+    }
+
+    /// Writes the derivatives of the load, and returns those of the penetration.
+    fn differentiate(
+        &self,
+        now: &Now,
+        (low, t1, passed): (usize, f64, Passed),
+        state: &TimedContact,
+        before: &[f64],
+        by: &mut [f64],
+    ) -> Vec<f64> {
+        let approach = self.approach;
+        let setting = approach.setting;
+        let law = &setting.law;
+        let (m, width) = (law.len(), setting.width);
+        let [from, to] = [approach.passed[low], approach.passed[low + 1]];
+        let (lag, h) = (now.time - t1, t1 - from.time);
+        let part = h / (to.time - from.time);
+        let spring = setting.compliance > 0.0;
+        let slopes = slopes(&from, &passed);
+        let rise = passed.penetration - from.penetration;
+        let last_rise = state.state.penetration - self.penetration;
+        // At the time of the line: the decay since, that within its step, and the mean there.
+        let factors = law.rates.iter().map(|rate| {
+            let decay = if rate * lag > FORGOTTEN {
+                0.0
+            } else {
+                (-rate * lag).exp()
+            };
+            (decay, moments(rate * h))
+        });
+        let factors: Vec<(f64, (f64, [f64; 3]))> = factors.collect();
+        let between = |of: &[f64], column: usize| {
+            let [old, new] = [low, low + 1].map(|point| of[point * width + column]);
+            [old, old + (new - old) * part]
+        };
+        for (column, by) in by.iter_mut().enumerate() {
+            let [old, total] = between(&approach.totals, column);
+            let memories = &approach.of_totals[(low * width + column) * m..][..m];
+            *by = law.constant * total;
+            for (k, (decay, (e, [i0, ..]))) in factors.iter().enumerate() {
+                *by += law.weights[k] * decay * (e * memories[k] + (total - old) * i0);
+            }
+            if !spring {
+                continue;
+            }
+            // As if the present penetration did not change in this step.
+            let [old, there] = between(&approach.moved, column);
+            let memories = &approach.of_moved[(low * width + column) * m..][..m];
+            let mut since = law.constant * (before[column] - there);
+            for (k, (decay, (e, [i0, ..]))) in factors.iter().enumerate() {
+                let stays = self.step.factors[k].0 * self.of_moved[column * m + k];
+                let then = decay * (e * memories[k] + (there - old) * i0);
+                since += law.weights[k] * (stays - then);
+            }
+            *by += passed.stiffness * (since - now.mean * before[column]);
+        }
+        let of_law = &mut by[2 + setting.inputs.len()..];
+        for (by, variation) in of_law.iter_mut().zip(&setting.variations) {
+            *by += variation.constant * passed.load;
+            let mut since = variation.constant * (state.state.penetration - passed.penetration)
+                + variation.impulse * last_rise / now.h;
+            for (k, (decay, (e, [i0, i1, i2]))) in factors.iter().enumerate() {
+                let load = e * approach.loads[low * m + k]
+                    + slopes[0] * i0
+                    + slopes[1] * i1
+                    + slopes[2] * i2;
+                let length = e * approach.lengths[low * m + k] + rise * i0;
+                *by += variation.weights[k] * decay * load;
+                since += variation.weights[k] * (self.lengths[k] - decay * length);
+            }
+            *by += passed.stiffness * since;
+        }
+        let mut moved = vec![0.0; width];
+        let stiffness = if spring {
+            now.mean * passed.stiffness
+        } else {
+            0.0
+        };
+        setting.complete(state.state.load, stiffness, by, &mut moved);
+        moved
+    }
+}

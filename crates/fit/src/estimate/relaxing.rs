@@ -1,0 +1,130 @@
+//! What a fit of bodies that relax tells beside its parameters, and the doubts about it.
+
+use super::problem::Problem;
+use super::warnings::Warnings;
+use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
+
+/// The intervals between points below which a relaxation time is not seen.
+const INTERVALS: f64 = 3.0;
+/// The error by bodies that do not relax, over the largest load, above which there is a warning.
+const UNLIKE: f64 = 1e-3;
+/// The stiffness of a film over that of a substrate that relaxes with it, above which the contact
+/// may pull inside.
+const STIFF_FILM: f64 = 3.0;
+/// The change of an abscissa over their range above which it is no noise.
+const MONOTONE: f64 = 0.01;
+
+/// Returns what the relaxation of an experiment does; `None` where the bodies do not relax.
+///
+/// # Errors
+/// [`Error::History`] for bodies that relax too differently.
+pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxation>, Error> {
+    let experiment = &problem.assigned[e].experiment;
+    let Some(relaxing) = &experiment.relaxing else {
+        return Ok(None);
+    };
+    let program = experiment.program();
+    let mut unlike_bodies = 0.0;
+    if let Some(rigid) = experiment.beside_rigid(problem.table)? {
+        let contact = problem.contact(&experiment.bodies, false)?;
+        let history = contact.history(&relaxing.law)?.beside(&rigid);
+        let measured = history.measured(experiment.control(), &program.points, None)?;
+        unlike_bodies = history.unlike_bodies(&measured)?;
+    }
+    let [shortest, duration] = times(&experiment.times);
+    let young = experiment.bodies.film().young();
+    let modulus = |t: f64| Ok::<_, Error>([t, young * relaxing.law.modulus(t)?]);
+    Ok(Some(FittedRelaxation {
+        moduli: [
+            modulus(shortest)?,
+            modulus(0.5 * duration)?,
+            modulus(duration)?,
+        ],
+        made_monotone: program.changed,
+        unlike_bodies,
+    }))
+}
+
+/// Returns the shortest interval and the duration.
+fn times(times: &[f64]) -> [f64; 2] {
+    let intervals = times.windows(2).map(|pair| pair[1] - pair[0]);
+    let shortest = intervals.fold(f64::INFINITY, f64::min);
+    [shortest, times[times.len() - 1] - times[0]]
+}
+
+/// Adds the doubts about an experiment whose bodies relax.
+pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: usize) {
+    let experiment = &problem.assigned[e].experiment;
+    let (Some(relaxing), Some(found)) = (&experiment.relaxing, fit.experiments[e].relaxation)
+    else {
+        return;
+    };
+    let name = &experiment.measurement.name;
+    let [_, duration] = times(&experiment.times);
+    let interval = duration / (experiment.times.len() - 1) as f64;
+    for &slot in &problem.slots_of(e) {
+        let parameter = problem.slots[slot].parameter;
+        let value = problem.value(slot);
+        if matches!(parameter, Parameter::RelaxationTime(_))
+            && !(INTERVALS * interval..=duration).contains(&value)
+        {
+            warnings.add(
+                WarningKind::RelaxationTime,
+                format!(
+                    "{name}: {parameter} = {value:.2e} s is outside {:.2e} s (three intervals between points) \
+                     to {duration:.2e} s (the duration), where these data tell a relaxation time: they tell one \
+                     plateau of the modulus only; measure faster, or hold longer",
+                    INTERVALS * interval
+                ),
+            );
+        }
+    }
+    let is_free = |parameter| fit.estimate(parameter).is_some();
+    if is_free(Parameter::FilmThickness) && is_free(Parameter::FilmModulus) {
+        warnings.add(
+            WarningKind::FreeThickness,
+            format!(
+                "{name}: modulus and thickness of a film that relaxes are hardly told apart by one curve: the \
+                 error of the modulus is 6 to 31 times as large as with a known thickness; give the thickness"
+            ),
+        );
+    }
+    if found.unlike_bodies > UNLIKE {
+        warnings.add(
+            WarningKind::UnlikeBodies,
+            format!(
+                "{name}: probe or substrate deform beside the film and do not relax: the loads may be wrong \
+                 by {:.1e} of the largest load",
+                found.unlike_bodies
+            ),
+        );
+    }
+    if let Bodies::Coated(system) = &experiment.bodies
+        && relaxing.all_bodies
+        && system.film.young() > STIFF_FILM * system.substrate.young()
+    {
+        warnings.add(
+            WarningKind::TensileInside,
+            format!(
+                "{name}: a film more than {STIFF_FILM} times as stiff as a substrate that relaxes with it may \
+                 pull at the probe inside the contact, which is not modelled"
+            ),
+        );
+    }
+    let points = experiment.measurement.points.iter();
+    let [least, most] = points.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], point| {
+        [l.min(point.abscissa), m.max(point.abscissa)]
+    });
+    if found.made_monotone > MONOTONE * (most - least) {
+        warnings.add(
+            WarningKind::NotMonotone,
+            format!(
+                "{name}: the {} goes back and forth in time by {:.2e} m, {:.1} % of its range; it is taken to \
+                 rise to its largest value and to fall from there: check that the points are one cycle",
+                experiment.measurement.kind.names()[0],
+                found.made_monotone,
+                1e2 * found.made_monotone / (most - least)
+            ),
+        );
+    }
+}

@@ -1,0 +1,173 @@
+//! Where the method starts where bodies relax: the elastic contact that describes the approach, and
+//! the best of a few laws with it.
+
+use std::borrow::Cow;
+
+use interp::Table;
+
+use super::problem::Assigned;
+use crate::model::Freedom;
+use crate::{Bodies, Direction, Error, Experiment, Parameter};
+
+/// The exponents that are tried, those of laws with a relaxation time, the relaxed fractions, and
+/// the relaxation times over the duration.
+const EXPONENTS: [f64; 3] = [0.05, 0.2, 0.5];
+const FEWER: [f64; 2] = [0.2, 0.5];
+const FRACTIONS: [f64; 2] = [0.15, 0.6];
+const TIMES: [f64; 3] = [0.01, 0.07, 0.5];
+/// The range of several relaxation times over the duration.
+const RANGE: [f64; 2] = [0.02, 0.5];
+/// The part of the largest imposed value with which data may begin, at the contact point that the
+/// approach shows.
+const BEGIN: f64 = 0.05;
+
+/// Returns the approach of an experiment whose bodies relax, as that of an elastic contact.
+pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, Error> {
+    if one.experiment.relaxing.is_none() {
+        return Ok(None);
+    }
+    let mut experiment = one.experiment.clone();
+    let points = experiment.program().turn + 1;
+    experiment.relaxing = None;
+    experiment.times.clear();
+    experiment.errors.abscissa.truncate(points);
+    experiment.errors.ordinate.truncate(points);
+    experiment.measurement.points.truncate(points);
+    for point in &mut experiment.measurement.points {
+        point.direction = Some(Direction::Approach);
+    }
+    let assignment = experiment.assign(Freedom {
+        adhesive: false,
+        hysteretic: false,
+        level,
+    })?;
+    Ok(Some(Assigned {
+        experiment,
+        branches: assignment.branches,
+        order: assignment.order,
+        ..one.clone()
+    }))
+}
+
+/// Gives the experiment the law of those tried that describes the data best, with the modulus
+/// `matched` that goes with it. Returns the starts.
+pub(super) fn starts(
+    table: &Table,
+    experiment: &mut Experiment,
+    matched: Option<Parameter>,
+    is_unknown: impl Fn(Parameter) -> bool,
+) -> Result<Vec<(Parameter, f64)>, Error> {
+    let Some(relaxing) = &experiment.relaxing else {
+        return Ok(Vec::new());
+    };
+    let mut parameters = relaxing.parameters();
+    parameters.retain(|&parameter| is_unknown(parameter));
+    let contact_point = begin(experiment, &is_unknown)?;
+    let mut best: Option<(f64, f64, Vec<f64>)> = None;
+    for values in candidates(experiment, &parameters) {
+        let mut tried = experiment.clone();
+        for (&parameter, &value) in parameters.iter().zip(&values) {
+            tried.replace(parameter, value)?;
+        }
+        let Some((misfit, factor)) = misfit(table, &tried, matched.is_some()) else {
+            continue;
+        };
+        if best.as_ref().is_none_or(|best| misfit < best.0) {
+            best = Some((misfit, factor, values));
+        }
+    }
+    let mut starts: Vec<(Parameter, f64)> = contact_point.into_iter().collect();
+    if let Some((_, factor, values)) = best {
+        starts.extend(parameters.into_iter().zip(values));
+        if let Some(modulus) = matched
+            && let Some(value) = experiment.get(modulus)
+        {
+            starts.push((modulus, factor * value));
+        }
+    }
+    for &(parameter, value) in &starts {
+        experiment.replace(parameter, value)?;
+    }
+    Ok(starts)
+}
+
+/// Refuses data that begin in contact. Returns a contact point at the first point where it is found
+/// a little before.
+fn begin(
+    experiment: &Experiment,
+    is_unknown: &impl Fn(Parameter) -> bool,
+) -> Result<Option<(Parameter, f64)>, Error> {
+    let program = experiment.program();
+    let (first, largest) = (program.points[0].1, program.points[program.turn].1);
+    if first <= 0.0 || !is_unknown(Parameter::ContactPoint) {
+        return Ok(None);
+    }
+    if first > BEGIN * largest {
+        return Err(Error::NotRelaxing {
+            experiment: experiment.measurement.name.clone(),
+            reason: Cow::Borrowed(
+                "its points begin in contact: the history before the first point is not known, and the \
+                 forces depend on it; keep points from before the contact",
+            ),
+        });
+    }
+    let abscissa = experiment.measurement.points[0].abscissa;
+    Ok(Some((Parameter::ContactPoint, abscissa)))
+}
+
+/// Lists the values of parameters of the law that are tried.
+fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>> {
+    let times = &experiment.times;
+    let duration = times.last().copied().unwrap_or(1.0) - times.first().copied().unwrap_or(0.0);
+    let is_time = |one: &&Parameter| matches!(one, Parameter::RelaxationTime(_));
+    let count = parameters.iter().filter(is_time).count();
+    let values = |parameter: Parameter| -> Vec<f64> {
+        match parameter {
+            Parameter::RelaxationExponent if count > 0 => FEWER.to_vec(),
+            Parameter::RelaxationExponent => EXPONENTS.to_vec(),
+            Parameter::RelaxedFraction => FRACTIONS.to_vec(),
+            Parameter::RelaxationTime(number) if count > 1 => {
+                let part = f64::from(number - 1) / (count - 1) as f64;
+                vec![duration * RANGE[0] * (RANGE[1] / RANGE[0]).powf(part)]
+            }
+            Parameter::RelaxationTime(_) => TIMES.map(|part| part * duration).to_vec(),
+            // A small part for each of several times: the first has the rest.
+            _ => vec![0.35 / count.max(1) as f64],
+        }
+    };
+    let mut all = vec![Vec::new()];
+    for &parameter in parameters {
+        let values = values(parameter);
+        all = all
+            .into_iter()
+            .flat_map(|before: Vec<f64>| {
+                values.iter().map(move |&value| {
+                    let mut next = before.clone();
+                    next.push(value);
+                    next
+                })
+            })
+            .collect();
+    }
+    all
+}
+
+/// Returns the sum of squares with the best factor of the loads, and this factor; `None` where the
+/// model has no contact.
+fn misfit(table: &Table, experiment: &Experiment, is_free: bool) -> Option<(f64, f64)> {
+    let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+    let predicted = experiment.predict_with(&contact_of, &[], &[], None).ok()?;
+    let points = &experiment.measurement.points;
+    let pairs = points.iter().zip(&predicted.values);
+    let pairs = pairs.map(|(point, value)| {
+        let level = experiment.baseline_at(point.abscissa);
+        [value - level, point.ordinate - level]
+    });
+    let sums = pairs.fold([0.0; 3], |[mm, my, yy], [m, y]| {
+        [mm + m * m, my + m * y, yy + y * y]
+    });
+    let [mm, my, yy] = sums;
+    let factor = if is_free { my / mm } else { 1.0 };
+    let misfit = yy - 2.0 * factor * my + factor * factor * mm;
+    (factor > 0.0 && misfit.is_finite()).then_some((misfit, factor))
+}

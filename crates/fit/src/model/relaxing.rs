@@ -1,0 +1,345 @@
+//! Bodies that relax: what is known of them, and the loads in time.
+
+use std::borrow::Cow;
+
+use contact::{Contact, HistoryInputs, Input, LawParameter, Relaxation};
+use interp::{Elastic, Table};
+
+use super::differences::ContactOf;
+use super::predict::Predicted;
+use super::{Bodies, Branch, Experiment, Kind, Parameter};
+use crate::Error;
+
+/// Bodies that relax by one function, `E(t) = E_ref phi(t)`.
+///
+/// The moduli of an [`Experiment`] are then those of `E_ref`: the instantaneous ones, and under a
+/// power law those at its reference time. The experiment needs the times of its points, which rise,
+/// and penetrations or heights that begin before the contact, grow, may be held, and fall once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relaxing {
+    /// The law. Its numbers are parameters: `relaxed-fraction`, `relaxation-exponent`,
+    /// `relaxation-time`, `relaxation-weight.2`.
+    pub law: Relaxation,
+    /// Whether probe and substrate relax like the film. If not, the error of taking them so is
+    /// estimated, and refused above 2 %: see [`History::beside`](contact::History::beside).
+    pub all_bodies: bool,
+}
+
+impl Relaxing {
+    /// Takes a film that relaxes between bodies that do not.
+    pub const fn new(law: Relaxation) -> Self {
+        Self {
+            law,
+            all_bodies: false,
+        }
+    }
+
+    /// Lists the numbers of the law as parameters.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        self.law
+            .parameters()
+            .into_iter()
+            .map(parameter_of)
+            .collect()
+    }
+
+    /// Returns a number of the law.
+    pub(crate) fn get(&self, parameter: Parameter) -> Option<f64> {
+        self.law.parameter(of_law(parameter)?)
+    }
+
+    /// Replaces a number of the law, which is checked when it is used.
+    pub(crate) fn set(&mut self, parameter: Parameter, value: f64) {
+        if let Some(own) = of_law(parameter) {
+            self.law = self.law.with(own, value);
+        }
+    }
+}
+
+/// Returns the parameter that a number of a law is.
+fn parameter_of(own: LawParameter) -> Parameter {
+    let number = |k: usize| u8::try_from(k + 1).unwrap_or(u8::MAX);
+    match own {
+        LawParameter::RelaxedFraction => Parameter::RelaxedFraction,
+        LawParameter::Exponent => Parameter::RelaxationExponent,
+        LawParameter::Time(k) => Parameter::RelaxationTime(number(k)),
+        LawParameter::Weight(k) => Parameter::RelaxationWeight(number(k)),
+    }
+}
+
+/// Returns the number of a law that a parameter is.
+pub(crate) fn of_law(parameter: Parameter) -> Option<LawParameter> {
+    let index = |number: u8| usize::from(number).wrapping_sub(1);
+    Some(match parameter {
+        Parameter::RelaxedFraction => LawParameter::RelaxedFraction,
+        Parameter::RelaxationExponent => LawParameter::Exponent,
+        Parameter::RelaxationTime(number) => LawParameter::Time(index(number)),
+        Parameter::RelaxationWeight(number) => LawParameter::Weight(index(number)),
+        _ => return None,
+    })
+}
+
+/// The most relaxation times of one law.
+const MOST_TERMS: usize = 50;
+
+/// The imposed values of a measured history.
+pub(crate) struct Program {
+    /// Times (s) with penetrations or positions of the spring (m).
+    pub points: Vec<(f64, f64)>,
+    /// The largest change that made the values rise to the largest one and fall from there, m.
+    pub changed: f64,
+    /// The number of the point of the largest value.
+    pub turn: usize,
+}
+
+impl Experiment {
+    /// Returns why a parameter of the law, or of the adhesion, is not one of this experiment.
+    pub(super) fn why_not_relaxing(&self, parameter: Parameter) -> Option<&'static str> {
+        let adhesive = matches!(
+            parameter,
+            Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
+        );
+        match (&self.relaxing, of_law(parameter)) {
+            (None, Some(_)) => Some("no relaxation function is given; give one"),
+            (Some(relaxing), Some(own)) if relaxing.law.parameter(own).is_none() => Some(
+                "its relaxation function does not have this number, or it follows from the others",
+            ),
+            (Some(_), _) if adhesive => Some(
+                "how much a growing contact gains from adhesion while the bodies relax depends on the \
+                 process at the crack tip, for which no law is known here: relaxing contacts are fitted \
+                 without adhesion",
+            ),
+            _ => None,
+        }
+    }
+
+    /// Accepts the times of the points, and what a fit of bodies that relax needs.
+    pub(super) fn accept_relaxing(&self) -> Result<(), Error> {
+        let name = &self.measurement.name;
+        let setting = |what: &str, value: f64, allowed: &str| Error::Setting {
+            name: format!("{what} of {name}"),
+            value,
+            allowed: allowed.into(),
+        };
+        let points = &self.measurement.points;
+        if !self.times.is_empty() && self.times.len() != points.len() {
+            let allowed = format!("0, or that of the points, {}", points.len());
+            return Err(setting(
+                "the number of times",
+                self.times.len() as f64,
+                &allowed,
+            ));
+        }
+        let Some(relaxing) = &self.relaxing else {
+            return Ok(());
+        };
+        relaxing.law.check()?;
+        if let Relaxation::Prony { terms, .. } = &relaxing.law
+            && !(1..=MOST_TERMS).contains(&terms.len())
+        {
+            let allowed = "from 1 to 50";
+            return Err(setting(
+                "the number of relaxation times",
+                terms.len() as f64,
+                allowed,
+            ));
+        }
+        let why_not = |reason: &'static str| Error::NotRelaxing {
+            experiment: name.clone(),
+            reason: Cow::Borrowed(reason),
+        };
+        if !matches!(
+            self.measurement.kind,
+            Kind::LoadPenetration | Kind::ForceHeight
+        ) {
+            return Err(why_not(
+                "a relaxation function is fitted to loads at penetrations, or to forces at heights of a \
+                 cantilever, in time",
+            ));
+        }
+        if self.times.is_empty() {
+            return Err(why_not(
+                "its points have no times, on which the forces of bodies that relax depend: give a column \
+                 of times, or the interval between points",
+            ));
+        }
+        for (i, pair) in self.times.windows(2).enumerate() {
+            if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
+                return Err(Error::Times {
+                    measurement: name.clone(),
+                    line: points[i + 1].line,
+                    time: pair[1],
+                    before: pair[0],
+                });
+            }
+        }
+        let adhesion = [Some(self.work_of_adhesion), self.work_of_adhesion_receding];
+        if adhesion.into_iter().flatten().any(|work| work != 0.0) {
+            return Err(why_not(
+                "it has a work of adhesion, and how much a growing contact gains from adhesion while the \
+                 bodies relax depends on the process at the crack tip, for which no law is known here: \
+                 fit it without adhesion",
+            ));
+        }
+        if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
+            return Err(why_not(
+                "the layers of a stack relax all by one law, and so must probe and base: state that all \
+                 bodies relax, take probe and base as rigid, or use one film",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Tells whether a body deforms and does not relax.
+    fn bodies_do_not_relax(&self) -> bool {
+        let [probe, base] = match &self.bodies {
+            Bodies::Coated(system) => [system.sphere_modulus, system.substrate.young()],
+            Bodies::HalfSpace(half_space) => [half_space.sphere_modulus, f64::INFINITY],
+            Bodies::Layered(layered) => [layered.sphere_modulus, layered.base.young()],
+        };
+        let all = self.relaxing.as_ref().is_some_and(|one| one.all_bodies);
+        !all && (probe.is_finite() || base.is_finite())
+    }
+
+    /// Returns the contact between a rigid probe and a rigid base, where one of them deforms and
+    /// does not relax.
+    pub(crate) fn beside_rigid(&self, table: &Table) -> Result<Option<Contact>, Error> {
+        if !self.bodies_do_not_relax() {
+            return Ok(None);
+        }
+        let mut rigid = self.bodies.clone();
+        match &mut rigid {
+            Bodies::Coated(system) => {
+                system.sphere_modulus = f64::INFINITY;
+                system.substrate = Elastic::new(f64::INFINITY, system.substrate.poisson())?;
+            }
+            Bodies::HalfSpace(half_space) => half_space.sphere_modulus = f64::INFINITY,
+            Bodies::Layered(_) => return Ok(None),
+        }
+        rigid.contact(table, false).map(Some)
+    }
+
+    /// Returns what is imposed on the contact in time. Noise of the abscissae must not turn it around:
+    /// each value is the largest one so far up to the largest of all, and the smallest one so far from
+    /// there on.
+    pub(crate) fn program(&self) -> Program {
+        let points = &self.measurement.points;
+        let values = points.iter().map(|point| self.imposed(point.abscissa));
+        let mut values: Vec<f64> = values.collect();
+        let turn = (0..values.len())
+            .max_by(|&i, &j| values[i].total_cmp(&values[j]))
+            .unwrap_or(0);
+        let mut changed = 0.0_f64;
+        for i in 1..values.len() {
+            let kept = if i <= turn {
+                values[i].max(values[i - 1])
+            } else {
+                values[i].min(values[i - 1])
+            };
+            changed = changed.max((kept - values[i]).abs());
+            values[i] = kept;
+        }
+        Program {
+            points: self.times.iter().copied().zip(values).collect(),
+            changed,
+            turn,
+        }
+    }
+
+    /// Returns the branches of points in time: advancing up to the largest imposed value, and receding
+    /// from there on. The model tells which of them have no contact.
+    pub(super) fn branches_in_time(&self) -> Vec<Branch> {
+        let turn = self.program().turn;
+        let branch = |i: usize| {
+            if i <= turn {
+                Branch::Advancing
+            } else {
+                Branch::Receding
+            }
+        };
+        (0..self.measurement.points.len()).map(branch).collect()
+    }
+
+    /// Predicts all points, with derivatives with respect to `parameters` if they are given.
+    pub(super) fn predict_history(
+        &self,
+        contact_of: &ContactOf<'_>,
+        parameters: Option<&[Parameter]>,
+    ) -> Result<Predicted, Error> {
+        let Some(relaxing) = &self.relaxing else {
+            return Err(Error::Nothing("relaxation function"));
+        };
+        let points = &self.measurement.points;
+        let columns = parameters.unwrap_or_default();
+        let exact = self.bodies.has_derivatives();
+        let contact = contact_of(&self.bodies, exact && parameters.is_some())?;
+        let program = self.program();
+        let (mut inputs, mut law): (Vec<Input>, Vec<LawParameter>) = (Vec::new(), Vec::new());
+        for &parameter in columns {
+            law.extend(of_law(parameter));
+            inputs.extend(self.input(parameter).filter(|_| exact));
+        }
+        let asked = parameters.is_some().then_some(HistoryInputs {
+            contact: &inputs,
+            law: &law,
+        });
+        let history = contact.history(&relaxing.law)?;
+        let found = history.measured(self.control(), &program.points, asked)?;
+        let width = 2 + inputs.len() + law.len();
+        let mut predicted = Predicted {
+            values: points
+                .iter()
+                .zip(&found.states)
+                .map(|(point, at)| self.baseline_at(point.abscissa) + at.state.load)
+                .collect(),
+            radii: found
+                .states
+                .iter()
+                .map(|at| at.state.contact_radius)
+                .collect(),
+            beyond: vec![false; points.len()],
+            pinned: vec![false; points.len()],
+            derivatives: Vec::with_capacity(points.len() * columns.len()),
+        };
+        if parameters.is_none() {
+            return Ok(predicted);
+        }
+        let (mut of_inputs, mut of_laws) = (2, 2 + inputs.len());
+        let next = |of: &mut usize| {
+            *of += 1;
+            Some(*of - 1)
+        };
+        // The column of the history that each parameter takes, and its sign.
+        let sense = self.sense();
+        let taken = |parameter: Parameter| match parameter {
+            Parameter::ContactPoint => (Some(0), -sense),
+            Parameter::Stiffness => (Some(1), 1.0),
+            _ if of_law(parameter).is_some() => (next(&mut of_laws), 1.0),
+            _ if exact && self.input(parameter).is_some() => (next(&mut of_inputs), 1.0),
+            _ => (None, 1.0),
+        };
+        let taken: Vec<(Option<usize>, f64)> = columns.iter().copied().map(taken).collect();
+        for (point, row) in points.iter().zip(found.derivatives.chunks_exact(width)) {
+            let of = |(&parameter, &(column, sign)): (&Parameter, &(Option<usize>, f64))| {
+                let load = column.map_or(0.0, |column| sign * row[column]);
+                load + self.baseline_derivative(parameter, point.abscissa)
+            };
+            let row = columns.iter().zip(&taken).map(of);
+            predicted.derivatives.extend(row);
+        }
+        if exact {
+            return Ok(predicted);
+        }
+        for (column, &parameter) in columns.iter().enumerate() {
+            if parameter.is_of_bodies() {
+                let values = |moved: &Self| Ok(moved.predict_history(contact_of, None)?.values);
+                let by = self.differences(parameter, values)?;
+                let rows = predicted.derivatives.chunks_exact_mut(columns.len());
+                for (row, by) in rows.zip(by) {
+                    row[column] = by;
+                }
+            }
+        }
+        Ok(predicted)
+    }
+}
