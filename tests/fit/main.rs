@@ -19,5 +19,6 @@ mod magnitudes;
 mod minima;
 mod planning;
 mod recovery;
+mod relaxing;
 mod shapes;
 mod unknown_noise;

@@ -162,6 +162,24 @@ pub enum Error {
         /// The reason, with the next step.
         reason: Cow<'static, str>,
     },
+    /// Points without times, where the bodies relax.
+    #[error(
+        "{experiment}: its points have no times, on which the forces of bodies that relax depend: give a \
+         column of times, or the interval between points"
+    )]
+    NoTimes {
+        /// The name of the measurement.
+        experiment: String,
+    },
+    /// A stack that relaxes, between bodies that deform and do not.
+    #[error(
+        "{experiment}: the layers of a stack relax all by one law, and so must probe and base: state that \
+         all bodies relax, take probe and base as rigid, or use one film"
+    )]
+    DifferentBodies {
+        /// The name of the measurement.
+        experiment: String,
+    },
     /// Times that do not rise.
     #[error(
         "{measurement}, line {line}: time = {time:?} s follows {before:?} s, and times must rise: where the \

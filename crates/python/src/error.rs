@@ -452,6 +452,27 @@ impl From<fit::Error> for Failure {
                 allowed,
             } => of.about(&name, value).allowed(&allowed),
             Error::Layers(cause) => cause.into(),
+            Error::Times {
+                measurement,
+                line,
+                time,
+                before,
+            } => of.about("time", time).saying(&format!(
+                "{measurement}, point {line}: time = {time:?} s follows {before:?} s, and times must rise: \
+                 where the bodies relax, points are in the order measured, and times go on from one way to \
+                 the next"
+            )),
+            Error::NoTimes { experiment } => of.saying(&format!(
+                "{experiment}: its points have no times, on which the forces of bodies that relax depend: \
+                 give the experiment time, in s, one for each point"
+            )),
+            Error::DifferentBodies { .. } => of.saying(&format!(
+                "{error}: all_relax=True states that all bodies relax"
+            )),
+            Error::History(::contact::HistoryError::UnlikeBodies { .. }) => of.saying(&format!(
+                "{error}; if probe and substrate relax like the film, give all_relax=True"
+            )),
+            Error::History(error) => error.into(),
             Error::Start { cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
                 ..of

@@ -9,7 +9,7 @@ use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Kind, Known, Layered, LayeredSolver,
-    Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point, PointErrors, Reach, Scope,
+    Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point, PointErrors, Reach, Relaxing, Scope,
     WithoutFilm,
 };
 use interp::System;
@@ -21,6 +21,7 @@ use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::contacts_on_layers::{Solvers, stick};
 use crate::error::{Failure, OrRaise as _};
+use crate::history::{LawNumbers, law};
 use crate::indentation::{GivenIndentation, loss};
 use crate::interruption::interruptible;
 use crate::table::Table;
@@ -47,6 +48,9 @@ pub struct Given<'py> {
     friction: String,
     sphere_poisson_ratio: f64,
     advancing: f64,
+    time: Option<PyReadonlyArray1<'py, f64>>,
+    law: Option<LawNumbers>,
+    all_relax: bool,
 }
 
 /// A standard deviation, or one for each point.
@@ -287,6 +291,15 @@ pub fn experiment(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyRes
         },
         ..Experiment::new(measurement, bodies)
     };
+    if let Some(time) = &given.time {
+        made.times = time.as_slice()?.to_vec();
+    }
+    if let Some(numbers) = &given.law {
+        made.relaxing = Some(Relaxing {
+            law: law(numbers.clone())?,
+            all_bodies: given.all_relax,
+        });
+    }
     if let Some(indentation) = &given.indentation {
         indentation.complete(py, &mut made)?;
     }
@@ -493,6 +506,11 @@ fn points<'py>(
     fields.set_item("retract", retract)?;
     fields.set_item("_jkr", jkr(py, jkr_plot(found, given, number))?)?;
     fields.set_item("loss", loss(py, experiment.loss)?)?;
+    let relaxation = experiment.relaxation.map(|found| {
+        let [times, moduli] = [0, 1].map(|i| found.moduli.map(|pair| pair[i]).to_vec());
+        (times, moduli, found.made_monotone, found.unlike_bodies)
+    });
+    fields.set_item("relaxation", relaxation)?;
     fields.set_item("noise", experiment.noise)?;
     fields.set_item("noise_is_estimated", experiment.noise_is_estimated)?;
     fields.set_item("abscissa_noise", experiment.abscissa_noise)?;

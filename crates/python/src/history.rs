@@ -10,12 +10,12 @@ use crate::contact::{Contact, Imposed, control};
 use crate::error::{Failure, OrRaise as _};
 
 /// A law: its name, relaxed fraction, exponent, times (s) and weights.
-type LawNumbers = (String, f64, f64, Vec<f64>, Vec<f64>);
+pub type LawNumbers = (String, f64, f64, Vec<f64>, Vec<f64>);
 /// Time, contact radius, load and penetration.
 type TimedArrays<'py> = [Output<'py>; 4];
 
 /// Makes a law.
-fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Relaxation> {
+pub fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Relaxation> {
     let time = times.first().copied().unwrap_or(f64::NAN);
     Ok(match name.as_str() {
         "prony" => {

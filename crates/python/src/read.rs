@@ -38,6 +38,7 @@ pub fn read_file<'py>(
         errors,
         loads,
         phases,
+        times,
         notes,
     } = py.detach(|| read(&path, &format)).or_raise(py)?;
     let points = &measurement.points;
@@ -60,6 +61,7 @@ pub fn read_file<'py>(
         ("noise", errors.ordinate),
         ("loads", loads),
         ("phases", phases),
+        ("time", times),
     ] {
         if !list.is_empty() {
             fields.set_item(name, PyArray1::from_vec(py, list))?;

@@ -130,7 +130,9 @@ impl<'a> Approach<'a> {
                 .zip(sums)
                 .map(|(slope, sum)| slope * sum)
                 .sum();
-            law.constant * to.load + before + last + law.impulse * to.stiffness * rise / h
+            let at_once =
+                law.impulse * to.stiffness * rise / h + law.second_impulse * slopes[1] / (h * h);
+            law.constant * to.load + before + last + at_once
         };
         let mean = law.constant + sums[0] + law.impulse / h;
         let Some(to) = self.end_of_step(place, &from, mean, &load_at) else {
@@ -236,7 +238,7 @@ impl<'a> Approach<'a> {
         let spring = setting.compliance > 0.0;
         // The derivatives of the elastic load at this penetration.
         let mut elastic = vec![0.0; width];
-        if radius > 0.0 {
+        if radius > 0.0 && !setting.inputs.is_empty() {
             let gradient = setting.contact.gradient(radius, 0.0)?;
             for (own, &input) in elastic[2..].iter_mut().zip(setting.inputs) {
                 let by = gradient.by(input)?;
@@ -262,7 +264,10 @@ impl<'a> Approach<'a> {
             }
             let before = self.passed[self.passed.len() - 2];
             let speed = (to.penetration - before.penetration) / h;
-            *by += variation.constant * to.load + variation.impulse * to.stiffness * speed;
+            let bend = slopes(&before, &to)[1] / (h * h);
+            *by += variation.constant * to.load
+                + variation.impulse * to.stiffness * speed
+                + variation.second_impulse * bend;
             let terms = variation.weights.iter().zip(&self.loads[new..]);
             *by += terms.map(|(weight, load)| weight * load).sum::<f64>();
         }

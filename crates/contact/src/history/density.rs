@@ -120,16 +120,23 @@ impl<'a> Density<'a> {
     }
 
     /// Returns the rates of [`Density::grid`] in units of the longest time, so that they do not depend on
-    /// the time of the law.
+    /// the time of the law, up to those that die out within the shortest time.
     pub fn absolute_grid(&self, times: [f64; 2], tolerance: f64) -> Grid {
+        /// The rate times the shortest time beyond which exponentials act as impulses of two orders.
+        const FASTEST: f64 = 50.0;
         let shift = (self.unit / times[1]).ln();
-        Self {
+        let grid = Self {
             value: Box::new(|_| 0.0),
             unit: times[1],
             end: self.end - shift,
             ..*self
         }
-        .grid(times, tolerance)
+        .grid(times, tolerance);
+        let fastest = (FASTEST * times[1] / times[0]).ln() / grid.step;
+        Grid {
+            fast: grid.fast.min(fastest.ceil() as i64),
+            ..grid
+        }
     }
 
     /// Sums the exponentials at the rates of a grid, and adds a constant for the slowest of them.
@@ -175,29 +182,30 @@ impl<'a> Density<'a> {
             weights.push(weight(i));
             rates.push(rate(i));
         }
-        // Beyond the fastest rate the density is a power of the rate or 0.
-        let mut impulse = 0.0;
-        if self.end.is_infinite() {
-            if self.exponents[1] > 0.0 {
-                let first = weight(fast + 1) / rate(fast + 1);
-                impulse = first / -((self.exponents[1] - 1.0) * step).exp_m1();
-            } else {
-                let mut i = fast + 1;
-                loop {
-                    let own = weight(i) / rate(i);
-                    impulse += own;
-                    if own <= NEGLIGIBLE * impulse || own == 0.0 {
-                        break;
-                    }
-                    i += 1;
+        // Beyond the fastest rate the density is a power of the rate or falls to 0.
+        let mut impulses = [0.0; 2];
+        if self.end.is_infinite() && self.exponents[1] > 0.0 {
+            let (own, rate) = (weight(fast + 1), rate(fast + 1));
+            let rest = |j: f64| -((self.exponents[1] - j) * step).exp_m1();
+            impulses = [own / rate / rest(1.0), own / (rate * rate) / rest(2.0)];
+        } else {
+            let mut i = fast + 1;
+            while i as f64 * step + shift <= self.end {
+                let (own, rate) = (weight(i), rate(i));
+                impulses[0] += own / rate;
+                impulses[1] += own / (rate * rate);
+                if own / rate <= NEGLIGIBLE * impulses[0] || own == 0.0 {
+                    break;
                 }
+                i += 1;
             }
         }
         Exponentials {
             constant: self.relaxed + m0 - weights[0],
             weights,
             rates,
-            impulse,
+            impulse: impulses[0],
+            second_impulse: impulses[1],
             error: 0.0,
         }
     }

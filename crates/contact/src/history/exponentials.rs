@@ -19,6 +19,8 @@ pub(super) struct Exponentials {
     pub rates: Vec<f64>,
     /// The integral over time of all terms that have died out at the shortest time, s.
     pub impulse: f64,
+    /// The integral of time times these terms, s^2.
+    pub second_impulse: f64,
     /// The largest relative error found in the range of times.
     pub error: f64,
 }
@@ -57,6 +59,7 @@ impl Exponentials {
             weights: terms.iter().map(|[weight, _]| *weight).collect(),
             rates: terms.iter().map(|[_, time]| 1.0 / time).collect(),
             impulse: 0.0,
+            second_impulse: 0.0,
             error: 0.0,
         }
     }

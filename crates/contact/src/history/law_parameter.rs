@@ -20,6 +20,16 @@ pub enum LawParameter {
 }
 
 impl Relaxation {
+    /// Returns the name of the law, as on the command line.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Prony { .. } => "prony",
+            Self::PowerLaw { .. } => "power-law",
+            Self::ModifiedPowerLaw { .. } => "modified-power-law",
+            Self::FractionalZener { .. } => "fractional-zener",
+        }
+    }
+
     /// Lists the numbers of this law.
     pub fn parameters(&self) -> Vec<LawParameter> {
         use LawParameter::{Exponent, RelaxedFraction, Time, Weight};

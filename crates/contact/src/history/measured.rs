@@ -22,7 +22,8 @@ use super::{History, HistoryError, LawParameter, TimedContact};
 use crate::{Contact, Control, Input};
 
 /// The fewest steps of a history; longer steps between points are divided.
-const STEPS: f64 = 250.0;
+const STEPS: f64 = 120.0;
+const STEPS_OF_A_SPRING: f64 = 250.0;
 /// The relative tolerance of the exponentials, and of the elastic curve.
 const LAW: f64 = 1e-6;
 const ELASTIC: f64 = 1e-8;
@@ -83,8 +84,8 @@ impl History<'_> {
     /// lines, and returns the states at the points, with the derivatives of the loads if `inputs` are
     /// given.
     ///
-    /// The values grow, may be held, and fall once. The steps are those of the points, at most 1/250
-    /// of the duration: the loads are smooth functions of all numbers, with errors of some 1e-5 of the largest
+    /// The values grow, may be held, and fall once. The steps are those of the points, at most 1/120
+    /// of the duration (of a spring 1/250): the loads are smooth functions of all numbers, with errors of some 1e-5 of the largest
     /// (`tests/truth/viscoelastic.rs`). [`History::at`] holds a tolerance.
     ///
     /// # Errors
@@ -125,9 +126,14 @@ impl History<'_> {
             found.states.extend(apart);
             return Ok(found);
         }
-        let steps = steps(&program);
-        let shortest = steps.windows(2).map(|pair| pair[1].time - pair[0].time);
-        let shortest = shortest.fold(f64::INFINITY, f64::min);
+        let count = match control {
+            Control::Spring { .. } => STEPS_OF_A_SPRING,
+            _ => STEPS,
+        };
+        let steps = steps(&program, count);
+        // What the first touch divides has small loads.
+        let ends = program.times.windows(2).map(|pair| pair[1] - pair[0]);
+        let shortest = ends.fold(program.duration() / count, f64::min);
         let (law, variations) = with_derivatives(
             &self.relaxation,
             [shortest, program.duration()],
@@ -176,8 +182,8 @@ impl History<'_> {
 }
 
 /// Returns the places of the program: its points, the first touch, and what divides long steps.
-fn steps(program: &Program) -> Vec<Place> {
-    let longest = program.duration() / STEPS;
+fn steps(program: &Program, count: f64) -> Vec<Place> {
+    let longest = program.duration() / count;
     let mut steps = vec![Place {
         time: program.times[0],
         value: program.values[0],

@@ -2,7 +2,7 @@
 
 use interp::{Elastic, Probe, System, Table};
 
-use super::{HistoryInputs, Relaxation};
+use super::{HistoryInputs, Relaxation, TimedContact};
 use crate::{Contact, Control, HistoryError, Input};
 
 fn system(young: f64) -> System {
@@ -60,34 +60,68 @@ fn laws() -> Vec<Relaxation> {
 
 const SPRING: Control = Control::Spring { stiffness: 0.01 };
 
+/// Returns the largest difference of the loads, in parts of the largest one.
+fn difference<'a>(
+    exact: impl Iterator<Item = &'a TimedContact>,
+    own: impl Iterator<Item = &'a TimedContact>,
+) -> f64 {
+    let loads = |at: &TimedContact| at.state.load;
+    let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
+    for (exact, own) in exact.map(loads).zip(own.map(loads)) {
+        worst = worst.max((exact - own).abs());
+        largest = largest.max(exact);
+    }
+    worst / largest
+}
+
 #[test]
 fn loads_agree_with_those_of_many_digits() {
     let contact = contact(1e3);
     for law in laws() {
         let history = contact.history(&law).expect("a law");
-        let cases = [
-            (Control::Displacement, None, 3e-5),
-            (SPRING, Some(1e-4), 3e-4),
-        ];
-        for (control, asked, tolerance) in cases {
-            for points in [101, 401] {
-                let program = program(points, 0.0);
-                let exact = history.run(control, &program, asked).expect("a course");
-                let own = history.measured(control, &program, None).expect("measured");
-                let largest = exact
-                    .states
-                    .iter()
-                    .map(|at| at.state.load)
-                    .fold(0.0, f64::max);
-                let pairs = exact.states.iter().zip(&own.states);
-                let error = |(exact, own): (&super::TimedContact, &super::TimedContact)| {
-                    (exact.state.load - own.state.load).abs() / largest
-                };
-                let error = pairs.map(error).fold(0.0, f64::max);
-                println!("{law:?} {control:?} {points}: {error:.1e}");
-                assert!(error < tolerance, "{law:?} {control:?}: {error:.1e}");
-            }
+        for points in [101, 401] {
+            let program = program(points, 0.0);
+            let exact = history.run(Control::Displacement, &program, None);
+            let exact = exact.expect("a course").states;
+            let own = history.measured(Control::Displacement, &program, None);
+            let own = own.expect("measured").states;
+            let error = difference(exact.iter(), own.iter());
+            println!("{law:?} {points}: {error:.1e}");
+            assert!(error < 3e-5, "{law:?} {points}: {error:.1e}");
         }
+    }
+    // Elements follow heights under a standard linear solid.
+    let history = contact.history(&laws()[0]).expect("a law");
+    let program = program(201, 0.0);
+    let exact = history.run(SPRING, &program, Some(3e-5)).expect("a course");
+    let own = history.measured(SPRING, &program, None).expect("measured");
+    let error = difference(exact.states.iter(), own.states.iter());
+    assert!(error < 1e-4, "{error:.1e}");
+}
+
+/// The error of the steps of a spring is of second order; of singular laws, of the order 2 less the exponent.
+#[test]
+fn steps_of_a_spring_halved() {
+    let contact = contact(1e3);
+    for law in laws() {
+        let history = contact.history(&law).expect("a law");
+        let course = |points: usize| {
+            let found = history.measured(SPRING, &program(points, 0.0), None);
+            let states = found.expect("measured").states.into_iter();
+            states.step_by((points - 1) / 400).collect::<Vec<_>>()
+        };
+        let exact = course(6401);
+        let errors = [401, 801, 1601].map(|points| {
+            let own = course(points);
+            // The first steps of singular laws are the worst.
+            difference(exact[60..].iter(), own[60..].iter())
+        });
+        println!("{law:?}: {errors:?}");
+        assert!(errors[0] < 1e-4, "{law:?}: {errors:?}");
+        assert!(
+            errors[0] > 2.5 * errors[1] && errors[1] > 2.5 * errors[2] || errors[0] < 1e-6,
+            "{law:?}: {errors:?}"
+        );
     }
 }
 

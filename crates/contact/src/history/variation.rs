@@ -16,6 +16,7 @@ pub(super) struct Variation {
     pub constant: f64,
     pub weights: Vec<f64>,
     pub impulse: f64,
+    pub second_impulse: f64,
 }
 
 /// The part of a rate by which the two exponentials differ from it.
@@ -61,6 +62,7 @@ fn of_terms(
             constant: 0.0,
             weights: vec![0.0; rates.len()],
             impulse: 0.0,
+            second_impulse: 0.0,
         };
         let first = place(1.0 / terms[0][1]);
         match *parameter {
@@ -120,6 +122,7 @@ fn of_density(
             constant: slope(below.constant, above.constant),
             weights: weights.map(|(b, a)| slope(*b, *a)).collect(),
             impulse: slope(below.impulse, above.impulse),
+            second_impulse: slope(below.second_impulse, above.second_impulse),
         }
     };
     let variations = parameters.iter().map(variation).collect();

@@ -158,10 +158,9 @@ impl Experiment {
             ));
         }
         if self.times.is_empty() {
-            return Err(why_not(
-                "its points have no times, on which the forces of bodies that relax depend: give a column \
-                 of times, or the interval between points",
-            ));
+            return Err(Error::NoTimes {
+                experiment: name.clone(),
+            });
         }
         for (i, pair) in self.times.windows(2).enumerate() {
             if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
@@ -182,10 +181,9 @@ impl Experiment {
             ));
         }
         if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
-            return Err(why_not(
-                "the layers of a stack relax all by one law, and so must probe and base: state that all \
-                 bodies relax, take probe and base as rigid, or use one film",
-            ));
+            return Err(Error::DifferentBodies {
+                experiment: name.clone(),
+            });
         }
         Ok(())
     }

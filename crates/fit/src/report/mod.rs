@@ -8,6 +8,7 @@
 mod fixed_values;
 mod indentation;
 mod jkr_plot;
+mod relaxing;
 mod unit;
 
 use std::borrow::Cow;
@@ -105,7 +106,11 @@ fn write_report(
             left_out_text(&one.left_out)
         )?;
     }
-    for text in indentation::lines(fit, experiments) {
+    let of_kinds = indentation::lines(fit, experiments);
+    for text in of_kinds
+        .into_iter()
+        .chain(relaxing::lines(fit, experiments))
+    {
         writeln!(out, "{text}")?;
     }
     if let Some(text) = film(fit, &experiments[0].bodies) {
@@ -242,10 +247,16 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         }
         parameters.extend(layered.parameters());
     }
+    rows.extend(relaxing::fixed(experiment));
+    if let Some(relaxing) = &experiment.relaxing {
+        let own = relaxing.parameters();
+        parameters.extend(own.into_iter().filter(|one| !Parameter::ALL.contains(one)));
+    }
     for parameter in parameters {
         if let Some(value) = experiment.get(parameter)
             && fit.estimate(parameter).is_none()
             && (value != 0.0 || parameter.is_positive())
+            && (experiment.relaxing.is_none() || parameter != Parameter::WorkOfAdhesion)
             && (!kind.is_stiffness() || experiment.why_without_effect(parameter).is_none())
             && (has_shape || parameter != Parameter::WorkOfAdhesion)
         {

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ._arrays import number, real
 from ._bodies import HalfSpace, System
 from ._errors import FitError
+from ._history import Relaxation
 from ._indentation import Indentation
 from ._stack import StackSystem
 from ._values import OneLine, Remade
@@ -43,9 +44,14 @@ UNITS_OF: dict[str, str] = {
     "hardness": "Pa",
     "tip_rounding": "m",
     "frame_compliance": "m/N",
+    "relaxed_fraction": "1",
+    "relaxation_exponent": "1",
+    "relaxation_time": "s",
 }
 
 
+# Further relaxation times and their weights end with a number: "relaxation_time.2".
+UNITS_OF_TERMS = {"relaxation_time": "s", "relaxation_weight": "1"}
 UNITS_OF_LAYERS = {"modulus": "Pa", "thickness": "m", "interface_stiffness": "Pa/m"}
 
 
@@ -54,6 +60,8 @@ def unit_of(parameter: object) -> str:
     if isinstance(parameter, str):
         layer, _, what = parameter.rpartition(".")
         unit = UNITS_OF_LAYERS.get(what) if layer else UNITS_OF.get(parameter)
+        if layer in UNITS_OF_TERMS and what.isdecimal() and 0 < int(what) < 256:
+            unit = UNITS_OF_TERMS[layer]
         if unit is not None:
             return unit
     words = ", ".join(f'"{word}"' for word in UNITS_OF)
@@ -130,6 +138,19 @@ class Experiment(Remade, OneLine):
     indentation : Indentation, optional
         What is known of a measurement of contact stiffness; None is the usual. Other kinds do not
         use it.
+    time : array_like, optional
+        Time of each point, s. With a ``relaxation`` times rise, and the points begin before the
+        contact: an approach, which may be held, and a retract.
+    relaxation : Relaxation, optional
+        How the film relaxes in time: then moduli are its ``E_ref``, and there is no adhesion. Its
+        numbers are parameters: ``"relaxed_fraction"``, ``"relaxation_exponent"``,
+        ``"relaxation_time"`` and, of several terms, ``"relaxation_time.2"`` and
+        ``"relaxation_weight.2"``, where the first weight is what the others leave. Free ones start
+        from the data. A gel also relaxes by flow of its solvent, with a time that grows like the
+        square of the contact radius: fits at two radii tell it from a law of the material.
+    all_relax : bool
+        Whether probe and substrate relax like the film. If not, the error of taking them so is
+        estimated, and refused above 2 % of the largest load.
     name : str
         The name of the measurement in messages.
     reading : str
@@ -154,6 +175,9 @@ class Experiment(Remade, OneLine):
     sphere_poisson_ratio: float = 0.5
     advancing: float = 1.0
     indentation: Indentation | None = None
+    time: Any = None
+    relaxation: Relaxation | None = None
+    all_relax: bool = False
     name: str = "experiment"
     reading: str = ""
 
@@ -161,6 +185,10 @@ class Experiment(Remade, OneLine):
         one_of("kind", self.kind, get_args(Kind))
         if self.indentation is not None and not isinstance(self.indentation, Indentation):
             raise TypeError(f"indentation must be an Indentation, not {self.indentation!r}")
+        if self.relaxation is not None and not isinstance(self.relaxation, Relaxation):
+            raise TypeError(f"relaxation must be a Relaxation, not {self.relaxation!r}")
+        if not isinstance(self.all_relax, bool):
+            raise TypeError(f"all_relax must be True or False, not {self.all_relax!r}")
         if not isinstance(self.system, System | HalfSpace | StackSystem):
             raise TypeError(
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
@@ -190,6 +218,14 @@ class Experiment(Remade, OneLine):
                 raise TypeError(f"retract must be True or False, not of the type {retract.dtype}")
             object.__setattr__(self, "retract", _fixed(retract))
             shapes.add(retract.shape)
+        if self.time is not None:
+            time = _fixed(real("time", self.time))
+            if time.shape != points[0].shape:
+                raise FitError(
+                    f"time must have one number for each point, {points[0].shape}, not {time.shape}",
+                    axis="time",
+                )
+            object.__setattr__(self, "time", time)
         if len(shapes) != 1 or points[0].ndim != 1:
             raise FitError(f"abscissa, ordinate and retract must be as long, not {shapes}")
         advances = self.retract is not None and not np.all(self.retract)
@@ -212,6 +248,11 @@ class Experiment(Remade, OneLine):
     def bodies(self) -> Any:
         """The bodies, as the native part takes them."""
         return self.system._native
+
+    @property
+    def law(self) -> Any:
+        """The numbers of the relaxation, as the native part takes them."""
+        return None if self.relaxation is None else self.relaxation._numbers()
 
 
 _NUMBERS = (

@@ -104,6 +104,10 @@ class FittedExperiment(OneLine):
     loss : dict of str to float or None
         ``angle`` (rad), ``tangent`` and its ``standard_error`` of the complex modulus of the film,
         where phases are measured.
+    relaxation : tuple or None
+        Where the film relaxes, the times (s) and the Young's moduli (Pa) at them after a step of
+        the strain, the largest change (m) of an abscissa that made them one rise and one fall, and
+        the bound of the error by bodies that do not relax, in parts of the largest load.
     """
 
     name: str
@@ -122,6 +126,7 @@ class FittedExperiment(OneLine):
     left_out: dict[str, int]
     retract: NDArray[np.bool_] | None
     loss: dict[str, float] | None
+    relaxation: tuple[list[float], list[float], float, float] | None
     _jkr: tuple[Array, ...] | str = field(repr=False)
 
     @property

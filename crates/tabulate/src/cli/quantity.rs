@@ -48,3 +48,8 @@ fn no_flag(text: &str) -> Result<(), String> {
     }
     Ok(())
 }
+
+/// Parses a time in s.
+pub fn time(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::Time))
+}

@@ -22,7 +22,7 @@ use super::fit::{kinds, one_of};
 use super::json::{self, Number};
 use super::output::Output;
 use super::points::{evenly, number};
-use super::quantity::{any, number as decimal};
+use super::quantity::{self, any, number as decimal};
 use super::table_name::{self, TableName};
 
 /// Make the data that an experiment would give, or the errors that its fit would have
@@ -36,6 +36,9 @@ use super::table_name::{self, TableName};
 /// Values of the bodies that are not given are those of the paper, and a comment line on standard
 /// error names them, as in `tabulate curve`.
 ///
+/// With --relaxation and --sample-interval the film relaxes; an approach from before the contact, a
+/// --hold and a retract have a column of times.
+///
 /// With --expect it prints the standard errors that a fit of these data would find, before any
 /// measurement: change --points, --from, --to and --noise until they are small enough.
 #[derive(clap::Args)]
@@ -43,6 +46,7 @@ use super::table_name::{self, TableName};
     "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN -o a.csv",
     "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN --expect",
     "tabulate simulate --specimen paper --kind load-penetration --from -1um --to 1um --noise 1uN",
+    "tabulate simulate --specimen paper --all-relax --relaxation power-law --relaxation-exponent 0.2 --sample-interval 20ms --kind load-penetration --from -1um --to 1um --noise 1uN",
 ))]
 pub struct Arguments {
     /// The two quantities that are measured
@@ -61,6 +65,9 @@ pub struct Arguments {
     /// [default: none for contact radii, cycle otherwise]
     #[arg(long, value_parser = ways())]
     segments: Option<&'static [Option<Direction>]>,
+    /// Time for which the last abscissa of the approach is held, s, with points at the --sample-interval
+    #[arg(long, value_name = "S", requires = "sample_interval", value_parser = quantity::time, allow_hyphen_values = true)]
+    hold: Option<f64>,
     /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%)
     #[arg(long, value_parser = indentation::noise, allow_hyphen_values = true)]
     noise: Noise,
@@ -141,7 +148,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let noise = arguments.noise.of(arguments.kind)?;
     let measurement = plan(arguments, [from, to]);
-    let mut experiments = arguments.known.experiments(vec![measurement])?;
+    let mut experiments = arguments.known.experiments(vec![measurement], &[])?;
     experiments[0].noise = Some(noise);
     ensure!(
         arguments.loss_tangent == 0.0 || arguments.kind.is_stiffness(),
@@ -155,6 +162,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     } else {
         Vec::new()
     };
+    let given = arguments.known.values.iter().map(|one| one.parameter);
+    let given: Vec<_> = given.collect();
+    arguments.known.relaxing.ask(&experiments[0], &given)?;
     forget_shapes(&mut experiments, &free);
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
     let table = arguments.table.read()?;
@@ -184,12 +194,20 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
         Kind::LoadPenetration | Kind::ForceHeight => CYCLE,
         _ => NONE,
     };
+    let interval = arguments.known.relaxing.sample_interval;
+    let held = arguments.hold.zip(interval);
+    // A conversion of a float saturates, and a plan of points has an end.
+    let held = held.map_or(0, |(hold, interval)| (hold / interval).round() as usize);
+    let held = held.min(10_000_000);
     let way = |&direction: &Option<Direction>| {
         let back = direction == Some(Direction::Retract);
         let ends = if back { [to, from] } else { [from, to] };
-        (0..points).map(move |i| Point {
+        let held = if back { 0 } else { held };
+        let evenly = (0..points).map(move |i| evenly(ends, i, points));
+        let abscissae = evenly.chain(std::iter::repeat_n(to, held));
+        abscissae.map(move |abscissa| Point {
             line: 0,
-            abscissa: evenly(ends, i, points),
+            abscissa,
             ordinate: 0.0,
             direction,
         })
@@ -217,13 +235,16 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
         .points
         .iter()
         .any(|point| point.direction.is_some());
+    let time = (!made.times.is_empty()).then_some(Role::Time.name());
     let names = roles(measurement.kind).map(Role::name);
     let load = (!of.loads.is_empty()).then_some(Role::Load.name());
     let phase = (!of.phases.is_empty()).then_some(Role::PhaseShift.name());
     let segment = has_segments.then_some(Role::Segment.name());
-    writer.write_record(names.into_iter().chain(load).chain(phase).chain(segment))?;
+    let names = time.into_iter().chain(names);
+    writer.write_record(names.chain(load).chain(phase).chain(segment))?;
     for (i, point) in measurement.points.iter().enumerate() {
-        let numbers = [point.abscissa, point.ordinate].into_iter();
+        let numbers = made.times.get(i).copied().into_iter();
+        let numbers = numbers.chain([point.abscissa, point.ordinate]);
         let beside = [of.loads.get(i), of.phases.get(i)].into_iter().flatten();
         let numbers = numbers.chain(beside.copied()).map(number);
         let direction = point.direction.map(|direction| direction.name().to_owned());

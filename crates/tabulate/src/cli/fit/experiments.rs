@@ -10,6 +10,7 @@ use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
 use super::indentation::{IndentationArguments, forget_shape, has_no_shape};
+use super::relaxing::{self, RelaxingArguments};
 use super::setting::{Bounds, Given, Known, Values};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
@@ -40,6 +41,8 @@ pub struct KnownArguments {
     pub values: Vec<Values>,
     #[command(flatten)]
     pub indentation: IndentationArguments,
+    #[command(flatten)]
+    pub relaxing: RelaxingArguments,
 }
 
 impl KnownArguments {
@@ -48,6 +51,9 @@ impl KnownArguments {
         let mut missing = self.bodies.missing(self.half_space);
         let of = |parameter| self.values.iter().rfind(|set| set.parameter == parameter);
         missing.retain(|value| value.parameter().and_then(of).is_none());
+        if self.relaxing.is_given() {
+            missing.retain(|value| *value != Value::WorkOfAdhesion);
+        }
         missing
     }
 
@@ -60,6 +66,16 @@ impl KnownArguments {
             }
             system::name_example(&missing);
         }
+    }
+
+    /// Returns the values given by --value and by the flags of the law.
+    pub fn all_values(&self) -> anyhow::Result<Vec<Values>> {
+        let of_law = self
+            .relaxing
+            .values()?
+            .into_iter()
+            .map(|(_, values)| values);
+        Ok(self.values.iter().cloned().chain(of_law).collect())
     }
 
     /// Asks for all that a fit of experiments needs and nobody gives. The values of free parameters
@@ -100,8 +116,13 @@ impl KnownArguments {
         Ok(())
     }
 
-    /// Joins measurements with what is known about them.
-    pub fn experiments(&self, measurements: Vec<Measurement>) -> anyhow::Result<Vec<Experiment>> {
+    /// Joins measurements with what is known about them. `times` are those of the points, where they
+    /// are known.
+    pub fn experiments(
+        &self,
+        measurements: Vec<Measurement>,
+        times: &[Vec<f64>],
+    ) -> anyhow::Result<Vec<Experiment>> {
         let bodies::Bodies {
             system,
             stack,
@@ -170,6 +191,11 @@ impl KnownArguments {
             experiment.stiffness = self.stiffness;
             let kind = experiment.measurement.kind;
             experiment.indentation = self.indentation.of(kind)?;
+            experiment.times = times.get(i).cloned().unwrap_or_default();
+            self.relaxing.complete(&mut experiment)?;
+            if let Some(work) = self.bodies.system.given(Value::WorkOfAdhesion) {
+                experiment.work_of_adhesion = work;
+            }
             for Values { parameter, values } in &self.values {
                 let value = values.get(i).unwrap_or(&values[0]);
                 experiment
@@ -236,7 +262,10 @@ pub struct FreeArguments {
     ///
     /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
     /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the
-    /// baseline with heights; of a contact stiffness the modulus of the film or top layer.
+    /// baseline with heights; of a contact stiffness the modulus of the film or top layer; with
+    /// --relaxation the modulus of the film or top layer, the numbers of the law, the contact point and
+    /// with heights the baseline. The numbers of a law are relaxed-fraction, relaxation-exponent,
+    /// relaxation-time and, of prony:M, relaxation-time.2, relaxation-weight.2, ...
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
     /// Smallest and largest value of a free parameter: film-modulus=0.1MPa..100MPa
@@ -328,14 +357,18 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
     {
         return vec![modulus_of_top(&experiments[0].bodies)];
     }
+    let modulus = if experiments.iter().any(is_rigid) {
+        modulus_of_top(&experiments[0].bodies)
+    } else {
+        Parameter::SphereModulus
+    };
+    if let Some(free) = relaxing::usual(experiments, modulus_of_top(&experiments[0].bodies)) {
+        return free;
+    }
     let mut free = Vec::new();
     // Without a load the data tell the ratio of adhesion and modulus only.
     if any(&[Kind::LoadRadius, Kind::LoadPenetration, Kind::ForceHeight]) {
-        free.push(if experiments.iter().any(is_rigid) {
-            modulus_of_top(&experiments[0].bodies)
-        } else {
-            Parameter::SphereModulus
-        });
+        free.push(modulus);
     }
     free.push(Parameter::WorkOfAdhesion);
     if any(&[

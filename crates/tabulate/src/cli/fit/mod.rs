@@ -13,6 +13,7 @@ mod picture;
 #[path = "no_picture.rs"]
 mod picture;
 pub mod reading;
+pub mod relaxing;
 pub mod setting;
 pub mod table;
 
@@ -45,7 +46,7 @@ use crate::printable;
 /// point or comma, comment lines (#, % or //) and other lines before the headings. Columns are
 /// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
 /// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
-/// force, height, `height (measured)`, `height (piezo)`, contact_stiffness, contact_area, phase_shift
+/// force, time, height, `height (measured)`, `height (piezo)`, contact_stiffness, contact_area, phase_shift
 /// and loss_stiffness are in SI units, all others an error.
 /// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
 /// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
@@ -67,6 +68,11 @@ use crate::printable;
 /// What the fit needs and nobody gives is an error that lists it. A value of the bodies is fixed
 /// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
 /// value: the data tell where to start.
+///
+/// With --relaxation the film relaxes in time, and an approach, a hold and a retract, which the points
+/// of one file are, give its modulus and its relaxation function; without adhesion, and exactly on films of any thickness. A
+/// gel also relaxes by flow of its solvent, and that is no law of the material: its time grows like the
+/// square of the contact radius. Fit curves of two radii: a material has the same relaxation times.
 ///
 /// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
 /// without it, a warning tells where full friction would change the modulus by more than its standard
@@ -93,7 +99,7 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
-    /// penetration, height, deflection, segment, contact_stiffness, contact_area, phase_shift and
+    /// penetration, height, deflection, segment, time, contact_stiffness, contact_area, phase_shift and
     /// loss_stiffness, or with _error a column of standard deviations: load_error. The number of the column may stand for the heading, with `extend` or `retract`
     /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
@@ -183,7 +189,8 @@ pub struct Arguments {
     /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
     /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
-    /// phases are measured, "without_film": {...},
+    /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
+    /// "unlike_bodies"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
     /// own is a list. With --intervals each parameter has an "interval".
@@ -232,24 +239,25 @@ impl Arguments {
             },
             segments: self.segments,
             only: self.only,
+            keep_pauses: self.known.relaxing.is_given(),
         })
     }
 }
 
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
-fn further_doubts(fit: &Fit) -> String {
+fn further_doubts(fit: &Fit, timed: bool) -> String {
     let others = fit.warnings.iter();
     let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
     let texts: String = others
         .map(|warning| format!("\nwarning: {}", warning.text))
         .collect();
-    format!("{texts}\n{}", next_steps(fit))
+    format!("{texts}\n{}", next_steps(fit, timed))
         .trim_end()
         .to_owned()
 }
 
 /// Returns the flags that follow from the warnings, a line each.
-fn next_steps(fit: &Fit) -> String {
+fn next_steps(fit: &Fit, timed: bool) -> String {
     let steps = [
         (
             WarningKind::Hysteresis,
@@ -262,7 +270,13 @@ fn next_steps(fit: &Fit) -> String {
              load, and --only retract --free film-modulus,contact-point",
         ),
     ];
-    let steps = steps.iter().filter(|(kind, _)| fit.warns_of(*kind));
+    let in_time = (
+        WarningKind::Hysteresis,
+        "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
+         fractional-zener (see `tabulate fit --help`)",
+    );
+    let steps = steps.iter().chain(timed.then_some(&in_time));
+    let steps = steps.filter(|(kind, _)| fit.warns_of(*kind));
     steps.map(|(_, step)| format!("{step}\n")).collect()
 }
 
@@ -298,14 +312,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let format = arguments.format()?;
     let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    let mut times = Vec::new();
     for path in arguments.data.iter().chain(&arguments.reference.reference) {
         let reading = measured(path, &format)?;
         measurements.push(reading.measurement);
         beside.push((reading.errors, reading.loads, reading.phases));
+        times.push(reading.times);
         notes.push(reading.notes);
     }
     let reference = measurements.split_off(arguments.data.len()).pop();
-    let mut experiments = arguments.known.experiments(measurements)?;
+    let mut experiments = arguments.known.experiments(measurements, &times)?;
     if let Some(measurement) = reference {
         let reference = &arguments.reference;
         experiments.push(reference.experiment(measurement, &experiments[0])?);
@@ -343,7 +359,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
     }
-    let free = arguments.free.of(&experiments, &arguments.known.values)?;
+    let values = arguments.known.all_values()?;
+    let free = arguments.free.of(&experiments, &values)?;
+    let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    let set: Vec<Parameter> = values.iter().map(|one| one.parameter).collect();
+    arguments
+        .known
+        .relaxing
+        .ask(&experiments[0], &[parameters, set].concat())?;
     experiments::forget_shapes(&mut experiments, &free);
     let mut columns = notes.iter().flat_map(|notes| &notes.columns);
     let from_deflection = columns.any(|column| column.role == Role::Deflection);
@@ -380,9 +403,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let fit =
         ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
+    let timed = experiments
+        .iter()
+        .any(|one| !one.times.is_empty() && one.relaxing.is_none());
     if fit.converged {
         allow::magnitudes(&fit.magnitudes(), allowed)
-            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit)))?;
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, timed)))?;
     }
     // A picture that cannot be drawn is told before anything is written.
     let drawn = arguments.picture.drawn(&fit, &experiments)?;
@@ -399,7 +425,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
             report += &format!("if the sign is wrong, {}\n", typed(&doubt.remedy()));
         }
-        report += &next_steps(&fit);
+        report += &next_steps(&fit, timed);
         print(printable::lines(&report).as_bytes())?;
     }
     ensure!(

@@ -37,6 +37,9 @@ pub struct FitObject<'a> {
     /// Of each file, the loss tangent of the film, where phases are measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     loss: Option<OneOrAll<Option<LossObject>>>,
+    /// Of each file, what the relaxation does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    relaxation: Option<OneOrAll<Option<RelaxationObject>>>,
     without_film: Option<WithoutFilmObject<'a>>,
     fixed_values: Vec<FixedValueObject>,
     warnings: Vec<WarningObject<'a>>,
@@ -80,6 +83,39 @@ impl LossObject {
             tangent: Number(found.tangent()),
             stderr: Number(found.tangent_error()),
         }
+    }
+}
+
+/// What the relaxation does: the modulus (Pa) at times (s) after a step of the strain.
+#[derive(Serialize)]
+struct RelaxationObject {
+    law: &'static str,
+    moduli: Vec<ModulusInTime>,
+    made_monotone: Number,
+    unlike_bodies: Number,
+}
+
+#[derive(Serialize)]
+struct ModulusInTime {
+    time: Number,
+    modulus: Number,
+}
+
+impl RelaxationObject {
+    fn new(fitted: &FittedExperiment, experiment: &Experiment) -> Option<Self> {
+        let found = fitted.relaxation?;
+        Some(Self {
+            law: experiment.relaxing.as_ref()?.law.name(),
+            moduli: found
+                .moduli
+                .map(|[time, modulus]| ModulusInTime {
+                    time: Number(time),
+                    modulus: Number(modulus),
+                })
+                .into(),
+            made_monotone: Number(found.made_monotone),
+            unlike_bodies: Number(found.unlike_bodies),
+        })
     }
 }
 
@@ -223,6 +259,14 @@ impl<'a> FitObject<'a> {
                 let objects = losses.iter().map(|one| one.map(LossObject::new));
                 OneOrAll(objects.collect())
             }),
+            relaxation: fit
+                .experiments
+                .iter()
+                .any(|one| one.relaxation.is_some())
+                .then(|| {
+                    let fitted = fit.experiments.iter().zip(experiments);
+                    OneOrAll(fitted.map(|(f, e)| RelaxationObject::new(f, e)).collect())
+                }),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
             warnings: warnings.chain(doubts).collect(),

@@ -17,6 +17,15 @@ pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
 pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
     let error = match error {
         ::fit::Error::LeftOut { .. } => anyhow!("{error}: --allow left-out"),
+        ::fit::Error::NoTimes { .. } => {
+            anyhow!(
+                "{error}: name the column, --column \"time=Time [s]\", or type --sample-interval S"
+            )
+        }
+        ::fit::Error::History(contact::HistoryError::UnlikeBodies { .. })
+        | ::fit::Error::DifferentBodies { .. } => {
+            anyhow!("{error}; if sphere and substrate relax like the film: --all-relax")
+        }
         error => error.into(),
     };
     let doubts: String = notes

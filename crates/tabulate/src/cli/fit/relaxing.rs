@@ -1,0 +1,242 @@
+//! The flags of bodies that relax, for measurements.
+
+use ::fit::{Experiment, Kind, Parameter, Relaxing};
+use anyhow::{bail, ensure};
+use contact::Relaxation;
+
+use super::setting::Values;
+use crate::cli::quantity::{number, time};
+
+/// The flags of bodies that relax.
+#[derive(clap::Args, Clone)]
+#[group(skip)]
+pub struct RelaxingArguments {
+    /// How the modulus of the film falls in time after a step of the strain: sls (the standard linear
+    /// solid, relaxed-fraction + (1 - relaxed-fraction) exp(-t/relaxation-time)), prony:M with M
+    /// relaxation times, power-law ((t/reference-time)^-relaxation-exponent), modified-power-law
+    /// (relaxed-fraction + (1 - relaxed-fraction) (1 + t/relaxation-time)^-relaxation-exponent) or
+    /// fractional-zener. The moduli are then the instantaneous ones, and under a power law those at
+    /// the reference time. Points need a time, and begin before the contact
+    #[arg(long, value_name = "LAW", value_parser = law)]
+    relaxation: Option<Law>,
+    /// Exponent of the law, above 0 and below 1
+    #[arg(long, requires = "relaxation", value_parser = number, allow_hyphen_values = true)]
+    relaxation_exponent: Option<f64>,
+    /// Part of the modulus that is left in the end, from 0 to 1
+    #[arg(long, requires = "relaxation", value_parser = number, allow_hyphen_values = true)]
+    relaxed_fraction: Option<f64>,
+    /// Relaxation times, s, separated by commas
+    #[arg(long, requires = "relaxation", value_name = "S,...", value_delimiter = ',', value_parser = time, allow_hyphen_values = true)]
+    relaxation_time: Vec<f64>,
+    /// Weights of the relaxation times of prony:M from the second one on; the first one has what they
+    /// and the relaxed fraction leave
+    #[arg(long, requires = "relaxation", value_name = "W,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
+    relaxation_weight: Vec<f64>,
+    /// Time at which the modulus of a power law is that of the film, s [default: 1]
+    #[arg(long, requires = "relaxation", value_name = "S", value_parser = time, allow_hyphen_values = true)]
+    reference_time: Option<f64>,
+    /// Take sphere and substrate to relax like the film
+    #[arg(long, requires = "relaxation")]
+    all_relax: bool,
+    /// Time between points, s, of measurements without a column of times
+    #[arg(long, value_name = "S", value_parser = time, allow_hyphen_values = true)]
+    pub sample_interval: Option<f64>,
+}
+
+/// A law by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Law {
+    Prony(usize),
+    Power,
+    ModifiedPower,
+    FractionalZener,
+}
+
+/// The most relaxation times of `prony:M`.
+const MOST_TERMS: usize = 20;
+/// The number of a law that is free, before the data give it one: any number that the law takes.
+const ANY: f64 = 0.2;
+
+/// Parses the name of a law.
+fn law(text: &str) -> Result<Law, String> {
+    Ok(match text {
+        "sls" | "prony" => Law::Prony(1),
+        "power-law" => Law::Power,
+        "modified-power-law" => Law::ModifiedPower,
+        "fractional-zener" => Law::FractionalZener,
+        _ => {
+            let terms = text.strip_prefix("prony:").map(str::parse::<usize>);
+            match terms {
+                Some(Ok(terms)) if (1..=MOST_TERMS).contains(&terms) => Law::Prony(terms),
+                Some(_) => {
+                    return Err(format!(
+                        "{text:?}: prony:M has M from 1 to {MOST_TERMS}, such as prony:2"
+                    ));
+                }
+                None => {
+                    return Err(format!(
+                        "{text:?} is not a law: give sls, prony:M, power-law, modified-power-law or \
+                         fractional-zener"
+                    ));
+                }
+            }
+        }
+    })
+}
+
+impl RelaxingArguments {
+    /// Tells whether a law is given.
+    pub const fn is_given(&self) -> bool {
+        self.relaxation.is_some()
+    }
+
+    /// Returns the law with any numbers.
+    fn any(&self) -> Option<Relaxing> {
+        let [relaxed, exponent, time] = [ANY; 3];
+        let law = match self.relaxation? {
+            Law::Prony(terms) => Relaxation::Prony {
+                relaxed,
+                terms: vec![[(1.0 - relaxed) / terms as f64, time]; terms],
+            },
+            Law::Power => Relaxation::PowerLaw {
+                exponent,
+                time: self.reference_time.unwrap_or(1.0),
+            },
+            Law::ModifiedPower => Relaxation::ModifiedPowerLaw {
+                relaxed: 0.0,
+                exponent,
+                time,
+            },
+            Law::FractionalZener => Relaxation::FractionalZener {
+                relaxed,
+                exponent,
+                time,
+            },
+        };
+        Some(Relaxing {
+            law,
+            all_bodies: self.all_relax,
+        })
+    }
+
+    /// Returns the numbers of the law that are given, with their flags.
+    pub fn values(&self) -> anyhow::Result<Vec<(&'static str, Values)>> {
+        let mut given: Vec<(&'static str, Parameter, f64)> = Vec::new();
+        let of = |flag, parameter, value: Option<f64>| value.map(|value| (flag, parameter, value));
+        given.extend(of(
+            "--relaxation-exponent",
+            Parameter::RelaxationExponent,
+            self.relaxation_exponent,
+        ));
+        given.extend(of(
+            "--relaxed-fraction",
+            Parameter::RelaxedFraction,
+            self.relaxed_fraction,
+        ));
+        ensure!(
+            self.relaxation == Some(Law::Power) || self.reference_time.is_none(),
+            "--reference-time is that of --relaxation power-law: leave it out"
+        );
+        for (i, &time) in (1..).zip(&self.relaxation_time) {
+            given.push(("--relaxation-time", Parameter::RelaxationTime(i), time));
+        }
+        for (i, &weight) in (2..).zip(&self.relaxation_weight) {
+            given.push((
+                "--relaxation-weight",
+                Parameter::RelaxationWeight(i),
+                weight,
+            ));
+        }
+        if let Some(relaxing) = self.any() {
+            let own = relaxing.parameters();
+            for (flag, parameter, value) in &given {
+                ensure!(
+                    own.contains(parameter),
+                    "{flag}: the law has no {parameter}, which would be {value:?}; it has {}",
+                    names(&own)
+                );
+            }
+        }
+        Ok(given
+            .into_iter()
+            .map(|(flag, parameter, value)| {
+                let values = vec![value];
+                (flag, Values { parameter, values })
+            })
+            .collect())
+    }
+
+    /// Gives an experiment the law, and times where none were measured.
+    pub fn complete(&self, experiment: &mut Experiment) -> anyhow::Result<()> {
+        if let Some(interval) = self.sample_interval {
+            let name = &experiment.measurement.name;
+            ensure!(
+                experiment.times.is_empty(),
+                "{name} has a column of times: leave out --sample-interval"
+            );
+            let count = experiment.measurement.points.len();
+            experiment.times = (0..count).map(|i| i as f64 * interval).collect();
+        }
+        if let Some(relaxing) = self.any() {
+            // That of the example.
+            experiment.work_of_adhesion = 0.0;
+            experiment.relaxing = Some(relaxing);
+            for (_, Values { parameter, values }) in self.values()? {
+                experiment.set(parameter, values[0])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks for the numbers of the law that are neither given nor free.
+    pub fn ask(&self, experiment: &Experiment, free: &[Parameter]) -> anyhow::Result<()> {
+        let given = self.values()?;
+        let is_known = |parameter: &Parameter| {
+            given.iter().any(|(_, own)| own.parameter == *parameter)
+                || free.contains(parameter)
+                || (self.relaxation == Some(Law::ModifiedPower)
+                    && *parameter == Parameter::RelaxedFraction)
+        };
+        let mut own = experiment
+            .relaxing
+            .as_ref()
+            .map_or_else(Vec::new, Relaxing::parameters);
+        own.retain(|parameter| !is_known(parameter));
+        if own.is_empty() {
+            return Ok(());
+        }
+        bail!(
+            "--relaxation needs {}: give {}, or free them",
+            names(&own),
+            own.iter()
+                .map(|parameter| format!("--value {parameter}=..."))
+                .collect::<Vec<_>>()
+                .join(" ")
+        )
+    }
+}
+
+/// Lists names.
+fn names(parameters: &[Parameter]) -> String {
+    let names: Vec<_> = parameters
+        .iter()
+        .map(|parameter| parameter.name())
+        .collect();
+    names.join(", ")
+}
+
+/// Returns the parameters that are free by default where bodies relax.
+pub fn usual(experiments: &[Experiment], modulus: Parameter) -> Option<Vec<Parameter>> {
+    let relaxing = experiments.first()?.relaxing.as_ref()?;
+    let mut free = vec![modulus];
+    free.extend(relaxing.parameters());
+    if matches!(relaxing.law, Relaxation::ModifiedPowerLaw { .. }) {
+        free.retain(|&parameter| parameter != Parameter::RelaxedFraction);
+    }
+    free.push(Parameter::ContactPoint);
+    let heights = |one: &Experiment| one.measurement.kind == Kind::ForceHeight;
+    if experiments.iter().any(heights) {
+        free.push(Parameter::Baseline);
+    }
+    Some(free)
+}

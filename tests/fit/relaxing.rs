@@ -1,0 +1,325 @@
+//! Fits of bodies that relax: the truth within the intervals, and what is refused.
+
+use acceptance::assert_names;
+use contact::Relaxation;
+use fit::{
+    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
+    Relaxing, WarningKind, fit, simulate,
+};
+use interp::{Elastic, Probe, System, Table};
+use rayon::prelude::*;
+
+use crate::recovery::{SETS, assert_coverage};
+
+use Parameter::{
+    Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
+};
+
+/// A rigid probe on a gel of some thickness (m) on glass.
+fn gel(thickness: f64) -> Bodies {
+    Bodies::Coated(System {
+        probe: Probe::Paraboloid { radius: 2e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: Elastic::new(2e3, 0.5).expect("physical"),
+        film_thickness: thickness,
+        substrate: Elastic::new(f64::INFINITY, 0.25).expect("physical"),
+    })
+}
+
+/// An approach from before the contact in 1 s, a hold, and a retract, with 60 points.
+fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Experiment {
+    const POINTS: u32 = 60;
+    let times = (0..POINTS).map(|i| (2.0 + hold) * f64::from(i) / f64::from(POINTS - 1));
+    let times: Vec<f64> = times.collect();
+    let depth = |t: f64| match t {
+        _ if t < 1.0 => 6e-7 * (1.2 * t - 0.2),
+        _ if t < 1.0 + hold => 6e-7,
+        _ => 6e-7 * (1.0 - 1.2 * (t - 1.0 - hold)),
+    };
+    let sense = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
+    let point = |(line, &t): (u64, &f64)| Point {
+        line,
+        abscissa: 3e-7 + sense * depth(t),
+        ordinate: 0.0,
+        direction: Some(if t <= 1.0 + hold {
+            Direction::Approach
+        } else {
+            Direction::Retract
+        }),
+    };
+    let measurement = Measurement {
+        name: "gel.csv".into(),
+        kind,
+        points: (1..).zip(&times).map(point).collect(),
+    };
+    let mut planned = Experiment::new(measurement, gel(thickness));
+    planned.times = times;
+    planned.contact_point = 3e-7;
+    planned.stiffness = Some(0.02);
+    planned.relaxing = Some(Relaxing::new(law.clone()));
+    planned
+}
+
+/// Returns the data with noise of a hundredth of the largest load; nothing that is free is told.
+fn measured(plan: &Experiment, seed: u64) -> Experiment {
+    let exact = simulate(Table::embedded(), plan, 0.0, 0).expect("in the table");
+    let loads = exact.points.iter().map(|point| point.ordinate);
+    let noise = 0.01 * loads.fold(0.0, f64::max);
+    let mut made = plan.clone();
+    made.measurement = simulate(Table::embedded(), plan, noise, seed).expect("in the table");
+    made.noise = Some(noise);
+    made.contact_point = 0.0;
+    if let Some(relaxing) = &mut made.relaxing {
+        for parameter in relaxing.parameters() {
+            relaxing.law = match parameter {
+                RelaxationExponent => relaxing.law.with(contact::LawParameter::Exponent, 0.33),
+                _ => relaxing.law.clone(),
+            };
+        }
+    }
+    made
+}
+
+fn recover(name: &str, plans: &[Experiment], free: &[Parameter], seed: u64) {
+    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
+    let fit_of = |set: u64| {
+        let data = plans
+            .iter()
+            .zip(0..)
+            .map(|(plan, i)| measured(plan, 10 * set + i));
+        let data: Vec<Experiment> = data.collect();
+        fit(Table::embedded(), &data, &free, &Options::default()).expect("sound data")
+    };
+    let fits: Vec<Fit> = (SETS * seed..SETS * (seed + 1))
+        .into_par_iter()
+        .map(fit_of)
+        .collect();
+    let truth = |parameter, _| plans[0].get(parameter).expect("a value");
+    assert_coverage(name, &fits, truth, &[]);
+}
+
+fn power() -> Relaxation {
+    Relaxation::PowerLaw {
+        exponent: 0.2,
+        time: 1.0,
+    }
+}
+
+fn solid() -> Relaxation {
+    Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.3]],
+    }
+}
+
+#[test]
+fn power_laws_are_recovered() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    let plan = planned(Kind::LoadPenetration, 1e-5, &power(), 0.0);
+    recover("power law", &[plan], &free, 101);
+    let plan = planned(Kind::ForceHeight, 1e-5, &power(), 0.0);
+    let with_level = [&free[..], &[Baseline]].concat();
+    recover("power law, heights", &[plan], &with_level, 102);
+    let plans = [5e-6, 2e-5].map(|t| planned(Kind::LoadPenetration, t, &power(), 0.0));
+    recover("power law, two films", &plans, &free, 103);
+}
+
+#[test]
+fn solids_are_recovered() {
+    let free = [
+        FilmModulus,
+        RelaxedFraction,
+        RelaxationTime(1),
+        ContactPoint,
+    ];
+    let plan = planned(Kind::LoadPenetration, 1e-5, &solid(), 1.0);
+    recover("standard linear solid", &[plan], &free, 104);
+    let plan = planned(Kind::ForceHeight, 1e-5, &solid(), 1.0);
+    recover("standard linear solid, heights", &[plan], &free, 105);
+    let modified = Relaxation::ModifiedPowerLaw {
+        relaxed: 0.0,
+        exponent: 0.5,
+        time: 0.1,
+    };
+    let free = [
+        FilmModulus,
+        RelaxationExponent,
+        RelaxationTime(1),
+        ContactPoint,
+    ];
+    let plan = planned(Kind::LoadPenetration, 1e-5, &modified, 1.0);
+    recover("modified power law", &[plan], &free, 106);
+}
+
+/// Returns the message of the error of a fit.
+fn refused(experiment: &Experiment, free: &[Parameter]) -> String {
+    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
+    let found = fit(
+        Table::embedded(),
+        std::slice::from_ref(experiment),
+        &free,
+        &Options::default(),
+    );
+    found.expect_err("it is refused").to_string()
+}
+
+#[test]
+fn what_cannot_be_fitted_is_refused_with_the_reason() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
+    let changed = |change: fn(&mut Experiment)| {
+        let mut changed = data.clone();
+        change(&mut changed);
+        refused(&changed, &free)
+    };
+    assert_names(
+        &changed(|one| one.times[7] = one.times[6]),
+        &["line 8", "times must rise"],
+    );
+    assert_names(
+        &changed(|one| one.times[7] = f64::NAN),
+        &["line 8", "times must rise"],
+    );
+    assert_names(&changed(|one| one.times.clear()), &["no times", "column"]);
+    assert_names(
+        &changed(|one| one.times.truncate(9)),
+        &["number of times", "60"],
+    );
+    assert_names(
+        &changed(|one| one.work_of_adhesion = 0.01),
+        &["work of adhesion", "crack tip", "without adhesion"],
+    );
+    assert_names(
+        &changed(|one| one.measurement.kind = Kind::LoadRadius),
+        &["penetrations", "heights"],
+    );
+    let begins = changed(|one| {
+        one.measurement.points.drain(..30);
+        one.times.drain(..30);
+    });
+    assert_names(&begins, &["begin in contact", "history", "not known"]);
+    let law = changed(|one| {
+        let law = Relaxation::PowerLaw {
+            exponent: 1.0,
+            time: 1.0,
+        };
+        one.relaxing = Some(Relaxing::new(law));
+    });
+    assert_names(&law, &["relaxation exponent", "below 1"]);
+    let again = changed(|one| {
+        let count = one.measurement.points.len();
+        for (point, i) in one.measurement.points[count - 10..].iter_mut().zip(0..) {
+            point.abscissa = 3e-7 + 5e-8 * f64::from(i);
+        }
+    });
+    assert_names(&again, &["one approach"]);
+    let mut without = data.clone();
+    without.relaxing = None;
+    assert_names(
+        &refused(&without, &free),
+        &["relaxation function", "give one"],
+    );
+    assert_names(
+        &refused(&data, &[FilmModulus, RelaxedFraction]),
+        &["relaxed-fraction", "does not have"],
+    );
+}
+
+#[test]
+fn bodies_that_do_not_relax_are_doubted_or_refused() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    let with_base = |young: f64, all_bodies: bool| {
+        let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
+        if let Bodies::Coated(system) = &mut data.bodies {
+            system.substrate = Elastic::new(young, 0.45).expect("physical");
+        }
+        if let Some(relaxing) = &mut data.relaxing {
+            relaxing.all_bodies = all_bodies;
+        }
+        data
+    };
+    let found = |data: &Experiment| {
+        let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
+        fit(
+            Table::embedded(),
+            std::slice::from_ref(data),
+            &free,
+            &Options::default(),
+        )
+    };
+    let glass = found(&with_base(7e10, false)).expect("nothing to see");
+    assert!(!glass.warns_of(WarningKind::UnlikeBodies));
+    let stiff = found(&with_base(1e6, false)).expect("a doubt");
+    let bound = stiff.experiments[0]
+        .relaxation
+        .expect("it relaxes")
+        .unlike_bodies;
+    println!("a base of 1 MPa: {bound:.1e}");
+    let soft = found(&with_base(2e4, false)).expect_err("too different");
+    assert!(matches!(soft, Error::History(_)), "{soft}");
+    assert_names(&soft.to_string(), &["relax"]);
+    assert!(found(&with_base(2e4, true)).is_ok());
+}
+
+/// A loop in time that no relaxation is fitted to.
+#[test]
+fn a_loop_in_time_asks_for_a_relaxation() {
+    let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
+    data.relaxing = None;
+    let free = [FilmModulus, ContactPoint].map(Free::new);
+    let found = |data: &Experiment| {
+        let found = fit(
+            Table::embedded(),
+            std::slice::from_ref(data),
+            &free,
+            &Options {
+                allow_left_out: true,
+                ..Options::default()
+            },
+        );
+        let warnings = found.expect("a fit").warnings.into_iter();
+        let texts = warnings.filter(|one| one.kind == WarningKind::Hysteresis);
+        texts.map(|one| one.text).collect::<String>()
+    };
+    assert_names(&found(&data), &["times", "relaxation function"]);
+    data.times.clear();
+    let without = found(&data);
+    assert!(!without.contains("relaxation function"), "{without}");
+}
+
+/// Seconds for milliseconds, and metres for millimetres: the same fit.
+#[test]
+fn units() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);
+    let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
+    let mut other = data.clone();
+    other.times.iter_mut().for_each(|time| *time *= 1e3);
+    let law = Relaxation::PowerLaw {
+        exponent: 0.3,
+        time: 1e3,
+    };
+    other.relaxing = Some(Relaxing::new(law));
+    let [one, other] = [data, other].map(|data| {
+        let found = fit(Table::embedded(), &[data], &free, &Options::default());
+        found.expect("sound data").estimates
+    });
+    for (one, other) in one.iter().zip(&other) {
+        let difference = (one.value - other.value).abs() / one.standard_error;
+        assert!(difference < 1e-2, "{}: {difference:.1e}", one.parameter);
+    }
+}
+
+/// Noise of the penetrations in time is made monotone, and the change is told.
+#[test]
+fn a_penetration_that_goes_back_and_forth() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);
+    let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
+    data.measurement.points[20].abscissa += 3e-8;
+    let found = fit(Table::embedded(), &[data], &free, &Options::default()).expect("a fit");
+    let changed = found.experiments[0]
+        .relaxation
+        .expect("it relaxes")
+        .made_monotone;
+    assert!((5e-9..3e-8).contains(&changed), "{changed:e}");
+    assert!(found.warns_of(WarningKind::NotMonotone));
+}
