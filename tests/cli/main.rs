@@ -31,6 +31,7 @@ mod plot;
 mod points;
 mod pull_off;
 mod readme;
+mod relaxing;
 mod simulate;
 mod specimen;
 mod stacks;

@@ -125,5 +125,5 @@ fn the_commands_of_the_fits_print_what_is_shown() {
             shown += 1;
         }
     }
-    assert_eq!(shown, 16);
+    assert_eq!(shown, 17);
 }

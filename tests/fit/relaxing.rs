@@ -120,7 +120,7 @@ fn power_laws_are_recovered() {
     let plan = planned(Kind::ForceHeight, 1e-5, &power(), 0.0);
     let with_level = [&free[..], &[Baseline]].concat();
     recover("power law, heights", &[plan], &with_level, 102);
-    let plans = [5e-6, 2e-5].map(|t| planned(Kind::LoadPenetration, t, &power(), 0.0));
+    let plans = [8e-6, 3e-5].map(|t| planned(Kind::LoadPenetration, t, &power(), 0.0));
     recover("power law, two films", &plans, &free, 103);
 }
 
@@ -189,8 +189,13 @@ fn what_cannot_be_fitted_is_refused_with_the_reason() {
         &changed(|one| one.work_of_adhesion = 0.01),
         &["work of adhesion", "crack tip", "without adhesion"],
     );
+    let mut radii = data.clone();
+    radii.measurement.kind = Kind::LoadRadius;
+    for point in &mut radii.measurement.points {
+        point.abscissa = point.abscissa.abs();
+    }
     assert_names(
-        &changed(|one| one.measurement.kind = Kind::LoadRadius),
+        &refused(&radii, &[FilmModulus, RelaxationExponent]),
         &["penetrations", "heights"],
     );
     let begins = changed(|one| {
@@ -314,12 +319,12 @@ fn units() {
 fn a_penetration_that_goes_back_and_forth() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);
     let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
-    data.measurement.points[20].abscissa += 3e-8;
+    data.measurement.points[20].abscissa += 6e-8;
     let found = fit(Table::embedded(), &[data], &free, &Options::default()).expect("a fit");
     let changed = found.experiments[0]
         .relaxation
         .expect("it relaxes")
         .made_monotone;
-    assert!((5e-9..3e-8).contains(&changed), "{changed:e}");
+    assert!((2e-8..6e-8).contains(&changed), "{changed:e}");
     assert!(found.warns_of(WarningKind::NotMonotone));
 }

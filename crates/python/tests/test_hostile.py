@@ -185,6 +185,21 @@ def cantilever(numbers):
     return [*found.ordinate, *found.contact_radius, *found.derivatives["film_modulus"]]
 
 
+def relaxing(numbers):
+    """A film that relaxes under an approach, a hold and a retract."""
+    exponent, reference, point, duration, depth = numbers
+    one = Experiment(
+        kind="load-penetration",
+        abscissa=[depth * part for part in (-0.1, 0.3, 1.0, 1.0, 0.4, -0.2)],
+        time=[duration * part for part in (0.0, 0.1, 0.3, 0.5, 0.7, 1.0)],
+        system=contact_of(BODIES).system,
+        contact_point=point,
+        relaxation=Relaxation.power_law(exponent, reference),
+    )
+    found = predict(one, ["film_modulus", "relaxation_exponent", "contact_point"])
+    return [*found.ordinate, *found.contact_radius, *found.derivatives["relaxation_exponent"]]
+
+
 def measured(loads, w=0.04):
     return replace(experiment_of(LENS), ordinate=loads, work_of_adhesion=w)
 
@@ -490,6 +505,7 @@ FUNCTIONS = {
         lambda r, z, s, y: Profile(points=[(0.0, 0.0), (r, z), (s, y)]), 2e-6, 1e-7, 4e-6, 4e-7
     ),
     "predict": (LENS, lambda *n: predict(experiment_of(n), ["film_modulus"]).ordinate),
+    "predict in time": ([0.2, 1.0, 0.0, 2.0, 1e-6], lambda *n: relaxing(n)),
     "predict against heights": ([4e-5, 9e-5, *LENS[2:]], lambda *n: cantilever(n)),
     "simulate": (
         [*LENS, 1e-6],

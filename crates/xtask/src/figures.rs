@@ -13,7 +13,7 @@ use crate::tabulate;
 use crate::workspace;
 
 /// The measurements of `tabulate cost`.
-const COSTS: [&str; 4] = ["solve", "table", "lookup", "effects"];
+const COSTS: [&str; 5] = ["solve", "table", "lookup", "effects", "history"];
 
 /// The tightest tolerances of `tabulate cost table`: to be quoted, or only to be compared.
 const TIGHTEST: [&str; 2] = ["1e-8", "1e-4"];
@@ -38,7 +38,7 @@ const FIGURES: [(&str, Option<&str>); 14] = [
 
 /// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
 /// `tabulate simulate` and those of `tabulate fit`.
-const FITS: [(&str, &str, &str); 6] = [
+const FITS: [(&str, &str, &str); 7] = [
     (
         "lens",
         "--specimen paper --kind load-radius --film-thickness 3e-5 --from 4.2e-5 --to 1.3e-4 --noise 2e-6 \
@@ -55,6 +55,16 @@ const FITS: [(&str, &str, &str); 6] = [
          --value baseline=1e-9 --seed 1",
         "--sphere-radius 10um --sphere-modulus inf --film-thickness 20um --film-poisson-ratio 0.5 \
          --substrate-modulus 70GPa --substrate-poisson-ratio 0.25 --stiffness 0.1N/m",
+    ),
+    (
+        "relaxing",
+        "--kind force-height --sphere-radius 1e-5 --sphere-modulus inf --film-thickness 8e-6 --film-modulus 2e3 \
+         --film-poisson-ratio 0.5 --substrate-modulus 7e10 --substrate-poisson-ratio 0.25 \
+         --relaxation power-law --relaxation-exponent 0.2 --sample-interval 0.01 --hold 0.5 --stiffness 0.05 \
+         --from 2e-7 --to -6e-7 --points 100 --noise 3e-11 --value contact-point=3e-8 \
+         --value baseline=1e-10 --seed 1",
+        "--sphere-radius 10um --sphere-modulus inf --film-thickness 8um --film-poisson-ratio 0.5 \
+         --substrate-modulus 70GPa --substrate-poisson-ratio 0.25 --stiffness 0.05N/m --relaxation power-law",
     ),
     (
         "coating",

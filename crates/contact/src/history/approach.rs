@@ -22,6 +22,8 @@ pub(super) struct Passed {
     /// The elastic load and stiffness.
     pub load: f64,
     pub stiffness: f64,
+    /// The slope of the stiffness.
+    pub bend: f64,
 }
 
 /// The approach so far, with the memories of all exponentials at each of its points.
@@ -70,6 +72,7 @@ impl<'a> Approach<'a> {
                 penetration: first.value,
                 load: 0.0,
                 stiffness: 0.0,
+                bend: 0.0,
             }],
             loads: vec![0.0; m],
             lengths: vec![0.0; m],
@@ -90,12 +93,14 @@ impl<'a> Approach<'a> {
     /// Returns the elastic contact at a penetration.
     fn at(&self, time: f64, penetration: f64) -> Passed {
         let curve = &self.setting.curve;
-        let (load, stiffness) = curve.load(curve.piece(penetration.max(0.0)), penetration);
+        let piece = curve.piece(penetration.max(0.0));
+        let (load, stiffness) = curve.load(piece, penetration);
         Passed {
             time,
             penetration,
             load,
             stiffness,
+            bend: curve.bend(piece, penetration),
         }
     }
 
@@ -264,10 +269,8 @@ impl<'a> Approach<'a> {
             }
             let before = self.passed[self.passed.len() - 2];
             let speed = (to.penetration - before.penetration) / h;
-            let bend = slopes(&before, &to)[1] / (h * h);
-            *by += variation.constant * to.load
-                + variation.impulse * to.stiffness * speed
-                + variation.second_impulse * bend;
+            *by += variation.constant * to.load + variation.impulse * to.stiffness * speed
+                - variation.second_impulse * to.bend * speed * speed;
             let terms = variation.weights.iter().zip(&self.loads[new..]);
             *by += terms.map(|(weight, load)| weight * load).sum::<f64>();
         }

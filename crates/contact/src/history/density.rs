@@ -122,17 +122,22 @@ impl<'a> Density<'a> {
     /// Returns the rates of [`Density::grid`] in units of the longest time, so that they do not depend on
     /// the time of the law, up to those that die out within the shortest time.
     pub fn absolute_grid(&self, times: [f64; 2], tolerance: f64) -> Grid {
-        /// The rate times the shortest time beyond which exponentials act as impulses of two orders.
-        const FASTEST: f64 = 50.0;
         let shift = (self.unit / times[1]).ln();
-        let grid = Self {
+        let absolute = Self {
             value: Box::new(|_| 0.0),
             unit: times[1],
             end: self.end - shift,
             ..*self
-        }
-        .grid(times, tolerance);
-        let fastest = (FASTEST * times[1] / times[0]).ln() / grid.step;
+        };
+        absolute.grid_of_steps(times, tolerance)
+    }
+
+    /// Returns the rates of [`Density::grid`] up to those that die out within the shortest time.
+    pub fn grid_of_steps(&self, times: [f64; 2], tolerance: f64) -> Grid {
+        /// The rate times the shortest time beyond which exponentials act as impulses of two orders.
+        const FASTEST: f64 = 50.0;
+        let grid = self.grid(times, tolerance);
+        let fastest = (FASTEST * self.unit / times[0]).ln() / grid.step;
         Grid {
             fast: grid.fast.min(fastest.ceil() as i64),
             ..grid

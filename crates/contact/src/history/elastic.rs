@@ -194,6 +194,22 @@ impl ElasticCurve {
         load_on(&[self.nodes[piece], self.nodes[piece + 1]], penetration)
     }
 
+    /// Returns the second derivative of the load, N/m^2, at a penetration (m) on a piece; 0 before the
+    /// first touch.
+    pub fn bend(&self, piece: usize, penetration: f64) -> f64 {
+        if penetration <= 0.0 {
+            return 0.0;
+        }
+        let [begin, end] = [self.nodes[piece], self.nodes[piece + 1]];
+        let length = end.penetration - begin.penetration;
+        let x = (penetration - begin.penetration) / length;
+        let rise = (end.load - begin.load) / length;
+        ((6.0 - 12.0 * x) * rise
+            - (4.0 - 6.0 * x) * begin.stiffness
+            - (2.0 - 6.0 * x) * end.stiffness)
+            / length
+    }
+
     /// Returns the contact radius (m) at a penetration (m); 0 before the first touch.
     pub fn radius(&self, penetration: f64) -> f64 {
         if penetration <= 0.0 {

@@ -30,11 +30,34 @@ const COMPARISONS: i32 = 16;
 
 impl Exponentials {
     /// Takes the law for times in `[shortest, longest]` with a relative error of about `tolerance`.
-    pub fn new(law: &Relaxation, [shortest, longest]: [f64; 2], tolerance: f64) -> Self {
-        let Some(density) = Density::of(law) else {
-            return Self::of_terms(law);
-        };
-        let own = density.sum(&density.grid([shortest, longest], tolerance));
+    pub fn new(law: &Relaxation, times: [f64; 2], tolerance: f64) -> Self {
+        match Density::of(law) {
+            None => Self::of_terms(law),
+            Some(density) => density
+                .sum(&density.grid(times, tolerance))
+                .compared_with(law, times, tolerance),
+        }
+    }
+
+    /// Takes the law for integrals over functions that are smooth over the shortest time before each
+    /// time at which they are evaluated: faster exponentials act as impulses of two orders.
+    pub fn of_steps(law: &Relaxation, times: [f64; 2], tolerance: f64) -> Self {
+        match Density::of(law) {
+            None => Self::of_terms(law),
+            Some(density) => density
+                .sum(&density.grid_of_steps(times, tolerance))
+                .compared_with(law, times, tolerance),
+        }
+    }
+
+    /// Adds the largest relative error found.
+    fn compared_with(
+        self,
+        law: &Relaxation,
+        [shortest, longest]: [f64; 2],
+        tolerance: f64,
+    ) -> Self {
+        let own = self;
         let ratio = (longest / shortest).powf(1.0 / f64::from(COMPARISONS));
         let error = (0..=COMPARISONS).filter_map(|i| {
             let t = shortest * ratio.powi(i);

@@ -20,13 +20,14 @@ use super::return_steps::Return;
 use super::variation::{Variation, with_derivatives};
 use super::{History, HistoryError, LawParameter, TimedContact};
 use crate::{Contact, Control, Input};
+use interp::check::finite_result;
 
 /// The fewest steps of a history; longer steps between points are divided.
 const STEPS: f64 = 120.0;
 const STEPS_OF_A_SPRING: f64 = 250.0;
 /// The relative tolerance of the exponentials, and of the elastic curve.
 const LAW: f64 = 1e-6;
-const ELASTIC: f64 = 1e-8;
+const ELASTIC: f64 = 1e-7;
 
 /// What the loads of a measured history are differentiated by, beside the place of the program and
 /// the stiffness of the spring.
@@ -150,6 +151,13 @@ impl History<'_> {
             width,
         };
         follow(&setting, &steps, &mut found)?;
+        for (point, at) in found.states.iter().enumerate() {
+            let radius = at.state.contact_radius;
+            finite_result(radius, at.state.load)?;
+            for by in &found.derivatives[point * width..][..width] {
+                finite_result(radius, *by)?;
+            }
+        }
         Ok(found)
     }
 

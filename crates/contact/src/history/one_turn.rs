@@ -186,10 +186,12 @@ impl OneTurn<'_> {
         let last = self.times.len() - 1;
         let penetration = self.penetrations[last];
         let (elastic, stiffness) = self.curve.load(self.pieces[last], penetration);
+        let bend = self.curve.bend(self.pieces[last], penetration);
         let load = if penetration > 0.0 {
             self.law.constant * elastic
                 + self.sum_of_loads(last)
                 + self.law.impulse * stiffness * speed
+                - self.law.second_impulse * bend * speed * speed
         } else {
             0.0
         };

@@ -1,6 +1,7 @@
 //! The steps of a measured history after the turn.
 
 use super::approach::{Approach, Passed, Place, slopes};
+use super::elastic::hermite;
 use super::moments::moments;
 use super::one_turn::Step;
 use super::{HistoryError, Phase, TimedContact};
@@ -10,8 +11,8 @@ use crate::State;
 const FORGOTTEN: f64 = 45.0;
 /// The part of the approach by which its time of the present radius may rise.
 const ROUNDING: f64 = 1e-9;
-/// The change of that time, in parts of a step, after which the next one would be below rounding.
-const CONVERGED: f64 = 1e-8;
+/// The change of that time, in parts of a step, over which the load is linear to rounding.
+const LINEAR: f64 = 1e-6;
 /// The most steps of Newton's method; halvings of the interval are among them.
 const NEWTON: usize = 80;
 
@@ -49,8 +50,9 @@ struct Line {
     load: f64,
     /// By how much the imposed value would have to be larger.
     excess: f64,
-    /// The derivative of the excess by the time.
+    /// The derivatives of the excess and of the load with respect to that time.
     slope: f64,
+    load_slope: f64,
 }
 
 impl<'a> Return<'a> {
@@ -102,8 +104,7 @@ impl<'a> Return<'a> {
         let found = self.line(&now)?;
         let (state, line) = match found {
             None => (TimedContact::separated(now.time, now.value), None),
-            Some((low, t1)) => {
-                let line = self.full(&now, low, t1);
+            Some((low, t1, line)) => {
                 let passed = self.passed_at(low, t1);
                 let state = State {
                     contact_radius: setting.curve.radius(passed.penetration),
@@ -157,68 +158,71 @@ impl<'a> Return<'a> {
         }
     }
 
-    /// Returns where the line is: after a point of the approach, at a time. `None` without a contact.
-    fn line(&mut self, now: &Now) -> Result<Option<(usize, f64)>, HistoryError> {
+    /// Returns where the line is: after a point of the approach, at a time, and the contact. `None`
+    /// without one.
+    fn line(&mut self, now: &Now) -> Result<Option<(usize, f64, Line)>, HistoryError> {
         let passed = &self.approach.passed;
         let touch = self.approach.touch;
         let grows = HistoryError::GrowsAgain { time: now.time };
         let slack = ROUNDING * self.approach.setting.curve.last().penetration;
-        let at_touch = self.at_point(now, touch);
-        if self.separated || at_touch.excess >= 0.0 {
-            return if self.separated && at_touch.excess < -slack {
-                Err(grows)
-            } else {
-                Ok(None)
-            };
+        if self.separated {
+            let comes_back = self.at_point(now, touch).excess < -slack;
+            return if comes_back { Err(grows) } else { Ok(None) };
         }
         let mut above = self.at_point(now, self.bracket);
         if above.excess < -slack {
             return Err(grows);
         }
         let mut low = self.bracket;
-        let mut below = f64::INFINITY;
+        let mut below = None;
         while low > touch {
             low -= 1;
             if passed[low].penetration < passed[low + 1].penetration {
                 let at = self.at_point(now, low);
-                below = at.excess;
-                if below < 0.0 {
+                if at.excess < 0.0 {
+                    below = Some(at);
                     break;
                 }
                 above = at;
             }
         }
-        if below >= 0.0 {
+        let Some(below) = below else {
             return Ok(None);
-        }
+        };
         self.bracket = low + 1;
         let [t0, t2] = [passed[low].time, passed[low + 1].time];
         let (mut low_t, mut high_t) = (t0, t2);
-        let mut t = t0 + (t2 - t0) * (below / (below - above.excess.max(0.0)));
+        let speed = (passed[low + 1].penetration - passed[low].penetration) / (t2 - t0);
+        let slopes = [&below, &above].map(|at| at.slope * speed * (t2 - t0));
+        let mut t = t0 + (t2 - t0) * root_between([below.excess, above.excess.max(0.0)], slopes);
+        let mut line = self.full(now, low, t);
         for _ in 0..NEWTON {
-            let at = self.full(now, low, t);
-            *if at.excess < 0.0 {
+            *if line.excess < 0.0 {
                 &mut low_t
             } else {
                 &mut high_t
             } = t;
-            let newton = t - at.excess / at.slope;
-            let next = if newton > low_t && newton < high_t {
+            let newton = t - line.excess / line.slope;
+            let is_inside = newton >= low_t && newton <= high_t;
+            let next = if is_inside {
                 newton
             } else {
                 0.5 * (low_t + high_t)
             };
-            let change = (next - t).abs();
+            let change = next - t;
             t = next;
-            if change <= CONVERGED * (t2 - t0) {
+            if change.abs() <= LINEAR * (t2 - t0) {
+                line.load += line.load_slope * change;
+                line.penetration = now.value - self.approach.setting.compliance * line.load;
                 break;
             }
+            line = self.full(now, low, t);
         }
         if t > self.last + ROUNDING * (passed[passed.len() - 1].time - passed[touch].time) {
             return Err(grows);
         }
         self.last = self.last.min(t);
-        Ok(Some((low, t)))
+        Ok(Some((low, t, line)))
     }
 
     /// Returns the elastic contact of the approach at a time after the point `low`.
@@ -233,6 +237,7 @@ impl<'a> Return<'a> {
             penetration,
             load,
             stiffness,
+            bend: from.bend,
         }
     }
 
@@ -252,18 +257,21 @@ impl<'a> Return<'a> {
             law.constant * passed.penetration,
             law.constant * passed.load,
         );
+        let mut modulus = law.constant;
         for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
             let exponent = rate * lag;
             if exponent > FORGOTTEN {
                 break;
             }
             let e = weight * (-exponent).exp();
+            modulus += e;
             length += e * lengths[k];
             if spring {
                 load += e * loads[k];
             }
         }
-        self.with(now, length, load, 0.0)
+        // Its slope is that of a speed of 1 m/s.
+        self.with(now, length, load, [modulus, passed.stiffness])
     }
 
     /// Returns the contact if the line is where it was at a time after the point `low`.
@@ -294,15 +302,13 @@ impl<'a> Return<'a> {
             let memory = e * self.approach.loads[low * m + k];
             load += own * (memory + slopes[0] * i0 + slopes[1] * i1 + slopes[2] * i2);
         }
-        let by_time = modulus * speed;
-        let mut line = self.with(now, length, load, by_time);
-        line.slope += setting.compliance * passed.stiffness * by_time;
-        line
+        self.with(now, length, load, [modulus * speed, passed.stiffness])
     }
 
     /// Returns the contact from the integrals up to the time of the line: the present penetration is
-    /// that at which the integral from there on vanishes.
-    fn with(&self, now: &Now, length: f64, load: f64, by_time: f64) -> Line {
+    /// that at which the integral from there on vanishes. `by_time` is its derivative, and `stiffness`
+    /// the elastic one there.
+    fn with(&self, now: &Now, length: f64, load: f64, [by_time, stiffness]: [f64; 2]) -> Line {
         let setting = self.approach.setting;
         let stays = setting.law.constant * self.penetration + now.stays;
         let penetration = self.penetration + (length - stays) / now.mean;
@@ -310,7 +316,8 @@ impl<'a> Return<'a> {
             penetration,
             load,
             excess: penetration + setting.compliance * load - now.value,
-            slope: by_time / now.mean,
+            slope: by_time * (1.0 / now.mean + setting.compliance * stiffness),
+            load_slope: by_time * stiffness,
         }
     }
 
@@ -393,5 +400,19 @@ impl<'a> Return<'a> {
         };
         setting.complete(state.state.load, stiffness, by, &mut moved);
         moved
+    }
+}
+
+/// Returns about where in `[0, 1]` a function is 0 that rises from a negative value to one that is
+/// not, from the values and the slopes at the ends.
+fn root_between([below, above]: [f64; 2], [s0, s1]: [f64; 2]) -> f64 {
+    // The inverse function has the inverse slopes.
+    let width = above - below;
+    let part = -below / width;
+    let guess = hermite([0.0, 1.0], [width / s0, width / s1], part);
+    if (0.0..=1.0).contains(&guess) {
+        guess
+    } else {
+        part
     }
 }

@@ -58,10 +58,12 @@ impl<L: CrackTip> Run<'_, L> {
         let tolerance = PART * self.tolerance.unwrap_or(DIGITS);
         match self.control {
             Control::Displacement => {
-                let law = self.exponentials(tolerance);
+                let relaxation = &self.history.relaxation;
+                let law = Exponentials::of_steps(relaxation, self.scales(), tolerance);
                 // An error of the elastic load counts more where the modulus has been higher.
                 let duration = self.program.duration();
-                let raised = (law.value(LATEST * duration) / law.value(duration)).min(MOST_RAISED);
+                let early = relaxation.modulus(LATEST * duration)?;
+                let raised = (early / relaxation.modulus(duration)?).min(MOST_RAISED);
                 let curve = ElasticCurve::to_penetration(contact, largest, tolerance / raised)?;
                 let receding = self.history.receding.as_ref();
                 let adhesion = receding.map(|law| Adhesion {
@@ -138,16 +140,17 @@ impl<L: CrackTip> Run<'_, L> {
 
     /// Returns the law as exponentials for all times between those of the program and those asked for.
     fn exponentials(&self, tolerance: f64) -> Exponentials {
+        Exponentials::new(&self.history.relaxation, self.scales(), tolerance)
+    }
+
+    /// Returns the shortest step and the duration, s.
+    fn scales(&self) -> [f64; 2] {
         let all = self.program.with(self.times);
         let shortest = all
             .windows(2)
             .map(|pair| pair[1].time - pair[0].time)
             .fold(f64::INFINITY, f64::min);
-        Exponentials::new(
-            &self.history.relaxation,
-            [shortest, self.program.duration()],
-            tolerance,
-        )
+        [shortest, self.program.duration()]
     }
 
     /// Follows the program by elements up to a contact radius (m).

@@ -97,6 +97,10 @@ fn mixed(
     (score, columns): (&Score<'_>, &Columns<'_>),
     residuals: &DVector<f64>,
 ) {
+    // Bodies that relax have a loop without adhesion.
+    if problem.assigned[e].experiment.relaxing.is_some() {
+        return;
+    }
     let assigned = &problem.assigned[e];
     let points = &assigned.experiment.measurement.points;
     let name = &assigned.experiment.measurement.name;

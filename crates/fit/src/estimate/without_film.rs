@@ -12,8 +12,10 @@ use crate::{Bodies, Branch, Free, Loss, ModulusBias, Parameter, WithoutFilm};
 
 /// The most evaluations over the number of parameters + 1.
 const PATIENCE: usize = 40;
-/// The relative changes at which the method stops.
+/// The relative changes at which the method stops, and those where bodies relax, where an evaluation
+/// takes longer.
 const TOLERANCE: f64 = 1e-6;
+const COARSER: f64 = 1e-4;
 
 /// The fit without the film.
 pub(crate) struct Found {
@@ -73,6 +75,11 @@ pub(crate) fn without_film(
         | Parameter::LayerInterfaceStiffness(_) => false,
         _ => true,
     };
+    let law = |parameter: Parameter| {
+        let mut slots = problem.slots.iter();
+        let slot = slots.position(|slot| slot.parameter == parameter)?;
+        parameter.is_of_law().then(|| problem.value(slot))
+    };
     let renamed = |parameter: Parameter| {
         if Some(parameter) == of_film {
             Parameter::FilmModulus
@@ -83,11 +90,12 @@ pub(crate) fn without_film(
     let free: Vec<Free> = free
         .iter()
         .filter(|one| kept(one.parameter))
-        // Bounds and priors are those of the film; the start follows from the data.
+        // Bounds and priors are those of the film; the start follows from the data, but that of a
+        // relaxation function from the one with the film.
         .map(|one| Free {
             bounds: None,
             prior: None,
-            start: None,
+            start: law(one.parameter),
             parameter: renamed(one.parameter),
             ..*one
         })
@@ -106,7 +114,9 @@ pub(crate) fn without_film(
         return None;
     }
     let started = start::problem(table, &assigned, (&free, &slots), loss, Variation::None).ok()?;
-    let (fitted, ending) = started.minimise(PATIENCE, TOLERANCE);
+    let relaxing = assigned.iter().any(|one| one.experiment.relaxing.is_some());
+    let tolerance = if relaxing { COARSER } else { TOLERANCE };
+    let (fitted, ending) = started.minimise(PATIENCE, tolerance);
     if ending == Ending::Failed {
         return None;
     }

@@ -17,6 +17,7 @@ use super::allow;
 use super::fit::experiments::{FreeArguments, KnownArguments, forget_shapes};
 use super::fit::indentation::{self, Noise};
 use super::fit::object::{Estimates, matrix};
+use super::fit::reading::doubted;
 use super::fit::setting::unit_of;
 use super::fit::{kinds, one_of};
 use super::json::{self, Number};
@@ -181,7 +182,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.free.is_empty(),
         "--free, --bounds, --prior, --own and --shared are for --expect; add it"
     );
-    let made = simulate_experiment(&table, &experiments[0], noise, arguments.seed)?;
+    let made = simulate_experiment(&table, &experiments[0], noise, arguments.seed)
+        .map_err(|error| doubted(error, &[]))?;
     let text = csv(&made)?;
     arguments.known.name_example(&experiments[0]);
     output.write(&text)

@@ -1,6 +1,6 @@
 //! Measurements: what accuracy costs in time and memory.
 //!
-//! Each of `solve`, `table`, `lookup` and `effects` is one `tabulate cost` command. It has a `Row`,
+//! Each of `solve`, `table`, `lookup`, `effects` and `history` is one `tabulate cost` command. It has a `Row`,
 //! a function `measure` that returns all rows as [`Measured`], and a function `markdown` that sums
 //! the rows up. `rows` writes rows as CSV and reads them, `comparison` compares them with the rows
 //! of an earlier run. `clock` measures times, `deviation` measures errors, `numbers` prints
@@ -14,6 +14,7 @@ pub mod clock;
 mod comparison;
 pub mod deviation;
 pub mod effects;
+pub mod history;
 pub mod lookup;
 pub(crate) mod numbers;
 pub mod nystrom;

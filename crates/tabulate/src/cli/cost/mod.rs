@@ -1,6 +1,7 @@
 //! `tabulate cost`
 
 mod effects;
+mod history;
 mod lookup;
 mod solve;
 mod table;
@@ -40,6 +41,7 @@ enum Of {
     Table(table::Arguments),
     Lookup(lookup::Arguments),
     Effects(effects::Arguments),
+    History(history::Arguments),
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -48,6 +50,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         Of::Table(arguments) => table::run(arguments),
         Of::Lookup(arguments) => lookup::run(arguments),
         Of::Effects(arguments) => effects::run(arguments),
+        Of::History(arguments) => history::run(arguments),
     }
 }
 

@@ -1,0 +1,121 @@
+"""Fits of films that relax: approach, hold and retract in time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Elastic,
+    Experiment,
+    FitError,
+    InvalidArgumentError,
+    Relaxation,
+    System,
+    fit,
+    fit_map,
+    forecast,
+    predict,
+    simulate,
+)
+
+GEL = System(
+    sphere_radius=2e-5,
+    sphere_modulus=math.inf,
+    film=Elastic(young_modulus=2e3, poisson_ratio=0.5),
+    film_thickness=1e-5,
+    substrate=Elastic(young_modulus=math.inf, poisson_ratio=0.25),
+)
+TIME = np.linspace(0.0, 2.0, 80)
+DEPTH = 6e-7 * (1.0 - 1.2 * np.abs(TIME - 1.0))
+LAW = Relaxation.power_law(0.2)
+FREE = ["film_modulus", "relaxation_exponent", "contact_point"]
+
+
+def plan(**known: Any) -> Experiment:
+    fields = {"time": TIME, "relaxation": LAW, "noise": 1e-10, **known}
+    return Experiment(kind="load-penetration", abscissa=DEPTH, system=GEL, **fields)
+
+
+def test_modulus_and_law_are_found() -> None:
+    made = simulate(plan(), noise=1e-10, seed=1)
+    assert np.array_equal(made.time, TIME)
+    other = replace(made, relaxation=Relaxation.power_law(0.4))
+    found = fit(other, FREE)
+    for name, truth in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)]:
+        assert found.params[name] == pytest.approx(truth, abs=4 * found.errors[name])
+    times, moduli, changed, unlike = found.experiments[0].relaxation
+    assert moduli[1] == pytest.approx(found.params["film_modulus"] * times[1] ** -0.2, rel=0.02)
+    assert changed == unlike == 0.0
+    assert "Young's modulus" in str(found)
+    expected = forecast(plan(), FREE)
+    assert found.errors["film_modulus"] == pytest.approx(expected.errors["film_modulus"], rel=0.2)
+
+
+def test_several_terms_have_names() -> None:
+    law = Relaxation.prony(0.2, [0.05, 0.6], [0.5, 0.3])
+    names = ["relaxed_fraction", "relaxation_time", "relaxation_time.2", "relaxation_weight.2"]
+    found = predict(plan(relaxation=law), ["film_modulus", *names])
+    loads = found.ordinate
+    assert found.derivatives["film_modulus"] * 2e3 == pytest.approx(loads, rel=1e-3, abs=1e-12)
+    step = 1e-4
+    moved = [
+        predict(plan(relaxation=Relaxation.prony(0.2, [0.05, 0.6 + s], [0.5, 0.3])), []).ordinate
+        for s in (-step, step)
+    ]
+    slope = (moved[1] - moved[0]) / (2 * step)
+    largest = np.abs(slope).max()
+    assert found.derivatives["relaxation_time.2"] == pytest.approx(slope, abs=1e-3 * largest)
+
+
+def test_a_map_of_curves() -> None:
+    curves = [simulate(plan(), noise=1e-10, seed=seed) for seed in range(4)]
+    found = fit_map(curves, FREE)
+    assert found.params["film_modulus"] == pytest.approx([2e3] * 4, rel=0.05)
+    assert not found.failures
+
+
+def test_a_loop_in_time_asks_for_a_relaxation() -> None:
+    made = replace(simulate(plan(), noise=1e-10, seed=1), relaxation=None)
+    found = fit(made, ["film_modulus", "contact_point"], allow=("left-out",))
+    texts = " ".join(str(warning) for warning in found.warnings)
+    assert "relaxation function" in texts
+
+
+@pytest.mark.parametrize(
+    ("known", "words"),
+    [
+        ({"time": None}, "no times"),
+        ({"time": TIME[::-1]}, "times must rise"),
+        ({"work_of_adhesion": 0.01}, "work of adhesion"),
+        ({"contact_point": -1e-6}, "begins in contact"),
+    ],
+)
+def test_what_cannot_be_simulated_says_why(known: dict[str, Any], words: str) -> None:
+    with pytest.raises((FitError, InvalidArgumentError), match=words):
+        simulate(plan(**known), noise=0.0)
+
+
+def test_wrong_types_are_refused() -> None:
+    with pytest.raises(TypeError, match="Relaxation"):
+        plan(relaxation=0.2)
+    with pytest.raises(TypeError, match="all_relax"):
+        plan(all_relax=1)
+    with pytest.raises(FitError, match="one number for each point"):
+        plan(time=TIME[1:])
+    with pytest.raises(FitError, match="does not have"):
+        fit(simulate(plan(), noise=1e-10), ["film_modulus", "relaxation_time"])
+    with pytest.raises(FitError, match="parameter"):
+        fit(plan(), ["relaxation_time.x"])
+
+
+def test_bodies_that_do_not_relax() -> None:
+    soft = replace(GEL, substrate=Elastic(young_modulus=2e4, poisson_ratio=0.4))
+    made = simulate(plan(), noise=1e-10, seed=1)
+    with pytest.raises((FitError, InvalidArgumentError), match="all_relax=True"):
+        fit(replace(made, system=soft), FREE)
+    assert fit(replace(made, system=soft, all_relax=True), FREE).converged
