@@ -80,6 +80,6 @@ pub use model::{
     AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
     Free, Indentation, Interruptible, Kind, Known, LayerName, Layered, LayeredSolver, Loss,
     LossAngle, MOST_COEFFICIENTS, Measurement, NamedLayer, Options, Parameter, Point, PointErrors,
-    Prediction, Prior, Reach, Relaxing, Scope, StickSolver, simulate, simulate_experiment, stack_of,
-    system_on,
+    Prediction, Prior, Reach, Relaxing, Scope, StickSolver, simulate, simulate_experiment,
+    stack_of, system_on,
 };

@@ -13,7 +13,7 @@ from coated_contact import (
     Elastic,
     Experiment,
     FitError,
-    InvalidArgumentError,
+    InputError,
     Relaxation,
     System,
     fit,
@@ -96,7 +96,7 @@ def test_a_loop_in_time_asks_for_a_relaxation() -> None:
     ],
 )
 def test_what_cannot_be_simulated_says_why(known: dict[str, Any], words: str) -> None:
-    with pytest.raises((FitError, InvalidArgumentError), match=words):
+    with pytest.raises((FitError, InputError), match=words):
         simulate(plan(**known), noise=0.0)
 
 
@@ -116,6 +116,6 @@ def test_wrong_types_are_refused() -> None:
 def test_bodies_that_do_not_relax() -> None:
     soft = replace(GEL, substrate=Elastic(young_modulus=2e4, poisson_ratio=0.4))
     made = simulate(plan(), noise=1e-10, seed=1)
-    with pytest.raises((FitError, InvalidArgumentError), match="all_relax=True"):
+    with pytest.raises((FitError, InputError), match="all_relax=True"):
         fit(replace(made, system=soft), FREE)
     assert fit(replace(made, system=soft, all_relax=True), FREE).converged

@@ -6,7 +6,8 @@ use contact::Contact;
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use super::{
-    Indentation, Kind, LayerName, Layered, Measurement, NamedLayer, Parameter, PointErrors, Relaxing,
+    Indentation, Kind, LayerName, Layered, Measurement, NamedLayer, Parameter, PointErrors,
+    Relaxing,
 };
 use crate::Error;
 
