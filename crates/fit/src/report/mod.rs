@@ -367,7 +367,8 @@ fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
         asked,
     );
     let [value, error] = [estimate.value, estimate.standard_error].map(|number| number / size);
-    let mut text = format!("{} {unit}", with_error(value, error));
+    let text = format!("{} {unit}", with_error(value, error));
+    let mut text = text.trim_end().to_owned();
     if let Some(profile) = estimate.profile {
         let decimals = decimals(value, error);
         let end = |value: f64| match value / size {

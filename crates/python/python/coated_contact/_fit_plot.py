@@ -50,9 +50,13 @@ class Curve:
         for retract in (False, True):
             for branch in dict.fromkeys(self.branch.tolist()):
                 on = (self.branch == branch) & (self.retract == retract) & ~np.isnan(y)
-                order = np.argsort(self.x[on], kind="stable")
+                x, values = self.x[on], y[on]
+                # Points at one place, those of a hold, stay beside those before and after in time.
+                if x.size and x[0] > x[-1]:
+                    x, values = x[::-1], values[::-1]
+                order = np.argsort(x, kind="stable")
                 if order.size:
-                    yield self.x[on][order], y[on][order], retract
+                    yield x[order], values[order], retract
 
 
 def draw(experiments: tuple[FittedExperiment, ...], kind: PlotKind, ax: Axes | None) -> Axes:

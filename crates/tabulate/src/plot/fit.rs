@@ -311,6 +311,10 @@ fn branches(marks: &[Mark], every: usize, at: impl Fn(&Mark) -> Option<Point>) -
     }
     curves.extend(current.map(|(_, curve)| curve));
     for curve in &mut curves {
+        // Points at one place, those of a hold, stay beside the points before and after them in time.
+        if curve[0][0] > curve[curve.len() - 1][0] {
+            curve.reverse();
+        }
         curve.sort_by(|a, b| a[0].total_cmp(&b[0]));
         // The ends of a branch are drawn in any case.
         let last = curve.len() - 1;
