@@ -23,6 +23,7 @@ pub struct GivenFormat {
     segments: String,
     only: Option<String>,
     between: Option<[f64; 2]>,
+    keep_pauses: bool,
 }
 
 /// Reads a file. Returns the fields of the experiment, and the doubt about a sign.
@@ -113,6 +114,7 @@ fn format(given: GivenFormat) -> PyResult<Format> {
         },
         only: given.only.map(only).transpose()?,
         between: given.between,
+        keep_pauses: given.keep_pauses,
     })
 }
 

@@ -31,6 +31,7 @@ Role = Literal[
     "contact_area",
     "phase_shift",
     "loss_stiffness",
+    "time",
     "contact_stiffness_error",
 ]
 Segments = Literal["auto", "file", "split"]
@@ -48,6 +49,7 @@ class _Format:
     segments: Segments
     only: Direction | None
     between: tuple[float, float] | None
+    keep_pauses: bool
 
 
 def read_experiment(
@@ -142,6 +144,8 @@ def read_experiment(
         segments=segments,
         only=only,
         between=None if between is None else _ends(between),
+        # A hold is a part of the history of a film that relaxes.
+        keep_pauses=known.get("relaxation") is not None,
     )
     fields, doubt = _core.read_file(os.fspath(path), given)
     if doubt is not None:
