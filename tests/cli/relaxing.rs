@@ -122,7 +122,12 @@ fn the_interval_between_points_stands_for_times() {
         &["20nm", "a time is wanted"],
     );
     fails(
-        &["--work-of-adhesion", "0", "--free", "relaxation-exponent"],
+        &[
+            "--work-of-adhesion",
+            "0",
+            "--free",
+            "film-modulus,relaxation-exponent",
+        ],
         &["relaxation-exponent", "relaxation function"],
     );
 }

@@ -71,9 +71,9 @@ mod statistics;
 
 pub use error::Error;
 pub use estimate::{
-    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue, Forecast, LeftOut,
-    LeftOutReason, Likelihood, ModulusBias, Warning, WarningKind, WithoutFilm, fit, forecast,
-    starts_from_data,
+    Combination, Estimate, Fit, FittedExperiment, FittedPoint, FittedRelaxation, FixedValue,
+    Forecast, LeftOut, LeftOutReason, Likelihood, ModulusBias, Warning, WarningKind, WithoutFilm,
+    fit, forecast, starts_from_data,
 };
 pub use magnitude::Magnitude;
 pub use model::{

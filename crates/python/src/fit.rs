@@ -9,8 +9,8 @@ use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
     Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Kind, Known, Layered, LayeredSolver,
-    Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point, PointErrors, Reach, Relaxing, Scope,
-    WithoutFilm,
+    Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point, PointErrors, Reach,
+    Relaxing, Scope, WithoutFilm,
 };
 use interp::System;
 use numpy::{PyArray1, PyReadonlyArray1};
