@@ -21,6 +21,9 @@ const RANGE: [f64; 2] = [0.02, 0.5];
 /// approach shows.
 const BEGIN: f64 = 0.05;
 
+/// The fewest points up to the largest imposed value: data with fewer have no approach.
+const FEWEST: usize = 3;
+
 /// Returns the approach of an experiment whose bodies relax, as that of an elastic contact.
 pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, Error> {
     if one.experiment.relaxing.is_none() {
@@ -28,6 +31,9 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     }
     let mut experiment = one.experiment.clone();
     let points = experiment.program().turn + 1;
+    if points < FEWEST {
+        return Err(begins_in_contact(&experiment));
+    }
     experiment.relaxing = None;
     experiment.times.clear();
     experiment.errors.abscissa.truncate(points);
@@ -103,16 +109,21 @@ fn begin(
         return Ok(None);
     }
     if first > BEGIN * largest {
-        return Err(Error::NotRelaxing {
-            experiment: experiment.measurement.name.clone(),
-            reason: Cow::Borrowed(
-                "its points begin in contact: the history before the first point is not known, and the \
-                 forces depend on it; keep points from before the contact",
-            ),
-        });
+        return Err(begins_in_contact(experiment));
     }
     let abscissa = experiment.measurement.points[0].abscissa;
     Ok(Some((Parameter::ContactPoint, abscissa)))
+}
+
+/// The error of data that begin in contact.
+fn begins_in_contact(experiment: &Experiment) -> Error {
+    Error::NotRelaxing {
+        experiment: experiment.measurement.name.clone(),
+        reason: Cow::Borrowed(
+            "its points begin in contact: the history before the first point is not known, and the \
+             forces depend on it; keep points from before the contact",
+        ),
+    }
 }
 
 /// Lists the values of parameters of the law that are tried.

@@ -79,6 +79,8 @@ pub(crate) fn of_law(parameter: Parameter) -> Option<LawParameter> {
     })
 }
 
+/// The part of their range by which abscissae that are one cycle do not go back and forth.
+const SEVERAL: f64 = 0.1;
 /// The most relaxation times of one law.
 const MOST_TERMS: usize = 50;
 
@@ -178,6 +180,17 @@ impl Experiment {
                 "it has a work of adhesion, and how much a growing contact gains from adhesion while the \
                  bodies relax depends on the process at the crack tip, for which no law is known here: \
                  fit it without adhesion",
+            ));
+        }
+        let values = points.iter().map(|point| point.abscissa);
+        let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
+            [l.min(x), m.max(x)]
+        });
+        if self.program().changed > SEVERAL * (most - least) {
+            return Err(why_not(
+                "its penetrations or heights go back and forth by more than a tenth of their range, and one \
+                 approach, which may be held, and one retract are followed: keep the points of one cycle that \
+                 begins before the contact",
             ));
         }
         if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
