@@ -47,7 +47,6 @@ use super::table_name::{self, TableName};
     "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN -o a.csv",
     "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN --expect",
     "tabulate simulate --specimen paper --kind load-penetration --from -1um --to 1um --noise 1uN",
-    "tabulate simulate --specimen paper --all-relax --relaxation power-law --relaxation-exponent 0.2 --sample-interval 20ms --kind load-penetration --from -1um --to 1um --noise 1uN",
 ))]
 pub struct Arguments {
     /// The two quantities that are measured
