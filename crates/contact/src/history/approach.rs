@@ -276,8 +276,8 @@ impl<'a> Approach<'a> {
         }
         let mut moved = vec![0.0; width];
         setting.complete(load, mean * to.stiffness, by, &mut moved);
-        for column in 0..width {
-            let total = elastic[column] + to.stiffness * moved[column];
+        for (column, moved) in moved.iter().enumerate() {
+            let total = elastic[column] + to.stiffness * moved;
             let change = total - self.totals[last + column];
             for (k, (e, [i0, ..])) in self.step.factors.iter().enumerate() {
                 let own = e * self.of_totals[old + column * m + k] + change * i0;
@@ -288,8 +288,8 @@ impl<'a> Approach<'a> {
         if spring {
             let last = self.moved.len() - width;
             let old = self.of_moved.len() - width * m;
-            for column in 0..width {
-                let change = moved[column] - self.moved[last + column];
+            for (column, moved) in moved.iter().enumerate() {
+                let change = moved - self.moved[last + column];
                 for (k, (e, [i0, ..])) in self.step.factors.iter().enumerate() {
                     let own = e * self.of_moved[old + column * m + k] + change * i0;
                     self.of_moved.push(own);

@@ -193,7 +193,10 @@ impl KnownArguments {
             experiment.indentation = self.indentation.of(kind)?;
             experiment.times = times.get(i).cloned().unwrap_or_default();
             self.relaxing.complete(&mut experiment)?;
-            if let Some(work) = self.bodies.system.given(Value::WorkOfAdhesion) {
+            // A work of adhesion that was given is refused by the fit, and not forgotten.
+            if self.relaxing.is_given()
+                && let Some(work) = self.bodies.system.given(Value::WorkOfAdhesion)
+            {
                 experiment.work_of_adhesion = work;
             }
             for Values { parameter, values } in &self.values {
