@@ -5,7 +5,7 @@ import threading
 import numpy as np
 import pytest
 
-from coated_contact import InputError, ContactError, State, States
+from coated_contact import ContactError, InputError, State, States
 
 W = 0.04
 

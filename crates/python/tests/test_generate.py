@@ -6,7 +6,7 @@ import signal
 import numpy as np
 import pytest
 
-from coated_contact import TableError, InputError, Table, _core, generate, solve
+from coated_contact import InputError, Table, TableError, _core, generate, solve
 from conftest import ROOT
 
 SCENE = {

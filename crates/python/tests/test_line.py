@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from coated_contact import (
-    InputError,
     Contact,
     ContactError,
     Elastic,
     HalfSpace,
     Hysteresis,
+    InputError,
     RateDependent,
     Spring,
 )

@@ -19,6 +19,7 @@ from coated_contact import (
     Free,
     HalfSpace,
     Hysteresis,
+    InputError,
     OutsideTableError,
     Paraboloid,
     RateDependent,
@@ -29,7 +30,6 @@ from coated_contact import (
     System,
     Table,
     TableError,
-    InputError,
     __version__,
 )
 from conftest import PROBES, ROOT, make_system

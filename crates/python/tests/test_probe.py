@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from coated_contact import (
-    InputError,
     Cone,
     Contact,
     Elastic,
@@ -16,6 +15,7 @@ from coated_contact import (
     FlatEndedCone,
     FlatPunch,
     HalfSpace,
+    InputError,
     Paraboloid,
     PowerLaw,
     Probe,

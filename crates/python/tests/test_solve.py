@@ -7,8 +7,8 @@ import pytest
 
 from coated_contact import (
     ContactError,
-    SolveError,
     InputError,
+    SolveError,
     solve,
 )
 from conftest import rows

@@ -10,14 +10,14 @@ import pytest
 from coated_contact import (
     Cone,
     Elastic,
-    InputError,
     FlatPunch,
-    TableError,
+    InputError,
     Layer,
     OutsideTableError,
     Stack,
     StackSystem,
     Table,
+    TableError,
     generate,
     solve_stack,
 )

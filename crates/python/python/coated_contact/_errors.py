@@ -50,7 +50,7 @@ class InputError(ContactError):
 
 
 class OutsideTableError(ContactError):
-    """A table that does not hold what is asked for: another material, a/t, quantity or kind of body.
+    """A table that does not hold what is asked for: another material, a/t, quantity or body.
 
     Another table or a direct solve answers it.
     """
@@ -68,7 +68,7 @@ class SolveError(ContactError):
 
 
 class TableError(ContactError):
-    """A file that is no sound table, a scene that cannot be used, or a table that cannot be made."""
+    """A file that is no sound table, a scene that cannot be used, a table that cannot be made."""
 
 
 class FitError(ContactError):

@@ -16,9 +16,9 @@ const STEP: f64 = 0.25;
 /// The most steps to the loss angle, and the change (rad) at which they end.
 const MOST_STEPS: usize = 30;
 const ACCURACY: f64 = 1e-12;
-/// The largest loss tangent up to which the expansion is within 1 %, and the largest one that is
-/// accepted where noise alone, two standard errors, may bring a tangent of 1 there.
-const LARGEST_TANGENT: f64 = 1.0;
+/// The largest loss tangent: 1, up to which the expansion is within 1 %, and this 1 %. And the largest
+/// one that is accepted where noise alone, two standard errors, may bring a tangent of 1 there.
+const LARGEST_TANGENT: f64 = 1.01;
 const LARGEST_BY_NOISE: f64 = 1.1;
 
 /// The angle `phi` of the complex modulus `|E| exp(i phi)` of a film or top layer.
@@ -251,7 +251,7 @@ impl Experiment {
     /// the complex one; `None` where no phase is measured.
     ///
     /// # Errors
-    /// [`Error::Loss`] for a loss tangent above 1 by more than two standard errors, or above 1.1, where
+    /// [`Error::Loss`] for a loss tangent above 1.01 by more than two standard errors, or above 1.1, where
     /// the expansion is not within 1 %.
     pub(crate) fn loss_angle(
         &self,
