@@ -116,7 +116,7 @@ def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack):
 
 def test_the_stiffness_of_an_interface_is_fitted_like_by_fit(model_class, stack):
     base, film = stack.layers
-    springs = Springs(tangential_stiffness=1e12)
+    springs = Springs(tangential_stiffness=3e10)
     on_springs = replace(stack, layers=(base, replace(film, interface=springs)))
     plan = Experiment(
         kind="load-radius",

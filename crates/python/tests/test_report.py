@@ -130,4 +130,7 @@ def test_no_field_of_a_result_is_lost(results):
     for one in results:
         if is_dataclass(one) and type(one).__repr__.__qualname__.startswith("OneLine"):
             for field in fields(one):
-                assert (f"{field.name}=" in repr(one)) == field.repr
+                # What is None unless given is shown where it was given.
+                lacks = field.default is None and getattr(one, field.name) is None
+                shown = field.repr and not lacks
+                assert (f"{field.name}=" in repr(one)) == shown

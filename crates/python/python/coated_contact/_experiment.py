@@ -221,8 +221,9 @@ class Experiment(Remade, OneLine):
         if self.time is not None:
             time = _fixed(real("time", self.time))
             if time.shape != points[0].shape:
+                count = points[0].shape
                 raise FitError(
-                    f"time must have a number for each point, {points[0].shape}, not {time.shape}",
+                    f"time must have one number for each point, {count}, not {time.shape}",
                     axis="time",
                 )
             object.__setattr__(self, "time", time)

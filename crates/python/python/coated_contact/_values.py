@@ -22,14 +22,22 @@ class Remade:
 
 
 class OneLine:
-    """An instance of a dataclass that shows itself on one line, arrays by their shape."""
+    """An instance of a dataclass that shows itself on one line, arrays by their shape.
+
+    What is None unless given is not shown where it was not given.
+    """
 
     __slots__ = ()
 
     def __repr__(self) -> str:
         """Return the class and the values, arrays by their shape."""
-        shown = (one.name for one in fields(self) if one.repr)  # type: ignore[arg-type]
-        values = ", ".join(f"{name}={short(getattr(self, name))}" for name in shown)
+        given = ((one, getattr(self, one.name)) for one in fields(self) if one.repr)  # type: ignore[arg-type]
+        shown = [
+            (one.name, value)
+            for one, value in given
+            if one.default is not None or value is not None
+        ]
+        values = ", ".join(f"{name}={short(value)}" for name, value in shown)
         return f"{type(self).__name__}({values})"
 
 
