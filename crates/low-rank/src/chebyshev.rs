@@ -38,7 +38,7 @@ pub fn polynomials(smooth_degree: f64, count: usize, [from, to]: [f64; 2], u: f6
         .collect()
 }
 
-/// Returns the linear map from the values of a function at the [points](points) to its coefficients
+/// Returns the linear map from the values of a function at the [points] to its coefficients
 /// in the first `count` [polynomials]: a row for each coefficient.
 pub fn transform(smooth_degree: f64, count: usize) -> Vec<Vec<f64>> {
     let row = |k: usize| {

@@ -92,7 +92,7 @@ impl History<'_> {
     /// # Errors
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
     /// retract; [`HistoryError::MeasuredLoad`] for imposed loads; [`Error::FixedParameter`](interp::Error::FixedParameter)
-    /// and [`Error::NoDerivatives`](interp::Error::NoDerivatives) as
+    /// and [`Error::NoGradient`](interp::Error::NoGradient) as
     /// [`Contact::gradient`].
     pub fn measured(
         &self,
