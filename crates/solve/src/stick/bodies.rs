@@ -17,6 +17,8 @@ pub struct Bodies {
     pub surface: LayeredCompliance,
     /// The share of the film in the compliance of short waves, `es/E1*`.
     pub film: f64,
+    /// The share of the sphere, `es/E2*`.
+    pub sphere: f64,
     /// The compound modulus `es`.
     pub modulus: f64,
     /// Dundurs' `beta = es (b1/e1 - b2)` of sphere and top layer; exactly 0 up to [`NO_COUPLING`].
@@ -38,6 +40,7 @@ impl Bodies {
         Self {
             surface,
             film,
+            sphere,
             modulus: material.sphere_film_modulus(),
             beta,
             eps: beta.atanh() / PI,

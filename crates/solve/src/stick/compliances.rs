@@ -36,6 +36,8 @@ pub type Three<T> = [T; 3];
 pub struct Samples {
     /// `X11 - 1`, `X12 - b`, `X22 - 1`.
     pub excess: Three<Vec<f64>>,
+    /// `X11` and `X22`, relatively accurate where they are small.
+    pub whole: [Vec<f64>; 2],
     /// `q` times their derivatives with respect to `q`.
     pub slope: Three<Vec<f64>>,
 }
@@ -45,6 +47,7 @@ pub struct Samples {
 pub fn sample_all(surface: &LayeredCompliance, q: &[f64]) -> Samples {
     let mut samples = Samples {
         excess: [0; 3].map(|_| Vec::with_capacity(q.len())),
+        whole: [0; 2].map(|_| Vec::with_capacity(q.len())),
         slope: [0; 3].map(|_| Vec::with_capacity(q.len())),
     };
     dispatch!(Level::new(), simd => extend(simd, surface, q, &mut samples));
@@ -59,7 +62,10 @@ fn extend<S: Simd>(simd: S, surface: &LayeredCompliance, q: &[f64], samples: &mu
         wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
         let wave_numbers = wave_numbers + surface.least();
         let [y, z] = surface.below_top(simd, wave_numbers);
-        let [excess, slope] = at_top(simd, surface.top(), wave_numbers, y, z);
+        let [excess, whole, slope] = at_top(simd, surface.top(), wave_numbers, y, z);
+        for (values, i) in samples.whole.iter_mut().zip([0, 2]) {
+            values.extend_from_slice(&whole[i].as_slice()[..group.len()]);
+        }
         for i in 0..3 {
             samples.excess[i].extend_from_slice(&excess[i].as_slice()[..group.len()]);
             samples.slope[i].extend_from_slice(&slope[i].as_slice()[..group.len()]);
@@ -70,7 +76,7 @@ fn extend<S: Simd>(simd: S, surface: &LayeredCompliance, q: &[f64], samples: &mu
 /// The places of `c22`, `c12` and `c11` among the minors.
 const PLACES: Three<usize> = [3, 2, 1];
 
-/// Returns the compliances and their slopes at the top of the `top` layer, at wave numbers `k`,
+/// Returns the compliances without and with their limits, and their slopes, at the top of the `top` layer, at wave numbers `k`,
 /// from minors `y` and `z = k dy/dk` at its bottom.
 #[inline(always)]
 fn at_top<S: Simd>(
@@ -79,16 +85,18 @@ fn at_top<S: Simd>(
     k: S::f64s,
     y: Minors<S>,
     z: Minors<S>,
-) -> [Three<S::f64s>; 2] {
+) -> [Three<S::f64s>; 3] {
     let q = k * top.thickness;
     let [y_top, z_top] = top.cross(simd, k, y, z);
     let half = 0.5 * top.e;
     let limits = [1.0, top.b, 1.0];
     let per_d = S::f64s::splat(simd, 1.0) / y_top[0];
     let mut excess = [per_d; 3];
+    let mut whole = [per_d; 3];
     let mut slope = [per_d; 3];
     for i in 0..3 {
         let x = y_top[PLACES[i]] * half * per_d;
+        whole[i] = x;
         excess[i] = (y_top[PLACES[i]] * half - y_top[0] * limits[i]) * per_d;
         slope[i] = (z_top[PLACES[i]] * half - x * z_top[0]) * per_d;
     }
@@ -118,7 +126,7 @@ fn at_top<S: Simd>(
             slope[i] = thick.select(change, slope[i]);
         }
     }
-    [excess, slope]
+    [excess, whole, slope]
 }
 
 /// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `c 4 l-` of each compliance.

@@ -19,8 +19,11 @@
 //!
 //! It is run downwards (Miller), and scaled by the expansion of `e^{-izs}` at `s = 0`,
 //! `sum_n (2n+1) r_n g_n = 1` with `r_0 = 1`, `r_1 = -eta`, `r_n = ((n-1)^2 + eps^2)/(n(n-1)) r_{n-2}`:
-//! no sines and cosines are needed. Where all orders are below half of `z` it is run upwards, from
-//! the asymptotic series of `F_0` and `F_1` (DLMF 33.11).
+//! no sines and cosines are needed. Where all orders are below 0.8 `z` it is run upwards, from the
+//! asymptotic series of `F_0` and `F_1` (DLMF 33.11).
+//!
+//! One pass over the arguments writes the transforms of all modes and sums the products with the
+//! first two of them, up to twice the number of modes: `lattice.rs` makes the matrix of them.
 
 use std::f64::consts::PI;
 
@@ -30,49 +33,51 @@ use fearless_simd::{Level, dispatch, f64x8};
 /// The number of arguments handled at once.
 pub const LANES: usize = 8;
 
-/// The least `z` at which the asymptotic series of `F_0` and `F_1` is exact to rounding.
-const ASYMPTOTIC: f64 = 40.0;
+/// The least `z` at which asymptotic series are exact to rounding.
+pub const ASYMPTOTIC: f64 = 40.0;
 
 /// The number of terms of the asymptotic series: at `z = 40` the next one is below 1e-17.
 const TERMS: usize = 20;
 
-/// Evaluates `p_n` and `q_n` for `n < orders`.
+/// Evaluates `p_n` and `q_n` for `n < modes`, and products of orders up to `2 modes`.
 #[derive(Clone, Debug)]
 pub struct Coulomb {
-    eps: f64,
-    orders: usize,
+    pub eps: f64,
+    pub modes: usize,
     /// The recurrence and the scaling sum, order by order.
-    steps: Vec<Step>,
+    pub steps: Vec<Step>,
     /// `s+_n sqrt(2n+1) c0 R_1 .. R_n/2`.
-    scale: Vec<f64>,
+    pub scale: Vec<f64>,
     /// `arg Gamma(1 + i |eps|)`.
     phase: f64,
 }
 
 /// The coefficients at order `n`, for `eta = eps`. `eps` changes its sign with `eta`.
 #[derive(Clone, Copy, Debug)]
-struct Step {
+pub struct Step {
     /// `2n+1`.
-    per_z: f64,
+    pub per_z: f64,
     /// `(2n+1) eps/(n(n+1))`, 0 at `n = 0`.
-    charge: f64,
+    pub charge: f64,
     /// `R_{n+1}^2`.
-    next: f64,
+    pub next: f64,
     /// `(2n+1) r_n`.
     weight: f64,
 }
 
-/// Where the values of one group of arguments go: columns of `stride` values each.
-pub struct Target<'a> {
-    /// The columns of `p_n`, by [`column`].
-    pub p: &'a mut [f64],
+/// The transforms at many arguments, and their products with the first two.
+#[derive(Clone, Debug)]
+pub struct Transforms {
+    /// The columns of `p_n`, by [`column`], of as many values as there are arguments.
+    pub p: Vec<f64>,
     /// The columns of `q_n`; for `eps = 0` those of odd `n` only.
-    pub q: &'a mut [f64],
-    /// The number of values of a column.
-    pub stride: usize,
-    /// The place of the group in every column.
-    pub at: usize,
+    pub q: Vec<f64>,
+    /// The sums of products: for every order, those of `lattice.rs`.
+    pub sums: Vec<Sums>,
 }
+
+/// The sums of the products of one order with the first two.
+pub type Sums = [f64; 8];
 
 /// Returns the place of order `n` among `orders` (an even number): even orders come first.
 pub const fn column(n: usize, orders: usize) -> usize {
@@ -80,10 +85,10 @@ pub const fn column(n: usize, orders: usize) -> usize {
 }
 
 impl Coulomb {
-    /// Prepares an even number of `orders` for arguments up to `largest`.
-    pub fn new(eps: f64, orders: usize, largest: f64) -> Self {
-        debug_assert!(orders >= 2 && orders.is_multiple_of(2));
-        let count = top(largest).max(orders) + 2;
+    /// Prepares an even number of `modes` for arguments up to `largest`.
+    pub fn new(eps: f64, modes: usize, largest: f64) -> Self {
+        debug_assert!(modes >= 2 && modes.is_multiple_of(2));
+        let count = top(largest).max(2 * modes) + 2;
         let square = |n: usize| 1.0 + (eps / n as f64).powi(2);
         let mut r = [1.0, -eps];
         let step = |n: usize| {
@@ -114,9 +119,9 @@ impl Coulomb {
         };
         Self {
             eps,
-            orders,
+            modes,
             steps,
-            scale: (0..orders).map(scale).collect(),
+            scale: (0..modes).map(scale).collect(),
             phase: phase_of_gamma(eps.abs()),
         }
     }
@@ -124,52 +129,110 @@ impl Coulomb {
     /// Returns the numbers of columns of `p` and of `q`.
     pub const fn columns(&self) -> [usize; 2] {
         if self.eps == 0.0 {
-            [self.orders / 2; 2]
+            [self.modes / 2; 2]
         } else {
-            [self.orders; 2]
+            [self.modes; 2]
         }
     }
 
-    /// Writes `p_n` and `q_n` of a group of positive, ascending arguments.
-    pub fn fill(&self, z: &[f64; LANES], target: &mut Target<'_>) {
-        debug_assert!(z[0] > 0.0 && z[0] <= z[LANES - 1], "{z:?}");
-        dispatch!(Level::new(), simd => self.fill_with(simd, z, target));
+    /// Returns `p_n` and `q_n` at positive, ascending arguments `z`, a multiple of [`LANES`], and
+    /// the sums of their products with the `factors` of both normal, of mixed and of both tangential
+    /// transforms.
+    pub fn transforms(&self, z: &[f64], factors: [&[f64]; 3]) -> Transforms {
+        let [of_p, of_q] = self.columns();
+        let mut transforms = Transforms {
+            p: vec![0.0; of_p * z.len()],
+            q: vec![0.0; of_q * z.len()],
+            sums: Vec::new(),
+        };
+        dispatch!(Level::new(), simd => self.fill(simd, z, factors, &mut transforms));
+        transforms
+    }
+
+    /// Returns `g_n` of `eta = -eps` at one argument.
+    pub fn functions_at(&self, z: f64) -> Vec<f64> {
+        dispatch!(Level::new(), simd => self.first_lane(simd, z))
     }
 
     #[inline(always)]
-    fn fill_with<S: Simd>(&self, simd: S, z: &[f64; LANES], target: &mut Target<'_>) {
+    fn first_lane<S: Simd>(&self, simd: S, z: f64) -> Vec<f64> {
+        let mut functions = vec![f64x8::splat(simd, 0.0); 2 * self.modes];
+        self.functions(simd, &[z; LANES], -1.0, &mut functions);
+        functions.iter().map(|value| value[0]).collect()
+    }
+
+    #[inline(always)]
+    fn fill<S: Simd>(
+        &self,
+        simd: S,
+        arguments: &[f64],
+        factors: [&[f64]; 3],
+        target: &mut Transforms,
+    ) {
         let zero = f64x8::splat(simd, 0.0);
-        let mut plus = vec![zero; self.orders];
-        self.functions(simd, z, -1.0, &mut plus);
-        let store = |values: &mut [f64], column: usize, group: f64x8<S>| {
-            group.store_slice(&mut values[column * target.stride + target.at..][..LANES]);
-        };
-        let half = self.orders / 2;
-        if self.eps == 0.0 {
-            for (n, value) in plus.iter().enumerate() {
-                let values = if n % 2 == 0 {
-                    &mut *target.p
-                } else {
-                    &mut *target.q
-                };
-                store(values, n / 2, *value * (2.0 * self.scale[n]));
+        let (mut plus, mut minus) = (vec![zero; 2 * self.modes], vec![zero; 2 * self.modes]);
+        let mut sums_of_plus = vec![[zero; 4]; 2 * self.modes];
+        let mut sums_of_minus = sums_of_plus.clone();
+        let stride = arguments.len();
+        for (group, z) in arguments.as_chunks::<LANES>().0.iter().enumerate() {
+            let at = group * LANES;
+            let [normal, mixed, shear] =
+                factors.map(|factor| f64x8::from_slice(simd, &factor[at..][..LANES]));
+            let store = |values: &mut [f64], column: usize, group: f64x8<S>| {
+                group.store_slice(&mut values[column * stride + at..][..LANES]);
+            };
+            self.functions(simd, z, -1.0, &mut plus);
+            if self.eps == 0.0 {
+                for (n, scale) in self.scale.iter().enumerate() {
+                    let values = if n % 2 == 0 {
+                        &mut target.p
+                    } else {
+                        &mut target.q
+                    };
+                    store(values, n / 2, plus[n] * (2.0 * scale));
+                }
+                let [of_p, of_q] = [plus[0], plus[1]];
+                let even = [of_p * normal, of_q * mixed, of_p * shear];
+                let odd = [of_p * mixed, of_q * normal, of_q * shear];
+                add_products(&mut sums_of_plus, &plus, [even, odd]);
+                continue;
             }
-            return;
+            self.functions(simd, z, 1.0, &mut minus);
+            for (n, scale) in self.scale.iter().enumerate() {
+                let column = column(n, self.modes);
+                let plus = plus[n] * *scale;
+                let minus = minus[n] * if n % 2 == 0 { *scale } else { -scale };
+                store(&mut target.p, column, plus + minus);
+                store(&mut target.q, column, plus - minus);
+            }
+            let (sum, unlike) = (normal + shear, normal - shear);
+            let [of_plus, of_minus] = [mixed.mul_add(2.0, sum), mixed.mul_add(-2.0, sum)];
+            let beside = [
+                plus[0] * of_plus,
+                plus[1] * of_plus,
+                minus[0] * unlike,
+                minus[1] * unlike,
+            ];
+            add_products(&mut sums_of_plus, &plus, [beside; 2]);
+            let beside = [
+                minus[0] * of_minus,
+                minus[1] * of_minus,
+                plus[0] * unlike,
+                plus[1] * unlike,
+            ];
+            add_products(&mut sums_of_minus, &minus, [beside; 2]);
         }
-        let mut minus = vec![zero; self.orders];
-        self.functions(simd, z, 1.0, &mut minus);
-        for n in 0..self.orders {
-            let column = column(n, 2 * half);
-            let plus = plus[n] * self.scale[n];
-            let minus = minus[n]
-                * if n % 2 == 0 {
-                    self.scale[n]
-                } else {
-                    -self.scale[n]
-                };
-            store(target.p, column, plus + minus);
-            store(target.q, column, plus - minus);
-        }
+        let reduce = |(plus, minus): (&[f64x8<S>; 4], &[f64x8<S>; 4])| -> Sums {
+            std::array::from_fn(|i| {
+                let lanes = if i < 4 { plus[i] } else { minus[i - 4] };
+                lanes.iter().sum()
+            })
+        };
+        target.sums = sums_of_plus
+            .iter()
+            .zip(&sums_of_minus)
+            .map(reduce)
+            .collect();
     }
 
     /// Writes `g_n` of `eta = sign * eps`.
@@ -177,14 +240,14 @@ impl Coulomb {
     fn functions<S: Simd>(&self, simd: S, z: &[f64; LANES], sign: f64, g: &mut [f64x8<S>]) {
         let arguments = f64x8::simd_from(simd, *z);
         let inverse = f64x8::splat(simd, 1.0) / arguments;
-        if z[0] >= ASYMPTOTIC.max(2.0 * self.orders as f64) {
+        if z[0] >= ASYMPTOTIC.max(2.5 * self.modes as f64) {
             let (mut f0, mut f1) = (arguments, arguments);
             for l in 0..LANES {
                 [f0[l], f1[l]] = self.first_two(z[l], sign * self.eps);
             }
             g[0] = f0;
             g[1] = f1;
-            for n in 1..self.orders - 1 {
+            for n in 1..g.len() - 1 {
                 let step = self.steps[n];
                 let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
                 g[n + 1] = (factor * g[n] - g[n - 1]) * (1.0 / step.next);
@@ -240,11 +303,35 @@ impl Coulomb {
                 (f, g) = (lambda * f - mu * g, lambda * g + mu * f);
                 sum_f += f;
                 sum_g += g;
+                if f.abs() + g.abs() < 1e-18 {
+                    break;
+                }
             }
             let wave = sum_g * cos + sum_f * sin;
             let root = if l == 0.0 { 1.0 } else { eta.hypot(1.0) };
             (0.5 * PI * eta).exp() * wave / (z * c0(self.eps) * root)
         })
+    }
+}
+
+/// Adds the products of the functions `g` with the values `beside` even and odd orders.
+#[inline(always)]
+fn add_products<S: Simd, const N: usize>(
+    sums: &mut [[f64x8<S>; 4]],
+    g: &[f64x8<S>],
+    beside: [[f64x8<S>; N]; 2],
+) {
+    let [even, odd] = beside;
+    for (sums, g) in sums
+        .as_chunks_mut::<2>()
+        .0
+        .iter_mut()
+        .zip(g.as_chunks::<2>().0)
+    {
+        for i in 0..N {
+            sums[0][i] = g[0].mul_add(even[i], sums[0][i]);
+            sums[1][i] = g[1].mul_add(odd[i], sums[1][i]);
+        }
     }
 }
 
@@ -292,16 +379,9 @@ mod tests {
     /// Returns `p_n` and `q_n` of all orders at one argument.
     fn values(eps: f64, orders: usize, z: f64) -> [Vec<f64>; 2] {
         let coulomb = Coulomb::new(eps, orders, z);
-        let [of_p, of_q] = coulomb.columns();
-        let (mut p, mut q) = (vec![0.0; of_p * LANES], vec![0.0; of_q * LANES]);
-        let mut target = Target {
-            p: &mut p,
-            q: &mut q,
-            stride: LANES,
-            at: 0,
-        };
-        coulomb.fill(&[z; LANES], &mut target);
-        let first = orders - of_q;
+        let nothing = [0.0; LANES];
+        let Transforms { p, q, .. } = coulomb.transforms(&[z; LANES], [&nothing; 3]);
+        let first = orders - coulomb.columns()[1];
         let at = |values: &[f64], place: Option<usize>| {
             place
                 .and_then(|place| values.get(place * LANES))

@@ -17,8 +17,6 @@
 //! Gamma_t = -es       f (2/pi) int [ (X22-1) q^ + (X12-b) p^ ] sin z dz
 //! ```
 
-use std::cmp::Ordering;
-
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{
     LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
@@ -36,22 +34,26 @@ use crate::quadrature::Panels;
 use crate::slope::dot;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
-use crate::stick::coulomb::{Coulomb, LANES, Target, column};
-use crate::stick::products::add_lower;
+use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Transforms, column};
+use crate::stick::lattice::{beyond, matrix};
 use crate::surface::SurfaceCompliance;
 
 /// The bodies at the wave numbers of the integrals, for punches up to some radius.
 pub struct Waves<'a> {
     /// The bodies.
     pub bodies: &'a Bodies,
-    /// The wave numbers `q`, padded to a multiple of [`LANES`].
+    /// The wave numbers `q`, padded to a multiple of eight.
     pub q: Vec<f64>,
     /// The weights `(2/pi) dq`, 0 for the padding.
     pub weights: Vec<f64>,
     /// `f` times the compliances without their limits.
     pub excess: Three<Vec<f64>>,
+    /// `f X11` and `f X22`, with their limits.
+    whole: [Vec<f64>; 2],
     /// `f q` times their derivatives.
     slope: Three<Vec<f64>>,
+    /// The end of the panels.
+    end: f64,
     /// The error of `f (2/pi) int X dq` where the panels do not resolve the compliances.
     resolution: f64,
     /// The relative error of products of two transforms that the panels do not resolve.
@@ -99,26 +101,29 @@ impl<'a> Waves<'a> {
         let mut abscissae = Abscissae::new(1.0, 0, panels);
         let Samples {
             mut excess,
+            mut whole,
             mut slope,
         } = sample_all(&bodies.surface, &abscissae.q);
-        for values in excess.iter_mut().chain(&mut slope) {
+        for values in excess.iter_mut().chain(&mut whole).chain(&mut slope) {
             values.iter_mut().for_each(|value| *value *= bodies.film);
         }
         if !bodies.sticks {
             for values in excess[1..].iter_mut().chain(&mut slope[1..]) {
                 values.fill(0.0);
             }
+            whole[1].fill(bodies.film);
         }
         // The tangential transforms begin in proportion to `q`: long waves of the tangential
         // compliance hardly matter. Where a film slides on its base they grow like `1/q`, and the
         // product with two transforms is what the first panel resolves.
         abscissae.x = largest;
         let errors = |slope: &[f64]| quadrature_errors(&abscissae, slope);
-        let end = abscissae.panels.edges[1];
+        let edges = &abscissae.panels.edges;
+        let (end, first_end) = (edges[edges.len() - 1], edges[1]);
         let mut tangential = slope[2].clone();
         let first = abscissae.panels.rule.abscissae.len();
         for (value, q) in tangential.iter_mut().zip(&abscissae.q).take(first) {
-            *value *= (q / end).powi(2) * larger(1.0, largest * end);
+            *value *= (q / first_end).powi(2) * larger(1.0, largest * first_end);
         }
         let resolution = errors(&slope[0])[0] + errors(&slope[1])[0] + errors(&tangential)[1];
         Self {
@@ -129,7 +134,9 @@ impl<'a> Waves<'a> {
             q: abscissae.q,
             weights: abscissae.weights,
             excess,
+            whole,
             slope,
+            end,
         }
     }
 
@@ -139,61 +146,39 @@ impl<'a> Waves<'a> {
     /// Returns `None` where the matrix is not positive definite, by rounding.
     pub fn field(&self, x: f64, modes: usize, with_answer: bool) -> Option<Field> {
         let rows = self.q.len();
-        let coulomb = Coulomb::new(self.bodies.eps, modes, x * self.q[rows - 1]);
-        let [of_p, of_q] = coulomb.columns();
-        let (mut p, mut q) = (vec![0.0; of_p * rows], vec![0.0; of_q * rows]);
-        for (j, group) in self.q.chunks_exact(LANES).enumerate() {
-            let z = std::array::from_fn(|l| group[l] * x);
-            let mut target = Target {
-                p: &mut p,
-                q: &mut q,
-                stride: rows,
-                at: j * LANES,
-            };
-            coulomb.fill(&z, &mut target);
-        }
+        let z: Vec<f64> = self.q.iter().map(|q| q * x).collect();
         let weights: Vec<f64> = self.weights.iter().map(|w| w * x).collect();
-        let first_q = modes - of_q;
-        // The products of the compliances with the transforms, columns of all modes: those beside
-        // `p` and those beside `q`.
-        let combine = |[direct, mixed]: [usize; 2], transposed: bool| {
-            let mut columns = vec![0.0; modes * rows];
-            for (n, column) in columns.chunks_exact_mut(rows).enumerate() {
-                let of_p = (n < of_p).then(|| &p[n * rows..][..rows]);
-                let of_q = (n >= first_q).then(|| &q[(n - first_q) * rows..][..rows]);
-                let (own, other) = if transposed {
-                    (of_q, of_p)
-                } else {
-                    (of_p, of_q)
-                };
-                for (values, factor) in [(own, direct), (other, mixed)] {
-                    let Some(values) = values else { continue };
-                    let factors = self.excess[factor].iter().zip(&weights);
-                    for ((sum, value), (factor, weight)) in
-                        column.iter_mut().zip(values).zip(factors)
-                    {
-                        *sum += factor * weight * value;
-                    }
-                }
-            }
-            columns
+        let weighted = |factor: &[f64]| -> Vec<f64> {
+            factor.iter().zip(&weights).map(|(f, w)| f * w).collect()
         };
-        let beside_p = combine([0, 1], false);
-        let beside_q = combine([2, 1], true);
-        let mut matrix = Mat::<f64>::zeros(modes, modes);
-        add_lower(&mut matrix, 0, &p, &beside_p, rows);
-        add_lower(&mut matrix, first_q, &q, &beside_q, rows);
-        // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
-        let diagonal = 1.0 / self.bodies.cosh();
-        let place = |n: usize| column(n, modes);
-        let mut matrix = Mat::from_fn(modes, modes, |m, n| match m.cmp(&n) {
-            Ordering::Less => 0.0,
-            Ordering::Equal => diagonal + matrix[(place(n), place(n))],
-            Ordering::Greater => {
-                let (m, n) = (place(m), place(n));
-                matrix[(m.max(n), m.min(n))]
-            }
+        let coulomb = Coulomb::new(self.bodies.eps, modes, z[rows - 1]);
+        // Of a wide contact, the compliances are integrated with their limits.
+        let end = x * self.end;
+        let wide = self.bodies.eps == 0.0 && end >= ASYMPTOTIC;
+        let [y11, y12, y22] = &self.excess;
+        let [x11, x22] = &self.whole;
+        let [of_normal, of_shear] = if wide { [x11, x22] } else { [y11, y22] };
+        let factors = [of_normal, y12, of_shear].map(|factor| weighted(factor));
+        let [of_normal, mixed, of_shear] = &factors;
+        let Transforms { p, q, sums } = coulomb.transforms(&z, [of_normal, mixed, of_shear]);
+        let rest = wide.then(|| {
+            beyond(&coulomb, end).map(|row| row.iter().map(|r| self.bodies.film * r).collect())
         });
+        let mut matrix = matrix(&coulomb, &sums, rest);
+        let diagonal = if wide {
+            self.bodies.sphere
+        } else {
+            1.0 / self.bodies.cosh()
+        };
+        let roots: Vec<f64> = (0..modes)
+            .map(|n| {
+                matrix[(n, n)] += diagonal;
+                larger(0.0, matrix[(n, n)]).sqrt()
+            })
+            .collect();
+        // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
+        let first_q = modes - coulomb.columns()[1];
+        let place = |n: usize| column(n, modes);
         let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
             modes,
             Par::Seq,
@@ -214,8 +199,18 @@ impl<'a> Waves<'a> {
         let mut solutions = Mat::<f64>::zeros(modes, if with_answer { 2 } else { 1 });
         solutions[(0, 0)] = c0;
         if with_answer {
+            // Without coupling, even modes are normal and odd ones tangential.
+            let waves = [y11, y12].map(|factor| {
+                let values = weighted(factor);
+                let values = values
+                    .iter()
+                    .zip(&cosines)
+                    .map(|(value, wave)| value * wave);
+                values.collect::<Vec<f64>>()
+            });
             for n in 0..modes {
-                solutions[(n, 1)] = dot(&beside_p[place(n) * rows..][..rows], &cosines);
+                let values = if n % 2 == 0 { &p } else { &q };
+                solutions[(n, 1)] = dot(&values[n / 2 * rows..][..rows], &waves[n % 2]);
             }
         }
         solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
@@ -255,8 +250,15 @@ impl<'a> Waves<'a> {
         if !(eeq > 0.0 && edge > 0.0) {
             return None;
         }
-        let mut size = larger((eeq + 2.0 * squares) / eeq, terms / edge);
-        let [y11, y12, y22] = &self.excess;
+        // The elements are sums of positive terms for a wide contact, and the unit matrix is one of
+        // their two terms elsewhere.
+        let sum = if wide {
+            let roots: f64 = c.iter().zip(&roots).map(|(c, root)| c.abs() * root).sum();
+            roots * roots
+        } else {
+            eeq + 2.0 * squares
+        };
+        let mut size = larger(sum / eeq, terms / edge);
         let normal: Vec<f64> = (0..rows)
             .map(|k| y11[k] * p_hat[k] + y12[k] * q_hat[k])
             .collect();

@@ -1,0 +1,245 @@
+//! The matrix of the products of two transforms, from the products with the first two.
+//!
+//! Both transforms of a product obey a recurrence with the same `1/z`. Without it, the products
+//! `I_mn = int Y g_m g_n dz` of functions `g` of `coulomb.rs` obey one with any factor `Y(z)`,
+//!
+//! ```text
+//! [I_{m-1,n} + R_{m+1}^2 I_{m+1,n}]/(2m+1) - eta/(m(m+1)) I_mn = [I_{m,n-1} + R_{n+1}^2 I_{m,n+1}]/(2n+1) - eta'/(n(n+1)) I_mn
+//! ```
+//!
+//! From the rows `m = 0` and 1, up to twice the number of modes, it is run to larger `m <= n`, where
+//! it is stable: errors travel like waves and do not grow. (With Legendre polynomials, Hale and
+//! Townsend, SIAM J. Sci. Comput. 36, A1207, 2014.) The cost is that of a few rows instead of all.
+//!
+//! # Wide contacts
+//!
+//! For `eps = 0` the unit matrix is `(2/pi) int J_m J_n dz`, and the elements of a wide contact with
+//! a thin incompressible film nearly cancel it. They do not if the compliance itself is integrated
+//! up to the end `Z` of the panels, where it is 1, and the rest is that of the unit matrix, for
+//! `m + n` even
+//!
+//! ```text
+//! int_Z^inf j_m j_n dz = Z^2 (j_m j_n' - j_m' j_n)/(m(m+1) - n(n+1))                    m /= n
+//! int_Z^inf j_0^2 dz = sin^2 Z/Z + int_2Z^inf sin t/t dt        3 int_Z^inf j_1^2 dz = int_Z^inf j_0^2 dz + Z (j_0^2 + j_1^2)
+//! ```
+
+use std::f64::consts::FRAC_2_PI;
+
+use faer::Mat;
+
+use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Sums};
+
+/// The rows `m = 0` and 1 of products.
+type Rows = [Vec<f64>; 2];
+
+/// Returns the lower triangle of the matrix of `p` and `q`, from sums of products. For `eps = 0`,
+/// `rest` is added to the products of two normal and of two tangential transforms.
+pub fn matrix(coulomb: &Coulomb, sums: &[Sums], rest: Option<Rows>) -> Mat<f64> {
+    let modes = coulomb.modes;
+    let row = |i: usize| -> Vec<f64> { sums.iter().map(|sums| sums[i]).collect() };
+    let scale = &coulomb.scale;
+    if coulomb.eps == 0.0 {
+        let mut normal = [row(0), row(1)];
+        let mut shear = [row(2), row(2)];
+        for (m, row) in shear.iter_mut().enumerate() {
+            row.iter_mut()
+                .skip(1 - m)
+                .step_by(2)
+                .for_each(|value| *value = 0.0);
+        }
+        for (m, rest) in rest.iter().flatten().enumerate() {
+            for row in [&mut normal[m], &mut shear[m]] {
+                row.iter_mut()
+                    .zip(rest)
+                    .for_each(|(sum, rest)| *sum += rest);
+            }
+        }
+        let mut matrix = products(coulomb, normal, [0.0; 2]);
+        let shear = products(coulomb, shear, [0.0; 2]);
+        for m in 0..modes {
+            for n in m..modes {
+                if m % 2 == 1 && n % 2 == 1 {
+                    matrix[(n, m)] = shear[(n, m)];
+                }
+                matrix[(n, m)] *= 4.0 * scale[m] * scale[n];
+            }
+        }
+        return matrix;
+    }
+    let like = [
+        products(coulomb, [row(0), row(1)], [-1.0; 2]),
+        products(coulomb, [row(4), row(5)], [1.0; 2]),
+    ];
+    let unlike = [
+        products(coulomb, [row(6), row(7)], [-1.0, 1.0]),
+        products(coulomb, [row(2), row(3)], [1.0, -1.0]),
+    ];
+    let sign = |n: usize| if n % 2 == 0 { 1.0 } else { -1.0 };
+    Mat::from_fn(modes, modes, |n, m| {
+        let at = (n, m);
+        let sum = like[0][at]
+            + sign(m + n) * like[1][at]
+            + sign(n) * unlike[0][at]
+            + sign(m) * unlike[1][at];
+        scale[m] * scale[n] * sum
+    })
+}
+
+/// Runs the recurrence from the first two rows. Column `m` of the lower triangle is row `m`. The
+/// functions of both factors have `eta = sign * eps` with the two `signs`.
+fn products(coulomb: &Coulomb, [mut before, mut now]: Rows, signs: [f64; 2]) -> Mat<f64> {
+    let modes = coulomb.modes;
+    let steps = &coulomb.steps[..2 * modes];
+    let per = |value: fn(&crate::stick::coulomb::Step) -> f64| -> Vec<f64> {
+        steps.iter().map(|step| value(step) / step.per_z).collect()
+    };
+    let (one, next, charge) = (per(|_| 1.0), per(|step| step.next), per(|step| step.charge));
+    let mut products = Mat::zeros(modes, modes);
+    products
+        .col_as_slice_mut(0)
+        .copy_from_slice(&before[..modes]);
+    products.col_as_slice_mut(1)[1..].copy_from_slice(&now[1..modes]);
+    for m in 1..modes - 1 {
+        // Each row needs its two neighbours in the row before.
+        let range = m + 1..2 * modes - 1 - m;
+        let (factor, inverse) = (steps[m].per_z, 1.0 / steps[m].next);
+        let own = signs[0] * charge[m];
+        let below = &mut before[range.clone()];
+        let values = below
+            .iter_mut()
+            .zip(now[m..].windows(3))
+            .zip(&one[range.clone()])
+            .zip(&next[range.clone()])
+            .zip(&charge[range]);
+        for ((((value, near), one), next), charge) in values {
+            let sum = near[0] * one + near[2] * next + (own - signs[1] * charge) * near[1];
+            *value = (factor * sum - *value) * inverse;
+        }
+        std::mem::swap(&mut before, &mut now);
+        products.col_as_slice_mut(m + 1)[m + 1..].copy_from_slice(&now[m + 1..modes]);
+    }
+    products
+}
+
+/// Returns the rows of the unit matrix beyond `z`, which is at least [`ASYMPTOTIC`].
+pub fn beyond(coulomb: &Coulomb, z: f64) -> Rows {
+    debug_assert!(z >= ASYMPTOTIC);
+    let j = coulomb.functions_at(z);
+    // int_y^inf sin t/t dt = f cos y + g sin y, with the asymptotic series of f and g.
+    let y = 2.0 * z;
+    let (mut f, mut g) = (0.0, 0.0);
+    let (mut of_f, mut of_g) = (1.0 / y, 1.0 / (y * y));
+    for k in 0..12 {
+        f += of_f;
+        g += of_g;
+        let k = f64::from(2 * k);
+        of_f *= -(k + 1.0) * (k + 2.0) / (y * y);
+        of_g *= -(k + 2.0) * (k + 3.0) / (y * y);
+    }
+    let zeroth = z * j[0] * j[0] + f * y.cos() + g * y.sin();
+    let first = (zeroth + z * (j[0] * j[0] + j[1] * j[1])) / 3.0;
+    let slope = |n: usize| match n {
+        0 => -j[1],
+        _ => j[n - 1] - (n + 1) as f64 / z * j[n],
+    };
+    [0, 1].map(|m: usize| {
+        let element = |n: usize| {
+            if n % 2 != m {
+                0.0
+            } else if n == m {
+                FRAC_2_PI * [zeroth, first][m]
+            } else {
+                let square = |n: usize| (n * (n + 1)) as f64;
+                let wronskian = j[m] * slope(n) - slope(m) * j[n];
+                FRAC_2_PI * z * z * wronskian / (square(m) - square(n))
+            }
+        };
+        (0..j.len()).map(element).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::larger;
+    use crate::stick::coulomb::{LANES, Transforms, column};
+
+    /// The elements are the sums over products of the transforms, for every `eps`.
+    #[test]
+    fn elements_are_sums_of_products() {
+        let mut worst: f64 = 0.0;
+        for eps in [0.0, 0.17, -0.02] {
+            for (modes, longest) in [(6, 3.0), (20, 30.0), (40, 300.0)] {
+                let rows = 40 * LANES;
+                let z: Vec<f64> = (1..=rows)
+                    .map(|i| longest * i as f64 / rows as f64)
+                    .collect();
+                let factor = |shift: f64| -> Vec<f64> {
+                    let step = longest / rows as f64;
+                    z.iter()
+                        .map(|z| step * (z / longest + shift).cos())
+                        .collect()
+                };
+                let factors = [0.0, 1.0, 2.0].map(factor);
+                let [normal, mixed, shear] = &factors;
+                let coulomb = Coulomb::new(eps, modes, longest);
+                let Transforms { p, q, sums } = coulomb.transforms(&z, [normal, mixed, shear]);
+                let first = modes - coulomb.columns()[1];
+                let value = |values: &[f64], place: Option<usize>, k: usize| {
+                    place
+                        .and_then(|place| values.get(place * rows + k))
+                        .copied()
+                        .unwrap_or(0.0)
+                };
+                let found = matrix(&coulomb, &sums, None);
+                for m in 0..modes {
+                    for n in m..modes {
+                        let exact: f64 = (0..rows)
+                            .map(|k| {
+                                let [pm, pn] = [m, n].map(|n| value(&p, Some(column(n, modes)), k));
+                                let [qm, qn] = [m, n]
+                                    .map(|n| value(&q, column(n, modes).checked_sub(first), k));
+                                normal[k] * pm * pn
+                                    + mixed[k] * (pm * qn + qm * pn)
+                                    + shear[k] * qm * qn
+                            })
+                            .sum();
+                        worst = larger(worst, (found[(n, m)] - exact).abs());
+                    }
+                }
+            }
+        }
+        println!("elements agree to {worst:.1e}");
+        assert!(worst <= 2e-14, "{worst:e}");
+    }
+
+    /// With the integral up to `Z`, by many points, the rest makes the unit matrix.
+    #[test]
+    fn the_rest_completes_the_unit_matrix() {
+        let (end, modes) = (60.0, 10);
+        let rule = crate::quadrature::GaussLegendre::new(256);
+        let z: Vec<f64> = rule
+            .abscissae
+            .iter()
+            .map(|x| 0.5 * end * (1.0 + x))
+            .collect();
+        let weights: Vec<f64> = rule
+            .weights
+            .iter()
+            .map(|w| FRAC_2_PI * 0.5 * end * w)
+            .collect();
+        let nothing = vec![0.0; z.len()];
+        let coulomb = Coulomb::new(0.0, modes, end);
+        let transforms = coulomb.transforms(&z, [&weights, &nothing, &weights]);
+        let unit = matrix(&coulomb, &transforms.sums, Some(beyond(&coulomb, end)));
+        let mut worst: f64 = 0.0;
+        for m in 0..modes {
+            for n in m..modes {
+                let exact = if m == n { 1.0 } else { 0.0 };
+                worst = larger(worst, (unit[(n, m)] - exact).abs());
+            }
+        }
+        println!("unit matrix to {worst:.1e}");
+        assert!(worst <= 1e-14, "{worst:e}");
+    }
+}
