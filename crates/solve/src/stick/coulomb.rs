@@ -50,6 +50,8 @@ pub struct Coulomb {
     pub scale: Vec<f64>,
     /// `arg Gamma(1 + i |eps|)`.
     phase: f64,
+    /// `e^{pi eta/2}/c0` for the negative and the positive `eta`.
+    amplitude: [f64; 2],
 }
 
 /// The coefficients at order `n`, for `eta = eps`. `eps` changes its sign with `eta`.
@@ -68,16 +70,33 @@ pub struct Step {
 /// The transforms at many arguments, and their products with the first two.
 #[derive(Clone, Debug)]
 pub struct Transforms {
-    /// The columns of `p_n`, by [`column`], of as many values as there are arguments.
+    /// The columns of `p_n`, by [`column`], of `rows` values each.
     pub p: Vec<f64>,
     /// The columns of `q_n`; for `eps = 0` those of odd `n` only.
     pub q: Vec<f64>,
+    /// The number of arguments.
+    pub rows: usize,
     /// The sums of products: for every order, those of `lattice.rs`.
     pub sums: Vec<Sums>,
 }
 
 /// The sums of the products of one order with the first two.
 pub type Sums = [f64; 8];
+
+impl Transforms {
+    /// Returns `sum c_n p_n` and `sum c_n q_n` at all arguments.
+    pub fn sum(&self, c: &[f64]) -> [Vec<f64>; 2] {
+        let mut ordered = vec![0.0; c.len()];
+        for (n, value) in c.iter().enumerate() {
+            ordered[column(n, c.len())] = *value;
+        }
+        let of_p = &ordered[..self.p.len() / self.rows];
+        let of_q = &ordered[c.len() - self.q.len() / self.rows..];
+        [(&self.p, of_p), (&self.q, of_q)].map(
+            |(columns, c)| dispatch!(Level::new(), simd => combined(simd, columns, c, self.rows)),
+        )
+    }
+}
 
 /// Returns the place of order `n` among `orders` (an even number): even orders come first.
 pub const fn column(n: usize, orders: usize) -> usize {
@@ -123,6 +142,7 @@ impl Coulomb {
             steps,
             scale: (0..modes).map(scale).collect(),
             phase: phase_of_gamma(eps.abs()),
+            amplitude: [-1.0, 1.0].map(|sign| (0.5 * sign * PI * eps.abs()).exp() / c0(eps)),
         }
     }
 
@@ -143,6 +163,7 @@ impl Coulomb {
         let mut transforms = Transforms {
             p: vec![0.0; of_p * z.len()],
             q: vec![0.0; of_q * z.len()],
+            rows: z.len(),
             sums: Vec::new(),
         };
         dispatch!(Level::new(), simd => self.fill(simd, z, factors, &mut transforms));
@@ -170,17 +191,16 @@ impl Coulomb {
         target: &mut Transforms,
     ) {
         let zero = f64x8::splat(simd, 0.0);
-        let (mut plus, mut minus) = (vec![zero; 2 * self.modes], vec![zero; 2 * self.modes]);
-        let mut sums_of_plus = vec![[zero; 4]; 2 * self.modes];
-        let mut sums_of_minus = sums_of_plus.clone();
+        let orders = 2 * self.modes;
+        let (mut plus, mut minus) = (vec![zero; orders], vec![zero; orders]);
+        let (mut sums_of_plus, mut sums_of_minus) =
+            (vec![[zero; 4]; orders], vec![[zero; 4]; orders]);
         let stride = arguments.len();
         for (group, z) in arguments.as_chunks::<LANES>().0.iter().enumerate() {
             let at = group * LANES;
-            let [normal, mixed, shear] =
-                factors.map(|factor| f64x8::from_slice(simd, &factor[at..][..LANES]));
-            let store = |values: &mut [f64], column: usize, group: f64x8<S>| {
-                group.store_slice(&mut values[column * stride + at..][..LANES]);
-            };
+            let normal = f64x8::from_slice(simd, &factors[0][at..][..LANES]);
+            let mixed = f64x8::from_slice(simd, &factors[1][at..][..LANES]);
+            let shear = f64x8::from_slice(simd, &factors[2][at..][..LANES]);
             self.functions(simd, z, -1.0, &mut plus);
             if self.eps == 0.0 {
                 for (n, scale) in self.scale.iter().enumerate() {
@@ -189,7 +209,8 @@ impl Coulomb {
                     } else {
                         &mut target.q
                     };
-                    store(values, n / 2, plus[n] * (2.0 * scale));
+                    let value = plus[n] * (2.0 * scale);
+                    value.store_slice(&mut values[n / 2 * stride + at..][..LANES]);
                 }
                 let [of_p, of_q] = [plus[0], plus[1]];
                 let even = [of_p * normal, of_q * mixed, of_p * shear];
@@ -199,11 +220,11 @@ impl Coulomb {
             }
             self.functions(simd, z, 1.0, &mut minus);
             for (n, scale) in self.scale.iter().enumerate() {
-                let column = column(n, self.modes);
+                let place = column(n, self.modes) * stride + at;
                 let plus = plus[n] * *scale;
                 let minus = minus[n] * if n % 2 == 0 { *scale } else { -scale };
-                store(&mut target.p, column, plus + minus);
-                store(&mut target.q, column, plus - minus);
+                (plus + minus).store_slice(&mut target.p[place..][..LANES]);
+                (plus - minus).store_slice(&mut target.q[place..][..LANES]);
             }
             let (sum, unlike) = (normal + shear, normal - shear);
             let [of_plus, of_minus] = [mixed.mul_add(2.0, sum), mixed.mul_add(-2.0, sum)];
@@ -241,16 +262,12 @@ impl Coulomb {
         let arguments = f64x8::simd_from(simd, *z);
         let inverse = f64x8::splat(simd, 1.0) / arguments;
         if z[0] >= ASYMPTOTIC.max(2.5 * self.modes as f64) {
-            let (mut f0, mut f1) = (arguments, arguments);
-            for l in 0..LANES {
-                [f0[l], f1[l]] = self.first_two(z[l], sign * self.eps);
-            }
-            g[0] = f0;
-            g[1] = f1;
+            [g[0], g[1]] = self.first_two(simd, z, sign * self.eps);
             for n in 1..g.len() - 1 {
                 let step = self.steps[n];
                 let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
-                g[n + 1] = (factor * g[n] - g[n - 1]) * (1.0 / step.next);
+                let share = 1.0 / step.next;
+                g[n + 1] = (factor * share).mul_sub(g[n], g[n - 1] * share);
             }
             return;
         }
@@ -275,7 +292,7 @@ impl Coulomb {
             };
             sum = now.mul_add(weight, sum);
             let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
-            let before = factor * now - after * step.next;
+            let before = factor.mul_sub(now, after * step.next);
             (after, now) = (now, before);
         }
         g[0] = now;
@@ -285,33 +302,72 @@ impl Coulomb {
         }
     }
 
-    /// Returns `g_0` and `g_1` by their asymptotic series.
-    fn first_two(&self, z: f64, eta: f64) -> [f64; 2] {
-        let (sin, cos) = z.sin_cos();
+    /// Returns `g_0` and `g_1` by their asymptotic series, which ends at once for `eta = 0`.
+    #[inline(always)]
+    fn first_two<S: Simd>(&self, simd: S, z: &[f64; LANES], eta: f64) -> [f64x8<S>; 2] {
         let phase = if eta < 0.0 { -self.phase } else { self.phase };
-        [0.0, 1.0].map(|l: f64| {
-            let shift = phase + l * (eta.atan() - 0.5 * PI) - eta * (2.0 * z).ln();
-            let (s, c) = shift.sin_cos();
-            let (sin, cos) = (sin * c + cos * s, cos * c - sin * s);
-            let (mut f, mut g) = (1.0, 0.0);
-            let (mut sum_f, mut sum_g) = (1.0, 0.0);
-            for k in 0..TERMS {
-                let k = k as f64;
-                let unit = 1.0 / ((2.0 * k + 2.0) * z);
-                let lambda = (2.0 * k + 1.0) * eta * unit;
-                let mu = (l * (l + 1.0) - k * (k + 1.0) + eta * eta) * unit;
-                (f, g) = (lambda * f - mu * g, lambda * g + mu * f);
-                sum_f += f;
-                sum_g += g;
-                if f.abs() + g.abs() < 1e-18 {
-                    break;
-                }
+        let (mut sine, mut cosine) = ([0.0; LANES], [0.0; LANES]);
+        for (l, z) in z.iter().enumerate() {
+            (sine[l], cosine[l]) = z.sin_cos();
+            if eta != 0.0 {
+                let (s, c) = (phase - eta * (2.0 * z).ln()).sin_cos();
+                let [sin, cos] = [sine[l], cosine[l]];
+                (sine[l], cosine[l]) = (sin * c + cos * s, cos * c - sin * s);
             }
-            let wave = sum_g * cos + sum_f * sin;
-            let root = if l == 0.0 { 1.0 } else { eta.hypot(1.0) };
-            (0.5 * PI * eta).exp() * wave / (z * c0(self.eps) * root)
-        })
+        }
+        let (sin, cos) = (f64x8::simd_from(simd, sine), f64x8::simd_from(simd, cosine));
+        let inverse = f64x8::splat(simd, 1.0) / f64x8::simd_from(simd, *z);
+        let factor = inverse * self.amplitude[usize::from(eta > 0.0)];
+        // The phase of `F_1` is larger by `atan(eta) - pi/2`, and `g_1` has a factor `1/R_1`.
+        let square = 1.0 / (1.0 + eta * eta);
+        let (sin_1, cos_1) = ((sin * eta - cos) * square, (cos * eta + sin) * square);
+        [
+            factor * asymptotic(simd, inverse, 0.0, eta, [sin, cos]),
+            factor * asymptotic(simd, inverse, 1.0, eta, [sin_1, cos_1]),
+        ]
     }
+}
+
+/// Returns the asymptotic series of `F_l` at descending values of `1/z`.
+#[inline(always)]
+fn asymptotic<S: Simd>(
+    simd: S,
+    inverse: f64x8<S>,
+    l: f64,
+    eta: f64,
+    [sin, cos]: [f64x8<S>; 2],
+) -> f64x8<S> {
+    let (mut f, mut g) = (f64x8::splat(simd, 1.0), f64x8::splat(simd, 0.0));
+    let (mut sum_f, mut sum_g) = (f, g);
+    for k in 0..TERMS {
+        let k = k as f64;
+        let unit = inverse * (0.5 / (k + 1.0));
+        let lambda = unit * ((2.0 * k + 1.0) * eta);
+        let mu = unit * (l * (l + 1.0) - k * (k + 1.0) + eta * eta);
+        (f, g) = (lambda * f - mu * g, lambda * g + mu * f);
+        sum_f += f;
+        sum_g += g;
+        // The smallest argument is the first.
+        if f[0].abs() + g[0].abs() < 1e-18 {
+            break;
+        }
+    }
+    sum_g * cos + sum_f * sin
+}
+
+/// Returns the sum of `columns` of `rows` values, each times its factor.
+#[inline(always)]
+fn combined<S: Simd>(simd: S, columns: &[f64], factors: &[f64], rows: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; rows];
+    for (i, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+        let mut sum = f64x8::splat(simd, 0.0);
+        for (column, factor) in columns.chunks_exact(rows).zip(factors) {
+            let values = f64x8::from_slice(simd, &column[i * LANES..][..LANES]);
+            sum = values.mul_add(*factor, sum);
+        }
+        sum.store_slice(sums);
+    }
+    sums
 }
 
 /// Adds the products of the functions `g` with the values `beside` even and odd orders.

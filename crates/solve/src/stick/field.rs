@@ -34,7 +34,7 @@ use crate::quadrature::Panels;
 use crate::slope::dot;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
-use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Transforms, column};
+use crate::stick::coulomb::{ASYMPTOTIC, Coulomb};
 use crate::stick::lattice::{beyond, matrix};
 use crate::surface::SurfaceCompliance;
 
@@ -160,11 +160,11 @@ impl<'a> Waves<'a> {
         let [of_normal, of_shear] = if wide { [x11, x22] } else { [y11, y22] };
         let factors = [of_normal, y12, of_shear].map(|factor| weighted(factor));
         let [of_normal, mixed, of_shear] = &factors;
-        let Transforms { p, q, sums } = coulomb.transforms(&z, [of_normal, mixed, of_shear]);
+        let transforms = coulomb.transforms(&z, [of_normal, mixed, of_shear]);
         let rest = wide.then(|| {
             beyond(&coulomb, end).map(|row| row.iter().map(|r| self.bodies.film * r).collect())
         });
-        let mut matrix = matrix(&coulomb, &sums, rest);
+        let mut matrix = matrix(&coulomb, &transforms.sums, rest);
         let diagonal = if wide {
             self.bodies.sphere
         } else {
@@ -177,8 +177,6 @@ impl<'a> Waves<'a> {
             })
             .collect();
         // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
-        let first_q = modes - coulomb.columns()[1];
-        let place = |n: usize| column(n, modes);
         let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
             modes,
             Par::Seq,
@@ -195,7 +193,12 @@ impl<'a> Waves<'a> {
         .ok()?;
 
         let c0 = self.bodies.c0();
-        let [sines, cosines] = self.waves_at(x);
+        let uncoupled = self.bodies.eps == 0.0;
+        let [sines, cosines] = if uncoupled {
+            waves_at(&z)
+        } else {
+            [Vec::new(), Vec::new()]
+        };
         let mut solutions = Mat::<f64>::zeros(modes, if with_answer { 2 } else { 1 });
         solutions[(0, 0)] = c0;
         if with_answer {
@@ -209,7 +212,11 @@ impl<'a> Waves<'a> {
                 values.collect::<Vec<f64>>()
             });
             for n in 0..modes {
-                let values = if n % 2 == 0 { &p } else { &q };
+                let values = if n % 2 == 0 {
+                    &transforms.p
+                } else {
+                    &transforms.q
+                };
                 solutions[(n, 1)] = dot(&values[n / 2 * rows..][..rows], &waves[n % 2]);
             }
         }
@@ -218,28 +225,20 @@ impl<'a> Waves<'a> {
         let missing = missing_modes(half);
         solve_upper_triangular_in_place(matrix.transpose(), solutions.as_mut(), Par::Seq);
 
-        let transform = |solution: &[f64]| {
-            let mut hats = [vec![0.0; rows], vec![0.0; rows]];
-            for (hat, (values, first)) in hats.iter_mut().zip([(&p, 0), (&q, first_q)]) {
-                for (n, c) in solution.iter().enumerate() {
-                    let Some(values) = place(n)
-                        .checked_sub(first)
-                        .and_then(|place| values.get(place * rows..)?.get(..rows))
-                    else {
-                        continue;
-                    };
-                    for (sum, value) in hat.iter_mut().zip(values) {
-                        *sum += c * value;
-                    }
-                }
-            }
-            hats
-        };
         let c = solutions.col_as_slice(0);
-        let [p_hat, q_hat] = transform(c);
+        let [p_hat, q_hat] = transforms.sum(c);
         let eeq = c0 * c[0];
-        let squares: f64 = c.iter().map(|c| c * c).sum();
-        let (mut edge, mut terms) = (eeq, eeq + squares);
+        // The terms of the quadratic form of the matrix. Of a wide contact all are positive; elsewhere
+        // the unit matrix is one of two that may cancel. Those of the slopes are up to three times
+        // as large.
+        let [form, of_slopes] = if wide {
+            let sum: f64 = c.iter().zip(&roots).map(|(c, root)| c.abs() * root).sum();
+            [sum * sum, 3.0 * sum * sum]
+        } else {
+            let squares: f64 = c.iter().map(|c| c * c).sum();
+            [eeq + 2.0 * squares, squares]
+        };
+        let (mut edge, mut terms) = (eeq, eeq + of_slopes);
         let [s11, s12, s22] = &self.slope;
         for k in 0..rows {
             let (p, q) = (p_hat[k], q_hat[k]);
@@ -250,19 +249,11 @@ impl<'a> Waves<'a> {
         if !(eeq > 0.0 && edge > 0.0) {
             return None;
         }
-        // The elements are sums of positive terms for a wide contact, and the unit matrix is one of
-        // their two terms elsewhere.
-        let sum = if wide {
-            let roots: f64 = c.iter().zip(&roots).map(|(c, root)| c.abs() * root).sum();
-            roots * roots
-        } else {
-            eeq + 2.0 * squares
-        };
-        let mut size = larger(sum / eeq, terms / edge);
+        let mut size = larger(form / eeq, terms / edge);
         let normal: Vec<f64> = (0..rows)
             .map(|k| y11[k] * p_hat[k] + y12[k] * q_hat[k])
             .collect();
-        let parts = (self.bodies.eps == 0.0).then(|| {
+        let parts = uncoupled.then(|| {
             let (mut of_normal, mut of_shear, mut terms) = (0.0, 0.0, 1.0);
             for k in 0..rows {
                 let shear = y22[k] * q_hat[k] + y12[k] * p_hat[k];
@@ -278,7 +269,7 @@ impl<'a> Waves<'a> {
             (normal * normal + shear * shear - edge).abs() / edge
         });
         let answer = with_answer.then(|| {
-            let [p_hat, q_hat] = transform(solutions.col_as_slice(1));
+            let [p_hat, q_hat] = transforms.sum(solutions.col_as_slice(1));
             (0..rows)
                 .map(|k| y11[k] * (cosines[k] - p_hat[k]) - y12[k] * q_hat[k])
                 .collect()
@@ -296,17 +287,17 @@ impl<'a> Waves<'a> {
             rounding: self.rounding * size,
         })
     }
+}
 
-    /// Returns the sines and cosines of `q x`.
-    pub fn waves_at(&self, x: f64) -> [Vec<f64>; 2] {
-        let (mut sines, mut cosines) = (Vec::new(), Vec::new());
-        for q in &self.q {
-            let (sine, cosine) = (q * x).sin_cos();
-            sines.push(sine);
-            cosines.push(cosine);
-        }
-        [sines, cosines]
+/// Returns the sines and cosines of `z`.
+fn waves_at(z: &[f64]) -> [Vec<f64>; 2] {
+    let (mut sines, mut cosines) = (Vec::new(), Vec::new());
+    for z in z {
+        let (sine, cosine) = z.sin_cos();
+        sines.push(sine);
+        cosines.push(cosine);
     }
+    [sines, cosines]
 }
 
 /// Extrapolates `sum_{i >= n} y_i^2`, the contribution to `Eeq_s` of the modes left out.

@@ -183,7 +183,7 @@ mod tests {
                 let factors = [0.0, 1.0, 2.0].map(factor);
                 let [normal, mixed, shear] = &factors;
                 let coulomb = Coulomb::new(eps, modes, longest);
-                let Transforms { p, q, sums } = coulomb.transforms(&z, [normal, mixed, shear]);
+                let Transforms { p, q, sums, .. } = coulomb.transforms(&z, [normal, mixed, shear]);
                 let first = modes - coulomb.columns()[1];
                 let value = |values: &[f64], place: Option<usize>, k: usize| {
                     place
