@@ -1,7 +1,6 @@
 //! The states of one branch at many imposed values, with their derivatives at a fixed imposed
 //! value.
 
-use super::equilibria::Section;
 use crate::{Derivatives, Equilibria, Input, State};
 use interp::Error;
 use interp::check::finite_result;
@@ -163,18 +162,6 @@ impl Equilibria<'_> {
         }
         Ok(())
     }
-
-    /// Returns the section of a branch that holds an imposed value; `None` if no section does.
-    fn section(&self, branch: Branch, imposed: f64) -> Option<usize> {
-        let holds = |&index: &usize| {
-            let section = &self.sections[index];
-            section.rises && section.holds(imposed)
-        };
-        match branch {
-            Branch::Loading => (0..self.sections.len()).find(holds),
-            Branch::Unloading => (0..self.sections.len()).rev().find(holds),
-        }
-    }
 }
 
 /// The last state found on a branch, from which the next one is sought.
@@ -218,7 +205,7 @@ impl<'a> Follower<'a> {
         if self.equilibria.contact.is_punch() {
             return Ok(found);
         }
-        if let Some(section) = self.equilibria.section(self.branch, imposed)
+        if let Some((section, _)) = self.equilibria.section_of(self.branch, imposed)?
             && found.contact_radius > 0.0
         {
             let Equilibria {
@@ -251,15 +238,16 @@ impl<'a> Follower<'a> {
             contact,
             energy,
             control,
-            ref sections,
             ..
         } = *self.equilibria;
-        let section: &Section = &sections[last.section];
-        let is_limit = |of: &Section| of.imposed.contains(&imposed);
-        if self.equilibria.section(self.branch, imposed) != Some(last.section) || is_limit(section)
-        {
-            return Ok(None);
-        }
+        let section = match self.equilibria.section_of(self.branch, imposed)? {
+            Some((number, section))
+                if number == last.section && !section.imposed.contains(&imposed) =>
+            {
+                section
+            }
+            _ => return Ok(None),
+        };
         let change = imposed - last.imposed;
         let mut u = last.u + change * (last.speed + 0.5 * change * last.acceleration);
         // Newton's error after a step `s` is `s^2 v''/(2 v')`, that is `s^2 u''/(2 u'^2)`; four

@@ -309,25 +309,43 @@ impl Contact {
         a: f64,
         energy: LineEnergy,
     ) -> Result<(State, [f64; 2]), Error> {
-        let w = energy.at(a);
-        let edge = self.mechanics.edge_singularity(a, w)?;
-        if w == 0.0 {
+        if energy.at(a) == 0.0 {
+            self.mechanics.check_radius(a)?;
             let (without, slopes) = self.adhesionless_and_slopes(a)?;
             let state = Self::finite_state(a, without)?;
             return Ok((state, [slopes.load, slopes.penetration]));
         }
         let (without, slopes, values, relative) = self.everything_and_slopes(a)?;
-        let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
+        let [lowered, by_radius] = self.lowered_and_slopes(a, energy, &values, &relative)?;
         let state = LoadAndPenetration {
             load: without.load - lowered.load,
             penetration: without.penetration - lowered.penetration,
         };
-        let of_edge = energy.slope_of_edge(a);
         let slopes = [
-            slopes.load - lowered.load * (1.0 + of_edge + relative.eeq - relative.gamma),
-            slopes.penetration - lowered.penetration * (of_edge - relative.gamma),
+            slopes.load - by_radius.load,
+            slopes.penetration - by_radius.penetration,
         ];
         Ok((Self::finite_state(a, state)?, slopes))
+    }
+
+    /// Returns by how much the energy of the contact line lowers load (N) and penetration (m) at
+    /// contact radius `a` (m), and the derivatives with respect to `ln a`, from the quantities and the
+    /// derivatives of their logarithms.
+    pub(crate) fn lowered_and_slopes(
+        &self,
+        a: f64,
+        energy: LineEnergy,
+        values: &Quantities,
+        relative: &Quantities,
+    ) -> Result<[LoadAndPenetration; 2], Error> {
+        let edge = self.mechanics.edge_singularity(a, energy.at(a))?;
+        let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
+        let of_edge = energy.slope_of_edge(a);
+        let slopes = LoadAndPenetration {
+            load: lowered.load * (1.0 + of_edge + relative.eeq - relative.gamma),
+            penetration: lowered.penetration * (of_edge - relative.gamma),
+        };
+        Ok([lowered, slopes])
     }
 
     /// Returns a state unless it is infinite or NaN.

@@ -1,9 +1,12 @@
 //! The equilibria of a contact with a given work of adhesion under a load, a penetration or a
 //! spring, their stability, and the separation.
 
+use std::sync::OnceLock;
+
 use super::line_energy::LineEnergy;
 use super::root::root;
-use crate::{Contact, State};
+use super::turning_points::Section;
+use crate::{Branch, Contact, State};
 use interp::Error;
 use interp::check::{finite_input, work_of_adhesion};
 
@@ -78,7 +81,9 @@ pub struct Equilibrium {
 /// them; and then refined to rounding. Where the slope comes nearer to 0 at a point of the grid than
 /// at both of its neighbours without a change of sign, its extremum is searched, too. Two turning
 /// points are missed only between two neighbouring points of the grid at which the slope does not
-/// show its extremum; their hysteresis is too small to matter.
+/// show its extremum; their hysteresis is too small to matter. Where lower bounds of the slopes show
+/// that `v` grows from some radius to the end of the range, these radii are left out of the search:
+/// under a cone, for instance, from about ten times the radius of the last turning point on.
 ///
 /// JKR has one turning point, a minimum, and so has a contact that is smaller than the curve's
 /// nodes, under a shape that does not bend there. Films and bends can cause more turning points, and
@@ -90,25 +95,9 @@ pub struct Equilibria<'a> {
     pub(crate) control: Control,
     /// In ascending order of contact radius.
     pub(crate) sections: Vec<Section>,
-}
-
-/// An interval of contact radii between two neighbouring turning points, or ends of the range.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Section {
-    /// The logarithms of the smallest and largest contact radius.
-    pub u: [f64; 2],
-    /// The imposed values at these two radii.
-    pub imposed: [f64; 2],
-    /// Whether the imposed value grows with the radius, so that the equilibria are stable.
-    pub rises: bool,
-}
-
-impl Section {
-    /// Tells whether an imposed value occurs in the section.
-    pub(crate) fn holds(&self, imposed: f64) -> bool {
-        let [first, last] = self.imposed;
-        (first.min(last)..=first.max(last)).contains(&imposed)
-    }
+    /// The logarithms of radii up to the end of the range to which the last section goes on without
+    /// a turning point, and the imposed values there, made when they are needed.
+    pub(crate) beyond: Vec<(f64, OnceLock<f64>)>,
 }
 
 impl Contact {
@@ -149,65 +138,6 @@ impl Contact {
         self.equilibria_with(LineEnergy::of_jkr(w), control)
     }
 
-    /// Finds the turning points of the equilibria with another energy of the contact line, under
-    /// any probe but a flat punch.
-    pub(crate) fn equilibria_with(
-        &self,
-        energy: LineEnergy,
-        control: Control,
-    ) -> Result<Equilibria<'_>, Error> {
-        control.check()?;
-        let imposed = |u: f64| {
-            let a = self.radius_at(u);
-            self.load_and_penetration(a, energy.at(a))
-                .map(|(load, penetration)| control.imposed(load, penetration))
-        };
-        let slope = |u: f64| {
-            self.state_and_slopes(self.radius_at(u), energy)
-                .map(|(_, [load, penetration])| control.imposed(load, penetration))
-        };
-        let grid = self.search_grid()?;
-        let (first, last) = (grid[0], grid[grid.len() - 1]);
-        let slopes: Vec<f64> = grid.iter().map(|&u| slope(u)).collect::<Result<_, _>>()?;
-
-        let mut sections = Vec::new();
-        let (mut start, mut rises) = ((first, imposed(first)?), slopes[0] >= 0.0);
-        let mut end_section = |end: f64, rises: bool| {
-            let value = imposed(end)?;
-            sections.push(Section {
-                u: [start.0, end],
-                imposed: [start.1, value],
-                rises,
-            });
-            start = (end, value);
-            Ok(())
-        };
-        for k in 1..grid.len() {
-            if (slopes[k] >= 0.0) != rises {
-                end_section(root(slope, grid[k - 1], grid[k])?, rises)?;
-                rises = !rises;
-            } else if let Some(next) = slopes.get(k + 1)
-                && (*next >= 0.0) == rises
-                && slopes[k].abs() < slopes[k - 1].abs()
-                && slopes[k].abs() <= next.abs()
-                && let Some(between) = other_sign(slope, grid[k - 1], grid[k + 1], rises)?
-            {
-                // The neighbours of the point have the same sign as the point itself.
-                for [from, to] in [[grid[k - 1], between], [between, grid[k + 1]]] {
-                    end_section(root(slope, from, to)?, rises)?;
-                    rises = !rises;
-                }
-            }
-        }
-        end_section(last, rises)?;
-        Ok(Equilibria {
-            contact: self,
-            energy,
-            control,
-            sections,
-        })
-    }
-
     /// Returns the equilibria of a flat punch. Its line stays at the edge of the punch, so that there
     /// is one stable equilibrium at every imposed value from that of the pull-off on.
     fn equilibria_of_punch(&self, w: f64, control: Control) -> Result<Equilibria<'_>, Error> {
@@ -222,6 +152,7 @@ impl Contact {
                 imposed: [control.imposed(load, penetration), f64::MAX],
                 rises: true,
             }],
+            beyond: Vec::new(),
         })
     }
 
@@ -244,83 +175,6 @@ impl Contact {
     pub fn zero_load(&self, w: f64) -> Result<State, Error> {
         self.equilibria(w, Control::Load)?.unloading(0.0)
     }
-
-    /// Returns the logarithms of contact radii between which the signs of the slopes are compared: a
-    /// grid over the nodes on a film, and from below the first bend of the shape on. On a half-space
-    /// without bends, where there is one turning point, they are the ends of the range.
-    fn search_grid(&self) -> Result<Vec<f64>, Error> {
-        const STEP: f64 = 0.05;
-        /// The part of the smallest radius of a bend where the bend does not matter yet.
-        const BEFORE: f64 = 1e-3;
-        /// The least number of intervals.
-        const FEWEST: f64 = 16.0;
-        /// The points after a bend, over the distance to the next point. There the slope changes like
-        /// the root of the distance, or after a flat end like its inverse.
-        const AFTER: [f64; 6] = [1e-3, 4e-3, 1.6e-2, 0.0625, 0.25, 0.5625];
-        let [smallest, largest] = self.search_range()?;
-        let bends = self.bends();
-        let before = bends.first().map_or(largest, |bend| BEFORE * bend);
-        let node = self.node_radii().map_or(largest, |[from, _]| from);
-        let first = node.min(before).min(largest).max(smallest);
-        let length = (largest / first).ln();
-        let intervals = if length > 0.0 {
-            (length / STEP).ceil().max(FEWEST)
-        } else {
-            1.0
-        };
-        let mut grid = vec![smallest.ln()];
-        grid.extend(
-            (0..=intervals as usize).map(|i| largest.ln() - length * (1.0 - i as f64 / intervals)),
-        );
-        // That of a flat end is the beginning of the range.
-        let bends: Vec<f64> = bends.iter().map(|bend| bend.max(smallest).ln()).collect();
-        let inside = |u: &&f64| **u > smallest.ln() && **u < largest.ln();
-        grid.extend(bends.iter().filter(inside));
-        grid.sort_by(f64::total_cmp);
-        grid.dedup();
-        let mut graded = Vec::with_capacity(grid.len() + AFTER.len() * bends.len());
-        for pair in grid.windows(2) {
-            graded.push(pair[0]);
-            if bends.contains(&pair[0]) {
-                graded.extend(AFTER.map(|part| pair[0] + part * (pair[1] - pair[0])));
-            }
-        }
-        graded.extend(grid.last());
-        Ok(graded)
-    }
-}
-
-/// Returns a point between `from` and `to` at which a `slope` has another sign than at both ends,
-/// where it `rises` or not, by Fibonacci's search for the extremum; `None` if there is none.
-fn other_sign(
-    slope: impl Fn(f64) -> Result<f64, Error>,
-    mut from: f64,
-    mut to: f64,
-    rises: bool,
-) -> Result<Option<f64>, Error> {
-    /// The number of steps. Each shortens the interval by the golden ratio.
-    const STEPS: usize = 30;
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let size = |u: f64| slope(u).map(|slope| if rises { slope } else { -slope });
-    let is_other = |size: f64| if rises { size < 0.0 } else { size <= 0.0 };
-    let inner = |from: f64, to: f64, part: f64| from + part * (to - from);
-    let mut points = [1.0 - GOLDEN, GOLDEN].map(|part| inner(from, to, part));
-    let mut sizes = [size(points[0])?, size(points[1])?];
-    for _ in 0..STEPS {
-        if let Some(i) = (0..2).find(|&i| is_other(sizes[i])) {
-            return Ok(Some(points[i]));
-        }
-        if sizes[0] < sizes[1] {
-            to = points[1];
-            let new = inner(from, to, 1.0 - GOLDEN);
-            (points, sizes) = ([new, points[0]], [size(new)?, sizes[0]]);
-        } else {
-            from = points[0];
-            let new = inner(from, to, GOLDEN);
-            (points, sizes) = ([points[1], new], [sizes[1], size(new)?]);
-        }
-    }
-    Ok(None)
 }
 
 impl Equilibria<'_> {
@@ -342,18 +196,18 @@ impl Equilibria<'_> {
                 stable: true,
             }]);
         }
-        let sections = self.sections.iter().enumerate();
-        // A turning point belongs to the section that ends there.
-        let here = sections.filter(|(i, section)| {
-            section.holds(imposed) && (*i == 0 || imposed != section.imposed[0])
-        });
-        here.map(|(_, section)| {
-            Ok(Equilibrium {
-                state: self.find(section, imposed)?,
-                stable: section.rises,
-            })
-        })
-        .collect()
+        let mut here = Vec::new();
+        for i in 0..self.sections.len() {
+            let section = self.section(i, imposed)?;
+            // A turning point belongs to the section that ends there.
+            if section.holds(imposed) && (i == 0 || imposed != section.imposed[0]) {
+                here.push(Equilibrium {
+                    state: self.find(&section, imposed)?,
+                    stable: section.rises,
+                });
+            }
+        }
+        Ok(here)
     }
 
     /// Returns the stable equilibrium at an `imposed` value that unloading from a large contact
@@ -367,13 +221,8 @@ impl Equilibria<'_> {
         if self.adhesionless() && imposed == 0.0 {
             return Ok(State::ORIGIN);
         }
-        match self
-            .sections
-            .iter()
-            .rev()
-            .find(|section| section.rises && section.holds(imposed))
-        {
-            Some(section) => self.find(section, imposed),
+        match self.section_of(Branch::Unloading, imposed)? {
+            Some((_, section)) => self.find(&section, imposed),
             None => {
                 let values = self.sections.iter().flat_map(|section| section.imposed);
                 let least = if self.adhesionless() {
@@ -413,12 +262,8 @@ impl Equilibria<'_> {
         }
         let first = &self.sections[0];
         let starts_in_range = first.imposed[0] <= if first.rises { imposed } else { 0.0 };
-        match self
-            .sections
-            .iter()
-            .find(|section| section.rises && section.holds(imposed))
-        {
-            Some(section) if starts_in_range => self.find(section, imposed),
+        match self.section_of(Branch::Loading, imposed)? {
+            Some((_, section)) if starts_in_range => self.find(&section, imposed),
             _ => Err(self.contact.outside(self.control.name(), imposed)),
         }
     }
@@ -474,8 +319,8 @@ impl Equilibria<'_> {
             && imposed < first.imposed[0]
             && !self.contact.has_flat_end()
             && !(self.adhesionless() && imposed <= 0.0);
-        let within = last.rises && imposed <= last.imposed[1] && !below;
-        if within {
+        let most = self.section(self.sections.len() - 1, imposed)?.imposed[1];
+        if last.rises && imposed <= most && !below {
             Ok(())
         } else {
             Err(self.contact.outside(self.control.name(), imposed))

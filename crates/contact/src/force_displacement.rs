@@ -1,6 +1,5 @@
 //! Whole force-displacement curves: loading and unloading, with the jumps.
 
-use super::equilibria::Section;
 use crate::{Control, Equilibria, State};
 use interp::Error;
 use interp::check::number_of_points;
@@ -73,11 +72,13 @@ impl Equilibria<'_> {
         let u_turn = self.loading(most)?.contact_radius.ln();
         self.loading(0.0)?;
         self.pull_off()?;
-        let reached: Vec<&Section> = self
-            .sections
-            .iter()
-            .filter(|section| section.rises && section.u[0] <= u_turn)
-            .collect();
+        let mut reached = Vec::new();
+        for number in 0..self.sections.len() {
+            let section = self.section(number, most)?;
+            if section.rises && section.u[0] <= u_turn {
+                reached.push(section);
+            }
+        }
         let (mut loading, mut unloading, mut jumps) = (Vec::new(), Vec::new(), Vec::new());
 
         // A section adds a branch to loading where its imposed value exceeds all before it.

@@ -87,6 +87,7 @@ mod moving_stiffness;
 mod radii;
 mod root;
 mod shape;
+mod turning_points;
 mod validity;
 
 pub use branch::Branch;

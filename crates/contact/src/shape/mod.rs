@@ -138,6 +138,12 @@ impl Shape {
     }
 }
 
+/// Returns the derivatives of the logarithms of quantities from their slopes.
+fn relative(values: &Quantities, slopes: &Quantities) -> Quantities {
+    let [values, slopes] = [values, slopes].map(|of| of.to_array());
+    Quantities::from_array(std::array::from_fn(|i| slopes[i] / values[i]))
+}
+
 impl Contact {
     /// Returns load and penetration at contact radius `a` (m) without adhesion. The radius must have
     /// been checked, here and below.
@@ -235,8 +241,33 @@ impl Contact {
         let homogeneous = (HOMOGENEOUS, Quantities::from_array([0.0; 4]));
         let (values, slopes) = self.evaluate(a, Curve::quantities_and_slopes, homogeneous)?;
         let (without, by_radius) = self.with_slopes(a, &values, &slopes)?;
-        let relative = std::array::from_fn(|i| slopes.to_array()[i] / values.to_array()[i]);
-        Ok((without, by_radius, values, Quantities::from_array(relative)))
+        Ok((without, by_radius, values, relative(&values, &slopes)))
+    }
+
+    /// Returns the quantities at contact radius `a` (m), and the derivatives of their logarithms with
+    /// respect to `ln a`.
+    pub(super) fn quantities_and_relative_slopes(
+        &self,
+        a: f64,
+    ) -> Result<(Quantities, Quantities), Error> {
+        let homogeneous = (HOMOGENEOUS, Quantities::from_array([0.0; 4]));
+        let (values, slopes) = self.evaluate(a, Curve::quantities_and_slopes, homogeneous)?;
+        Ok((values, relative(&values, &slopes)))
+    }
+
+    /// Returns lower bounds of the derivatives of load and penetration without adhesion with respect
+    /// to `ln a` at contact radius `a` (m); `None` unless they take less time than the derivatives.
+    pub(super) fn least_slopes(&self, a: f64) -> Result<Option<LoadAndPenetration>, Error> {
+        let (Shape::Solved(solved), Bodies::Coated { system, .. }) = (&self.shape, &self.bodies)
+        else {
+            return Ok(None);
+        };
+        let penetration = a * solved.least_slope(a / system.film_thickness)?;
+        let load = self
+            .mechanics
+            .stiffness(a, self.quantity(Quantity::Eeq, a)?)
+            * penetration;
+        Ok(Some(LoadAndPenetration { load, penetration }))
     }
 
     /// Returns load and penetration without adhesion and their derivatives with respect to `ln a`

@@ -228,6 +228,19 @@ impl Solved {
         })
     }
 
+    /// Returns a lower bound of the derivative of the penetration at a contact radius.
+    ///
+    /// In `delta0' = (1/S') int_0^a 2 pi r p (f'' + f'/r) dr` with the surface `f` and the pressure
+    /// `p` of the flat punch of unit penetration, whose load is `S`, let `f''` count for nothing, `f'`
+    /// for that at `a/2`, at least `4 b(a/2)/(pi a)`, and the load for half of it: outside `a/2` there
+    /// is more, 0.56 under the parabola of pressure on a thin incompressible film, which is the least,
+    /// 0.87 on a half-space.
+    pub(super) fn least_slope(&self, x: f64) -> Result<f64, Error> {
+        let At { gamma, eeq, .. } = self.own.field.medium.at(x)?;
+        let half = self.shape.transform.value(0.5 * x);
+        Ok(eeq / (gamma * gamma) * 2.0 / std::f64::consts::PI * half / x)
+    }
+
     /// Returns the penetration and `M` of a shape.
     fn pair(&self, bare: Bare, gamma: f64, of: Integrals) -> [f64; 2] {
         if self.own.field.falls {
