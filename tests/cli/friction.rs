@@ -349,3 +349,67 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     assert_ne!(approach.status, 0);
     assert_names(&approach.stderr, &["points of approach", "--only retract"]);
 }
+
+/// The Poisson ratio of the sphere has one meaning a command, under one name with an alias: without
+/// friction nothing uses it but a fit of the sphere's modulus.
+#[test]
+fn the_poisson_ratio_of_the_sphere_has_one_meaning() {
+    let workdir = workdir!();
+    let bodies = ["--specimen", "paper", "--film-thickness", "30um"];
+    // Sphere and film of one material stick without coupling, so the ratio decides what is solved.
+    let of_ratio = |command: &str, flag: &str, ratio: &str, more: &[&str]| {
+        let stick = [command, "--friction", "stick", flag, ratio];
+        workdir.run(&[&stick[..], &bodies, more].concat())
+    };
+    let range = ["--from", "10um", "--to", "40um", "--points", "3"];
+    const SIMULATE: [&str; 9] = [
+        "simulate",
+        "--kind",
+        "load-radius",
+        "--from",
+        "20um",
+        "--to",
+        "60um",
+        "--noise",
+        "2uN",
+    ];
+    for (command, more) in [("curve", &range[..]), ("pull-off", &[])] {
+        let named = of_ratio(command, "--sphere-poisson-ratio", "0.5", more);
+        assert_eq!(named.status, 0, "{}", named.stderr);
+        assert_eq!(named.stdout, of_ratio(command, "--nu2", "0.5", more).stdout);
+        let coupled = of_ratio(command, "--sphere-poisson-ratio", "0.3", more);
+        assert_ne!(coupled.status, 0);
+        assert_names(&coupled.stderr, &["nu2 = 0.3", "artanh(beta)/beta"]);
+        let out = of_ratio(command, "--sphere-poisson-ratio", "0.6", more);
+        assert_eq!(out.status, 2, "{}", out.stderr);
+        assert_names(&out.stderr, &["0.6", "above -1 and up to 0.5"]);
+    }
+    let ratio = ["--sphere-poisson-ratio", "0.4"];
+    for command in [&["curve"][..], &["pull-off"], &SIMULATE] {
+        let error = workdir.fail(1, &[command, &bodies, &ratio].concat());
+        assert_names(
+            &error,
+            &["--sphere-poisson-ratio", "no effect", "--friction stick"],
+        );
+    }
+    let film = ["solve", "--a-over-t", "1", "--nu2", "0.4"];
+    let error = workdir.fail(1, &[&film[..], &CONFINED[..6]].concat());
+    assert_names(&error, &["--nu2", "no effect", "--friction stick"]);
+
+    // A fit takes one ratio, for friction and for Young's modulus of the sphere.
+    let lens = [
+        &SIMULATE[..],
+        &["--friction", "stick", "-o", "lens.csv"],
+        &bodies,
+    ];
+    workdir.succeed(&lens.concat());
+    let free = ["--free", "sphere-modulus,work-of-adhesion"];
+    let fit = [&["fit", "lens.csv"], &bodies[..], &free].concat();
+    let stick = ["--friction", "stick", "--nu2", "0.5", "--json"];
+    let text = workdir.succeed(&[&fit[..], &stick].concat());
+    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert!(json["sphere_young_modulus"]["value"].is_f64(), "{json}");
+    let twice = ["--nu2", "0.5", "--sphere-poisson-ratio", "0.4"];
+    let error = workdir.fail(2, &[&fit[..], &twice].concat());
+    assert_names(&error, &["--sphere-poisson-ratio", "multiple times"]);
+}

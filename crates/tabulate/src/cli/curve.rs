@@ -170,6 +170,7 @@ impl<'a> States<'a> {
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let mut work_of_adhesion = bodies.work_of_adhesion;
+        arguments.history.needs_poisson_ratio()?;
         let source = if let Some(nu2) = arguments.history.sticks()? {
             ensure!(
                 arguments.table.is_none() && attracting.interaction_range.is_none(),

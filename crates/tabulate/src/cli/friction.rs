@@ -9,30 +9,47 @@ use solve::stick::{MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLE
 use super::bodies::Bodies;
 use super::quantity::{force_per_length, number};
 
-/// The flags of friction.
+/// The flags of friction of a solve.
 #[derive(clap::Args, Clone)]
 #[group(skip)]
 pub struct FrictionArguments {
     /// Friction between the surfaces: none, or stick, where surfaces that have touched never slide
     #[arg(long, value_enum, default_value = "none")]
     friction: Friction,
-    /// With --friction stick: Poisson ratio of the sphere. A rigid sphere needs none
-    #[arg(long, value_name = "NU2", default_value_t = 0.5, value_parser = number, allow_hyphen_values = true)]
-    nu2: f64,
+    /// With --friction stick: Poisson ratio of the sphere [default: 0.5]. A rigid sphere needs none
+    #[arg(long, alias = "sphere-poisson-ratio", value_name = "NU2", value_parser = number, allow_hyphen_values = true)]
+    nu2: Option<f64>,
 }
 
-/// The flags of friction, and the work of adhesion of a line that recedes.
+/// The flags of friction between bodies in SI units, and the work of adhesion of a line that
+/// recedes.
 #[derive(clap::Args, Clone)]
 #[group(skip)]
 pub struct HistoryArguments {
-    #[command(flatten)]
-    pub friction: FrictionArguments,
+    /// Friction between the surfaces: none, or stick, where surfaces that have touched never slide
+    #[arg(long, value_enum, default_value = "none")]
+    friction: Friction,
+    /// Poisson ratio of the sphere, for --friction stick [default there: 0.5], and for a fit of its
+    /// modulus, which then tells Young's modulus, too, E2 = E2* (1 - nu2^2). Nothing else needs it
+    #[arg(long, visible_alias = "nu2", value_name = "NU", value_parser = poisson_ratio, allow_hyphen_values = true)]
+    pub sphere_poisson_ratio: Option<f64>,
     /// With --friction stick: work of adhesion with which the contact recedes, J/m^2, at least
     /// --work-of-adhesion, with which it has grown; 0 there is a contact that was pressed on without
     /// attraction
     #[arg(long, value_name = "J/m^2", value_parser = force_per_length, allow_hyphen_values = true)]
     pub work_of_adhesion_receding: Option<f64>,
 }
+
+/// Parses the Poisson ratio of a solid.
+fn poisson_ratio(text: &str) -> Result<f64, String> {
+    let value = number(text)?;
+    let allowed = value > -1.0 && value <= 0.5;
+    let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
+    allowed.then_some(value).ok_or_else(refused)
+}
+
+/// The Poisson ratio of a sphere that sticks, if none is given.
+const USUAL_POISSON_RATIO: f64 = 0.5;
 
 /// The ends of friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -62,7 +79,18 @@ const LARGEST_ERROR: f64 = 1e-6;
 impl FrictionArguments {
     /// Returns the Poisson ratio of the sphere where the contact sticks.
     pub fn sticks(&self) -> Option<f64> {
-        (self.friction == Friction::Stick).then_some(self.nu2)
+        let nu2 = self.nu2.unwrap_or(USUAL_POISSON_RATIO);
+        (self.friction == Friction::Stick).then_some(nu2)
+    }
+
+    /// Refuses a Poisson ratio of the sphere that nothing would use.
+    pub fn check(&self) -> anyhow::Result<()> {
+        anyhow::ensure!(
+            self.friction == Friction::Stick || self.nu2.is_none(),
+            "--nu2, the Poisson ratio of the sphere, has no effect without friction; add --friction \
+             stick, or leave it out"
+        );
+        Ok(())
     }
 }
 
@@ -125,13 +153,24 @@ impl HistoryArguments {
     /// Refuses a second work of adhesion without stick, and returns the Poisson ratio of the sphere
     /// where the contact sticks.
     pub fn sticks(&self) -> anyhow::Result<Option<f64>> {
-        let sticks = self.friction.sticks();
+        let sticks = self.friction == Friction::Stick;
         anyhow::ensure!(
-            sticks.is_some() || self.work_of_adhesion_receding.is_none(),
+            sticks || self.work_of_adhesion_receding.is_none(),
             "--work-of-adhesion-receding goes with --friction stick here; without friction give \
              --value work-of-adhesion-receding=.. to `tabulate simulate` and `tabulate fit`"
         );
-        Ok(sticks)
+        let nu2 = self.sphere_poisson_ratio.unwrap_or(USUAL_POISSON_RATIO);
+        Ok(sticks.then_some(nu2))
+    }
+
+    /// Refuses a Poisson ratio of the sphere without friction, which nothing but a fit would use.
+    pub fn needs_poisson_ratio(&self) -> anyhow::Result<()> {
+        anyhow::ensure!(
+            self.friction == Friction::Stick || self.sphere_poisson_ratio.is_none(),
+            "--sphere-poisson-ratio has no effect without friction: the sphere is given by its reduced \
+             modulus E2* = E2/(1 - nu2^2), --sphere-modulus; add --friction stick, or leave it out"
+        );
+        Ok(())
     }
 
     /// Returns the work of adhesion with which the contact recedes, and the ratio to it of

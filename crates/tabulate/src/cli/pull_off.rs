@@ -79,6 +79,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let attracting = &arguments.attracting;
     let bodies = attracting.bodies.read_checked()?;
+    arguments.history.needs_poisson_ratio()?;
     let sticks = arguments.history.sticks()?;
     ensure!(
         sticks.is_none() || arguments.table.is_none() && attracting.interaction_range.is_none(),

@@ -148,6 +148,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let noise = arguments.noise.of(arguments.kind)?;
     let measurement = plan(arguments, [from, to]);
+    arguments.known.history.needs_poisson_ratio()?;
     let mut experiments = arguments.known.experiments(vec![measurement], &[])?;
     experiments[0].noise = Some(noise);
     ensure!(

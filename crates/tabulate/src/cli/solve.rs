@@ -141,6 +141,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    arguments.friction.check()?;
     let exponents = &arguments.exponents;
     for (i, exponent) in exponents.iter().enumerate() {
         ensure!(

@@ -30,7 +30,7 @@ pub struct KnownArguments {
     #[arg(long, conflicts_with_all = ["stack", "interface", "interface_stiffness"])]
     pub half_space: bool,
     #[command(flatten)]
-    history: HistoryArguments,
+    pub history: HistoryArguments,
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
     pub stiffness: Option<f64>,

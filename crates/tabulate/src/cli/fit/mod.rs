@@ -124,10 +124,6 @@ pub struct Arguments {
     between: Option<Range>,
     #[command(flatten)]
     known: KnownArguments,
-    /// Poisson ratio of the sphere, which a contact does not need: the report then tells Young's
-    /// modulus of the sphere, too, E2 = E2* (1 - nu2^2)
-    #[arg(long, value_name = "NU", value_parser = poisson_ratio, allow_hyphen_values = true)]
-    sphere_poisson_ratio: Option<f64>,
     #[command(flatten)]
     free: FreeArguments,
     #[command(flatten)]
@@ -201,14 +197,6 @@ pub struct Arguments {
     csv: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
-}
-
-/// Parses the Poisson ratio of a solid.
-fn poisson_ratio(text: &str) -> Result<f64, String> {
-    let value = number(text)?;
-    let allowed = value > -1.0 && value <= 0.5;
-    let refused = || format!("{value:?} is not a Poisson ratio: give one above -1 and up to 0.5");
-    allowed.then_some(value).ok_or_else(refused)
 }
 
 /// Parses the name of a kind.
@@ -357,7 +345,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             experiment.abscissa_noise = *noise;
             experiment.errors.abscissa.clear();
         }
-        experiment.sphere_poisson_ratio = arguments.sphere_poisson_ratio;
+        experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
     }
     let values = arguments.known.all_values()?;
     let free = arguments.free.of(&experiments, &values)?;
@@ -378,12 +366,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
     }
     ensure!(
-        arguments.sphere_poisson_ratio.is_none()
+        arguments.known.history.sphere_poisson_ratio.is_none()
+            || arguments.known.history.sticks()?.is_some()
             || free
                 .iter()
                 .any(|free| free.parameter == Parameter::SphereModulus),
         "--sphere-poisson-ratio: Young's modulus of the sphere follows from its reduced modulus, \
-         which is not free; free it, --free sphere-modulus, or leave the Poisson ratio out"
+         which is not free; free it, --free sphere-modulus, or let the surfaces stick, --friction \
+         stick, or leave the Poisson ratio out"
     );
     arguments.known.ask(&experiments, &free, &arguments.given)?;
     let allowed = &arguments.known.bodies.allow;
