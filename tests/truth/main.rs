@@ -27,4 +27,7 @@ mod stack_limits;
 mod stacks;
 mod stick;
 mod stick_effects;
+mod stick_errors;
+mod stick_layers;
+mod stick_limits;
 mod viscoelastic;

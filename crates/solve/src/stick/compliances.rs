@@ -18,7 +18,7 @@
 //! X11:  f = c22 - (2/e) d,  c = 1        X22:  f = c11 - (2/e) d,  c = 1        X12:  f = c12 - (2b/e) d,  c = 0
 //! ```
 //!
-//! Measured (`tests/truth/stick.rs`): the test value of an incompressible film on a rigid base to
+//! Measured (the tests of this file): the test value of an incompressible film on a rigid base to
 //! rounding, and both forms agree where they meet.
 
 use fearless_simd::prelude::*;

@@ -17,6 +17,8 @@
 //! Gamma_t = -es       f (2/pi) int [ (X22-1) q^ + (X12-b) p^ ] sin z dz
 //! ```
 
+use std::f64::consts::PI;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{
     LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
@@ -79,6 +81,7 @@ pub struct Field {
     /// The estimated relative error of all these numbers from the finite number of modes; that of
     /// `Gamma_t` is relative to `Gamma_eff`.
     pub truncation: f64,
+    /// The error of `Gamma_s` and `Gamma_t` from it, which converge half as fast.
     pub parts_error: f64,
     /// The same from the integrals.
     pub quadrature: f64,
@@ -199,17 +202,24 @@ impl<'a> Waves<'a> {
         } else {
             [Vec::new(), Vec::new()]
         };
-        let mut solutions = Mat::<f64>::zeros(modes, if with_answer { 2 } else { 1 });
+        let mut solutions = Mat::<f64>::zeros(modes, if uncoupled { 3 } else { 1 });
         solutions[(0, 0)] = c0;
-        if with_answer {
-            // Without coupling, even modes are normal and odd ones tangential.
-            let waves = [y11, y12].map(|factor| {
-                let values = weighted(factor);
-                let values = values
-                    .iter()
-                    .zip(&cosines)
-                    .map(|(value, wave)| value * wave);
-                values.collect::<Vec<f64>>()
+        if uncoupled {
+            // Without coupling, even modes are normal and odd ones tangential. The edge asks for both
+            // stresses there.
+            let at_edge = [
+                (y11, &cosines),
+                (y12, &cosines),
+                (y12, &sines),
+                (y22, &sines),
+            ];
+            let at_edge = at_edge.map(|(factor, waves)| {
+                let mut values = weighted(factor);
+                values
+                    .iter_mut()
+                    .zip(waves)
+                    .for_each(|(value, wave)| *value *= wave);
+                values
             });
             for n in 0..modes {
                 let values = if n % 2 == 0 {
@@ -217,13 +227,29 @@ impl<'a> Waves<'a> {
                 } else {
                     &transforms.q
                 };
-                solutions[(n, 1)] = dot(&values[n / 2 * rows..][..rows], &waves[n % 2]);
+                let values = &values[n / 2 * rows..][..rows];
+                solutions[(n, 1)] = dot(values, &at_edge[n % 2]);
+                solutions[(n, 2)] = dot(values, &at_edge[2 + n % 2]);
             }
         }
         solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
-        let half = solutions.col_as_slice(0);
-        let missing = missing_modes(half);
-        solve_upper_triangular_in_place(matrix.transpose(), solutions.as_mut(), Par::Seq);
+        // Each sum over the modes is one over the products of these columns.
+        let missing_beside = |column: usize| {
+            let pairs = solutions
+                .col_as_slice(0)
+                .iter()
+                .zip(solutions.col_as_slice(column));
+            missing_modes(&pairs.map(|(a, b)| (a * b).abs()).collect::<Vec<f64>>())
+        };
+        let missing = missing_beside(0);
+        let missing_at_edge = if uncoupled {
+            missing_beside(1) + missing_beside(2)
+        } else {
+            0.0
+        };
+        let asked = if with_answer { 2 } else { 1 };
+        let asked = solutions.as_mut().subcols_mut(0, asked);
+        solve_upper_triangular_in_place(matrix.transpose(), asked, Par::Seq);
 
         let c = solutions.col_as_slice(0);
         let [p_hat, q_hat] = transforms.sum(c);
@@ -264,10 +290,12 @@ impl<'a> Waves<'a> {
             size += terms / edge.sqrt();
             [1.0 - of_normal, -of_shear]
         });
-        // Both ways to the edge must agree.
+        // Both ways to the edge must agree, which does not tell an error of the phase.
         let parts_error = parts.map_or(0.0, |[normal, shear]| {
-            (normal * normal + shear * shear - edge).abs() / edge
+            (normal * normal + shear * shear - edge).abs() / edge + missing_at_edge / edge.sqrt()
         });
+        // Beyond the panels, the coupling at the edge is that of `cos^2 z/z`.
+        let cut = y12[rows - 1].abs() / (2.0 * PI * self.end) * end.powi(2).min(1.0);
         let answer = with_answer.then(|| {
             let [p_hat, q_hat] = transforms.sum(solutions.col_as_slice(1));
             (0..rows)
@@ -283,7 +311,7 @@ impl<'a> Waves<'a> {
             answer,
             truncation: TRUNCATION_SAFETY * missing * larger(1.0 / eeq, 1.0 / edge),
             parts_error,
-            quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design,
+            quadrature: x * self.resolution * larger(eeq, eeq * eeq / edge) + self.design + cut,
             rounding: self.rounding * size,
         })
     }
@@ -300,21 +328,21 @@ fn waves_at(z: &[f64]) -> [Vec<f64>; 2] {
     [sines, cosines]
 }
 
-/// Extrapolates `sum_{i >= n} y_i^2`, the contribution to `Eeq_s` of the modes left out.
+/// Extrapolates `sum_{i >= n} y_i` of positive terms, the contribution of the modes left out.
 ///
-/// The envelope of the last `y_i^2` is continued with the rate at which the sums over two
-/// neighbouring stretches fall. A stretch spans the beats that the `y_i` show at large `a/t`.
+/// The envelope of the last `y_i` is continued with the rate at which the sums over two neighbouring
+/// stretches fall. A stretch spans the beats that the `y_i` show at large `a/t`.
 fn missing_modes(y: &[f64]) -> f64 {
     let n = y.len();
     let stretch = (2 + n / 8).min(n / 2);
     let (before, last) = y[n - 2 * stretch..].split_at(stretch);
-    let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
+    let sum = |y: &[f64]| y.iter().sum::<f64>();
     let ratio = sum(last) / sum(before).max(f64::MIN_POSITIVE);
     let rate = ratio.powf(1.0 / stretch as f64).clamp(0.1, 0.95);
     let envelope = last
         .iter()
         .rev()
         .enumerate()
-        .map(|(i, y)| y * y * rate.powi(i as i32));
+        .map(|(i, y)| y * rate.powi(i as i32));
     envelope.fold(0.0, larger) * rate / (1.0 - rate)
 }
