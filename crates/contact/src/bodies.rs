@@ -1,6 +1,6 @@
 //! The bodies in contact, with the curve of their material.
 
-use interp::{Curve, HalfSpace, System};
+use interp::{Curve, HalfSpace, Material, System};
 
 /// The bodies in contact.
 #[derive(Clone, Debug)]
@@ -8,5 +8,10 @@ pub(crate) enum Bodies {
     /// A probe on a homogeneous half-space.
     HalfSpace(HalfSpace),
     /// A probe on a coated substrate, with the curve of its material.
-    Coated { system: System, curve: Curve },
+    Coated {
+        system: System,
+        /// The material of the system.
+        material: Material,
+        curve: Curve,
+    },
 }

@@ -109,6 +109,7 @@ impl Contact {
             mechanics,
             bodies: Bodies::Coated {
                 system: system.clone(),
+                material,
                 curve,
             },
             shape,
@@ -275,7 +276,7 @@ impl Contact {
     pub fn quantities(&self, a: f64) -> Result<Quantities, Error> {
         self.mechanics.check_radius(a)?;
         match &self.bodies {
-            Bodies::Coated { system, curve } => curve.quantities(a / system.film_thickness),
+            Bodies::Coated { system, curve, .. } => curve.quantities(a / system.film_thickness),
             Bodies::HalfSpace(_) => Ok(Quantities::homogeneous(1.0)),
         }
     }
@@ -366,9 +367,9 @@ impl Contact {
         half_space: T,
     ) -> Result<T, Error> {
         match &self.bodies {
-            Bodies::Coated { system, curve: own } => {
-                curve(self.shape.curve().unwrap_or(own), a / system.film_thickness)
-            }
+            Bodies::Coated {
+                system, curve: own, ..
+            } => curve(self.shape.curve().unwrap_or(own), a / system.film_thickness),
             Bodies::HalfSpace(_) => Ok(half_space),
         }
     }

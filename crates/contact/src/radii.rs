@@ -52,7 +52,7 @@ impl Contact {
     /// half-space.
     pub(crate) fn node_radii(&self) -> Option<[f64; 2]> {
         match &self.bodies {
-            Bodies::Coated { system, curve } => {
+            Bodies::Coated { system, curve, .. } => {
                 let radius = |a_over_t| a_over_t * system.film_thickness;
                 Some(curve.range().map(radius))
             }

@@ -20,36 +20,6 @@ pub(super) struct LogDerivatives {
     pub(super) parameters: [f64; 4],
 }
 
-/// Returns the derivatives with respect to the contact radius (but for its own logarithm), the
-/// thickness or an elastic constant of a coated contact.
-pub(super) fn coated_derivatives(
-    system: &System,
-    gradient: &QuantityGradient,
-    input: Input,
-    a: f64,
-) -> Option<LogDerivatives> {
-    let with_a_over_t = |factor: f64| {
-        let (values, slopes) = (gradient.values().to_array(), gradient.slopes().to_array());
-        Some(LogDerivatives {
-            quantities: std::array::from_fn(|i| factor * slopes[i] / values[i]),
-            ..LogDerivatives::default()
-        })
-    };
-    match input {
-        Input::ContactRadius => with_a_over_t(1.0 / a),
-        Input::FilmThickness => with_a_over_t(-1.0 / system.film_thickness),
-        _ => elastic_derivatives(
-            gradient,
-            input,
-            [
-                system.sphere_modulus,
-                system.film.young(),
-                system.substrate.young(),
-            ],
-        ),
-    }
-}
-
 /// Returns the derivatives of a contact with a half-space. The quantities are constant, and the
 /// `compound` modulus `E*` is their unit.
 pub(super) fn half_space_derivatives(
@@ -60,7 +30,6 @@ pub(super) fn half_space_derivatives(
     let (young, nu0) = (system.solid.young(), system.solid.poisson());
     let share = compound / system.solid.reduced();
     let modulus = match input {
-        Input::ContactRadius => 0.0,
         Input::SphereModulus => compound / system.sphere_modulus / system.sphere_modulus,
         Input::SubstrateModulus => share / young,
         Input::SubstratePoisson => share * 2.0 * nu0 / one_minus_square(nu0),
@@ -72,11 +41,13 @@ pub(super) fn half_space_derivatives(
     })
 }
 
-/// Returns the derivatives with respect to one elastic constant; `None` if they are not known.
-fn elastic_derivatives(
+/// Returns the derivatives of a coated contact with respect to one elastic constant; `None` if they are
+/// not known.
+#[inline(always)]
+pub(super) fn coated_derivatives(
+    system: &System,
     gradient: &QuantityGradient,
     input: Input,
-    moduli: [f64; 3],
 ) -> Option<LogDerivatives> {
     let material = gradient.material();
     // The derivatives of `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0` and the logarithm of the
@@ -95,11 +66,10 @@ fn elastic_derivatives(
         // The modulus of a rigid sphere.
         _ => ([0.0; 4], 0.0),
     };
-    let [sphere, film, substrate] = moduli;
     let unit = match input {
-        Input::SphereModulus => 1.0 / sphere,
-        Input::FilmModulus => 1.0 / film,
-        Input::SubstrateModulus => 1.0 / substrate,
+        Input::SphereModulus => 1.0 / system.sphere_modulus,
+        Input::FilmModulus => 1.0 / system.film.young(),
+        Input::SubstrateModulus => 1.0 / system.substrate.young(),
         _ => 1.0,
     };
     let mut logarithms = LogDerivatives {

@@ -142,27 +142,40 @@ impl Contact {
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         self.same_material()?;
         let terms = self.terms(a, w)?;
-        let derivatives = Input::ALL.map(|input| terms.by(input));
-        let numbers = derivatives
+        // In the order of `Input::ALL`, one call for each, so that what the input decides is decided
+        // when this is compiled.
+        let derivatives = [
+            terms.by(Input::ContactRadius),
+            terms.by(Input::WorkOfAdhesion),
+            terms.by(Input::SphereRadius),
+            terms.by(Input::SphereModulus),
+            terms.by(Input::FilmThickness),
+            terms.by(Input::FilmModulus),
+            terms.by(Input::FilmPoisson),
+            terms.by(Input::SubstrateModulus),
+            terms.by(Input::SubstratePoisson),
+        ];
+        // Infinity or NaN if one of the numbers is.
+        let zeros = derivatives
             .iter()
             .flatten()
-            .flat_map(|by| [by.load, by.penetration]);
-        numbers
-            .chain([terms.load, terms.penetration])
-            .try_for_each(|number| finite_result(a, number).map(drop))?;
+            .fold(0.0, |sum, by| sum + 0.0 * by.load + 0.0 * by.penetration);
         Ok(ContactGradient {
-            load: terms.load,
-            penetration: terms.penetration,
+            load: finite_result(a, terms.load + zeros)?,
+            penetration: finite_result(a, terms.penetration)?,
             derivatives,
         })
     }
 
     /// Accepts a curve whose derivatives are those of the material of the system itself.
     pub(super) fn same_material(&self) -> Result<(), Error> {
-        let Bodies::Coated { system, curve } = &self.bodies else {
+        let Bodies::Coated {
+            material, curve, ..
+        } = &self.bodies
+        else {
             return Ok(());
         };
-        let (made_for, material) = (curve.differentiated_for()?, system.material()?);
+        let made_for = curve.differentiated_for()?;
         if material.is_close_to(made_for) {
             Ok(())
         } else {

@@ -15,7 +15,7 @@ impl Contact {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (values, gradient) = match &self.bodies {
             Bodies::HalfSpace(_) => (Quantities::homogeneous(1.0), None),
-            Bodies::Coated { system, curve } => {
+            Bodies::Coated { system, curve, .. } => {
                 let curve = self.shape.curve().unwrap_or(curve);
                 let gradient = curve.gradient(a / system.film_thickness)?;
                 (gradient.values(), Some(gradient))
@@ -29,11 +29,16 @@ impl Contact {
             _ => self.adhesionless(a)?,
         };
         let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
+        let by_a_over_t = gradient.map_or([0.0; 4], |gradient| {
+            let [values, slopes] = [gradient.values(), gradient.slopes()].map(|of| of.to_array());
+            std::array::from_fn(|i| slopes[i] / values[i])
+        });
         Ok(Terms {
             contact: self,
             a,
             w,
             gradient,
+            by_a_over_t,
             load: without.load - lowered.load,
             penetration: without.penetration - lowered.penetration,
             without,
@@ -50,6 +55,8 @@ pub(crate) struct Terms<'a> {
     w: f64,
     /// `None` on a half-space.
     gradient: Option<QuantityGradient>,
+    /// The derivatives of the logarithms of the quantities with respect to `ln(a/t)`.
+    by_a_over_t: [f64; 4],
     pub(super) load: f64,
     pub(super) penetration: f64,
     /// Those without adhesion.
@@ -62,6 +69,7 @@ pub(crate) struct Terms<'a> {
 
 impl Terms<'_> {
     /// Returns the derivatives with respect to one input; `None` if they are not known.
+    #[inline(always)]
     pub(crate) fn by(&self, input: Input) -> Option<Derivatives> {
         let logarithms = self.logarithms(input)?;
         let LogDerivatives {
@@ -99,6 +107,7 @@ impl Terms<'_> {
 
     /// Returns the derivatives of load and penetration without adhesion with respect to one input;
     /// `None` if they are not known.
+    #[inline(always)]
     fn without_adhesion(&self, input: Input, by: &LogDerivatives) -> Option<LoadAndPenetration> {
         let LoadAndPenetration { load, penetration } = self.without;
         match &self.contact.shape {
@@ -205,15 +214,16 @@ impl Terms<'_> {
         })
     }
     /// Returns the derivatives of the logarithms of the factors with respect to one input.
+    #[inline(always)]
     fn logarithms(&self, input: Input) -> Option<LogDerivatives> {
         match input {
             Input::ContactRadius if self.contact.is_punch() => None,
-            Input::SphereRadius if self.contact.is_punch() => self.by_contact_radius(),
+            Input::SphereRadius if self.contact.is_punch() => Some(self.by_contact_radius()),
             Input::SphereRadius => Some(LogDerivatives {
                 sphere_radius: 1.0 / self.contact.probe().radius()?,
                 ..LogDerivatives::default()
             }),
-            Input::ContactRadius => self.by_contact_radius(),
+            Input::ContactRadius => Some(self.by_contact_radius()),
             // Below the normal numbers `1 / w` may overflow.
             Input::WorkOfAdhesion => self.w.is_normal().then(|| LogDerivatives {
                 work_of_adhesion: 1.0 / self.w,
@@ -224,18 +234,28 @@ impl Terms<'_> {
     }
 
     /// Returns the derivatives of the logarithms of the factors with respect to the contact radius.
-    fn by_contact_radius(&self) -> Option<LogDerivatives> {
-        Some(LogDerivatives {
+    #[inline(always)]
+    fn by_contact_radius(&self) -> LogDerivatives {
+        LogDerivatives {
             contact_radius: 1.0 / self.a,
-            ..self.by_body(Input::ContactRadius)?
-        })
+            quantities: self.by_a_over_t.map(|slope| slope / self.a),
+            ..LogDerivatives::default()
+        }
     }
 
     /// Returns the derivatives of the logarithms of the factors that depend on the bodies.
+    #[inline(always)]
     fn by_body(&self, input: Input) -> Option<LogDerivatives> {
         match (&self.contact.bodies, &self.gradient) {
             (Bodies::Coated { system, .. }, Some(gradient)) => {
-                coated_derivatives(system, gradient, input, self.a)
+                if input == Input::FilmThickness {
+                    let t = system.film_thickness;
+                    return Some(LogDerivatives {
+                        quantities: self.by_a_over_t.map(|slope| -slope / t),
+                        ..LogDerivatives::default()
+                    });
+                }
+                coated_derivatives(system, gradient, input)
             }
             (Bodies::HalfSpace(system), _) => {
                 half_space_derivatives(system, self.contact.mechanics.sphere_film_modulus(), input)

@@ -102,20 +102,14 @@ impl Sensitivities {
         values: Quantities,
         slopes: Quantities,
     ) -> QuantityGradient {
-        let by_table = self
-            .by_table
-            .each_ref()
-            .map(|pieces| evaluate_all(&pieces[position.piece], position));
-        let mut relative = [[0.0; 4]; 4];
-        for (parameter, relative) in relative.iter_mut().enumerate() {
-            for (by_table, factors) in by_table.iter().zip(&self.jacobian) {
-                relative
-                    .iter_mut()
-                    .zip(by_table)
-                    .for_each(|(sum, derivative)| *sum += factors[parameter] * derivative);
-            }
-            for quantity in [Quantity::Pi0, Quantity::Eeq, Quantity::Gamma] {
-                relative[quantity as usize] += self.scale[parameter];
+        // Those of `es`, which is no factor of `Delta0`.
+        let mut relative = self.scale.map(|scale| [scale, scale, scale, 0.0]);
+        for (pieces, factors) in self.by_table.iter().zip(&self.jacobian) {
+            let by_table = evaluate_all(&pieces[position.piece], position);
+            for (relative, factor) in relative.iter_mut().zip(factors) {
+                for (sum, derivative) in relative.iter_mut().zip(by_table) {
+                    *sum += factor * derivative;
+                }
             }
         }
         let unknown =
@@ -188,11 +182,13 @@ impl QuantityGradient {
     }
 
     /// Returns the quantities.
+    #[inline]
     pub const fn values(&self) -> Quantities {
         self.values
     }
 
     /// Returns the logarithmic slopes of the quantities, `x dQ/dx` with `x = a/t`.
+    #[inline]
     pub const fn slopes(&self) -> Quantities {
         self.slopes
     }
@@ -236,17 +232,20 @@ impl QuantityGradient {
 
     /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect
     /// to a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
+    #[inline]
     pub fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
         self.known[parameter].then_some(self.relative[parameter])
     }
 
     /// Returns the derivative of `ln es` with respect to a parameter, numbered as in
     /// [`Self::relative`].
+    #[inline]
     pub const fn scale(&self, parameter: usize) -> f64 {
         self.scale[parameter]
     }
 
     /// Returns the material with respect to whose parameters these derivatives are.
+    #[inline]
     pub const fn material(&self) -> &Material {
         &self.material
     }
