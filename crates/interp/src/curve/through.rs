@@ -35,17 +35,33 @@ impl Curve {
     /// # Ok(()) }
     /// ```
     pub fn through(nodes: &[(f64, Quantities)], material: Material) -> Result<Self, Error> {
+        let nodes: Vec<_> = nodes.iter().map(|&(x, q)| (x, [q])).collect();
+        let [curve] = Self::through_each(&nodes, material)?;
+        Ok(curve)
+    }
+
+    /// Makes several curves of one material through the same nodes, as [`Curve::through`]. They share
+    /// their pieces, whose choice is most of the time of a curve.
+    ///
+    /// # Errors
+    /// As [`Curve::through`].
+    pub fn through_each<const N: usize>(
+        nodes: &[(f64, [Quantities; N])],
+        material: Material,
+    ) -> Result<[Self; N], Error> {
         const DEGREE: usize = 5;
         const ERROR: f64 = 1e-13;
         Error::argument(!nodes.is_empty(), "the number of nodes", 0.0, "at least 1")?;
         let reasonable = |name, value| {
             Error::argument(REASONABLE.contains(&value), name, value, "in [1e-30, 1e30]")
         };
-        for (a_over_t, quantities) in nodes {
+        for (a_over_t, curves) in nodes {
             reasonable(Parameter::AOverT.name(), *a_over_t)?;
-            Quantity::ALL
-                .into_iter()
-                .try_for_each(|quantity| reasonable(quantity.name(), quantities.get(quantity)))?;
+            for quantities in curves {
+                Quantity::ALL.into_iter().try_for_each(|quantity| {
+                    reasonable(quantity.name(), quantities.get(quantity))
+                })?;
+            }
         }
         let a_over_t: Vec<f64> = nodes.iter().map(|node| node.0).collect();
         if let Some([_, close]) = too_close(Parameter::AOverT, &a_over_t) {
@@ -56,20 +72,25 @@ impl Curve {
         let es = material.sphere_film_modulus();
         let logarithms =
             |quantities: &Quantities| Quantity::ALL.map(|q| q.logarithm(quantities.get(q), es));
-        let mut coefficients: Vec<f64> =
-            nodes.iter().flat_map(|node| logarithms(&node.1)).collect();
         let coordinates: Vec<f64> = a_over_t
             .iter()
             .map(|&x| Parameter::AOverT.coordinate(x))
             .collect();
         let basis = Basis::new(&coordinates, DEGREE);
-        basis.interpolate(&mut coefficients, 4);
+        let coefficients: [Vec<f64>; N] = std::array::from_fn(|i| {
+            let values = nodes.iter().flat_map(|node| logarithms(&node.1[i]));
+            let mut coefficients: Vec<f64> = values.collect();
+            basis.interpolate(&mut coefficients, 4);
+            coefficients
+        });
         let range = [a_over_t[0], a_over_t[a_over_t.len() - 1]];
-        let resampler =
-            Resampler::fitting(&basis, range, &Quantity::ALL, 1, |_| &coefficients, ERROR);
-        let curve = Self::of_splines(&resampler, range, &coefficients, material);
-        match curve.unreasonable() {
-            None => Ok(curve),
+        let of_curve = |i: usize| &coefficients[i];
+        let resampler = Resampler::fitting(&basis, range, &Quantity::ALL, N, of_curve, ERROR);
+        let curves = coefficients
+            .each_ref()
+            .map(|coefficients| Self::of_splines(&resampler, range, coefficients, material));
+        match curves.iter().find_map(Self::unreasonable) {
+            None => Ok(curves),
             Some((quantity, value)) => Err(Error::InvalidArgument {
                 name: quantity.name(),
                 value,
@@ -114,6 +135,27 @@ mod tests {
                         (value / expected - 1.0).abs() < 1e-10,
                         "{quantity:?} at {x} of {nodes:?}: {value}, not {expected}"
                     );
+                }
+            }
+        }
+    }
+
+    /// Curves that share their pieces are those made alone.
+    #[test]
+    fn curves_through_the_same_nodes_are_those_made_alone() {
+        let twice = |q: Quantities| Quantities::from_array(q.to_array().map(|q| 2.0 * q));
+        let nodes: Vec<_> = even(200).into_iter().map(|x| (x, exact(x))).collect();
+        let pairs: Vec<_> = nodes.iter().map(|&(x, q)| (x, [q, twice(q)])).collect();
+        let material = *curve(&even(7)).material();
+        let alone = Curve::through(&nodes, material).expect("sound");
+        let both = Curve::through_each(&pairs, material).expect("sound");
+        for x in (0..100).map(|i| 10_f64.powf(-2.9 + 0.058 * f64::from(i))) {
+            let expected = alone.quantities(x).expect("in range");
+            for (curve, factor) in both.iter().zip([1.0, 2.0]) {
+                let found = curve.quantities(x).expect("in range");
+                for quantity in Quantity::ALL {
+                    let ratio = found.get(quantity) / expected.get(quantity);
+                    assert!((ratio / factor - 1.0).abs() < 1e-12, "{quantity:?} at {x}");
                 }
             }
         }

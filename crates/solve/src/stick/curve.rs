@@ -56,7 +56,9 @@ pub struct StickCurves {
     sticking: Sticking,
     range: [f64; 2],
     tolerance: f64,
-    pressed: Curve,
+    /// The curve of a contact that was pressed on without attraction, and of one with one work of
+    /// adhesion.
+    ends: [Curve; 2],
 }
 
 impl StickCurves {
@@ -75,13 +77,13 @@ impl StickCurves {
         )?;
         Error::check("a_over_t", from, [1e-6, to / (1.0 + 1e-6)])?;
         let grown = sticking.grown(to, 2.0, SHARE * tolerance)?;
-        let pressed = spline(&grown, sticking, a_over_t, tolerance, 0.0)?;
+        let ends = splines(&grown, sticking, a_over_t, tolerance, [0.0, 1.0])?;
         Ok(Self {
             grown,
             sticking: sticking.clone(),
             range: a_over_t,
             tolerance,
-            pressed,
+            ends,
         })
     }
 
@@ -98,14 +100,17 @@ impl StickCurves {
             ratio,
             [0.0, 1.0],
         )?;
-        let curve = spline(
-            &self.grown,
-            &self.sticking,
-            self.range,
-            self.tolerance,
-            ratio,
-        )?;
-        Ok(curve.with_stick(&self.pressed))
+        let [pressed, one] = &self.ends;
+        let curve = if ratio == 0.0 {
+            pressed.clone()
+        } else if ratio == 1.0 {
+            one.clone()
+        } else {
+            let (range, tolerance) = (self.range, self.tolerance);
+            let [curve] = splines(&self.grown, &self.sticking, range, tolerance, [ratio])?;
+            curve
+        };
+        Ok(curve.with_stick(pressed))
     }
 
     /// Returns the numbers of the contact at one `a/t`.
@@ -119,17 +124,20 @@ impl StickCurves {
     }
 }
 
-/// Makes the spline of one ratio, with nodes as close as the tolerance needs.
-fn spline(
+/// Makes the splines of several ratios, with nodes as close as the tolerance needs.
+fn splines<const N: usize>(
     grown: &GrownContact,
     sticking: &Sticking,
     [from, to]: [f64; 2],
     tolerance: f64,
-    ratio: f64,
-) -> Result<Curve, Error> {
+    ratios: [f64; N],
+) -> Result<[Curve; N], Error> {
     let length = (to / from).ln();
     let at = |share: f64| (from * (length * share).exp()).clamp(from, to);
-    let quantities = |x: f64| grown.at(x).receding(ratio);
+    let quantities = |x: f64| {
+        let grown = grown.at(x);
+        ratios.map(|ratio| grown.receding(ratio))
+    };
     // Six nodes at least, so that the spline is quintic.
     let mut distance = FIRST_DISTANCE.min(0.2 * length);
     loop {
@@ -138,15 +146,17 @@ fn spline(
             .map(|i| at(i as f64 / pieces as f64))
             .map(|x| (x, quantities(x)))
             .collect();
-        let curve = Curve::through(&nodes, *sticking.material())?;
+        let curves = Curve::through_each(&nodes, *sticking.material())?;
         // Between the nodes, where a spline is farthest from what it follows.
         let mut error: f64 = 0.0;
         for i in 0..pieces {
             let x = at((i as f64 + 0.5) / pieces as f64);
-            error = error.max(difference(&curve.quantities(x)?, &quantities(x)));
+            for (curve, known) in curves.iter().zip(quantities(x)) {
+                error = error.max(difference(&curve.quantities(x)?, &known));
+            }
         }
         if error <= SHARE * tolerance {
-            return Ok(sticking.mark(curve));
+            return Ok(curves.map(|curve| sticking.mark(curve)));
         }
         if distance < LEAST_DISTANCE.min(1e-3 * length) {
             return Err(Error::StickNotConverged {
