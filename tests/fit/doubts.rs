@@ -50,7 +50,11 @@ fn an_offset_that_is_not_fitted_is_missed() {
     );
     lens.free.push(Free::new(Parameter::LoadOffset));
     let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
-    assert!(doubts(&found).is_empty(), "{:?}", found.warnings);
+    assert!(
+        doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
+        "{:?}",
+        found.warnings
+    );
     // A contact point and a baseline are missed, too.
     let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
     let exact = probe.exact();
@@ -139,7 +143,11 @@ fn what_the_data_do_not_tell_is_named() {
         );
         // If the film's modulus is known, there is no doubt.
         let known = Imagined::lens(kind, 1e-6, 5e-6, &LENS).fit(1);
-        assert!(doubts(&known).is_empty(), "{:?}", known.warnings);
+        assert!(
+            doubts(&known, &[WarningKind::AssumesBonding]).is_empty(),
+            "{:?}",
+            known.warnings
+        );
     }
     // Penetrations at contact radii on a half-space tell w/E* alone.
     let mut lens = Imagined::lens(Kind::PenetrationRadius, 1e-6, 5e-9, &LENS);
@@ -167,7 +175,11 @@ fn what_the_data_do_not_tell_is_named() {
     // A prior on one of them decides.
     lens.free[0] = lens.free[0].with_prior(2e6, 2e4);
     let found = lens.fit(1);
-    assert!(doubts(&found).is_empty(), "{:?}", found.warnings);
+    assert!(
+        doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
+        "{:?}",
+        found.warnings
+    );
     let error = found.estimate(LENS[0]).expect("free").standard_error;
     assert!((error / 2e4 - 1.0).abs() < 0.01, "{error}");
 }
@@ -292,7 +304,11 @@ fn contacts_outside_the_model_are_warned_of() {
     );
     // The lens is soft and in the limit of JKR.
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS).fit(1);
-    assert!(doubts(&lens).is_empty(), "{:?}", lens.warnings);
+    assert!(
+        doubts(&lens, &[WarningKind::AssumesBonding]).is_empty(),
+        "{:?}",
+        lens.warnings
+    );
 }
 
 #[test]
@@ -427,7 +443,11 @@ fn directions_without_hysteresis_are_no_reason_for_doubt() {
     lens.course = Course::Cycle;
     for seed in 0..20 {
         let found = lens.fit(seed);
-        assert!(doubts(&found).is_empty(), "{:?}", found.warnings);
+        assert!(
+            doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
+            "{:?}",
+            found.warnings
+        );
         let retracts = found.experiments[0].points.iter();
         let retracts = retracts.filter(|point| point.branch == fit::Branch::Receding);
         assert_eq!(retracts.count(), 40);
