@@ -1,6 +1,6 @@
 //! The bodies in contact, with the curve of their material.
 
-use interp::{Curve, HalfSpace, Material, System};
+use interp::{Curve, HalfSpace, System};
 
 /// The bodies in contact.
 #[derive(Clone, Debug)]
@@ -10,8 +10,8 @@ pub(crate) enum Bodies {
     /// A probe on a coated substrate, with the curve of its material.
     Coated {
         system: System,
-        /// The material of the system.
-        material: Material,
+        /// Whether the curve has derivatives with respect to the material of the system itself.
+        differentiated: bool,
         curve: Curve,
     },
 }

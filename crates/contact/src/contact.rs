@@ -109,7 +109,9 @@ impl Contact {
             mechanics,
             bodies: Bodies::Coated {
                 system: system.clone(),
-                material,
+                differentiated: curve
+                    .differentiated_for()
+                    .is_ok_and(|made_for| material.is_close_to(made_for)),
                 curve,
             },
             shape,

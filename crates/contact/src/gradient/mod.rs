@@ -170,19 +170,16 @@ impl Contact {
     /// Accepts a curve whose derivatives are those of the material of the system itself.
     pub(super) fn same_material(&self) -> Result<(), Error> {
         let Bodies::Coated {
-            material, curve, ..
+            system,
+            differentiated: false,
+            curve,
         } = &self.bodies
         else {
             return Ok(());
         };
-        let made_for = curve.differentiated_for()?;
-        if material.is_close_to(made_for) {
-            Ok(())
-        } else {
-            Err(Error::OtherMaterial {
-                curve: made_for.to_array(),
-                system: material.to_array(),
-            })
-        }
+        Err(Error::OtherMaterial {
+            curve: curve.differentiated_for()?.to_array(),
+            system: system.material()?.to_array(),
+        })
     }
 }

@@ -30,7 +30,7 @@ impl Contact {
         };
         let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
         let by_a_over_t = gradient.map_or([0.0; 4], |gradient| {
-            let [values, slopes] = [gradient.values(), gradient.slopes()].map(|of| of.to_array());
+            let [values, slopes] = [gradient.values().to_array(), gradient.slopes().to_array()];
             std::array::from_fn(|i| slopes[i] / values[i])
         });
         Ok(Terms {

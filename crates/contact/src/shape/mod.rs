@@ -140,7 +140,7 @@ impl Shape {
 
 /// Returns the derivatives of the logarithms of quantities from their slopes.
 fn relative(values: &Quantities, slopes: &Quantities) -> Quantities {
-    let [values, slopes] = [values, slopes].map(|of| of.to_array());
+    let [values, slopes] = [values.to_array(), slopes.to_array()];
     Quantities::from_array(std::array::from_fn(|i| slopes[i] / values[i]))
 }
 
