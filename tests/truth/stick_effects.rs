@@ -121,6 +121,32 @@ fn full_friction_does_not_explain_the_deviations_of_the_paper() {
         let change = 1e2 * (film.stiffening(x, 1e-6).expect("converges") - 1.0);
         assert!((0.0..0.3).contains(&change), "{x}: {change}");
     }
+    // The pull-off of this lens, of 1 mm and 0.04 J/m^2, where it is solved: the adhesion that is lower
+    // by 25 % on films below 3 um has another reason, too.
+    let range = [1e-2, 30.0];
+    let curves = [
+        StickCurves::new(&film, range, 1e-8).and_then(|curves| curves.receding(1.0)),
+        solve::curve(&of, range, 1e-8),
+    ];
+    let curves = curves.map(|curve| curve.expect("converges"));
+    let mut change = 0.0_f64;
+    for i in 0..13 {
+        let system = System {
+            probe: Probe::Paraboloid { radius: 1e-3 },
+            sphere_modulus: 2e6,
+            film: Elastic::new(3.5e6, 0.5).expect("physical"),
+            film_thickness: 2e-6 * 150_f64.powf(f64::from(i) / 12.0),
+            substrate: Elastic::new(2e11, 0.25).expect("physical"),
+        };
+        let [stick, slide] = curves.each_ref().map(|curve| {
+            let contact = Contact::new(&system, curve.clone()).expect("its own curve");
+            let pull_off = contact.pull_off(0.04, Control::Load);
+            pull_off.expect("in range").load
+        });
+        change = change.max((1e2 * (stick / slide - 1.0)).abs());
+    }
+    println!("the pull-off load changes by {change:.2} %");
+    assert!((0.5..0.7).contains(&change), "{change}");
 }
 
 /// What is not solved is refused with the reason.
