@@ -1,5 +1,8 @@
 //! Fits of contact stiffness: the truth within the intervals, for data by direct solves.
 
+mod loss;
+mod refused;
+
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -101,6 +104,16 @@ fn recover(
     // Films on which the interface matters are said to be taken as bonded.
     let expected = [expected, &[WarningKind::AssumesBonding]].concat();
     assert_coverage(name, &fits, truth, &expected);
+}
+
+/// Returns the fit of these parameters to one set of data.
+fn fitted<const N: usize>(measured: Experiment, free: [Parameter; N]) -> Result<Fit, Error> {
+    fit::fit(
+        Table::embedded(),
+        &[measured],
+        &free.map(Free::new),
+        &Options::default(),
+    )
 }
 
 /// Stiffnesses at contact radii.
@@ -376,106 +389,6 @@ fn a_thinned_top_layer_is_the_stack_of_that_thickness() {
     assert!(worst < 1e-6, "{worst:e}");
 }
 
-/// The modulus and the loss tangent of a film from stiffness and phase, against solves with complex
-/// moduli by another program.
-#[test]
-fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
-    let data = Data::read("complex_stiffness");
-    let cases: Vec<_> = data.cases().collect();
-    let films: Vec<Vec<_>> = (0..cases.len())
-        .step_by(6)
-        .flat_map(|first| [0, 1].map(|tangent| [0, 2, 4].map(|i| first + tangent + i).to_vec()))
-        .collect();
-    let misses = films.par_iter().map(|rows| {
-        let get = |i: usize, name: &str| cases[rows[i]].get(name);
-        let (unit, thickness) = (1e9, 1e-6);
-        let (young, tangent) = (get(0, "e1_over_e2") * unit, get(0, "loss_tangent"));
-        let system = System {
-            probe: Probe::Paraboloid { radius: 0.1 },
-            sphere_modulus: unit,
-            film: solid(1.3 * young, get(0, "nu1")),
-            film_thickness: thickness,
-            substrate: solid(get(0, "e0_over_e2") * unit, get(0, "nu0")),
-        };
-        let point = |i| {
-            let a = get(i, "a_over_t") * thickness;
-            let stiffness = 2.0 * a * unit * get(i, "eeq");
-            [a, stiffness * get(i, "phase").cos()]
-        };
-        let points = (0..3).map(point).collect();
-        let mut measured = experiment(Kind::StiffnessRadius, Bodies::Coated(system), points);
-        measured.indentation.phases = (0..3).map(|i| get(i, "phase")).collect();
-        measured.noise = Some(1e-3);
-        let free = [Free::new(Parameter::FilmModulus)];
-        let found = fit::fit(Table::embedded(), &[measured], &free, &Options::default());
-        let found = found.expect("sound data");
-        let loss = found.experiments[0].loss.expect("phases are measured");
-        let of = |i| get(i, "a_over_t");
-        // Where the substrate hides the film, its modulus does not matter to the stiffness.
-        [
-            (found.estimates[0].value / young - 1.0).abs(),
-            (loss.tangent() / tangent - 1.0).abs(),
-            of(0),
-        ]
-    });
-    let misses: Vec<[f64; 3]> = misses.collect();
-    let worst = misses.iter().fold([0.0_f64; 2], |worst, one| {
-        [larger(worst[0], one[0]), larger(worst[1], one[1])]
-    });
-    println!("largest misses of the modulus and of the loss tangent: {worst:?}");
-    assert!(worst[0] < 0.01 && worst[1] < 0.01, "{misses:?}");
-}
-
-/// On a rigid base and under a rigid sphere the loss tangent of the film is that of the stiffness,
-/// and a frame in series with the contact is taken out.
-#[test]
-fn a_film_alone_has_the_loss_tangent_of_its_stiffness() {
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e-4 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(1e6, 0.4),
-        film_thickness: 1e-6,
-        substrate: solid(f64::INFINITY, 0.3),
-    };
-    for (phase, compliance) in [(0.2, 0.0), (0.7, 0.0), (0.4, 0.05)] {
-        let mut measured = at_radii(&system, [3e-7, 5e-6], 8);
-        let points = &mut measured.measurement.points;
-        measured.indentation.frame_compliance = compliance;
-        measured.indentation.phases = points
-            .iter_mut()
-            .map(|point| {
-                let stiffness: f64 = point.ordinate;
-                let real = f64::cos(phase) / stiffness + compliance;
-                let imaginary = f64::sin(phase) / stiffness;
-                let phase = imaginary.atan2(real);
-                point.ordinate = phase.cos() / real.hypot(imaginary);
-                phase
-            })
-            .collect();
-        measured.noise = Some(1e-3);
-        let free = [Free::new(Parameter::FilmModulus)];
-        let found = fit::fit(Table::embedded(), &[measured], &free, &Options::default());
-        let found = found.expect("sound data");
-        let loss = found.experiments[0].loss.expect("phases are measured");
-        assert!((loss.angle - phase).abs() < 1e-5, "{phase}: {loss:?}");
-        let value = found.estimates[0].value;
-        assert!((value / 1e6 - 1.0).abs() < 1e-5, "{phase}: {value}");
-    }
-}
-
-#[test]
-fn a_loss_tangent_above_one_is_refused() {
-    let mut measured = at_radii(&oxide(), [5e-8, 2e-7], 8);
-    measured.indentation.phases = vec![0.9; 8];
-    let free = [Free::new(Parameter::FilmModulus)];
-    let found = fit::fit(Table::embedded(), &[measured], &free, &Options::default());
-    let error = found.expect_err("refused");
-    assert!(
-        matches!(error, Error::Loss { tangent, .. } if tangent > 1.0),
-        "{error}"
-    );
-}
-
 /// Metals: the definition of the contact depth moves the modulus, and the contact is plastic.
 #[test]
 fn doubts_of_metals_are_named() {
@@ -487,14 +400,7 @@ fn doubts_of_metals_are_named() {
     let known = Indentation::NEW;
     let mut metal = at_depths(Bodies::Coated(system), &contact, &known, 8e8);
     metal.noise = Some(0.01);
-    let free = [Free::new(Parameter::FilmModulus)];
-    let found = fit::fit(
-        Table::embedded(),
-        &[metal.clone()],
-        &free,
-        &Options::default(),
-    );
-    let found = found.expect("sound data");
+    let found = fitted(metal.clone(), [Parameter::FilmModulus]).expect("sound data");
     let text = |kind| {
         let warning = found.warnings.iter().find(|one| one.kind == kind);
         &warning.expect("warned").text
@@ -520,133 +426,18 @@ fn doubts_of_metals_are_named() {
         }),
         other => other,
     };
-    let found = fit::fit(Table::embedded(), &[thin], &free, &Options::default());
-    assert!(
-        found
-            .expect("sound data")
-            .warns_of(WarningKind::DeepContact)
-    );
-}
-
-#[test]
-fn what_is_no_contact_stiffness_is_refused() {
-    let table = Table::embedded();
-    let good = at_radii(&oxide(), [1e-7, 1e-6], 8);
-    let free = [Free::new(Parameter::FilmModulus)];
-    let refused = |change: &dyn Fn(&mut Experiment), words: &[&str]| {
-        let mut wrong = good.clone();
-        change(&mut wrong);
-        let error = fit::fit(table, &[wrong], &free, &Options::default());
-        let error = error.expect_err("refused").to_string();
-        assert!(words.iter().all(|word| error.contains(word)), "{error}");
-        assert!(!error.contains("--"), "{error}");
-    };
-    refused(
-        &|one| one.measurement.points[3].ordinate = 0.0,
-        &["line 4", "contact stiffness"],
-    );
-    refused(
-        &|one| one.measurement.points[2].abscissa = -1e-7,
-        &["line 3"],
-    );
-    refused(
-        &|one| one.measurement.points[2].ordinate = f64::NAN,
-        &["line 3", "NaN"],
-    );
-    refused(&|one| one.indentation.beta = 0.0, &["beta", "0.5 to 2"]);
-    refused(
-        &|one| one.indentation.epsilon = -1.0,
-        &["epsilon", "0 to 2"],
-    );
-    refused(
-        &|one| one.indentation.thinning = 0.3,
-        &["thinning", "depth"],
-    );
-    refused(
-        &|one| one.indentation.frame_compliance = -1e-6,
-        &["frame-compliance"],
-    );
-    refused(
-        &|one| one.indentation.frame_compliance = 0.1,
-        &["frame", "line 1"],
-    );
-    refused(
-        &|one| one.indentation.phases = vec![0.1; 3],
-        &["phases", "8"],
-    );
-    refused(
-        &|one| one.indentation.phases = vec![2.0; 8],
-        &["phase", "rad"],
-    );
-    refused(&|one| one.noise = Some(0.0), &["noise"]);
-    refused(
-        &|one| {
-            one.measurement.kind = Kind::StiffnessLoad;
-            one.indentation.hardness = Some(-1.0);
-        },
-        &["hardness"],
-    );
-    refused(
-        &|one| {
-            one.measurement.kind = Kind::StiffnessLoad;
-            one.indentation.phases = vec![0.1; 8];
-        },
-        &["phases", "elasticity"],
-    );
-    refused(
-        &|one| {
-            one.measurement.kind = Kind::StiffnessLoad;
-            one.measurement.points[0].direction = Some(Direction::Retract);
-        },
-        &["unloaded", "line 1"],
-    );
-    refused(
-        &|one| one.measurement.kind = Kind::StiffnessDepth,
-        &["loads", "8"],
-    );
-    refused(
-        &|one| {
-            one.measurement.kind = Kind::StiffnessDepth;
-            one.indentation.loads = vec![1.0; 8];
-        },
-        &["contact depth", "line 1"],
-    );
-    for (parameter, word) in [
-        (Parameter::Hardness, "load"),
-        (Parameter::TipRounding, "depth"),
-        (Parameter::WorkOfAdhesion, "adhesion"),
-        (Parameter::ContactPoint, "tip-rounding"),
-        (Parameter::LoadOffset, "contact stiffness"),
-        (Parameter::Stiffness, "cantilever"),
-    ] {
-        let free = [Free::new(parameter)];
-        let error = fit::fit(
-            table,
-            std::slice::from_ref(&good),
-            &free,
-            &Options::default(),
-        );
-        let error = error.expect_err("refused").to_string();
-        assert!(
-            error.contains(word) && error.contains(&*parameter.name()),
-            "{error}"
-        );
-    }
-    for coefficients in [&[][..], &[0.0], &[1.0; 10]] {
-        assert!(AreaFunction::new(coefficients).is_err());
-    }
+    let found = fitted(thin, [Parameter::FilmModulus]).expect("sound data");
+    assert!(found.warns_of(WarningKind::DeepContact));
 }
 
 /// Standard deviations of the points are those of the stiffness, N/m.
 #[test]
 fn standard_deviations_of_points_are_in_newtons_per_metre() {
     let exact = at_radii(&oxide(), [1e-7, 1e-6], 20);
-    let free = [Free::new(Parameter::FilmModulus)];
     let found = |change: &dyn Fn(&mut Experiment)| {
         let mut made = noisy(&exact, 0.01, 3);
         change(&mut made);
-        let found = fit::fit(Table::embedded(), &[made], &free, &Options::default());
-        found.expect("sound data")
+        fitted(made, [Parameter::FilmModulus]).expect("sound data")
     };
     let relative = found(&|one| one.noise = Some(0.01));
     let absolute = found(&|one| {
@@ -696,9 +487,8 @@ fn loubets_depth_is_found_from_data_made_by_it() {
         })
         .collect();
     let made = simulate_experiment(Table::embedded(), &plan, 0.0, 1).expect("a contact");
-    let free = [Parameter::FilmModulus, Parameter::TipRounding].map(Free::new);
-    let found = fit::fit(Table::embedded(), &[made], &free, &Options::default());
-    let found = found.expect("sound data");
+    let free = [Parameter::FilmModulus, Parameter::TipRounding];
+    let found = fitted(made, free).expect("sound data");
     assert!(
         (found.estimates[0].value / 1.7e11 - 1.0).abs() < 1e-6,
         "{found:?}"

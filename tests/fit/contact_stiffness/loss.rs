@@ -1,0 +1,103 @@
+//! Storage and loss: the modulus and the loss tangent of a film from stiffness and phase.
+
+use acceptance::{Data, larger};
+use fit::{Bodies, Error, Kind, Parameter};
+use interp::{Probe, System};
+use rayon::prelude::*;
+
+use super::{at_radii, experiment, fitted, oxide};
+use crate::imagined::solid;
+
+/// The modulus and the loss tangent of a film from stiffness and phase, against solves with complex
+/// moduli by another program.
+#[test]
+fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
+    let data = Data::read("complex_stiffness");
+    let cases: Vec<_> = data.cases().collect();
+    let films: Vec<Vec<_>> = (0..cases.len())
+        .step_by(6)
+        .flat_map(|first| [0, 1].map(|tangent| [0, 2, 4].map(|i| first + tangent + i).to_vec()))
+        .collect();
+    let misses = films.par_iter().map(|rows| {
+        let get = |i: usize, name: &str| cases[rows[i]].get(name);
+        let (unit, thickness) = (1e9, 1e-6);
+        let (young, tangent) = (get(0, "e1_over_e2") * unit, get(0, "loss_tangent"));
+        let system = System {
+            probe: Probe::Paraboloid { radius: 0.1 },
+            sphere_modulus: unit,
+            film: solid(1.3 * young, get(0, "nu1")),
+            film_thickness: thickness,
+            substrate: solid(get(0, "e0_over_e2") * unit, get(0, "nu0")),
+        };
+        let point = |i| {
+            let a = get(i, "a_over_t") * thickness;
+            let stiffness = 2.0 * a * unit * get(i, "eeq");
+            [a, stiffness * get(i, "phase").cos()]
+        };
+        let points = (0..3).map(point).collect();
+        let mut measured = experiment(Kind::StiffnessRadius, Bodies::Coated(system), points);
+        measured.indentation.phases = (0..3).map(|i| get(i, "phase")).collect();
+        measured.noise = Some(1e-3);
+        let found = fitted(measured, [Parameter::FilmModulus]).expect("sound data");
+        let loss = found.experiments[0].loss.expect("phases are measured");
+        let of = |i| get(i, "a_over_t");
+        // Where the substrate hides the film, its modulus does not matter to the stiffness.
+        [
+            (found.estimates[0].value / young - 1.0).abs(),
+            (loss.tangent() / tangent - 1.0).abs(),
+            of(0),
+        ]
+    });
+    let misses: Vec<[f64; 3]> = misses.collect();
+    let worst = misses.iter().fold([0.0_f64; 2], |worst, one| {
+        [larger(worst[0], one[0]), larger(worst[1], one[1])]
+    });
+    println!("largest misses of the modulus and of the loss tangent: {worst:?}");
+    assert!(worst[0] < 0.01 && worst[1] < 0.01, "{misses:?}");
+}
+
+/// On a rigid base and under a rigid sphere the loss tangent of the film is that of the stiffness,
+/// and a frame in series with the contact is taken out.
+#[test]
+fn a_film_alone_has_the_loss_tangent_of_its_stiffness() {
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-4 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(1e6, 0.4),
+        film_thickness: 1e-6,
+        substrate: solid(f64::INFINITY, 0.3),
+    };
+    for (phase, compliance) in [(0.2, 0.0), (0.7, 0.0), (0.4, 0.05)] {
+        let mut measured = at_radii(&system, [3e-7, 5e-6], 8);
+        let points = &mut measured.measurement.points;
+        measured.indentation.frame_compliance = compliance;
+        measured.indentation.phases = points
+            .iter_mut()
+            .map(|point| {
+                let stiffness: f64 = point.ordinate;
+                let real = f64::cos(phase) / stiffness + compliance;
+                let imaginary = f64::sin(phase) / stiffness;
+                let phase = imaginary.atan2(real);
+                point.ordinate = phase.cos() / real.hypot(imaginary);
+                phase
+            })
+            .collect();
+        measured.noise = Some(1e-3);
+        let found = fitted(measured, [Parameter::FilmModulus]).expect("sound data");
+        let loss = found.experiments[0].loss.expect("phases are measured");
+        assert!((loss.angle - phase).abs() < 1e-5, "{phase}: {loss:?}");
+        let value = found.estimates[0].value;
+        assert!((value / 1e6 - 1.0).abs() < 1e-5, "{phase}: {value}");
+    }
+}
+
+#[test]
+fn a_loss_tangent_above_one_is_refused() {
+    let mut measured = at_radii(&oxide(), [5e-8, 2e-7], 8);
+    measured.indentation.phases = vec![0.9; 8];
+    let error = fitted(measured, [Parameter::FilmModulus]).expect_err("refused");
+    assert!(
+        matches!(error, Error::Loss { tangent, .. } if tangent > 1.0),
+        "{error}"
+    );
+}
