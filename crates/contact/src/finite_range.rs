@@ -23,8 +23,8 @@ use std::f64::consts::PI;
 
 use super::line_energy::LineEnergy;
 use crate::{Contact, Control};
-use interp::Error;
 use interp::check::positive;
+use interp::{Error, Probe};
 
 /// A constant attraction over a finite range (Dugdale's law).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -137,8 +137,15 @@ impl Contact {
 
     /// Accepts the probes whose shape is smooth everywhere but at its tip.
     fn smooth_probe(&self) -> Result<(), Error> {
-        if self.probe().is_smooth() {
-            return Ok(());
+        match self.probe() {
+            Probe::Paraboloid { .. }
+            | Probe::Sphere { .. }
+            | Probe::PowerLaw { .. }
+            | Probe::Cone { .. } => return Ok(()),
+            Probe::RoundedCone { .. }
+            | Probe::FlatPunch { .. }
+            | Probe::FlatEndedCone { .. }
+            | Probe::Profile(_) => {}
         }
         Err(Error::OtherProbe {
             question: "an attraction of finite range",

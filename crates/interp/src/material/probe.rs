@@ -149,20 +149,6 @@ impl Probe {
         }
     }
 
-    /// Returns whether the shape is smooth everywhere but at its tip.
-    pub const fn is_smooth(&self) -> bool {
-        match self {
-            Self::Paraboloid { .. }
-            | Self::Sphere { .. }
-            | Self::PowerLaw { .. }
-            | Self::Cone { .. } => true,
-            Self::RoundedCone { .. }
-            | Self::FlatPunch { .. }
-            | Self::FlatEndedCone { .. }
-            | Self::Profile(_) => false,
-        }
-    }
-
     /// Returns the slope `f'(a)` of the shape at a radius, that of the paraboloid for a sphere.
     pub fn slope(&self, a: f64) -> f64 {
         match *self {
