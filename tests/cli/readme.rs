@@ -39,8 +39,7 @@ fn shows_the_examples() {
 fn shows_what_its_commands_print() {
     let readme = read("README.md");
     let mut shown = 0;
-    let command_line =
-        "\n    cargo run --release -p tabulate --no-default-features --features cli -- ";
+    let command_line = "\n    cargo run --release -p coated-contact-tabulate --no-default-features --features cli -- ";
     for block in readme.split(command_line).skip(1) {
         let Some((command, rest)) = block.split_once("\n\n```text\n") else {
             continue;

@@ -1,5 +1,5 @@
 //! Measures the time of histories with 1001 points, of approach and retract and of two cycles, and
-//! prints their stated errors: `cargo bench -p contact --bench history`.
+//! prints their stated errors: `cargo bench -p coated-contact-contact --bench history`.
 
 use std::hint::black_box;
 use std::time::Instant;

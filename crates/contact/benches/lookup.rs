@@ -1,5 +1,5 @@
 //! Measures the time to make a curve and to evaluate it. Only ratios within one run are meaningful:
-//! `cargo bench -p contact`.
+//! `cargo bench -p coated-contact-contact`.
 
 use std::env;
 use std::hint::black_box;

@@ -1,6 +1,6 @@
 //! Measures a new material under every shape of the probe, from the embedded table: its first load,
 //! the states on a branch, and all derivatives. Only ratios within one run are meaningful: `cargo
-//! bench -p contact --bench shapes`.
+//! bench -p coated-contact-contact --bench shapes`.
 
 use std::hint::black_box;
 

@@ -1,6 +1,6 @@
 //! Shows the results that a contact gives: pull-off, equilibria, energy release rates, derivatives,
 //! force-displacement curves, the effect of the film on a JKR fit, the validity of the model, and a
-//! contact line with hysteresis: `cargo run --release -p contact --example contact`.
+//! contact line with hysteresis: `cargo run --release -p coated-contact-contact --example contact`.
 use contact::{Contact, Control, Hysteresis, Input};
 use interp::{Elastic, Probe, System, Table};
 

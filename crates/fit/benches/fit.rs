@@ -1,4 +1,4 @@
-//! Measures the time of fits: `cargo bench -p fit`. Only ratios within one run are meaningful.
+//! Measures the time of fits: `cargo bench -p coated-contact-fit`. Only ratios within one run are meaningful.
 
 use std::hint::black_box;
 use std::thread;

@@ -1,5 +1,5 @@
 //! Reads the lens of the page of experiments and fits it:
-//! `cargo run --release -p fit --example file`, at the root of the repository.
+//! `cargo run --release -p coated-contact-fit --example file`, at the root of the repository.
 
 use fit::data::{Format, read};
 use fit::{Bodies, Experiment, Free, Options, Parameter, fit};

@@ -1,5 +1,5 @@
 //! Fits the modulus of a lens, the work of adhesion and the modulus of a film to loads at contact
-//! radii: `cargo run --release -p fit --example lens`.
+//! radii: `cargo run --release -p coated-contact-fit --example lens`.
 
 use std::error::Error;
 

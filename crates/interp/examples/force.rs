@@ -1,5 +1,5 @@
 //! Prints the load of a sphere of 1 mm on a film of 1 um at one contact radius, from the embedded
-//! table: `cargo run --release -p interp --example force`.
+//! table: `cargo run --release -p coated-contact-interp --example force`.
 use interp::{Elastic, ForceCurve, Probe, System, Table};
 
 fn main() -> Result<(), interp::Error> {

@@ -1,6 +1,6 @@
 //! Prints the load of one contact from direct solves, without a table.
 //!
-//! Run it by `cargo run --release -p solve --example curve`.
+//! Run it by `cargo run --release -p coated-contact-solve --example curve`.
 
 use contact::Contact;
 use interp::{Elastic, Probe, System};

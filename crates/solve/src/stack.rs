@@ -70,7 +70,7 @@
 //! 200) they are 2.4e-14 and 2.6e-11, and 300 random contacts agree with another method of solution
 //! within the stated errors.
 //!
-//! `cargo bench -p tabulate --bench stacks` prints times, here at the tolerance 1e-8 and on one
+//! `cargo bench -p coated-contact-tabulate --bench stacks` prints times, here at the tolerance 1e-8 and on one
 //! core. Three layers take 8 to 19 microseconds up to `a/h` of 10, which is 1.5 to 1.9 times the
 //! time of one film, and 60 microseconds at `a/h` of 30, where one film takes 13 by the other
 //! method. A curve of 200 layers up to `a/h` of 200 takes 9 ms: the compliance of many layers is

@@ -26,7 +26,7 @@ const TESTS: &str = "tests, benches, xtask";
 /// The Python package.
 const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
 /// All packages that fit.
-const FITS: &str = "coated-contact-python, coated-contact-python/hdf5, fit, tabulate/cli, tabulate/default, tabulate/figures, tabulate/fit";
+const FITS: &str = "coated-contact-fit, coated-contact-python, coated-contact-python/hdf5, coated-contact-tabulate/cli, coated-contact-tabulate/default, coated-contact-tabulate/figures, coated-contact-tabulate/fit";
 
 /// Crates under other licences, their licences, and the features that need them.
 const OTHERS: [(&str, &str, &str); 10] = [
@@ -36,7 +36,7 @@ const OTHERS: [(&str, &str, &str); 10] = [
     ("ciborium-io", "Apache-2.0", TESTS),
     ("ciborium-ll", "Apache-2.0", TESTS),
     // In a file of its own, that of HDF5: as BSD-3-Clause.
-    ("hdf5-metno-src", "", "tabulate/hdf5-static"),
+    ("hdf5-metno-src", "", "coated-contact-tabulate/hdf5-static"),
     ("nalgebra", "Apache-2.0", FITS),
     ("simba", "Apache-2.0", FITS),
     ("spdx", "Apache-2.0", TESTS),

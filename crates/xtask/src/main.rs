@@ -51,7 +51,7 @@ usage: cargo xtask COMMAND
   compare --small
                  run the same comparisons on small cases, whose numbers mean nothing
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
-  cargo ARGS     run a cargo command, with HDF5 set up where it builds tabulate: `cargo xtask cargo bench -p tabulate`
+  cargo ARGS     run a cargo command, with HDF5 set up where it builds tabulate: `cargo xtask cargo bench -p coated-contact-tabulate`
 ";
 
 fn main() -> ExitCode {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::workspace;
+use crate::{tabulate, workspace};
 
 /// The arguments of cargo that name a package.
 const PACKAGE: [&str; 2] = ["--package", "-p"];
@@ -59,7 +59,7 @@ fn any_has_tabulate(args: &[&str], members: &[Value], folder: &Path) -> bool {
     };
     let uses = |member: &Value| {
         let dependencies = member["dependencies"].as_array();
-        let is_tabulate = |package: &Value| package["name"] == "tabulate";
+        let is_tabulate = |package: &Value| package["name"] == tabulate::PACKAGE;
         is_tabulate(member) || dependencies.is_some_and(|all| all.iter().any(is_tabulate))
     };
     members.iter().filter(is_selected).any(uses)
@@ -100,8 +100,8 @@ mod tests {
         };
         let members = [
             member("interp", "crates/interp", &["serde"]),
-            member("tabulate", "crates/tabulate", &["interp"]),
-            member("acceptance", "tests", &["interp", "tabulate"]),
+            member(tabulate::PACKAGE, "crates/tabulate", &["interp"]),
+            member("acceptance", "tests", &["interp", tabulate::PACKAGE]),
         ];
         let cases: [(&[&str], &str, bool); 15] = [
             (&["bench"], "/w", true),
@@ -114,20 +114,28 @@ mod tests {
                 false,
             ),
             (&["bench", "--package=interp@0.1.0"], "/w", false),
-            (&["bench", "-p", "interp", "-p", "tabulate"], "/w", true),
-            (&["bench", "-p", "tabulate"], "/w", true),
+            (
+                &["bench", "-p", "interp", "-p", tabulate::PACKAGE],
+                "/w",
+                true,
+            ),
+            (&["bench", "-p", tabulate::PACKAGE], "/w", true),
             (&["test", "-p", "acceptance"], "/w", true),
             (&["test", "--workspace"], "/w/crates/interp", true),
-            (&["test", "-p", "tabulate"], "/w/crates/interp", true),
+            (&["test", "-p", tabulate::PACKAGE], "/w/crates/interp", true),
             (&["test"], "/w/crates/interp/src", false),
             (&["test"], "/w/crates", true),
             // The arguments of the program are none of cargo's.
             (
-                &["run", "-p", "interp", "--", "-p", "tabulate"],
+                &["run", "-p", "interp", "--", "-p", tabulate::PACKAGE],
                 "/w",
                 false,
             ),
-            (&["run", "-p", "tabulate", "--", "-p", "interp"], "/w", true),
+            (
+                &["run", "-p", tabulate::PACKAGE, "--", "-p", "interp"],
+                "/w",
+                true,
+            ),
         ];
         for (args, folder, expected) in cases {
             let found = any_has_tabulate(args, &members, Path::new(folder));
@@ -139,10 +147,10 @@ mod tests {
     fn every_member_of_the_workspace_is_known() {
         let selects = |member: &str| has_tabulate(&["bench", "-p", member]).expect("a list");
         for (member, expected) in [
-            ("interp", false),
-            ("fit", false),
+            ("coated-contact-interp", false),
+            ("coated-contact-fit", false),
             ("xtask", false),
-            ("tabulate", true),
+            (tabulate::PACKAGE, true),
             ("acceptance", true),
             ("coated-contact-python", true),
         ] {

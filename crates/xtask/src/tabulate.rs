@@ -7,6 +7,9 @@ use serde_json::Value;
 
 use crate::hdf5;
 
+/// The name of its package.
+pub const PACKAGE: &str = "coated-contact-tabulate";
+
 /// Returns the command that runs `tabulate` with these arguments: the program that the environment
 /// variable `TABULATE` names, or else the one that cargo builds first.
 pub fn command(args: &[&str]) -> Result<Command, String> {
@@ -15,7 +18,7 @@ pub fn command(args: &[&str]) -> Result<Command, String> {
         command.args(args);
         return Ok(command);
     }
-    let run = ["run", "--quiet", "--release", "-p", "tabulate", "--"];
+    let run = ["run", "--quiet", "--release", "-p", PACKAGE, "--"];
     hdf5::cargo(&[&run, args].concat())
 }
 
