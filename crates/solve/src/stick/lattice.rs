@@ -196,12 +196,13 @@ mod tests {
                     for n in m..modes {
                         let exact: f64 = (0..rows)
                             .map(|k| {
-                                let [pm, pn] = [m, n].map(|n| value(&p, Some(column(n, modes)), k));
-                                let [qm, qn] = [m, n]
+                                let [p_m, p_n] =
+                                    [m, n].map(|n| value(&p, Some(column(n, modes)), k));
+                                let [q_m, q_n] = [m, n]
                                     .map(|n| value(&q, column(n, modes).checked_sub(first), k));
-                                normal[k] * pm * pn
-                                    + mixed[k] * (pm * qn + qm * pn)
-                                    + shear[k] * qm * qn
+                                normal[k] * p_m * p_n
+                                    + mixed[k] * (p_m * q_n + q_m * p_n)
+                                    + shear[k] * q_m * q_n
                             })
                             .sum();
                         worst = larger(worst, (found[(n, m)] - exact).abs());
