@@ -108,7 +108,7 @@ fn published_measurements_of_metals_are_doubted() {
         let modulus = format!("{metal}.modulus");
         let free = ["--stack", &stack, "--free", &modulus];
         let args = [
-            &["fit", file, "--kind", "stiffness-depth"],
+            &["fit", file, "--kind", "stiffness-depth"][..],
             &["--between", "60nm..250nm", "--sphere-modulus", "1146.6GPa"],
             &["--beta", "1.034", "--noise", "1%", "--abscissa-noise", "0"],
             &free[..],

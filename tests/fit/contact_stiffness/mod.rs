@@ -6,12 +6,11 @@ mod refused;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use acceptance::{Data, larger};
+use acceptance::larger;
 use contact::Contact;
 use fit::{
-    AreaFunction, Bodies, ContactDepth, Direction, Error, Experiment, Fit, Free, Indentation, Kind,
-    Layered, NamedLayer, Options, Parameter, Point, PointErrors, Reach, WarningKind,
-    simulate_experiment,
+    AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Layered,
+    NamedLayer, Options, Parameter, Point, PointErrors, Reach, WarningKind, simulate_experiment,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use rand::{RngExt, SeedableRng};

@@ -74,7 +74,7 @@ pub fn matrix(coulomb: &Coulomb, sums: &[Sums], rest: Option<Rows>) -> Mat<f64> 
         products(coulomb, [row(6), row(7)], [-1.0, 1.0]),
         products(coulomb, [row(2), row(3)], [1.0, -1.0]),
     ];
-    let sign = |n: usize| if n % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
     Mat::from_fn(modes, modes, |n, m| {
         let at = (n, m);
         let sum = like[0][at]
