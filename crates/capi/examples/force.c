@@ -29,7 +29,7 @@ int main(int count, char **arguments) {
     if (count > 1 && failed(cc_table_read(arguments[1], &table))) {
         return 1;
     }
-    if (failed(cc_contact_new(table, &lens, 1, &contact))) {
+    if (failed(cc_contact_new(table, &lens, &contact))) {
         return 1;
     }
     cc_table_free(table);
@@ -38,7 +38,7 @@ int main(int count, char **arguments) {
     double work_of_adhesion = 0.040;
     CcState last;
     if (failed(cc_load(contact, radii, 3, work_of_adhesion, loads)) ||
-        failed(cc_pull_off(contact, work_of_adhesion, CC_CONTROL_LOAD, 0.0, &last)) ||
+        failed(cc_pull_off(contact, work_of_adhesion, 0.0, &last)) ||
         failed(cc_gradient(contact, radii[1], work_of_adhesion, gradient))) {
         return 1;
     }

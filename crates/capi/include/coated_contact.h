@@ -8,6 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+/* A pointer that is null is refused with a text, or ignored where that is stated. Any other pointer must be one to
+   a sound object: one that its maker here has given, and that has not been freed. An object is freed once. */
 
 /*
  The status that a function returns.
@@ -60,24 +62,6 @@ typedef enum CcProbe {
    */
   CC_PROBE_FLAT_ENDED_CONE = 5,
 } CcProbe;
-
-/*
- What is imposed on a contact: the values of the argument `control` of `cc_pull_off`.
- */
-typedef enum CcControl {
-  /*
-   The load: a dead weight.
-   */
-  CC_CONTROL_LOAD = 0,
-  /*
-   The penetration: a rigid machine.
-   */
-  CC_CONTROL_DISPLACEMENT = 1,
-  /*
-   The position of the far end of a spring, such as a cantilever.
-   */
-  CC_CONTROL_SPRING = 2,
-} CcControl;
 
 /*
  A probe on a film on a substrate, looked up.
@@ -166,15 +150,12 @@ const char *cc_error(void);
  Free the table by `cc_table_free` after the last contact in it is made. A contact keeps no table.
 
  # Safety
- `path` is null or a text that ends with a zero byte; `table` is null or has room for a pointer.
+ `path` is null or a text that ends with a zero byte.
  */
 enum CcStatus cc_table_read(const char *path, struct CcTable **table);
 
 /*
  Frees a table. A null pointer is ignored.
-
- # Safety
- `table` is null, or comes from `cc_table_read` and has not been freed.
  */
 void cc_table_free(struct CcTable *table);
 
@@ -182,23 +163,14 @@ void cc_table_free(struct CcTable *table);
  Looks a system up in a table; a null `table` is the one that is compiled in, which holds every
  probe, film and substrate with Poisson ratios from 0 to 0.5, to 1e-6.
 
- With a `with_gradient` other than 0 the contact answers `cc_gradient`; the look-up then takes
- longer. Free the contact by `cc_contact_free`.
-
- # Safety
- `table` is null or comes from `cc_table_read`; `system` is null or points at a system; `contact` is
- null or has room for a pointer.
+ Free the contact by `cc_contact_free`.
  */
 enum CcStatus cc_contact_new(const struct CcTable *table,
                              const struct CcSystem *system,
-                             int32_t with_gradient,
                              struct CcContact **contact);
 
 /*
  Frees a contact. A null pointer is ignored.
-
- # Safety
- `contact` is null, or comes from `cc_contact_new` and has not been freed.
  */
 void cc_contact_free(struct CcContact *contact);
 
@@ -206,8 +178,8 @@ void cc_contact_free(struct CcContact *contact);
  Computes the load (N) at each of `count` contact radii (m) for a work of adhesion (J/m^2).
 
  # Safety
- `contact` is null or comes from `cc_contact_new`; `contact_radii` holds `count` numbers; `loads` has
- room for as many, and may be the same array.
+ `contact_radii` is null or holds `count` numbers; `loads` is null or has room for as many, and may be
+ the same array.
  */
 enum CcStatus cc_load(const struct CcContact *contact,
                       const double *contact_radii,
@@ -240,16 +212,12 @@ enum CcStatus cc_stiffness(const struct CcContact *contact,
                            double *stiffnesses);
 
 /*
- Finds the last stable state of a separation. `control` is a value of `CcControl`;
- `spring_stiffness` (N/m) is read for `CC_CONTROL_SPRING` alone.
-
- # Safety
- `contact` is null or comes from `cc_contact_new`; `state` is null or has room for a state.
+ Finds the last stable state of a separation by a machine of the stiffness `machine_stiffness` (N/m):
+ 0 is a dead weight, infinity a rigid machine, and a cantilever lies between.
  */
 enum CcStatus cc_pull_off(const struct CcContact *contact,
                           double work_of_adhesion,
-                          int32_t control,
-                          double spring_stiffness,
+                          double machine_stiffness,
                           struct CcState *state);
 
 /*
@@ -259,8 +227,7 @@ enum CcStatus cc_pull_off(const struct CcContact *contact,
  substrate Poisson ratio. A derivative that is not known, such as that by the radius of a cone, is NaN.
 
  # Safety
- `contact` is null or comes from `cc_contact_new` with a gradient; `derivatives` is null or has room
- for nine numbers.
+ `derivatives` is null or has room for nine numbers.
  */
 enum CcStatus cc_gradient(const struct CcContact *contact,
                           double contact_radius,

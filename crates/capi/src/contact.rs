@@ -1,89 +1,117 @@
-//! Contacts, and what they answer.
+//! Tables, contacts, and what a contact answers.
 
-use contact::{Contact, Input};
-use interp::{Error, Table};
+use std::ffi::{CStr, c_char};
+use std::fs::File;
+use std::io::Read;
+use std::mem::MaybeUninit;
+use std::ptr;
 
-use crate::bodies::{CcState, CcSystem, control};
-use crate::guard::{CcStatus, Failure, free, give, guarded, numbers, shared, write};
-use crate::table::CcTable;
+use contact::{Contact, Control, Input};
+use interp::{Error, Table, is_packed};
+
+use crate::guard::{CcStatus, Failure, array, given, guarded};
+use crate::system::{CcState, CcSystem};
+
+/// A table of contacts.
+pub struct CcTable(Table);
 
 /// A probe on a film on a substrate, looked up.
 pub struct CcContact(Contact);
 
+/// Reads a table, in HDF5 or packed, from the file of a `path` in UTF-8.
+///
+/// Free the table by `cc_table_free` after the last contact in it is made. A contact keeps no table.
+///
+/// # Safety
+/// `path` is null or a text that ends with a zero byte.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn cc_table_read(
+    path: *const c_char,
+    table: Option<&mut MaybeUninit<Box<CcTable>>>,
+) -> CcStatus {
+    guarded(|| {
+        given((!path.is_null()).then_some(()), "path")?;
+        // SAFETY: it is not null, and ends with a zero byte.
+        let path = unsafe { CStr::from_ptr(path) }.to_str();
+        let path = path.map_err(|_| Failure::argument("path is not in UTF-8"))?;
+        let table = given(table, "table")?;
+        let mut start = [0; 8];
+        let started = File::open(path).and_then(|mut file| file.read_exact(&mut start));
+        let read = if started.is_ok() && is_packed(&start) {
+            Table::read(path)
+        } else {
+            Table::open(path)
+        };
+        table.write(Box::new(CcTable(read?)));
+        Ok(())
+    })
+}
+
+/// Frees a table. A null pointer is ignored.
+#[unsafe(no_mangle)]
+pub extern "C" fn cc_table_free(table: Option<Box<CcTable>>) {
+    drop(table);
+}
+
 /// Looks a system up in a table; a null `table` is the one that is compiled in, which holds every
 /// probe, film and substrate with Poisson ratios from 0 to 0.5, to 1e-6.
 ///
-/// With a `with_gradient` other than 0 the contact answers `cc_gradient`; the look-up then takes
-/// longer. Free the contact by `cc_contact_free`.
-///
-/// # Safety
-/// `table` is null or comes from `cc_table_read`; `system` is null or points at a system; `contact` is
-/// null or has room for a pointer.
+/// Free the contact by `cc_contact_free`.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn cc_contact_new(
-    table: *const CcTable,
-    system: *const CcSystem,
-    with_gradient: i32,
-    contact: *mut *mut CcContact,
+pub extern "C" fn cc_contact_new(
+    table: Option<&CcTable>,
+    system: Option<&CcSystem>,
+    contact: Option<&mut MaybeUninit<Box<CcContact>>>,
 ) -> CcStatus {
     guarded(|| {
-        // SAFETY: the pointers are as stated above.
-        let (table, system) = unsafe { (table.as_ref(), shared(system, "system")?) };
-        let table = table.map_or_else(Table::embedded, |table| &table.0);
-        let system = system.read()?;
-        let made = if with_gradient == 0 {
-            Contact::in_table(table, &system)?
-        } else {
-            Contact::in_table_with_gradient(table, &system)?
+        let table = match table {
+            Some(CcTable(table)) => table,
+            None => Table::embedded(),
         };
-        // SAFETY: `contact` is as stated above.
-        unsafe { give(CcContact(made), contact) }
+        let system = given(system, "system")?.read()?;
+        let room = given(contact, "contact")?;
+        let made = Contact::in_table_with_gradient(table, &system)?;
+        room.write(Box::new(CcContact(made)));
+        Ok(())
     })
 }
 
 /// Frees a contact. A null pointer is ignored.
-///
-/// # Safety
-/// `contact` is null, or comes from `cc_contact_new` and has not been freed.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn cc_contact_free(contact: *mut CcContact) {
-    // SAFETY: as stated above.
-    unsafe { free(contact) };
+pub extern "C" fn cc_contact_free(contact: Option<Box<CcContact>>) {
+    drop(contact);
 }
 
 /// Computes one number for each of `count` contact radii, and writes them if none fails.
 ///
 /// # Safety
 /// As [`cc_load`].
-unsafe fn at_all(
-    contact: *const CcContact,
-    [radii, results]: [*const f64; 2],
-    count: usize,
-    one: impl Fn(&Contact, f64) -> Result<f64, Error>,
+unsafe fn at_each(
+    contact: Option<&CcContact>,
+    (radii, count, results): (*const f64, usize, *mut f64),
+    number: impl Fn(&Contact, f64) -> Result<f64, Error>,
 ) -> CcStatus {
     guarded(|| {
-        // SAFETY: the pointers are those of `cc_load`.
-        let (contact, radii) = unsafe {
-            (
-                shared(contact, "contact")?,
-                numbers(radii, count, "contact_radii")?,
-            )
-        };
-        let found = radii.iter().map(|&a| one(&contact.0, a));
+        let contact = &given(contact, "contact")?.0;
+        array(radii, count, "contact_radii")?;
+        array(results, count, "the array of the results")?;
+        // SAFETY: there are `count` radii, as stated at `cc_load`.
+        let found = (0..count).map(|i| number(contact, unsafe { *radii.add(i) }));
         let found: Vec<f64> = found.collect::<Result<_, _>>()?;
         // SAFETY: the results have room, as stated at `cc_load`.
-        unsafe { write(&found, results.cast_mut(), "the array of the results") }
+        unsafe { ptr::copy(found.as_ptr(), results, count) };
+        Ok(())
     })
 }
 
 /// Computes the load (N) at each of `count` contact radii (m) for a work of adhesion (J/m^2).
 ///
 /// # Safety
-/// `contact` is null or comes from `cc_contact_new`; `contact_radii` holds `count` numbers; `loads` has
-/// room for as many, and may be the same array.
+/// `contact_radii` is null or holds `count` numbers; `loads` is null or has room for as many, and may be
+/// the same array.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn cc_load(
-    contact: *const CcContact,
+    contact: Option<&CcContact>,
     contact_radii: *const f64,
     count: usize,
     work_of_adhesion: f64,
@@ -91,7 +119,7 @@ pub unsafe extern "C" fn cc_load(
 ) -> CcStatus {
     let load = |contact: &Contact, a| contact.load(a, work_of_adhesion);
     // SAFETY: as stated above.
-    unsafe { at_all(contact, [contact_radii, loads], count, load) }
+    unsafe { at_each(contact, (contact_radii, count, loads), load) }
 }
 
 /// Computes the penetration (m) at each of `count` contact radii (m) for a work of adhesion (J/m^2).
@@ -100,18 +128,16 @@ pub unsafe extern "C" fn cc_load(
 /// As `cc_load`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn cc_penetration(
-    contact: *const CcContact,
+    contact: Option<&CcContact>,
     contact_radii: *const f64,
     count: usize,
     work_of_adhesion: f64,
     penetrations: *mut f64,
 ) -> CcStatus {
-    let penetration = |contact: &Contact, a| {
-        let both = contact.load_and_penetration(a, work_of_adhesion);
-        both.map(|(_, penetration)| penetration)
-    };
+    let both = |contact: &Contact, a| contact.load_and_penetration(a, work_of_adhesion);
+    let penetration = |contact: &Contact, a| both(contact, a).map(|(_, penetration)| penetration);
     // SAFETY: as stated above.
-    unsafe { at_all(contact, [contact_radii, penetrations], count, penetration) }
+    unsafe { at_each(contact, (contact_radii, count, penetrations), penetration) }
 }
 
 /// Computes the contact stiffness dF/d delta (N/m) of a pinned contact line at each of `count` contact
@@ -121,47 +147,43 @@ pub unsafe extern "C" fn cc_penetration(
 /// As `cc_load`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn cc_stiffness(
-    contact: *const CcContact,
+    contact: Option<&CcContact>,
     contact_radii: *const f64,
     count: usize,
     stiffnesses: *mut f64,
 ) -> CcStatus {
     // SAFETY: as stated above.
     unsafe {
-        at_all(
+        at_each(
             contact,
-            [contact_radii, stiffnesses],
-            count,
+            (contact_radii, count, stiffnesses),
             Contact::stiffness,
         )
     }
 }
 
-/// Finds the last stable state of a separation. `control` is a value of `CcControl`;
-/// `spring_stiffness` (N/m) is read for `CC_CONTROL_SPRING` alone.
-///
-/// # Safety
-/// `contact` is null or comes from `cc_contact_new`; `state` is null or has room for a state.
+/// Finds the last stable state of a separation by a machine of the stiffness `machine_stiffness` (N/m):
+/// 0 is a dead weight, infinity a rigid machine, and a cantilever lies between.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn cc_pull_off(
-    contact: *const CcContact,
+pub extern "C" fn cc_pull_off(
+    contact: Option<&CcContact>,
     work_of_adhesion: f64,
-    control: i32,
-    spring_stiffness: f64,
-    state: *mut CcState,
+    machine_stiffness: f64,
+    state: Option<&mut MaybeUninit<CcState>>,
 ) -> CcStatus {
     guarded(|| {
-        // SAFETY: it is as stated above.
-        let contact = unsafe { shared(contact, "contact")? };
-        let control = self::control(control, spring_stiffness)?;
-        let found = contact.0.pull_off(work_of_adhesion, control)?;
-        if state.is_null() {
-            return Err(Failure::argument(
-                "state is a null pointer: give room for one",
-            ));
-        }
-        // SAFETY: it is not null, and has room for a state.
-        unsafe { state.write(found.into()) };
+        let (contact, state) = (given(contact, "contact")?, given(state, "state")?);
+        let control = match machine_stiffness {
+            0.0 => Control::Load,
+            f64::INFINITY => Control::Displacement,
+            stiffness => Control::Spring { stiffness },
+        };
+        let last = contact.0.pull_off(work_of_adhesion, control)?;
+        state.write(CcState {
+            contact_radius: last.contact_radius,
+            load: last.load,
+            penetration: last.penetration,
+        });
         Ok(())
     })
 }
@@ -172,21 +194,22 @@ pub unsafe extern "C" fn cc_pull_off(
 /// substrate Poisson ratio. A derivative that is not known, such as that by the radius of a cone, is NaN.
 ///
 /// # Safety
-/// `contact` is null or comes from `cc_contact_new` with a gradient; `derivatives` is null or has room
-/// for nine numbers.
+/// `derivatives` is null or has room for nine numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn cc_gradient(
-    contact: *const CcContact,
+    contact: Option<&CcContact>,
     contact_radius: f64,
     work_of_adhesion: f64,
     derivatives: *mut f64,
 ) -> CcStatus {
     guarded(|| {
-        // SAFETY: it is as stated above.
-        let contact = unsafe { shared(contact, "contact")? };
+        let contact = given(contact, "contact")?;
         let gradient = contact.0.gradient(contact_radius, work_of_adhesion)?;
         let by = |input| gradient.by(input).map_or(f64::NAN, |by| by.load);
-        // SAFETY: it is as stated above.
-        unsafe { write(&Input::ALL.map(by), derivatives, "derivatives") }
+        let found = Input::ALL.map(by);
+        array(derivatives, found.len(), "derivatives")?;
+        // SAFETY: there is room, as stated above.
+        unsafe { ptr::copy(found.as_ptr(), derivatives, found.len()) };
+        Ok(())
     })
 }

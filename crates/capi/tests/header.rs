@@ -8,7 +8,7 @@ use std::path::Path;
 fn the_header_is_that_of_the_source() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_file(folder.join("cbindgen.toml")).expect("a sound file");
-    let sources = ["bodies", "guard", "table", "contact"];
+    let sources = ["system", "guard", "contact"];
     let mut builder = cbindgen::Builder::new().with_config(config);
     for source in sources {
         builder = builder.with_src(folder.join(format!("src/{source}.rs")));

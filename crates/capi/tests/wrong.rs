@@ -1,11 +1,12 @@
 //! What callers get wrong: null pointers, other numbers, other systems.
 
 use std::ffi::CStr;
+use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
 use coated_contact::{
-    CcContact, CcControl, CcProbe, CcState, CcStatus, CcSystem, cc_contact_free, cc_contact_new,
-    cc_error, cc_gradient, cc_load, cc_pull_off, cc_stiffness, cc_table_free, cc_table_read,
+    CcContact, CcProbe, CcState, CcStatus, CcSystem, cc_contact_free, cc_contact_new, cc_error,
+    cc_gradient, cc_load, cc_pull_off, cc_stiffness, cc_table_free, cc_table_read,
 };
 
 const LENS: CcSystem = CcSystem {
@@ -35,11 +36,11 @@ fn refused(found: CcStatus, expected: CcStatus, words: &[&str]) {
     }
 }
 
-fn made(system: &CcSystem) -> Result<*mut CcContact, CcStatus> {
-    let mut contact = null_mut();
-    // SAFETY: the pointers are those of objects.
-    match unsafe { cc_contact_new(null(), system, 0, &raw mut contact) } {
-        CcStatus::Ok => Ok(contact),
+fn made(system: &CcSystem) -> Result<Box<CcContact>, CcStatus> {
+    let mut contact = MaybeUninit::uninit();
+    match cc_contact_new(None, Some(system), Some(&mut contact)) {
+        // SAFETY: the call has succeeded, and written.
+        CcStatus::Ok => Ok(unsafe { contact.assume_init() }),
         status => Err(status),
     }
 }
@@ -80,7 +81,7 @@ fn systems_that_cannot_be_are_refused() {
         ),
     ];
     for (system, status, words) in cases {
-        refused(made(&system).expect_err("refused"), status, words);
+        refused(made(&system).err().expect("refused"), status, words);
     }
 }
 
@@ -88,93 +89,97 @@ fn systems_that_cannot_be_are_refused() {
 fn null_pointers_are_refused_and_nothing_is_written() {
     use CcStatus::{Argument, Contact, Ok};
     let contact = made(&LENS).expect("a contact");
+    let some = Some(&*contact);
     let (radii, mut loads) = ([65e-6, 2.0], [7.0; 9]);
-    // SAFETY: each pointer is null, or that of an object or an array of the length given.
+    let (from, to) = (radii.as_ptr(), loads.as_mut_ptr());
+    let unchanged = CcState {
+        contact_radius: 7.0,
+        load: 7.0,
+        penetration: 7.0,
+    };
+    let mut state = MaybeUninit::new(unchanged);
+    refused(cc_contact_new(None, None, None), Argument, &["system"]);
+    refused(
+        cc_contact_new(None, Some(&LENS), None),
+        Argument,
+        &["contact"],
+    );
+    refused(
+        cc_pull_off(None, 0.04, 0.0, Some(&mut state)),
+        Argument,
+        &["contact"],
+    );
+    refused(cc_pull_off(some, 0.04, 0.0, None), Argument, &["state"]);
+    for stiffness in [-1.0, f64::NEG_INFINITY, f64::NAN] {
+        let found = cc_pull_off(some, 0.04, stiffness, Some(&mut state));
+        refused(found, Contact, &[&format!("{stiffness:?}")]);
+    }
+    // SAFETY: each pointer is null, or that of a text or an array of the length given.
     unsafe {
+        assert_eq!(state.assume_init(), unchanged);
+        refused(cc_load(None, from, 1, 0.04, to), Argument, &["contact"]);
         refused(
-            cc_contact_new(null(), null(), 0, &mut null_mut()),
-            Argument,
-            &["system"],
-        );
-        refused(
-            cc_contact_new(null(), &LENS, 0, null_mut()),
-            Argument,
-            &["result"],
-        );
-        refused(
-            cc_load(null(), radii.as_ptr(), 1, 0.04, loads.as_mut_ptr()),
-            Argument,
-            &["contact"],
-        );
-        refused(
-            cc_load(contact, null(), 2, 0.04, loads.as_mut_ptr()),
+            cc_load(some, null(), 2, 0.04, to),
             Argument,
             &["contact_radii", "2"],
         );
         refused(
-            cc_load(contact, radii.as_ptr(), 1, 0.04, null_mut()),
+            cc_load(some, from, 1, 0.04, null_mut()),
             Argument,
             &["results"],
         );
         refused(
-            cc_load(
-                contact,
-                radii.as_ptr(),
-                usize::MAX,
-                0.04,
-                loads.as_mut_ptr(),
-            ),
+            cc_load(some, from, usize::MAX, 0.04, to),
             Argument,
             &["fit in memory"],
         );
-        assert_eq!(cc_load(contact, null(), 0, 0.04, null_mut()), Ok);
+        assert_eq!(cc_load(some, null(), 0, 0.04, null_mut()), Ok);
         // The second radius is beyond the sphere: the first load is not written, either.
+        refused(cc_load(some, from, 2, 0.04, to), Contact, &["2.0 m"]);
+        refused(cc_stiffness(some, &f64::NAN, 1, to), Contact, &["NaN"]);
+        refused(cc_gradient(None, 65e-6, 0.04, to), Argument, &["contact"]);
         refused(
-            cc_load(contact, radii.as_ptr(), 2, 0.04, loads.as_mut_ptr()),
-            Contact,
-            &["2.0 m"],
-        );
-        refused(
-            cc_stiffness(contact, &f64::NAN, 1, loads.as_mut_ptr()),
-            Contact,
-            &["NaN"],
-        );
-        refused(
-            cc_gradient(contact, 65e-6, 0.04, loads.as_mut_ptr()),
-            Contact,
-            &["derivatives"],
-        );
-        let mut state = CcState::default();
-        refused(
-            cc_pull_off(contact, 0.04, 3, 0.0, &mut state),
+            cc_gradient(some, 65e-6, 0.04, null_mut()),
             Argument,
-            &["control = 3"],
+            &["derivatives", "9"],
         );
-        let spring = CcControl::Spring as i32;
+        refused(cc_gradient(some, -1.0, 0.04, to), Contact, &["-1.0"]);
+        let mut table = MaybeUninit::uninit();
+        refused(cc_table_read(null(), Some(&mut table)), Argument, &["path"]);
         refused(
-            cc_pull_off(contact, 0.04, spring, -1.0, &mut state),
-            Contact,
-            &["-1.0"],
-        );
-        refused(
-            cc_pull_off(contact, 0.04, 0, 0.0, null_mut()),
+            cc_table_read(c"Cargo.toml".as_ptr(), None),
             Argument,
-            &["state"],
+            &["table"],
         );
-        refused(cc_table_read(null(), &mut null_mut()), Argument, &["path"]);
+        for missing in [c"no such.h5", c"Cargo.toml"] {
+            let found = cc_table_read(missing.as_ptr(), Some(&mut table));
+            refused(found, Contact, &[missing.to_str().expect("UTF-8")]);
+        }
         refused(
-            cc_table_read(c"no such.h5".as_ptr(), &mut null_mut()),
-            Contact,
-            &["no such.h5"],
+            cc_table_read(c"\xff".as_ptr(), Some(&mut table)),
+            Argument,
+            &["UTF-8"],
         );
-        refused(
-            cc_table_read(c"Cargo.toml".as_ptr(), &mut null_mut()),
-            Contact,
-            &["Cargo.toml"],
-        );
-        assert_eq!((loads, state), ([7.0; 9], CcState::default()));
-        cc_contact_free(contact);
-        cc_contact_free(null_mut());
-        cc_table_free(null_mut());
     }
+    assert_eq!(loads, [7.0; 9]);
+    cc_contact_free(Some(contact));
+    cc_contact_free(None);
+    cc_table_free(None);
+}
+
+/// A machine of the stiffness 0 is a dead weight, and a stiff one is nearly as rigid as an infinite one.
+#[test]
+fn the_stiffness_of_the_machine_leads_from_a_dead_weight_to_a_rigid_one() {
+    let contact = made(&LENS).expect("a contact");
+    let radius = |stiffness| {
+        let mut state = MaybeUninit::uninit();
+        let found = cc_pull_off(Some(&contact), 0.04, stiffness, Some(&mut state));
+        assert_eq!(found, CcStatus::Ok, "{}", error());
+        // SAFETY: the call has succeeded, and written.
+        unsafe { state.assume_init() }.contact_radius
+    };
+    let [dead, soft, stiff, rigid] = [0.0, 1e-3, 1e12, f64::INFINITY].map(radius);
+    assert!(rigid < 0.9 * dead, "{rigid} {dead}");
+    assert!((soft / dead - 1.0).abs() < 1e-4, "{soft} {dead}");
+    assert!((stiff / rigid - 1.0).abs() < 1e-4, "{stiff} {rigid}");
 }

@@ -1,5 +1,5 @@
 //! Calls of the C library that the Rust bindings of HDF5 do not cover: groups without time stamps,
-//! and dimension scales. The only `unsafe` code of the project.
+//! and dimension scales. The only `unsafe` code besides the C interface.
 //!
 //! The feature `hl` of `hdf5-sys` links the high-level library, which has the `H5DS` functions.
 
