@@ -118,10 +118,8 @@ fn published_measurements_of_metals_are_doubted() {
             ("oliver-pharr", "6nm", by_pharr),
             ("loubet", "2nm", by_loubet),
         ] {
-            let args = with(
-                &args,
-                &["--contact-depth", depth, "--tip-rounding", rounding],
-            );
+            let known = ["--contact-depth", depth, "--tip-rounding", rounding];
+            let args = [&args[..], &known].concat();
             let [found, _] = found(&workdir, &args, &modulus);
             assert!(
                 (found / 1e9 - expected).abs() < 0.15,
