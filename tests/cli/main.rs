@@ -25,6 +25,7 @@ mod interfaces;
 mod limits;
 mod magnitudes;
 mod outputs;
+mod paths;
 mod pipes;
 mod plan;
 mod plot;

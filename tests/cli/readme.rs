@@ -13,7 +13,6 @@ fn read(path: &str) -> String {
 #[test]
 fn shows_the_examples() {
     for (path, readme) in [
-        ("crates/interp/examples/force.rs", "README.md"),
         ("crates/interp/examples/force.rs", "crates/interp/README.md"),
         (
             "crates/contact/examples/contact.rs",

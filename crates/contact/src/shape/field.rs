@@ -1,7 +1,7 @@
 //! The field of the flat punch at all contact radii, from `Gamma` alone.
 //!
 //! Let `g1(s; a)` be the transform of the stress under a flat punch of radius `a`, as in the page
-//! `curve/derived.rs` of the source, where `dg1/da = Gamma h` with one function `h(s; a)`. With the
+//! `interp/src/curve/derived.rs` of the source, where `dg1/da = Gamma h` with one function `h(s; a)`. With the
 //! odd solution of the same equation, `A h_o = -[k(s - a) - k(s + a)]`, also `dg1/ds = -Gamma h_o`.
 //! Differentiating both equations, with terms of the edges as there, gives
 //!

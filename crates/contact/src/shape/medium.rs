@@ -24,7 +24,7 @@ pub(super) struct Medium {
     thick: Thick,
 }
 
-/// The numbers `alpha` and `u` of a thick film, see the page `curve/thick_film.rs` of the source, or
+/// The numbers `alpha` and `u` of a thick film, see the page `interp/src/curve/thick_film.rs` of the source, or
 /// their derivatives with respect to a parameter.
 #[derive(Clone, Copy, Debug)]
 struct Thick {

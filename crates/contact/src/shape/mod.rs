@@ -5,7 +5,7 @@
 //! is needed on a half-space.
 //!
 //! On a film, even powers of the radius and the sphere follow from the curve of the material by
-//! integrals, see the page `curve/even_powers/mod.rs` of the source. For all other shapes `field`
+//! integrals, see the page `interp/src/curve/even_powers/mod.rs` of the source. For all other shapes `field`
 //! computes the stress of the flat punch at all smaller radii from the `Gamma` of a `medium`, and
 //! `solved` integrates the shape over it; `polynomial` serves both.
 

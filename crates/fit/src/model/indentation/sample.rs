@@ -10,7 +10,7 @@ use crate::{Bodies, Layered};
 
 /// The number of thicknesses of the top layer at which the contacts of a thinned stack are made.
 /// With 6 the stiffness between them is within 1e-6 for a layer thinned to half
-/// (`tests/fit/contact_stiffness.rs`).
+/// (`tests/fit/contact_stiffness/loss.rs`).
 const THICKNESSES: usize = 6;
 
 /// A sample, with its contacts.

@@ -6,7 +6,7 @@
 //!
 //! # The ladder
 //!
-//! For the shape `f = c r^n` with `b = c kappa_n s^n` (see the page `contact/shape/transform.rs` of
+//! For the shape `f = c r^n` with `b = c kappa_n s^n` (see the page `contact/src/shape/transform.rs` of
 //! the source) let `delta0 = c kappa_n a^n Delta_n`, and let `mu_n` be the moment of order `n` of
 //! the transform `g1` of the flat punch's stress on the unit interval, so that `mu_0 = Eeq`. With
 //! `x = a/t`, for even `n`,
