@@ -48,6 +48,39 @@ fn a_film_much_thicker_than_the_sphere_is_solved() {
     }
 }
 
+/// A flat end that is narrower than the smallest contact of the first curve that is solved.
+#[test]
+fn a_flat_end_far_narrower_than_the_film_is_thick_is_solved() {
+    let workdir = workdir!();
+    let bodies = [
+        "--probe",
+        "flat-ended-cone",
+        "--sphere-radius",
+        "2e-8",
+        "--half-angle",
+        "68.75",
+        "--sphere-modulus",
+        "inf",
+        "--film-modulus",
+        "2e4",
+        "--film-poisson-ratio",
+        "0.5",
+        "--film-thickness",
+        "1e-3",
+        "--substrate-modulus",
+        "7e10",
+        "--work-of-adhesion",
+        "1e-4",
+    ];
+    // The smallest load over all contact radii, by a fine scan.
+    for table in [&["pull-off"][..], &["pull-off", "embedded"]] {
+        let text = workdir.succeed(&[table, &bodies].concat());
+        let [load, radius] = ["load", "contact_radius"].map(|name| value(&text, name));
+        assert!((load / -1.100e-10 - 1.0).abs() < 1e-3, "{text}");
+        assert!((radius / 1.419e-7 - 1.0).abs() < 1e-3, "{text}");
+    }
+}
+
 #[test]
 fn a_short_range_on_a_thin_film_is_refused_with_the_reach() {
     let workdir = workdir!();

@@ -341,6 +341,16 @@ fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
         radius: 2e-8,
         half_angle: 68.75_f64.to_radians(),
     };
+    let system = system(blunt.clone(), solid(2e4, 0.5), 1e-3, solid(7e10, 0.25));
+    let material = system.material().expect("physical");
+    // The smallest contact of this curve is not that of the end.
+    let curve = solve::curve(&material, [1e-3, 1.0], 1e-8).expect("solved");
+    let wide = Contact::new(&system, curve).expect("its own curve");
+    let outside = wide.pull_off(1e-4, Control::Load);
+    assert!(
+        matches!(outside, Err(Error::OutsideRadii { from, .. }) if from == 1e-6),
+        "{outside:?}"
+    );
     let blunt = contact(blunt, solid(2e4, 0.5), 1e-3, solid(7e10, 0.25));
     let apart = blunt.pull_off(1e-4, Control::Load).expect("in range");
     assert!((apart.load / -1.100e-10 - 1.0).abs() < 1e-3, "{apart:?}");

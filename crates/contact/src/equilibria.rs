@@ -288,7 +288,7 @@ impl Equilibria<'_> {
             return Ok(State::ORIGIN);
         }
         let [first, last] = self.ends();
-        if (first.rises && !self.contact.has_flat_end()) || !last.rises {
+        if (first.rises && !self.contact.begins_at_flat_end()) || !last.rises {
             return Err(self.contact.outside(
                 "the pull-off at work of adhesion",
                 self.energy.work_of_adhesion(),
@@ -317,7 +317,7 @@ impl Equilibria<'_> {
         // Below the contact of a flat end there is none.
         let below = first.rises
             && imposed < first.imposed[0]
-            && !self.contact.has_flat_end()
+            && !self.contact.begins_at_flat_end()
             && !(self.adhesionless() && imposed <= 0.0);
         let most = self.section(self.sections.len() - 1, imposed)?.imposed[1];
         if last.rises && imposed <= most && !below {

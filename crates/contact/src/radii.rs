@@ -36,6 +36,13 @@ impl Contact {
         [from.max(least), to.min(most)]
     }
 
+    /// Tells whether the range begins at the contact of a flat end, below which there is none. It does not where
+    /// the curve's nodes begin above the radius of the end.
+    pub(crate) fn begins_at_flat_end(&self) -> bool {
+        let [least, _] = self.mechanics().radii();
+        self.is_punch() || (least > 0.0 && self.contact_radius_range()[0] == least)
+    }
+
     /// Returns the contact radius of a logarithm of the search. At the ends of the range it is
     /// exactly the end.
     pub(crate) fn radius_at(&self, u: f64) -> f64 {

@@ -81,7 +81,7 @@ impl ElasticCurve {
             return Err(contact.outside("penetration", last.penetration).into());
         }
         let [least, _] = contact.search_range()?;
-        let flat = contact.has_flat_end();
+        let flat = has_flat_end(contact)?;
         let first = if flat {
             let stiffness = contact.stiffness(least)?;
             Node {
@@ -314,6 +314,18 @@ pub(super) fn radius_of(
     Ok(u.exp().clamp(from, to))
 }
 
+/// Returns whether the probe has a flat end.
+///
+/// # Errors
+/// [`Error::OutsideRadii`] if the end is narrower than the contacts of the curve.
+fn has_flat_end(contact: &Contact) -> Result<bool, HistoryError> {
+    let flat = contact.has_flat_end();
+    if flat && !contact.begins_at_flat_end() {
+        return Err(contact.outside("penetration", 0.0).into());
+    }
+    Ok(flat)
+}
+
 /// Returns the elastic states at equally spaced radii from the first touch up to `most` (m).
 pub(super) fn evenly(
     contact: &Contact,
@@ -321,7 +333,7 @@ pub(super) fn evenly(
     intervals: usize,
 ) -> Result<Vec<Node>, HistoryError> {
     let [least, _] = contact.search_range()?;
-    let flat = contact.has_flat_end();
+    let flat = has_flat_end(contact)?;
     let begin = if flat { least } else { 0.0 };
     let mut nodes = Vec::with_capacity(intervals + 1);
     let stiffness = if flat { contact.stiffness(least)? } else { 0.0 };

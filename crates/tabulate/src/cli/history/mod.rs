@@ -307,7 +307,14 @@ fn solved(bodies: &Bodies, system: &System, reach: f64) -> anyhow::Result<Contac
     const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
     /// The smallest `a/t`, over the largest one.
     const BEGIN: f64 = 1e-4;
-    let range = [BEGIN * reach.min(1.0), reach];
+    // The contact of a flat end is the first one.
+    let [end, _] = system
+        .probe
+        .contact_radii()
+        .map(|a| a / system.film_thickness);
+    let begin = BEGIN * reach.min(1.0);
+    let begin = if end > 0.0 { begin.min(end) } else { begin };
+    let range = [begin, reach];
     let mut refused = None;
     for tolerance in TOLERANCES {
         let made = match &bodies.stack {
