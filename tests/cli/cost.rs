@@ -2,8 +2,9 @@
 //! with those of another run.
 
 use acceptance::{assert_names, workdir};
-use tabulate::cost::effects::{Row, markdown};
-use tabulate::cost::{compare, read_csv, to_csv};
+use cost::effects::{Row, markdown};
+use cost::{compare, to_csv};
+use tabulate::measure::read_csv;
 
 const SCENE: &str = "\
 title = 'A line'

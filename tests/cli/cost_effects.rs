@@ -7,12 +7,13 @@ use acceptance::{
     Contacts, Workdir, assert_names, layer, material, solid, with_interfaces, workdir,
 };
 use contact::Contact;
+use cost::clock::{Times, Timing};
+use cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, errors, markdown};
+use cost::to_csv;
 use interp::{Elastic, HalfSpace, Material, Probe};
 use solve::stack::Interface;
 use solve::{solve, solve_stack};
-use tabulate::cost::clock::{Times, Timing};
-use tabulate::cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, errors, markdown, measure};
-use tabulate::cost::{read_csv, to_csv};
+use tabulate::measure::read_csv;
 use tabulate::table::{Observer, Scene};
 
 /// Radius of the sphere (m), and its modulus (Pa).
@@ -264,7 +265,8 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
     let workdir = workdir!();
     workdir.write("scene.toml", SCENE);
     let scene = Scene::parse(SCENE, Some(1e-3)).expect("the scene is sound");
-    let rows = measure(&scene, 2000, Timing::Brief, &Silent).expect("within reach");
+    let rows =
+        tabulate::measure::effects(&scene, 2000, Timing::Brief, &Silent).expect("within reach");
     let effects: Vec<_> = rows.iter().map(|row| row.without).collect();
     assert_eq!(
         effects,

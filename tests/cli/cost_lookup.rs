@@ -5,11 +5,13 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use acceptance::{assert_names, low_rank, shipped, table, workdir};
+use cost::clock::Timing;
+use cost::lookup::{POINTS, Row, SEED, markdown, measure};
+use cost::{Measured, to_csv};
 use interp::{Elastic, Probe, System, Table};
 use solve::solve;
-use tabulate::cost::clock::Timing;
-use tabulate::cost::lookup::{POINTS, Row, markdown, measure, random_points};
-use tabulate::cost::{read_csv, to_csv};
+use tabulate::measure::read_csv;
+use tabulate::table::random_points;
 
 /// The rows of the paper's table, which is dense.
 static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| measured(&paper(), COUNT));
@@ -29,8 +31,14 @@ fn paper() -> Table {
     Table::read(shipped("paper.bin")).expect("it comes with the project")
 }
 
+/// Measures at random points of the table's box.
+fn tried(table: &Table, points: usize) -> Result<Measured<Row>, solve::Error> {
+    let points = random_points(table, points, SEED);
+    measure(table, &points, Timing::Brief, &|_| {})
+}
+
 fn measured(table: &Table, points: usize) -> Vec<Row> {
-    measure(table, points, Timing::Brief, &|_| {})
+    tried(table, points)
         .expect("the solve reaches all of the box")
         .rows
 }
@@ -207,7 +215,7 @@ fn the_series_for_layers_are_worse_the_thinner_the_layer() {
 fn a_table_without_all_quantities_is_an_error_that_names_one() {
     let scene = "title = \"t\"\ntolerance = 1e-3\nquantities = [\"pi0\"]\na_over_t = { from = 0.1, to = 1 }\n\
                  e1_over_e2 = 1\nnu1 = 0.3\ne0_over_e2 = 10\nnu0 = 0.25\n";
-    let error = measure(&table(scene), 3, Timing::Brief, &|_| {}).expect_err("eeq is missing");
+    let error = tried(&table(scene), 3).expect_err("eeq is missing");
     assert_names(&error.to_string(), &["eeq"]);
 }
 

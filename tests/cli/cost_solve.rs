@@ -1,11 +1,12 @@
 //! `tabulate cost solve`: its errors, sizes and methods against those of solves, and its files.
 
 use acceptance::{Data, assert_names, larger, relative_error, workdir};
+use cost::clock::Timing;
+use cost::nystrom::Nystrom;
+use cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown, measure};
+use cost::to_csv;
 use solve::solve;
-use tabulate::cost::clock::Timing;
-use tabulate::cost::nystrom::Nystrom;
-use tabulate::cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown, measure};
-use tabulate::cost::{read_csv, to_csv};
+use tabulate::measure::read_csv;
 
 /// The solve refuses no tolerance from here on (`tests/truth/hard_cases.rs`).
 const ANSWERED: f64 = 1e-9;

@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use acceptance::{Workdir, assert_names, workdir};
+use cost::clock::Timing;
+use cost::table::{Row, TOLERANCES, break_even, markdown};
+use cost::{Measured, to_csv};
 use interp::Table;
 use tabulate::Error;
-use tabulate::cost::clock::Timing;
-use tabulate::cost::table::{Limits, Row, TOLERANCES, break_even, markdown, measure};
-use tabulate::cost::{Measured, read_csv, to_csv};
+use tabulate::measure::{self, Limits, read_csv};
 use tabulate::table::{Observer, Plan, Scene};
 
 const SCENE: &str = "\
@@ -53,7 +54,7 @@ impl Work {
             budget: budget.map(Duration::from_secs),
             clock: &|| Duration::from_secs(self.0.load(Ordering::Relaxed)),
         };
-        measure(&scene, &limits, Timing::Brief, self)
+        measure::table(&scene, &limits, Timing::Brief, self)
     }
 }
 

@@ -1,10 +1,11 @@
 //! The layout of a page on a phone, a tablet and a desktop.
 
 use acceptance::shipped;
+use figures::page::Illustration;
 use interp::Table;
 use serde_json::Value;
 use tabulate::plot::fig2;
-use tabulate::report::{Illustration, report};
+use tabulate::report::report;
 
 use crate::SPHERE;
 use crate::browser::seen;

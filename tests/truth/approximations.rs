@@ -4,13 +4,13 @@
 use std::f64::consts::PI;
 
 use acceptance::{assert_names, larger, material};
-use interp::{Material, Quantities};
-use solve::Compliance;
-use solve::solve;
-use tabulate::cost::approximations::{
+use cost::approximations::{
     bulk_jkr, dimitriadis, dimitriadis_incompressible, film_jkr, gao, garcia, hay_crawford,
     springs_in_series,
 };
+use interp::{Material, Quantities};
+use solve::Compliance;
+use solve::solve;
 
 const MATERIALS: [[f64; 4]; 5] = [
     [1.75, 0.5, 1e5, 0.25],

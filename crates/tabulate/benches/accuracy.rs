@@ -4,9 +4,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use cost::clock::{human, median};
 use interp::Material;
 use solve::solve;
-use tabulate::cost::clock::{human, median};
 use tabulate::table::{Plan, Scene, sweep};
 
 fn main() {

@@ -11,13 +11,13 @@ mod python;
 
 use std::iter::successors;
 
+use cost::clock::{self, human, median};
+use cost::deviation::{deviation, tightest};
 use interp::{Material, Quantities};
 use python::Python;
 use serde::Deserialize;
 use serde_json::json;
 use solve::solve;
-use tabulate::cost::clock::{self, human, median};
-use tabulate::cost::deviation::{deviation, tightest};
 
 const A_OVER_T: [f64; 6] = [0.01, 1.0, 10.0, 30.0, 100.0, 300.0];
 const TOLERANCES: [f64; 2] = [1e-6, 1e-10];

@@ -18,6 +18,9 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
+use cost::clock::{self, human, median};
+use cost::deviation::{deviation, tightest};
+use cost::lookup::Point;
 use interp::{Certificate, Description, Material, Parameter, Quantities, Quantity, Table};
 use interpn::multibspline::rectilinear as b_spline;
 use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
@@ -25,10 +28,7 @@ use python::Python;
 use serde::Deserialize;
 use serde_json::json;
 use solve::solve;
-use tabulate::cost::clock::{self, human, median};
-use tabulate::cost::deviation::{deviation, tightest};
-use tabulate::cost::lookup::{Point, random_points};
-use tabulate::table::{Plan, Scene, compress, sweep};
+use tabulate::table::{Plan, Scene, compress, random_points, sweep};
 
 /// What sets how long the comparison takes.
 struct Sizes {

@@ -9,11 +9,11 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+use figures::axis::{Axis, power_of_ten};
+use figures::chart::{BLUE, Colour, Figure, GREY, Marker, Panel, Point, Side, VERMILION};
+use figures::picture::Format;
 use interp::{Quantity, Table};
 use serde_json::Value;
-use tabulate::plot::axis::{Axis, power_of_ten};
-use tabulate::plot::chart::{BLUE, Colour, Figure, GREY, Marker, Panel, Point, Side, VERMILION};
-use tabulate::plot::picture::Format;
 
 const TOLERANCES: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 /// Numbers of threads.

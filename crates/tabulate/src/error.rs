@@ -20,18 +20,6 @@ pub enum Error {
         /// What the page computes, or what the table lacks.
         reason: &'static str,
     },
-    /// A measurement that differs from a recorded one.
-    #[error("row {row}: {column} was {before} and is {now}")]
-    Changed {
-        /// The number of the row, from 1.
-        row: usize,
-        /// The column.
-        column: String,
-        /// The recorded value.
-        before: String,
-        /// The new value.
-        now: String,
-    },
     /// A low-rank form whose error is larger than allowed, because of rounding.
     #[error(
         "rounding keeps the low-rank form from an error of {error:.1e}: it has {reached:.1e}; ask for a larger tolerance"
@@ -213,8 +201,9 @@ pub enum Error {
         source: io::Error,
     },
     /// A picture that cannot be drawn.
-    #[error("cannot draw: {0}")]
-    Picture(String),
+    #[cfg(feature = "figures")]
+    #[error(transparent)]
+    Picture(#[from] figures::Error),
     /// An error of a solve.
     #[error(transparent)]
     Solve(solve::Error),

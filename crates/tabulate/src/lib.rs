@@ -15,26 +15,26 @@
 //! |---|---|
 //! | [`stack`] | stacks of layers as TOML |
 //! | [`table`] | from a scene to a certified table, and its files |
-//! | [`cost`] | measurements of time and accuracy |
+//! | [`measure`] | measurements that make tables |
 //! | [`plot`] | the figures |
-//! | [`report`] | the interactive page |
+//! | [`report`] | the page about a table |
 //! | [`cli`] | the program `tabulate` |
 //!
-//! The program is behind the feature `cli`, and `cost`, `plot` and `report` are behind the feature
+//! The program is behind the feature `cli`, and `measure`, `plot` and `report` are behind the feature
 //! `figures`; both are on by default.
 
 #![deny(unsafe_code)]
 
 #[cfg(feature = "cli")]
 pub mod cli;
-#[cfg(feature = "figures")]
-pub mod cost;
 mod error;
 #[cfg(test)]
 mod hostile;
 mod input;
 #[cfg(feature = "cli")]
 pub mod large_contact;
+#[cfg(feature = "figures")]
+pub mod measure;
 mod output;
 #[cfg(feature = "figures")]
 pub mod plot;

@@ -7,7 +7,7 @@ use interp::Table;
 use super::generate::read_scene;
 use super::progress::Bars;
 use super::table_name::TableName;
-use crate::cost::table::Made;
+use crate::measure::Made;
 
 /// The tolerance of the packed table of the default scene.
 const TOLERANCE: f64 = 1e-6;

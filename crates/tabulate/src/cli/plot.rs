@@ -2,7 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use ::cost::Measurement;
 use clap::{Args, Subcommand, ValueHint};
+use figures::chart;
+use figures::picture::Format;
 
 use super::cost;
 use super::default_table;
@@ -12,14 +15,12 @@ use super::probe::SizedProbeArguments;
 use super::progress::progress_bar;
 use super::system::{self, Specimen};
 use super::table_name::{self, TableName};
-use crate::Error;
-use crate::cost::{Measurement, read_csv};
-use crate::plot::chart;
-use crate::plot::picture::Format;
+use crate::measure::read_csv;
 use crate::plot::{
     contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, friction,
     lookup_cost, pull_off, relaxation, table_cost, work_precision,
 };
+use crate::printable;
 
 /// Draw a figure as SVG or PNG
 #[derive(clap::Args)]
@@ -196,7 +197,7 @@ impl Picture {
         figure: impl FnOnce() -> anyhow::Result<chart::Figure>,
     ) -> anyhow::Result<()> {
         let output = Output::new(Some(&self.path), [input])?;
-        let picture = figure()?.picture()?.encode(Format::of(&self.path)?)?;
+        let picture = figure()?.picture()?.encode(format(&self.path)?)?;
         output.write(&picture)
     }
 }
@@ -261,7 +262,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 /// Parses the name of a picture: its ending is that of a format that can be written.
-pub fn picture(name: &str) -> Result<PathBuf, Error> {
+pub fn picture(name: &str) -> Result<PathBuf, figures::Error> {
     let path = PathBuf::from(name);
-    Format::of(&path).map(|_| path)
+    format(&path).map(|_| path)
+}
+
+/// Returns the format of a picture by the ending of its name.
+pub fn format(path: &Path) -> Result<Format, figures::Error> {
+    Format::of(path).ok_or_else(|| {
+        figures::Error(format!(
+            "the name of a picture ends in .svg or .png, but this is {}",
+            printable::path(path)
+        ))
+    })
 }

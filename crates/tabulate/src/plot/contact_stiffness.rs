@@ -3,10 +3,10 @@
 
 use interp::{Elastic, Material, Probe, Quantity, System};
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
 use crate::Error;
-use crate::cost::approximations::{gao, springs_in_series};
+use cost::approximations::{gao, springs_in_series};
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
 
 /// The range of `a/t`.
 const A_OVER_T: [f64; 2] = [1e-2, 1e2];

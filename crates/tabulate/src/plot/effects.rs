@@ -1,14 +1,14 @@
 //! Each effect of a scene: its cost, and the error of the load without it.
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, GREY, Marker, Panel, Side, VERMILION};
-use crate::Error;
-use crate::cost::effects::{Effect, Row};
+use cost::effects::{Effect, Row};
+use figures::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, GREY, Marker, Panel, Side, VERMILION};
 
 /// Draws the errors on the left and the costs on the right.
 ///
 /// # Errors
-/// [`Error::Picture`] if there is no row of the whole scene, or if an effect saves more than the
+/// [`Error`] if there is no row of the whole scene, or if an effect saves more than the
 /// whole.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let mut effects: Vec<(Effect, &Row)> = rows
@@ -17,14 +17,13 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
         .collect();
     effects.sort_by(|(_, a), (_, b)| b.worst_error.total_cmp(&a.worst_error));
     let whole = rows.iter().find(|row| row.without.is_none());
-    let whole =
-        whole.ok_or_else(|| Error::Picture("there is no row of the whole scene".to_owned()))?;
+    let whole = whole.ok_or_else(|| Error("there is no row of the whole scene".to_owned()))?;
     let is_part = |row: &Row| {
         row.saved_solves as f64 <= whole.solves as f64
             && row.saved_seconds.unwrap_or(0.0) <= whole.seconds
     };
     if whole.solves == 0 || whole.seconds == 0.0 || !rows.iter().all(is_part) {
-        return Err(Error::Picture(
+        return Err(Error(
             "each row must save at most the solves and the seconds of the whole scene, which are \
              not 0"
                 .to_owned(),

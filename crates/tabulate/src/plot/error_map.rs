@@ -5,11 +5,11 @@ use interp::{Parameter, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::axis::Axis;
-use super::chart::{BLACK, Colour, Figure, Panel, Side};
-use super::picture::legible;
 use crate::Error;
 use crate::table::{SampledAxis, sample};
+use figures::axis::Axis;
+use figures::chart::{BLACK, Colour, Figure, Panel, Side};
+use figures::picture::legible;
 use solve::larger;
 use solve::parallel::try_map;
 
@@ -58,20 +58,18 @@ pub fn is_possible(table: &Table) -> bool {
 /// The data does not depend on the number of threads.
 ///
 /// # Errors
-/// [`Error::Picture`] for a table that fixes `a/t` or `E1/E2*`; those of the solve.
+/// [`figures::Error`] for a table that fixes `a/t` or `E1/E2*`; those of the solve.
 pub fn data(table: &Table, progress: &(dyn Fn(usize) + Sync)) -> Result<Data, Error> {
     if table.parameters()[1] != Parameter::E1OverE2 {
-        return Err(Error::Picture(
-            "the map is over a/t and E1/E2*, and the table has other axes; give a table with \
-             e1_over_e2, or none for that of the default scene"
-                .into(),
-        ));
+        let what = "the map is over a/t and E1/E2*, and the table has other axes; give a table with \
+                    e1_over_e2, or none for that of the default scene";
+        return Err(figures::Error(what.to_owned()).into());
     }
     if let Some((name, only)) = fixed(table) {
         let what = format!(
             "the map is over a/t and the film's modulus, but the table fixes {name} = {only}"
         );
-        return Err(Error::Picture(what));
+        return Err(figures::Error(what).into());
     }
     let axes = table
         .parameters()
@@ -244,5 +242,5 @@ fn viridis(part: f64) -> Colour {
         let [low, high] = [below, below + 1].map(|i| f64::from(STOPS[i][k]));
         (low + (high - low) * (place - below as f64)).round() as u8
     });
-    plotters::style::RGBColor(r, g, b)
+    Colour(r, g, b)
 }

@@ -3,10 +3,10 @@
 
 use interp::Quantity;
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, Panel, Point, Side, VERMILION};
 use super::paper;
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, Panel, Point, Side, VERMILION};
 
 /// The data of the figure.
 #[derive(Clone, Debug)]

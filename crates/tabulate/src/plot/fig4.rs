@@ -5,10 +5,10 @@ use contact::{Contact, JkrPoint};
 use interp::HalfSpace;
 use solve::stack::Interface;
 
-use super::axis::Axis;
-use super::chart::{BLACK, BLUE, Figure, GREEN, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
 use super::paper::{self, WORK_OF_ADHESION};
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLACK, BLUE, Figure, GREEN, ORANGE, PURPLE, Panel, Point, Side, VERMILION};
 
 /// The film thicknesses, m.
 pub const THICKNESSES: [f64; 5] = [1e-6, 3e-6, 10e-6, 30e-6, 100e-6];

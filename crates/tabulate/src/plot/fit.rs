@@ -7,11 +7,11 @@ use fit::{
     Point as Measured,
 };
 
-use super::axis::Axis;
-use super::chart::{
+use figures::axis::Axis;
+use figures::chart::{
     BLACK, BLUE, Colour, Figure, GREEN, GREY, Marker, ORANGE, PURPLE, Panel, Point, Side, VERMILION,
 };
-use super::picture::legible;
+use figures::picture::legible;
 
 /// The colours of the experiments.
 const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];

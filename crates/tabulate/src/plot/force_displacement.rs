@@ -6,10 +6,10 @@ use contact::{Contact, Control, ForceDisplacement, Jump, State};
 use interp::Probe;
 use solve::stack::Interface;
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, GREEN, GREY, Panel, Point, Side, VERMILION};
 use super::paper::{self, WORK_OF_ADHESION};
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, GREEN, GREY, Panel, Point, Side, VERMILION};
 
 /// The film thicknesses, m.
 pub const THICKNESSES: [f64; 3] = [1e-6, 30e-6, 300e-6];

@@ -4,10 +4,10 @@
 use contact::{Contact, Control};
 use interp::{Curve, Material};
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, GREEN, PURPLE, Panel, Point, Side, VERMILION};
 use super::paper::{WORK_OF_ADHESION, system};
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, GREEN, PURPLE, Panel, Point, Side, VERMILION};
 use solve::curve;
 use solve::parallel::try_map;
 use solve::stick::{StickCurves, Sticking};

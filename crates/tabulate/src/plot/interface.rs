@@ -3,9 +3,9 @@
 
 use interp::{Elastic, Quantity};
 
-use super::axis::Axis;
-use super::chart::{BLACK, BLUE, Colour, Figure, GREEN, ORANGE, Panel, Point, Side, VERMILION};
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLACK, BLUE, Colour, Figure, GREEN, ORANGE, Panel, Point, Side, VERMILION};
 use solve::parallel::try_map;
 use solve::stack::{Interface, Layer, Stack};
 use solve::stack_curve;

@@ -1,15 +1,15 @@
 //! The error of one lookup against its time, for every form of lookup.
 
-use super::axis::Axis;
-use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
-use crate::Error;
-use crate::cost::lookup::{FURTHER, Family, NEW, Row};
+use cost::lookup::{FURTHER, Family, NEW, Row};
+use figures::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
 
 /// Draws the forms that hold in the whole box of the table on the left, and the series for bonded
 /// layers on the right.
 ///
 /// # Errors
-/// [`Error::Picture`] if one of the panels has no row.
+/// [`Error`] if one of the panels has no row.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let drawn = |at: &str| {
         let mut rows = rows.iter().filter(|row| row.at == at).peekable();
@@ -19,7 +19,7 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
             .filter(move |row| row.scope == scope && is_drawn(row))
             .collect();
         if drawn.is_empty() {
-            Err(Error::Picture(format!("there is no row at a given {at}")))
+            Err(Error(format!("there is no row at a given {at}")))
         } else {
             Ok(drawn)
         }

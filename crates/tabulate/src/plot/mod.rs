@@ -1,15 +1,9 @@
-//! Draws figures as SVG or PNG, with the font in the program.
+//! The figures of the program, drawn by the crate `figures`.
 //!
 //! Each figure is a module of its own: `data` computes its data and `figure` describes it as panels
-//! of [`chart`], with the axes of [`axis`]. `draw` draws the panels: `clip` cuts their lines, and
-//! `labels` finds places for their labels. [`picture`] turns the drawing into the bytes of a file.
-//! [`paper`] holds the system that several figures show.
+//! of a chart. [`paper`] holds the system that several figures show.
 
-pub mod axis;
-pub mod chart;
-mod clip;
 pub mod contact_stiffness;
-mod draw;
 pub mod effects;
 pub mod error_map;
 pub mod fig2;
@@ -19,39 +13,28 @@ pub mod fit;
 pub mod force_displacement;
 pub mod friction;
 pub mod interface;
-mod labels;
 pub mod lookup_cost;
 pub mod paper;
-pub mod picture;
 pub mod pull_off;
 pub mod relaxation;
 pub mod table_cost;
 pub mod work_precision;
-
-use plotters::drawing::DrawingAreaErrorKind;
-
-use crate::Error;
-
-impl<E: std::error::Error + Send + Sync> From<DrawingAreaErrorKind<E>> for Error {
-    fn from(error: DrawingAreaErrorKind<E>) -> Self {
-        Self::Picture(error.to_string())
-    }
-}
 
 #[cfg(test)]
 mod tests {
     use std::fs;
     use std::path::Path;
 
-    use super::chart::Figure;
-    use super::picture::Format;
     use super::{
         effects, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
         relaxation, table_cost, work_precision,
     };
-    use crate::Error;
-    use crate::cost::{Measurement, read_csv};
     use crate::hostile::each_damaged;
+    use crate::measure::read_csv;
+    use cost::Measurement;
+    use figures::Error;
+    use figures::chart::Figure;
+    use figures::picture::Format;
     use interp::Probe;
     use solve::stack::Interface;
 

@@ -6,9 +6,9 @@ use std::f64::consts::PI;
 use contact::Control;
 use interp::Elastic;
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
 use solve::stack::{Layer, Stack};

@@ -5,9 +5,9 @@
 use contact::{Contact, Control, Relaxation, TimedContact};
 use interp::{Elastic, HalfSpace, Probe, System};
 
-use super::axis::Axis;
-use super::chart::{BLUE, Figure, Panel, Point, Side, VERMILION};
 use crate::Error;
+use figures::axis::Axis;
+use figures::chart::{BLUE, Figure, Panel, Point, Side, VERMILION};
 use solve::curve;
 
 /// The radius of the sphere (m), the modulus of the gel after 1 s (Pa) and its Poisson ratio.

@@ -1,10 +1,10 @@
 //! The cost of a table: its certificate (the largest error at sampled points) against the time of
 //! making it, and the time of many evaluations with a table and without.
 
-use super::axis::{Axis, power_of_ten};
-use super::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
-use crate::cost::numbers::{human_bytes, human_count};
-use crate::cost::table::Row;
+use cost::numbers::{human_bytes, human_count};
+use cost::table::Row;
+use figures::axis::{Axis, power_of_ten};
+use figures::chart::{BLUE, Colour, Figure, GREEN, Marker, Panel, Side, VERMILION};
 
 /// Draws the making of tables on the left and the evaluation on the right.
 pub fn figure(rows: &[Row]) -> Figure {

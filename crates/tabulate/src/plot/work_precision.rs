@@ -1,10 +1,10 @@
 //! Work-precision fronts: the error that one solve achieves against its time, compared with
 //! Nyström's method.
 
-use super::axis::{Axis, power_of_ten};
-use super::chart::{BLACK, BLUE, Figure, Marker, Panel, Point, Side, VERMILION};
-use crate::Error;
-use crate::cost::solve::{NYSTROM, PAPER, REFUSED, Row, by_contact, front};
+use cost::solve::{NYSTROM, PAPER, REFUSED, Row, by_contact, front};
+use figures::Error;
+use figures::axis::{Axis, power_of_ten};
+use figures::chart::{BLACK, BLUE, Figure, Marker, Panel, Point, Side, VERMILION};
 
 /// The contacts that have a panel: name and `a/t`, row by row.
 const DRAWN: [[(&str, f64); 2]; 3] = [
@@ -23,12 +23,11 @@ const DRAWN: [[(&str, f64); 2]; 3] = [
 /// Galerkin's method and circles for the Wiener-Hopf method.
 ///
 /// # Errors
-/// [`Error::Picture`] naming a contact without a row.
+/// [`Error`] naming a contact without a row.
 pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
     let contact = |name: &str, x: f64| {
         let found = by_contact(rows).find(|rows| rows[0].contact == name && rows[0].a_over_t == x);
-        found
-            .ok_or_else(|| Error::Picture(format!("there is no row of {name:?} at a_over_t = {x}")))
+        found.ok_or_else(|| Error(format!("there is no row of {name:?} at a_over_t = {x}")))
     };
     let line = |line: [(&str, f64); 2]| {
         let panels = line

@@ -1,29 +1,21 @@
-//! The report of a table: one HTML file that works without a network.
+//! The page about a table, with its texts and numbers from the table.
 //!
-//! [`report`] fills the template `page.html` with the range of the table, its certificate (the
+//! [`report`] collects what the page of the crate `figures` shows: the range of the table, its certificate (the
 //! largest error at sampled points), the figures of [`figures()`], and the packed low-rank form of
-//! the table. In the browser `table.js` reads this form and evaluates its splines, `derived.js`
-//! integrates the other quantities from `Gamma` alone, `material.js` finds the place of a material
-//! in the table, `contact.js` computes eqs. 2 to 9, `shape.js` the sphere itself and the
-//! flat punch, `chart.js` draws, and `page.js` connects the sliders and fields with them.
+//! the table, with which the page computes.
 
-mod figures;
+mod illustrations;
 
-use std::fmt::Write;
-
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use contact::Validity;
+use figures::page::{self, Illustration, Page, Range};
 use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table};
 
-pub use figures::{Illustration, figures, steps};
+pub use illustrations::{figures, steps};
 
 use crate::Error;
-use crate::cost::random_points;
 use crate::large_contact::LARGE_CONTACT;
-use crate::plot::picture::Format;
 use crate::printable;
-use crate::table::compress;
+use crate::table::{compress, random_points};
 
 /// The largest relative difference, at the nodes, between the quantities of the form in a page and
 /// those of its table. Between the nodes the difference is larger: 1.4 times in a table of many
@@ -66,68 +58,43 @@ pub fn report(
         "E1*" => "E₁*, the film’s reduced modulus E₁/(1 − ν₁²), because the sphere is rigid",
         _ => "Es*, the compound modulus of sphere and film, 1/Es* = 1/E₁* + 1/E₂*",
     };
-    let constants = format!(
-        "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {LARGE_CONTACT:?}, OPENING = {opening};\n",
-        Validity::WARNING_A_OVER_R
-    );
-    let script = [
-        &constants,
-        include_str!("table.js"),
-        include_str!("derived.js"),
-        include_str!("material.js"),
-        include_str!("contact.js"),
-        include_str!("shape.js"),
-        include_str!("chart.js"),
-        include_str!("page.js"),
-    ];
-    let parts = [
-        ("title", escape(&printable::line(&description.title))),
-        ("style", include_str!("style.css").to_owned()),
-        ("axes", axes(table)),
-        (
-            "quantities",
-            table
-                .answers()
-                .into_iter()
-                .map(|q| match table.holds(q) {
-                    true => format!("{} ({})", q.name(), q.long_name()),
-                    false => format!("{} ({}, follows from gamma)", q.name(), q.long_name()),
-                })
-                .collect::<Vec<_>>()
-                .join(", "),
-        ),
-        ("normalisation", normalisation.to_owned()),
-        (
-            "created_by",
-            escape(&printable::line(&description.created_by)),
-        ),
-        (
-            "scene",
-            escape(&printable::lines(description.scene.trim_end())),
-        ),
-        ("certificate", certificate(table)),
-        ("bytes", packed.len().div_ceil(1000).to_string()),
-        (
-            "difference",
-            if table.low_rank().is_some() {
-                "the table itself, in low-rank form".to_owned()
-            } else {
-                format!(
-                    "a low-rank form of the table, whose quantities differ from those of the table by at most {:.1e} \
-                     (relative, at {COMPARED} random points)",
-                    largest_difference(table, &embedded)?
-                )
-            },
-        ),
-        ("figures", section(illustrations)?),
-        ("packed", STANDARD.encode(&packed)),
-        ("script", script.concat()),
-    ];
-    Ok(fill(include_str!("page.html"), &parts))
+    let quantities: Vec<String> = table
+        .answers()
+        .into_iter()
+        .map(|q| match table.holds(q) {
+            true => format!("{} ({})", q.name(), q.long_name()),
+            false => format!("{} ({}, follows from gamma)", q.name(), q.long_name()),
+        })
+        .collect();
+    let difference = if table.low_rank().is_some() {
+        "the table itself, in low-rank form".to_owned()
+    } else {
+        format!(
+            "a low-rank form of the table, whose quantities differ from those of the table by at most {:.1e} \
+             (relative, at {COMPARED} random points)",
+            largest_difference(table, &embedded)?
+        )
+    };
+    let page = Page {
+        title: printable::line(&description.title),
+        parameters: parameters(table),
+        quantities: quantities.join(", "),
+        normalisation,
+        created_by: printable::line(&description.created_by),
+        scene: printable::lines(description.scene.trim_end()),
+        certificate: certificate(table),
+        difference,
+        packed: &packed,
+        illustrations,
+        warning_a_over_r: Validity::WARNING_A_OVER_R,
+        large_contact: LARGE_CONTACT,
+        probe: opening,
+    };
+    Ok(page.html()?)
 }
 
-/// Returns the probe with which the page opens, as a value of JavaScript.
-fn opening(table: &Table, probe: &Probe) -> Result<String, Error> {
+/// Returns the name and the radius of the probe with which the page opens.
+fn opening(table: &Table, probe: &Probe) -> Result<(&'static str, f64), Error> {
     let refused = |reason| Error::PageProbe {
         probe: probe.name(),
         reason,
@@ -146,7 +113,7 @@ fn opening(table: &Table, probe: &Probe) -> Result<String, Error> {
     if name != "paraboloid" && answered != Quantity::ALL {
         return Err(refused("it needs pi0, eeq, gamma and delta0"));
     }
-    Ok(format!("{{ probe: {name:?}, radius: {radius:?} }}"))
+    Ok((name, radius))
 }
 
 /// Returns the low-rank form that goes into the page.
@@ -178,54 +145,6 @@ fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
         }
     }
     Ok(largest)
-}
-
-/// Returns the section of the figures: empty if there are none. Each figure is an image of its own,
-/// because the names inside two SVG figures are equal.
-fn section(illustrations: &[Illustration]) -> Result<String, Error> {
-    let mut section = String::new();
-    for Illustration { caption, figure } in illustrations {
-        let svg = STANDARD.encode(figure.picture()?.encode(Format::Svg)?);
-        let _ = writeln!(
-            section,
-            "<figure><img alt=\"{caption}\" src=\"data:image/svg+xml;base64,{svg}\"><figcaption>{caption}</figcaption></figure>"
-        );
-    }
-    if section.is_empty() {
-        return Ok(section);
-    }
-    Ok(format!(
-        "<section class=\"wide figures\" aria-labelledby=\"figures\">\n\
-         <h2 id=\"figures\">Figures</h2>\n\
-         {section}</section>"
-    ))
-}
-
-/// Returns the template with each `{{name}}` replaced by the part of this name. Braces inside the
-/// parts stay.
-fn fill(template: &str, parts: &[(&str, String)]) -> String {
-    let mut pieces = template.split("{{");
-    let mut page = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let (name, rest) = piece
-            .split_once("}}")
-            .expect("every name in the template is closed");
-        let (_, part) = parts
-            .iter()
-            .find(|(part, _)| *part == name)
-            .expect("every name in the template has a part");
-        page += part;
-        page += rest;
-    }
-    page
-}
-
-/// Escapes text for HTML.
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }
 
 /// Returns the symbol of a parameter and its meaning.
@@ -286,51 +205,49 @@ fn short(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// Returns the table of the parameters in HTML, a row for each.
-fn axes(table: &Table) -> String {
-    let description = table.description();
-    let mut rows = String::new();
-    let mut row = |name: &str, meaning: &str, cells: &str| {
-        let _ = writeln!(
-            rows,
-            "<tr><th scope=\"row\">{name} <small>{meaning}</small></th>{cells}</tr>"
-        );
-    };
-    for parameter in table.parameters() {
-        let nodes = table.axis(parameter);
-        let cells = match nodes {
-            [only] => format!(
-                "<td colspan=\"2\">{}</td><td>fixed</td>",
-                value(parameter, *only)
-            ),
-            [first, .., last] => format!(
-                "<td>{}</td><td>{}</td><td>{}</td>",
-                value(parameter, *first),
-                value(parameter, *last),
-                nodes.len()
-            ),
-            [] => String::new(),
+/// Returns what the page shows of the parameters.
+fn parameters(table: &Table) -> Vec<page::Parameter> {
+    let of_axis = |parameter| {
+        let (symbol, meaning) = symbol(parameter, table);
+        let range = match table.axis(parameter) {
+            [only] => Range::Fixed(value(parameter, *only)),
+            nodes => {
+                let [first, last] =
+                    [nodes[0], nodes[nodes.len() - 1]].map(|end| value(parameter, end));
+                Range::FromTo(first, last, nodes.len().to_string())
+            }
         };
-        let (name, meaning) = symbol(parameter, table);
-        row(name, meaning, &cells);
-    }
-    let (meaning, cells) = match description.nu0 {
-        SubstratePoissonRatio::Fixed(nu0) => (
-            "substrate’s Poisson ratio",
-            format!("<td colspan=\"2\">{nu0}</td><td>fixed</td>"),
-        ),
+        page::Parameter {
+            symbol,
+            meaning,
+            range,
+        }
+    };
+    let (meaning, range) = match table.description().nu0 {
+        SubstratePoissonRatio::Fixed(nu0) => {
+            ("substrate’s Poisson ratio", Range::Fixed(nu0.to_string()))
+        }
         SubstratePoissonRatio::Paired => (
             "substrate’s Poisson ratio; film and substrate are replaced by an equivalent whose ν₀ \
              follows from its ν₁",
-            "<td>0</td><td>0.5</td><td>paired</td>".to_owned(),
+            Range::FromTo("0".to_owned(), "0.5".to_owned(), "paired".to_owned()),
         ),
     };
-    row("ν₀", meaning, &cells);
-    rows
+    let substrate = page::Parameter {
+        symbol: "ν₀",
+        meaning,
+        range,
+    };
+    table
+        .parameters()
+        .into_iter()
+        .map(of_axis)
+        .chain([substrate])
+        .collect()
 }
 
-/// Returns the certificate in HTML, a pair of `dt` and `dd` for each number.
-fn certificate(table: &Table) -> String {
+/// Returns the names and values of the certificate.
+fn certificate(table: &Table) -> Vec<(&'static str, String)> {
     let Description {
         tolerance,
         certificate,
@@ -383,7 +300,5 @@ fn certificate(table: &Table) -> String {
             format!("largest relative errors of {}", broken.join(", ")),
         ));
     }
-    items.iter().fold(String::new(), |text, (name, value)| {
-        text + &format!("<dt>{name}</dt><dd>{value}</dd>\n")
-    })
+    items
 }

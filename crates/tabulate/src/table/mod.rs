@@ -41,7 +41,5 @@ pub use lines::{lines, logarithms};
 pub use of_stack::StackTable;
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
-pub use scene::{DEFAULT_NU0, Extent, Scene};
-#[cfg(feature = "figures")]
-pub(crate) use scene::{material, random_points};
+pub use scene::{DEFAULT_NU0, Extent, Scene, random_points};
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};

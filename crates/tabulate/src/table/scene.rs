@@ -8,7 +8,9 @@
 use std::io::Read;
 use std::path::Path;
 
-use interp::{Certificate, Description, Material, Parameter, Quantity, SubstratePoissonRatio};
+use interp::{
+    Certificate, Description, Material, Parameter, Quantity, SubstratePoissonRatio, Table,
+};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -226,7 +228,7 @@ impl Scene {
     /// Returns `count` random points of the box, evenly distributed in the axes' coordinates.
     pub fn random_points(&self, count: usize, seed: u64) -> Vec<[f64; 4]> {
         let ends = self.extents.each_ref().map(Extent::ends);
-        random_points(self.parameters, ends, count, seed)
+        random_places(self.parameters, ends, count, seed)
     }
 
     /// Returns the material with these values of the scene's second to fourth parameter.
@@ -261,8 +263,24 @@ pub(crate) fn material(
     })
 }
 
+/// Returns `count` random points of a table's box, each an `a/t` and a material, evenly distributed in the coordinates of the
+/// axes.
+pub fn random_points(table: &Table, count: usize, seed: u64) -> Vec<(f64, Material)> {
+    let (parameters, nu0) = (table.parameters(), table.description().nu0);
+    let ends = parameters.map(|parameter| {
+        let nodes = table.axis(parameter);
+        [nodes[0], nodes[nodes.len() - 1]]
+    });
+    let point = |[x, values @ ..]: [f64; 4]| {
+        let material = material(parameters, nu0, values);
+        (x, material.expect("the table's box is physical"))
+    };
+    let places = random_places(parameters, ends, count, seed);
+    places.into_iter().map(point).collect()
+}
+
 /// Returns `count` random points of a box, evenly distributed in the axes' coordinates.
-pub(crate) fn random_points(
+fn random_places(
     parameters: [Parameter; 4],
     ends: [[f64; 2]; 4],
     count: usize,

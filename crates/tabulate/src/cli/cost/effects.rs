@@ -8,9 +8,10 @@ use super::Rows;
 use crate::cli::generate::read_scene;
 use crate::cli::progress::Bars;
 use crate::cli::quantity::number;
-use crate::cost::clock::Timing;
-use crate::cost::effects::{Row, markdown, measure};
+use crate::measure;
 use crate::table::Scene;
+use cost::clock::Timing;
+use cost::effects::{Row, markdown};
 
 const TOLERANCE: f64 = 1e-4;
 const POINTS: u32 = 10_000;
@@ -63,7 +64,7 @@ pub fn of_default() -> anyhow::Result<Vec<Row>> {
 /// Measures all rows, with bars.
 fn measured(scene: &Scene, points: u32, timing: Timing) -> anyhow::Result<Vec<Row>> {
     let bars = Bars::new();
-    let rows = measure(scene, points as usize, timing, &bars);
+    let rows = measure::effects(scene, points as usize, timing, &bars);
     bars.clear();
     Ok(rows?)
 }

@@ -1,7 +1,7 @@
 //! `tabulate cost history`
 
 use super::Rows;
-use crate::cost::history::{markdown, measure};
+use cost::history::{markdown, measure};
 
 /// Measure contacts in time: error of the load against time, of three laws of relaxation
 ///

@@ -8,9 +8,10 @@ use super::{Rows, complete};
 use crate::cli::default_table;
 use crate::cli::progress::progress_bar;
 use crate::cli::table_name::{self, TableName};
-use crate::cost::Measured;
-use crate::cost::clock::Timing;
-use crate::cost::lookup::{POINTS, Row, markdown, measure, solves};
+use crate::table::random_points;
+use cost::Measured;
+use cost::clock::Timing;
+use cost::lookup::{POINTS, Row, SEED, markdown, measure, solves};
 
 /// Measure one lookup: error against nanoseconds, beside direct solves and closed forms
 ///
@@ -61,7 +62,8 @@ fn measured(name: Option<&TableName>, timing: Timing) -> anyhow::Result<Measured
          this table has other axes; give one with these, or none for that of the default scene"
     );
     let bar = progress_bar(solves(POINTS), "measuring");
-    let measured = measure(&table, POINTS, timing, &|count| bar.inc(count as u64));
+    let points = random_points(&table, POINTS, SEED);
+    let measured = measure(&table, &points, timing, &|count| bar.inc(count as u64));
     bar.finish_and_clear();
     measured.context(name)
 }

@@ -17,9 +17,10 @@ pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
 use super::output::Output;
 use super::{note, print};
-use crate::cost::clock::Timing;
-use crate::cost::{Measured, Measurement, compare, read_csv, read_earlier, to_csv};
+use crate::measure::{read_csv, read_earlier};
 use crate::printable;
+use cost::clock::Timing;
+use cost::{Measured, Measurement, compare, to_csv};
 
 /// Measure the cost of accuracy in time and memory
 ///

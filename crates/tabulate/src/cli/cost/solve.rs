@@ -2,8 +2,8 @@
 
 use super::Rows;
 use crate::cli::progress::progress_bar;
-use crate::cost::clock::Timing;
-use crate::cost::solve::{Row, contacts, markdown, measure};
+use cost::clock::Timing;
+use cost::solve::{Row, contacts, markdown, measure};
 
 /// Measure one solve: error against time, beside a plain dense Nystrom solve
 #[derive(clap::Args)]

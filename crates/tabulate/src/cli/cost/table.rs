@@ -9,10 +9,11 @@ use super::{Rows, complete};
 use crate::cli::generate::{budget, read_scene};
 use crate::cli::progress::Bars;
 use crate::cli::quantity::number;
-use crate::cost::Measured;
-use crate::cost::clock::Timing;
-use crate::cost::table::{Limits, Row, TOLERANCES, markdown, measure};
+use crate::measure::{self, Limits};
 use crate::table::Scene;
+use cost::Measured;
+use cost::clock::Timing;
+use cost::table::{Row, TOLERANCES, markdown};
 
 /// The budget in seconds if neither --budget nor --to is given.
 const BUDGET: f64 = 60.0;
@@ -105,7 +106,7 @@ fn measured(
         clock: &|| began.elapsed(),
     };
     let bars = Bars::new();
-    let measured = measure(scene, &limits, timing, &bars);
+    let measured = measure::table(scene, &limits, timing, &bars);
     bars.clear();
     Ok(measured?)
 }

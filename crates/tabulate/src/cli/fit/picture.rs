@@ -7,9 +7,8 @@ use anyhow::Context;
 use clap::Args;
 
 use super::one_of;
-use crate::cli::plot::picture;
+use crate::cli::plot::{format, picture};
 use crate::plot::fit::{figure, jkr_figure};
-use crate::plot::picture::Format;
 
 /// The flags of the picture.
 #[derive(Args)]
@@ -49,6 +48,6 @@ impl PictureArguments {
             PlotKind::Data => figure(fit, experiments),
             PlotKind::Jkr => jkr_figure(fit, experiments).context("--plot-kind jkr")?,
         };
-        Ok(Some(figure.picture()?.encode(Format::of(path)?)?))
+        Ok(Some(figure.picture()?.encode(format(path)?)?))
     }
 }

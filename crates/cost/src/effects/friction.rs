@@ -1,0 +1,54 @@
+//! Friction: the error of the load without it, and the cost of full friction.
+
+use interp::Material;
+use solve::curve;
+use solve::stick::{StickCurves, Sticking};
+
+use crate::clock::{Times, Timing};
+use solve::Error;
+
+/// The largest `a/t` at which friction is judged; at larger ones the effect is taken to be that at
+/// this one.
+pub const WIDEST: f64 = 100.0;
+
+/// The Poisson ratio of the sphere.
+const NU2: f64 = 0.5;
+/// The relative tolerance of the punches.
+const TOLERANCE: f64 = 1e-5;
+/// The seconds spent on measuring the time of each curve once.
+const SECONDS: f64 = 0.05;
+/// The number of times that each is measured, in turns with the other. The fastest time counts.
+const ROUNDS: usize = 10;
+
+/// Returns the part by which the load of a flat punch without friction is below that with full
+/// friction at the same penetration.
+///
+/// # Errors
+/// Those of [`Sticking::punch`].
+pub(super) fn error_without(a_over_t: f64, material: &Material) -> Result<f64, Error> {
+    let sticking = Sticking::on_film(material, NU2)?;
+    Ok((1.0 - 1.0 / sticking.stiffening(a_over_t.min(WIDEST), TOLERANCE)?).abs())
+}
+
+/// Returns the time of a curve of a sphere with full friction, over that of one without, of
+/// incompressible films under a rigid sphere up to an `a/t` of 3.
+///
+/// # Errors
+/// None for these films.
+pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
+    const RANGE: [f64; 2] = [1e-2, 3.0];
+    const TOLERANCE: f64 = 1e-8;
+    let material = Material::new(0.0, 0.5, 1e3, 0.25)?;
+    let sticking = Sticking::on_film(&material, NU2)?;
+    let sticks = || StickCurves::new(&sticking, RANGE, TOLERANCE)?.receding(1.0);
+    let slides = || curve(&material, RANGE, TOLERANCE);
+    sticks()?;
+    slides()?;
+    let mut times = [Times::default(), Times::default()];
+    for _ in 0..timing.rounds(ROUNDS) {
+        times[0].add(timing.seconds(SECONDS, || sticks().ok()));
+        times[1].add(timing.seconds(SECONDS, || slides().ok()));
+    }
+    let [sticks, slides] = times.map(|times| times.fastest());
+    Ok(sticks / slides)
+}

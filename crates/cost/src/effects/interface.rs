@@ -1,0 +1,78 @@
+//! The interface between film and substrate: the error of a film that is taken as bonded where it
+//! slides, and the cost of solving the film that slides.
+
+use contact::Contact;
+use interp::{Curve, Elastic, Material, Normalisation, Probe, Quantities, System, Table};
+
+use crate::clock::{Times, Timing};
+use solve::Error;
+use solve::stack::{Interface, Layer, MOST_A_OVER_TOP, Stack};
+use solve::{solve_stack, stack_curve};
+
+/// The seconds spent on measuring the time of each contact once.
+const SECONDS: f64 = 0.02;
+/// The number of times that each is measured, in turns with the other. The fastest time counts.
+const ROUNDS: usize = 10;
+
+/// Returns the quantities of a film that slides on its substrate, in the unit of those of the film
+/// that is bonded. Contacts wider than [`MOST_A_OVER_TOP`] have those of this radius.
+///
+/// # Errors
+/// Those of the solve.
+pub(super) fn sliding(
+    a_over_t: f64,
+    material: &Material,
+    tolerance: f64,
+) -> Result<Quantities, Error> {
+    let rigid = material.normalisation() == Normalisation::Film;
+    let (young, sphere) = if rigid {
+        (1.0, f64::INFINITY)
+    } else {
+        (material.e1_over_e2(), 1.0)
+    };
+    let film = Layer {
+        interface: Interface::Sliding,
+        ..Layer::bonded(Elastic::new(young, material.nu1())?, 1.0)
+    };
+    let base = Elastic::new(material.e0_over_e2(), material.nu0())?;
+    let a_over_t = a_over_t.min(MOST_A_OVER_TOP);
+    Ok(solve_stack(a_over_t, &Stack::new(base, [film])?, sphere, tolerance)?.quantities)
+}
+
+/// Returns the time of the curve of a new film that slides, by solves to 1e-8 over three decades of
+/// `a/t`, over that in which the embedded table makes the contact of one that is bonded.
+///
+/// # Errors
+/// Those of [`Contact::in_table`] and [`stack_curve`]; none for these films.
+pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
+    const FILMS: i32 = 8;
+    let system = |i: i32| {
+        Ok::<_, Error>(System {
+            probe: Probe::Paraboloid { radius: 1e-5 },
+            sphere_modulus: f64::INFINITY,
+            // From 1e5 to 1e9 Pa on glass.
+            film: Elastic::new(1e5 * 1e4_f64.powf(f64::from(i) / f64::from(FILMS)), 0.45)?,
+            film_thickness: 1e-6,
+            substrate: Elastic::new(7e10, 0.22)?,
+        })
+    };
+    let systems = (0..FILMS).map(system).collect::<Result<Vec<_>, _>>()?;
+    let table = Table::embedded();
+    let solved = |system: &System| -> Result<Curve, Error> {
+        let stack = Stack::of_film(system, Interface::Sliding)?;
+        stack_curve(&stack, system.sphere_modulus, [0.01, 10.0], 1e-8)
+    };
+    for system in &systems {
+        Contact::in_table(table, system)?;
+        solved(system)?;
+    }
+    let mut times = [Times::default(), Times::default()];
+    for _ in 0..timing.rounds(ROUNDS) {
+        let mut next = systems.iter().cycle();
+        times[0].add(timing.seconds(SECONDS, || solved(next.next()?).ok()));
+        let mut next = systems.iter().cycle();
+        times[1].add(timing.seconds(SECONDS, || Contact::in_table(table, next.next()?).ok()));
+    }
+    let [sliding, bonded] = times.map(|times| times.fastest());
+    Ok(sliding / bonded)
+}

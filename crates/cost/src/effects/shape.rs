@@ -1,0 +1,91 @@
+//! The shape of the probe: the error of the paraboloid beside the sphere itself, and the cost of the
+//! sphere.
+
+use contact::{Contact, Validity};
+use interp::{Elastic, Material, Probe, System, Table};
+
+use crate::clock::{Times, Timing};
+use solve::Error;
+use solve::solve_power_laws;
+
+/// The contact radius over that of the sphere at which the shape is judged: the one above which
+/// [`Validity`] warns.
+pub const A_OVER_R: f64 = Validity::WARNING_A_OVER_R;
+
+/// The seconds spent on measuring the time of each probe once.
+const SECONDS: f64 = 0.02;
+/// The number of times that each is measured, in turns with the other. The fastest time counts.
+const ROUNDS: usize = 20;
+
+/// Returns the relative error of the adhesionless load under a paraboloid, beside that under the
+/// sphere of its radius `R`, at one contact radius `a` with `a/R` of [`A_OVER_R`].
+///
+/// With `alpha = a/R` the loads are as `Pi_2` and `sum_k alpha^(2k-2)/(2k-1) Pi_2k`. Of this sum the
+/// terms to the eighth power of `r` are solved. The last one stands for all after it, whose `Pi_2k`
+/// are nearly equal; that is an error of less than 1e-6.
+///
+/// # Errors
+/// Those of the solve.
+pub(super) fn error_of_paraboloid(
+    a_over_t: f64,
+    material: &Material,
+    tolerance: f64,
+) -> Result<f64, Error> {
+    const EXPONENTS: [f64; 3] = [4.0, 6.0, 8.0];
+    let (solution, powers) = solve_power_laws(a_over_t, material, &EXPONENTS, tolerance)?;
+    let (mut sum, mut rest, mut power) = (solution.quantities.pi0, A_OVER_R.atanh(), A_OVER_R);
+    rest -= power;
+    for (k, law) in (2_u32..).zip(&powers) {
+        power *= A_OVER_R * A_OVER_R;
+        let own = power / f64::from(2 * k - 1);
+        let coefficient = if law.exponent == EXPONENTS[2] {
+            rest
+        } else {
+            own
+        };
+        rest -= own;
+        sum += coefficient / A_OVER_R * law.pi;
+    }
+    Ok((solution.quantities.pi0 / sum - 1.0).abs())
+}
+
+/// Returns the time in which the embedded table makes the contact of a new film under the sphere
+/// itself, over that under a paraboloid.
+///
+/// # Errors
+/// Those of [`Contact::in_table`]; none for these films.
+pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
+    const FILMS: i32 = 64;
+    let radius = 1e-5;
+    let systems = |probe: Probe| {
+        let system = |i: i32| {
+            Ok(System {
+                probe: probe.clone(),
+                sphere_modulus: f64::INFINITY,
+                // From 1e5 to 1e9 Pa on glass.
+                film: Elastic::new(1e5 * 1e4_f64.powf(f64::from(i) / f64::from(FILMS)), 0.45)?,
+                film_thickness: 1e-6,
+                substrate: Elastic::new(7e10, 0.22)?,
+            })
+        };
+        (0..FILMS).map(system).collect::<Result<Vec<_>, Error>>()
+    };
+    let table = Table::embedded();
+    let probes = [
+        systems(Probe::Sphere { radius })?,
+        systems(Probe::Paraboloid { radius })?,
+    ];
+    for system in probes.iter().flatten() {
+        Contact::in_table(table, system)?;
+    }
+    let mut times = [Times::default(), Times::default()];
+    for _ in 0..timing.rounds(ROUNDS) {
+        for (systems, times) in probes.iter().zip(&mut times) {
+            let mut next = systems.iter().cycle();
+            let contact = || -> Option<Contact> { Contact::in_table(table, next.next()?).ok() };
+            times.add(timing.seconds(SECONDS, contact));
+        }
+    }
+    let [sphere, paraboloid] = times.map(|times| times.fastest());
+    Ok(sphere / paraboloid)
+}

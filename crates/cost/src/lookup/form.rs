@@ -1,0 +1,328 @@
+//! The forms that hold in the whole box of a table: tables, direct solves, and half-spaces of some
+//! modulus.
+
+use contact::Contact;
+use interp::{
+    Curve, Elastic, Material, Normalisation, Parameter, Probe, Quantities, Quantity, System, Table,
+};
+
+use super::linear::{Linear, Multilinear};
+use super::load::{Errors, Load, loads};
+use super::timer::Timer;
+use super::{FURTHER, Family, NEW, Point, Row, SOLVED, ends};
+use crate::Measured;
+use crate::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
+use crate::clock::Timing;
+use crate::deviation::tightest;
+use solve::Error;
+use solve::parallel::try_map;
+use solve::solve;
+
+/// The tolerances of the direct solves.
+const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
+
+/// The number of pieces of the cubic spline of one curve.
+const PIECES: usize = 600;
+
+/// Returns the number of solves that [`measure`] reports.
+pub const fn solves(points: usize) -> usize {
+    points + TOLERANCES.len() * if points < SOLVED { points } else { SOLVED }
+}
+
+/// Measures all forms at these points of a table's box.
+pub fn measure(
+    table: &Table,
+    points: &[Point],
+    timing: Timing,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Measured<Row>, Error> {
+    let truth = solve_all(points, progress, |(x, material)| {
+        Ok(tightest(*x, material)?.quantities)
+    })?;
+    let scene = Scene {
+        scope: scope(table),
+        truth: loads(points, &truth),
+        points,
+        timer: Timer(timing),
+    };
+    let (mut rows, mut left_out) = (Vec::new(), Vec::new());
+    if table.low_rank().is_some() {
+        rows.extend(scene.table("packed table", table)?);
+    }
+    let dense = table.expand()?;
+    rows.extend(scene.table("dense table", &dense)?);
+    rows.push(scene.multilinear(&dense));
+    if dense.axis(Parameter::AOverT).len() > 1 {
+        rows.extend(scene.along_curves(&dense)?);
+    } else {
+        left_out.push(
+            "There is no interpolation along a curve: the table has a single a/t.".to_owned(),
+        );
+    }
+    for tolerance in TOLERANCES {
+        rows.push(scene.solve(tolerance, progress)?);
+    }
+    scene.closed_forms(&mut rows, &mut left_out)?;
+    Ok(Measured { rows, left_out })
+}
+
+/// Solves every point, on all cores.
+fn solve_all(
+    points: &[Point],
+    progress: &(dyn Fn(usize) + Sync),
+    solve: impl Fn(&Point) -> Result<Quantities, Error> + Sync,
+) -> Result<Vec<Quantities>, Error> {
+    try_map(points, |point| {
+        let solved = solve(point);
+        progress(1);
+        solved
+    })
+}
+
+/// Returns the box of a table in words, which the rows have as their scope.
+fn scope(table: &Table) -> String {
+    let range = |parameter: Parameter, name: &str| {
+        let [from, to] = ends(table, parameter);
+        let number = |value: f64| {
+            if parameter == Parameter::Nu1 {
+                format!("{value}")
+            } else {
+                format!("{value:e}")
+            }
+        };
+        if from == to {
+            format!("{name} {}", number(from))
+        } else {
+            format!("{name} {} to {}", number(from), number(to))
+        }
+    };
+    // Without the star of E2*, as the column of the kept rows.
+    let names = ["a/t", "E1/E2", "nu1", "E0/E2"];
+    let ranges: Vec<String> = Parameter::ALL
+        .into_iter()
+        .zip(names)
+        .map(|(parameter, name)| range(parameter, name))
+        .collect();
+    ranges.join(", ")
+}
+
+/// Points with their true loads.
+struct Scene<'a> {
+    scope: String,
+    points: &'a [Point],
+    truth: Vec<Load>,
+    timer: Timer,
+}
+
+impl Scene<'_> {
+    fn row(&self, family: Family, form: &str, what: &str, seconds: f64, errors: &Errors) -> Row {
+        errors.row(family, form, what, seconds, &self.scope, "contact radius")
+    }
+
+    /// Measures a table's own splines.
+    fn table(&self, form: &str, table: &Table) -> Result<Vec<Row>, Error> {
+        let found = self
+            .points
+            .iter()
+            .map(|(x, material)| table.curve(material)?.quantities(*x));
+        let found = found.collect::<Result<Vec<_>, _>>()?;
+        let errors = Errors::of_loads(&loads(self.points, &found), &self.truth);
+
+        let (_, material) = self.points[0];
+        let curve = table.curve(&material)?;
+        let radii: Vec<f64> = self.points.iter().map(|point| point.0).collect();
+        let contact = contact(curve.clone())?;
+        let w = work_of_adhesion(&contact, radii[0])?;
+        let timer = self.timer;
+        let times = [
+            (
+                "a new material's curve",
+                timer.of_new_ones(self.points, |(_, material)| table.curve(material)),
+            ),
+            (
+                NEW,
+                timer.of_new_ones(self.points, |(x, material)| {
+                    table
+                        .curve(material)
+                        .and_then(|curve| curve.quantity(Quantity::Pi0, *x))
+                }),
+            ),
+            (
+                FURTHER,
+                timer.per_one(&radii, |&x| {
+                    curve.quantity(Quantity::Pi0, x).unwrap_or(f64::NAN)
+                }),
+            ),
+            (
+                "a further point, all four",
+                timer.per_one(&radii, |&x| {
+                    curve
+                        .quantities(x)
+                        .map_or(f64::NAN, |four| four.to_array().iter().sum())
+                }),
+            ),
+            (
+                "a further point, load",
+                timer.per_one(&radii, |&x| contact.load(x, w).unwrap_or(f64::NAN)),
+            ),
+            (
+                "a point of a slice",
+                timer.per_point(radii.len(), &|values| {
+                    curve
+                        .quantity_at_all(Quantity::Pi0, &radii, values)
+                        .expect("the points are on the curve")
+                }),
+            ),
+            (
+                "a point of a slice, load",
+                timer.per_point(radii.len(), &|values| {
+                    contact
+                        .load_at_all(&radii, w, values)
+                        .expect("the points are on the curve")
+                }),
+            ),
+        ];
+        Ok(times
+            .map(|(what, seconds)| self.row(Family::Table, form, what, seconds, &errors))
+            .into())
+    }
+
+    /// Measures linear interpolation between the nodes in all parameters at once.
+    fn multilinear(&self, table: &Table) -> Row {
+        let grids = Quantity::ALL.map(|quantity| Multilinear::new(table, quantity));
+        let found: Vec<Quantities> = self
+            .points
+            .iter()
+            .map(|(x, material)| {
+                Quantities::from_array(grids.each_ref().map(|grid| grid.at(*x, material)))
+            })
+            .collect();
+        let errors = Errors::of_loads(&loads(self.points, &found), &self.truth);
+        let seconds = self
+            .timer
+            .per_one(self.points, |(x, material)| grids[0].at(*x, material));
+        self.row(
+            Family::Table,
+            "linear in 4-D, same nodes",
+            NEW,
+            seconds,
+            &errors,
+        )
+    }
+
+    /// Measures other interpolation along the curve of one material.
+    fn along_curves(&self, table: &Table) -> Result<Vec<Row>, Error> {
+        let nodes = table.axis(Parameter::AOverT);
+        let (mut linear, mut cubic) = (Vec::new(), Vec::new());
+        for (x, material) in self.points {
+            let curve = table.curve(material)?;
+            let (mut by_linear, mut by_cubic) = ([0.0; 4], [0.0; 4]);
+            for quantity in Quantity::ALL {
+                by_linear[quantity as usize] = Linear::new(&curve, quantity, nodes)?.at(*x);
+                by_cubic[quantity as usize] = spline(&curve, quantity)?(*x);
+            }
+            linear.push(Quantities::from_array(by_linear));
+            cubic.push(Quantities::from_array(by_cubic));
+        }
+        let row = |form: &str, found: &[Quantities], at: &dyn Fn(f64) -> f64| {
+            let errors = Errors::of_loads(&loads(self.points, found), &self.truth);
+            self.row(
+                Family::Table,
+                form,
+                FURTHER,
+                self.timer.per_one(self.points, |(x, _)| at(*x)),
+                &errors,
+            )
+        };
+        let curve = table.curve(&self.points[0].1)?;
+        let (line, cubics) = (
+            Linear::new(&curve, Quantity::Pi0, nodes)?,
+            spline(&curve, Quantity::Pi0)?,
+        );
+        Ok(vec![
+            row("linear along a curve, same nodes", &linear, &|x| line.at(x)),
+            row(
+                &format!("cubic along a curve, {PIECES} pieces"),
+                &cubic,
+                &cubics,
+            ),
+        ])
+    }
+
+    /// Measures solves to a tolerance.
+    fn solve(&self, tolerance: f64, progress: &(dyn Fn(usize) + Sync)) -> Result<Row, Error> {
+        let points = &self.points[..self.points.len().min(SOLVED)];
+        let solve = |(x, material): &Point| Ok(solve(*x, material, tolerance)?.quantities);
+        let found = solve_all(points, progress, solve)?;
+        let errors = Errors::of_loads(&loads(points, &found), &self.truth[..points.len()]);
+        let form = format!("direct solve to {tolerance:e}");
+        let seconds = self.timer.of_solves(points, solve);
+        Ok(self.row(Family::Solve, &form, NEW, seconds, &errors))
+    }
+
+    /// Measures half-spaces of some modulus.
+    fn closed_forms(&self, rows: &mut Vec<Row>, left_out: &mut Vec<String>) -> Result<(), Error> {
+        type Form = (&'static str, fn(f64, &Material) -> Result<f64, Error>);
+        const FORMS: [Form; 4] = [
+            ("bulk JKR, film ignored", |_, material| {
+                Ok(bulk_jkr(material))
+            }),
+            ("film JKR, substrate ignored", |_, material| {
+                Ok(film_jkr(material))
+            }),
+            ("Gao 1992", gao),
+            ("Hay and Crawford 2011", hay_crawford),
+        ];
+        for (name, form) in FORMS {
+            let found = self
+                .points
+                .iter()
+                .map(|(x, material)| form(*x, material).map(Load::of_half_space));
+            let found = found.collect::<Result<Vec<_>, _>>()?;
+            if found.iter().all(|load| load.press.is_finite()) {
+                let errors = Errors::of_loads(&found, &self.truth);
+                let seconds = self.timer.per_one(self.points, |(x, material)| {
+                    form(*x, material).unwrap_or(f64::NAN)
+                });
+                rows.push(self.row(Family::ClosedForm, name, NEW, seconds, &errors));
+            } else {
+                left_out.push(format!(
+                    "{name} has no row: between rigid bodies its load is infinite."
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns the cubic spline of a quantity on a curve.
+fn spline(curve: &Curve, quantity: Quantity) -> Result<impl Fn(f64) -> f64, Error> {
+    let spline = curve.spline(quantity, PIECES)?;
+    Ok(move |x: f64| {
+        spline
+            .clamped_sample(Parameter::AOverT.coordinate(x))
+            .expect("the spline has keys")
+    })
+}
+
+/// Returns the contact of a curve, with a film of 1 m under a sphere wider than any contact.
+fn contact(curve: Curve) -> Result<Contact, Error> {
+    let material = *curve.material();
+    let rigid = material.normalisation() == Normalisation::Film;
+    let film = if rigid { 1.0 } else { material.e1_over_e2() };
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e9 },
+        sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
+        film: Elastic::new(film, material.nu1())?,
+        film_thickness: 1.0,
+        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
+    };
+    Ok(Contact::new(&system, curve)?)
+}
+
+/// Returns a work of adhesion that makes the adhesive part of the load small at the contact radius
+/// `a`.
+fn work_of_adhesion(contact: &Contact, a: f64) -> Result<f64, Error> {
+    let edge = 0.01 * contact.load(a, 0.0)? / a;
+    Ok(contact.mechanics().energy_release_rate(a, edge))
+}

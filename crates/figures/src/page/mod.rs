@@ -1,0 +1,183 @@
+//! The interactive page about a table: one HTML file that works without a network.
+//!
+//! [`Page::html`] fills the template `page.html`. In the browser `table.js` reads the packed table and
+//! evaluates its splines, `derived.js` integrates the other quantities from `Gamma` alone, `material.js` finds the place of a
+//! material in the table, `contact.js` computes eqs. 2 to 9, `shape.js` the sphere itself and the
+//! flat punch, `chart.js` draws, and `page.js` connects the sliders and fields with them.
+
+use std::fmt::Write;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use crate::Error;
+use crate::chart::Figure;
+use crate::picture::Format;
+
+/// A figure of a page with its caption.
+#[derive(Debug)]
+pub struct Illustration {
+    /// One or two sentences about the figure.
+    pub caption: &'static str,
+    /// The figure.
+    pub figure: Figure,
+}
+
+/// The texts and numbers of a page about a table. Texts may hold any characters.
+#[derive(Debug)]
+pub struct Page<'a> {
+    /// The title of the table.
+    pub title: String,
+    /// The rows of the table of parameters.
+    pub parameters: Vec<Parameter>,
+    /// The quantities that the table answers.
+    pub quantities: String,
+    /// The modulus that normalises the quantities.
+    pub normalisation: &'a str,
+    /// The program that made the table.
+    pub created_by: String,
+    /// The text of the scene.
+    pub scene: String,
+    /// The names and values of the certificate.
+    pub certificate: Vec<(&'static str, String)>,
+    /// How the packed table differs from the table.
+    pub difference: String,
+    /// The packed table, with which the page computes.
+    pub packed: &'a [u8],
+    /// The figures.
+    pub illustrations: &'a [Illustration],
+    /// The contact radius over the radius of the probe from which on the page shows `large_contact`.
+    pub warning_a_over_r: f64,
+    /// The warning of wide contacts.
+    pub large_contact: &'a str,
+    /// The name and the radius (m) of the probe with which the page opens.
+    pub probe: (&'static str, f64),
+}
+
+/// A parameter of a table.
+#[derive(Debug)]
+pub struct Parameter {
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    /// Its value, or its first and last value and the number of nodes, or what stands in place of it.
+    pub range: Range,
+}
+
+/// The values of a parameter, as they are shown.
+#[derive(Debug)]
+pub enum Range {
+    /// One value.
+    Fixed(String),
+    /// From, to, and the number of nodes, or what stands in place of it.
+    FromTo(String, String, String),
+}
+
+impl Page<'_> {
+    /// Returns the page. Equal contents give equal pages, byte for byte.
+    ///
+    /// # Errors
+    /// Those of drawing the illustrations.
+    pub fn html(&self) -> Result<String, Error> {
+        let (probe, radius) = self.probe;
+        let constants = format!(
+            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, OPENING = {{ probe: {probe:?}, radius: {radius:?} }};\n",
+            self.warning_a_over_r, self.large_contact
+        );
+        let script = [
+            &constants,
+            include_str!("table.js"),
+            include_str!("derived.js"),
+            include_str!("material.js"),
+            include_str!("contact.js"),
+            include_str!("shape.js"),
+            include_str!("chart.js"),
+            include_str!("page.js"),
+        ];
+        let certificate = self
+            .certificate
+            .iter()
+            .map(|(name, value)| format!("<dt>{name}</dt><dd>{value}</dd>\n"));
+        let parts = [
+            ("title", escape(&self.title)),
+            ("style", include_str!("style.css").to_owned()),
+            ("axes", self.parameters.iter().map(row).collect()),
+            ("quantities", self.quantities.clone()),
+            ("normalisation", self.normalisation.to_owned()),
+            ("created_by", escape(&self.created_by)),
+            ("scene", escape(&self.scene)),
+            ("certificate", certificate.collect()),
+            ("bytes", self.packed.len().div_ceil(1000).to_string()),
+            ("difference", self.difference.clone()),
+            ("figures", section(self.illustrations)?),
+            ("packed", STANDARD.encode(self.packed)),
+            ("script", script.concat()),
+        ];
+        Ok(fill(include_str!("page.html"), &parts))
+    }
+}
+
+/// Returns a row of the table of parameters in HTML.
+fn row(parameter: &Parameter) -> String {
+    let Parameter {
+        symbol,
+        meaning,
+        range,
+    } = parameter;
+    let cells = match range {
+        Range::Fixed(value) => format!("<td colspan=\"2\">{value}</td><td>fixed</td>"),
+        Range::FromTo(from, to, nodes) => {
+            format!("<td>{from}</td><td>{to}</td><td>{nodes}</td>")
+        }
+    };
+    format!("<tr><th scope=\"row\">{symbol} <small>{meaning}</small></th>{cells}</tr>\n")
+}
+
+/// Returns the section of the figures: empty if there are none. Each figure is an image of its own,
+/// because the names inside two SVG figures are equal.
+fn section(illustrations: &[Illustration]) -> Result<String, Error> {
+    let mut section = String::new();
+    for Illustration { caption, figure } in illustrations {
+        let svg = STANDARD.encode(figure.picture()?.encode(Format::Svg)?);
+        let _ = writeln!(
+            section,
+            "<figure><img alt=\"{caption}\" src=\"data:image/svg+xml;base64,{svg}\"><figcaption>{caption}</figcaption></figure>"
+        );
+    }
+    if section.is_empty() {
+        return Ok(section);
+    }
+    Ok(format!(
+        "<section class=\"wide figures\" aria-labelledby=\"figures\">\n\
+         <h2 id=\"figures\">Figures</h2>\n\
+         {section}</section>"
+    ))
+}
+
+/// Returns the template with each `{{name}}` replaced by the part of this name. Braces inside the
+/// parts stay.
+fn fill(template: &str, parts: &[(&str, String)]) -> String {
+    let mut pieces = template.split("{{");
+    let mut page = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let (name, rest) = piece
+            .split_once("}}")
+            .expect("every name in the template is closed");
+        let (_, part) = parts
+            .iter()
+            .find(|(part, _)| *part == name)
+            .expect("every name in the template has a part");
+        page += part;
+        page += rest;
+    }
+    page
+}
+
+/// Escapes text for HTML.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}

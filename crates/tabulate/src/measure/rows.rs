@@ -1,0 +1,83 @@
+//! Files of rows.
+
+use std::io;
+use std::path::Path;
+
+use cost::Measurement;
+
+use crate::{Error, input, printable};
+
+/// The largest number of bytes of a file of rows. A larger one is taken for a mistake.
+const LONGEST: u64 = 1 << 24;
+
+/// Reads rows that [`cost::to_csv`] wrote, to show them.
+///
+/// # Errors
+/// [`Error::Read`] for a file that cannot be read, a line that is not such a row, a number outside
+/// [`Measurement::RANGES`], or a file without rows. It names the file and, where there is one, the
+/// line, the column and the value.
+pub fn read_csv<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
+    read(path, R::RANGES)
+}
+
+/// Reads rows that [`cost::to_csv`] wrote, to [compare](cost::compare) others with them: a time of 0
+/// was not measured.
+///
+/// # Errors
+/// As [`read_csv`], but for the ranges.
+pub fn read_earlier<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
+    read(path, &[])
+}
+
+fn read<R: Measurement>(path: &Path, ranges: &[(&str, [f64; 2])]) -> Result<Vec<R>, Error> {
+    let attempt = || {
+        let mut reader = csv::Reader::from_reader(input::open(path, LONGEST)?.0);
+        let headers = reader.headers()?.clone();
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = record?;
+            check(&headers, &record, ranges)?;
+            rows.push(record.deserialize(Some(&headers))?);
+        }
+        if rows.is_empty() {
+            return Err(invalid("it has no rows".to_owned()));
+        }
+        Ok(rows)
+    };
+    attempt().map_err(|source: io::Error| Error::Read {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// Accepts the numbers and the texts of a row, which may come from anywhere.
+fn check(
+    headers: &csv::StringRecord,
+    record: &csv::StringRecord,
+    ranges: &[(&str, [f64; 2])],
+) -> io::Result<()> {
+    let line = record.position().map_or(0, csv::Position::line);
+    for (column, field) in headers.iter().zip(record) {
+        let shown = printable::line(field);
+        if shown != field {
+            return Err(invalid(format!(
+                "line {line}: {} = {shown} holds characters that are not printed; remove them",
+                printable::line(column)
+            )));
+        }
+        let range = ranges.iter().find(|(name, _)| *name == column);
+        if let Some((name, [from, to])) = range
+            && let Ok(value) = field.parse::<f64>()
+            && !(value >= *from && value <= *to)
+        {
+            return Err(invalid(format!(
+                "line {line}: {name} = {field} is outside {from:e} to {to:e}; measure it again, or remove the row"
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn invalid(why: String) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, why)
+}
