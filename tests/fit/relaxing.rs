@@ -127,7 +127,9 @@ fn power_laws_are_recovered() {
     let with_level = [&free[..], &[Baseline]].concat();
     recover("power law, heights", &[plan], &with_level, 102, &[]);
     let plans = [8e-6, 3e-5].map(|t| planned(Kind::LoadPenetration, t, &power(), 0.0));
-    recover("power law, two films", &plans, &free, 103, &[]);
+    // Two films determine the modulus more closely than friction on the thinner one lets be known.
+    let expected = [WarningKind::Friction];
+    recover("power law, two films", &plans, &free, 103, &expected);
 }
 
 #[test]

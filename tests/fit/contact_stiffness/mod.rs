@@ -194,13 +194,14 @@ fn stiffness_at_loads_of_an_elastic_contact() {
             .collect();
         let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(film.clone()), points);
         exact.work_of_adhesion = w;
-        let strain = [WarningKind::LargeStrain];
+        // The widest contacts are as wide as this nearly incompressible film is thick.
+        let expected = [WarningKind::LargeStrain, WarningKind::Friction];
         recover(
             "stiffness, elastic load",
             &[exact],
             (0.01, true),
             free,
-            &strain,
+            &expected,
         );
     }
 }
