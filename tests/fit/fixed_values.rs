@@ -15,6 +15,24 @@ use crate::recovery::{SETS, assert_coverage};
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 
+/// Every name that a message or a result shows is one that `--known` and `Known` take.
+#[test]
+fn names_are_read_as_they_are_written() {
+    for name in [
+        "sphere-radius",
+        "film-thickness",
+        "substrate-poisson-ratio",
+        "layer-2.modulus",
+        "layer-2.poisson-ratio",
+        "oxide.modulus",
+        "oxide.poisson-ratio",
+    ] {
+        let read = Fixed::parse(name).expect("a name");
+        assert_eq!(read.name(), name);
+    }
+    assert_eq!(Fixed::parse("oxide.colour"), None);
+}
+
 fn found(experiment: &Experiment, free: &[Free], options: &Options) -> Fit {
     fit(
         Table::embedded(),

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use interp::{Elastic, Probe};
 
-use super::{Bodies, Experiment, NamedLayer, Parameter};
+use super::{Bodies, Experiment, LayerName, NamedLayer, Parameter};
 use crate::Error;
 use crate::data::Dimension;
 
@@ -25,6 +25,8 @@ pub enum Fixed {
     LayerThickness(usize),
     /// The Poisson ratio of a layer, by its number.
     LayerPoissonRatio(usize),
+    /// The Poisson ratio of a layer with a name.
+    NamedPoissonRatio(LayerName),
 }
 
 impl Fixed {
@@ -34,7 +36,9 @@ impl Fixed {
             Self::Parameter(parameter) => parameter.dimension(),
             Self::SphereRadius | Self::LayerThickness(_) => Some(Dimension::Length),
             Self::SubstrateModulus | Self::LayerModulus(_) => Some(Dimension::Modulus),
-            Self::SubstratePoissonRatio | Self::LayerPoissonRatio(_) => None,
+            Self::SubstratePoissonRatio
+            | Self::LayerPoissonRatio(_)
+            | Self::NamedPoissonRatio(_) => None,
         }
     }
 
@@ -48,6 +52,7 @@ impl Fixed {
             Self::LayerModulus(number) => format!("layer-{number}.modulus").into(),
             Self::LayerThickness(number) => format!("layer-{number}.thickness").into(),
             Self::LayerPoissonRatio(number) => format!("layer-{number}.poisson-ratio").into(),
+            Self::NamedPoissonRatio(layer) => format!("{layer}.poisson-ratio").into(),
         }
     }
 
@@ -68,10 +73,15 @@ impl Fixed {
                 _ => None,
             }
         };
+        let of_named_layer = || {
+            let layer = name.strip_suffix(".poisson-ratio")?.parse().ok()?;
+            Some(Self::NamedPoissonRatio(layer))
+        };
         all.into_iter()
             .find(|one| one.name() == name)
             .or_else(of_layer)
             .or_else(|| name.parse().ok().map(Self::Parameter))
+            .or_else(of_named_layer)
     }
 
     /// Returns the SI unit; `"1"` for a Poisson ratio.
@@ -80,7 +90,9 @@ impl Fixed {
             Self::Parameter(parameter) => parameter.unit(),
             Self::SphereRadius | Self::LayerThickness(_) => "m",
             Self::SubstrateModulus | Self::LayerModulus(_) => "Pa",
-            Self::SubstratePoissonRatio | Self::LayerPoissonRatio(_) => "1",
+            Self::SubstratePoissonRatio
+            | Self::LayerPoissonRatio(_)
+            | Self::NamedPoissonRatio(_) => "1",
         }
     }
 
@@ -90,6 +102,7 @@ impl Fixed {
             self,
             Self::SubstratePoissonRatio
                 | Self::LayerPoissonRatio(_)
+                | Self::NamedPoissonRatio(_)
                 | Self::Parameter(Parameter::FilmPoissonRatio)
         )
     }
@@ -110,10 +123,14 @@ impl Experiment {
             // The parameters of a film are its own.
             let stacked = layered.film().is_none().then_some(&layered.layers);
             for (i, layer) in stacked.into_iter().flatten().enumerate() {
-                if layer.name.is_none() {
-                    all.extend([Fixed::LayerModulus(i + 1), Fixed::LayerThickness(i + 1)]);
+                match layer.name {
+                    Some(name) => all.push(Fixed::NamedPoissonRatio(name)),
+                    None => all.extend([
+                        Fixed::LayerModulus(i + 1),
+                        Fixed::LayerThickness(i + 1),
+                        Fixed::LayerPoissonRatio(i + 1),
+                    ]),
                 }
-                all.push(Fixed::LayerPoissonRatio(i + 1));
             }
         }
         // The layers of a table are those of its file.
@@ -169,6 +186,7 @@ impl Experiment {
             Fixed::LayerModulus(number) => Some(layer(number)?.layer.solid.young()),
             Fixed::LayerThickness(number) => Some(layer(number)?.layer.thickness),
             Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.layer.solid),
+            Fixed::NamedPoissonRatio(name) => poisson(layer(self.layer_number(name)?)?.layer.solid),
         }
     }
 
@@ -191,10 +209,27 @@ impl Experiment {
         Ok(self.replace_fixed(one, value)?)
     }
 
+    /// Returns the number of the layer with a name, from 1, from the base up.
+    fn layer_number(&self, name: LayerName) -> Option<usize> {
+        let Bodies::Layered(layered) = &self.bodies else {
+            return None;
+        };
+        let mut layers = layered.layers.iter();
+        layers
+            .position(|layer| layer.name == Some(name))
+            .map(|i| i + 1)
+    }
+
     /// Replaces a value that is there.
     pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), interp::Error> {
         let solid = match one {
             Fixed::Parameter(parameter) => return self.replace(parameter, value),
+            Fixed::NamedPoissonRatio(name) => {
+                return match self.layer_number(name) {
+                    Some(number) => self.replace_fixed(Fixed::LayerPoissonRatio(number), value),
+                    None => Ok(()),
+                };
+            }
             Fixed::SphereRadius => {
                 let probe = match &mut self.bodies {
                     Bodies::Coated(system) => &mut system.probe,
