@@ -45,7 +45,8 @@ fn system_library() -> bool {
         || runs(Command::new("pkg-config").args(["--exists", "hdf5"]))
 }
 
-fn cmake() -> Result<PathBuf, String> {
+/// Returns a cmake that can build libhdf5: that of `$CMAKE`, of the path, or of PyPI.
+pub fn cmake() -> Result<PathBuf, String> {
     let given = env::var_os("CMAKE").map(PathBuf::from);
     let candidates = given.into_iter().chain([PathBuf::from("cmake")]);
     for candidate in candidates {

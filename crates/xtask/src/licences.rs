@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde_json::Value;
 use spdx::{Expression, ParseMode};
 
 use crate::workspace;
@@ -59,11 +58,18 @@ const UNMAINTAINED: [(&str, &str, &str); 2] = [
 ];
 
 /// Crates by name, with their versions and licences.
-type Crates = BTreeMap<String, BTreeSet<(String, String)>>;
+pub type Crates = BTreeMap<String, BTreeSet<(String, String)>>;
 
 /// Checks the licences of all crates of the lock file, and prints those that are not as MIT.
 pub fn licences() -> Result<(), String> {
-    let whole = ["--workspace", "--all-features", "--edges", "all"];
+    let whole = [
+        "--workspace",
+        "--all-features",
+        "--edges",
+        "all",
+        "--target",
+        "all",
+    ];
     let all = crates(&whole)?;
     let found = others(&all)?;
     let mut needed: BTreeMap<&str, BTreeSet<String>> = found
@@ -72,9 +78,12 @@ pub fn licences() -> Result<(), String> {
         .collect();
     for (package, feature) in features()? {
         let (name, tree) = if feature == NO_FEATURE {
-            (package.clone(), tree(&package, "")?)
+            (package.clone(), tree(&package, "", "all")?)
         } else {
-            (format!("{package}/{feature}"), tree(&package, &feature)?)
+            (
+                format!("{package}/{feature}"),
+                tree(&package, &feature, "all")?,
+            )
         };
         for (other, by) in &mut needed {
             if tree.contains_key(*other) {
@@ -149,17 +158,15 @@ fn is_like_mit(licence: &str) -> Result<bool, String> {
 }
 
 /// The crate of the Python package.
-const PYTHON: &str = "coated-contact-python";
+pub const PYTHON: &str = "coated-contact-python";
 
 /// The feature of a package without any.
 const NO_FEATURE: &str = "";
 
 /// Returns the published packages of the workspace with each of their features.
 fn features() -> Result<Vec<(String, String)>, String> {
-    let metadata = cargo(&["metadata", "--no-deps", "--format-version", "1", "--locked"])?;
-    let metadata: Value = serde_json::from_str(&metadata).map_err(|e| e.to_string())?;
     let mut features = Vec::new();
-    for package in metadata["packages"].as_array().into_iter().flatten() {
+    for package in workspace::members()? {
         let name = package["name"].as_str().unwrap_or_default();
         // `publish = false` is an empty list. The Python package is published as a wheel.
         if package["publish"].is_array() && name != PYTHON {
@@ -173,26 +180,26 @@ fn features() -> Result<Vec<(String, String)>, String> {
     Ok(features)
 }
 
-/// Returns the crates that a package needs with one feature.
-fn tree(package: &str, feature: &str) -> Result<Crates, String> {
+/// Returns the crates that a package needs with some features on a target, or on `all`.
+pub fn tree(package: &str, features: &str, target: &str) -> Result<Crates, String> {
     crates(&[
+        "--target",
+        target,
         "--package",
         package,
         "--no-default-features",
         "--features",
-        feature,
+        features,
         "--edges",
         "normal,build",
     ])
 }
 
-/// Returns the crates that `cargo tree` lists on all platforms, without those of this workspace.
+/// Returns the crates that `cargo tree` lists, without those of this workspace.
 fn crates(args: &[&str]) -> Result<Crates, String> {
     let all = [
         "tree",
         "--locked",
-        "--target",
-        "all",
         "--prefix",
         "none",
         "--no-dedupe",

@@ -9,6 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod browser;
+mod dist;
 mod figures;
 mod hdf5;
 mod licences;
@@ -41,11 +42,11 @@ usage: cargo xtask COMMAND
   test [ARGS]    run the whole test suite, optimised; ARGS go to `cargo test`, and then the tests of the Python package
                  are left out
   wheel          build the Python package: wheel and source distribution in target/wheels/
-  wheel --release
-                 build them for a release: the wheel runs on every Linux since 2014
   wheel --test   build the wheel, and run the tests of the Python package with it; `test` runs them with the compiled
                  module of the workspace
   site           make the site of the documentation in target/site/
+  dist           make all artefacts of a release in target/dist/, and try each in an empty environment; takes long
+  dist --check   check the metadata of a release, and print its packages in order
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
                  the same nodes
   compare --small
@@ -66,8 +67,9 @@ fn main() -> ExitCode {
         Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
         Some("wheel") if rest.is_empty() => wheel::build(),
-        Some("wheel") if rest == ["--release"] => wheel::release(),
         Some("wheel") if rest == ["--test"] => wheel::test(),
+        Some("dist") if rest.is_empty() => dist::dist(),
+        Some("dist") if rest == ["--check"] => dist::check(),
         Some("site") if rest.is_empty() => site::site(),
         Some("compare") if rest.is_empty() => compare(&[]),
         Some("compare") if rest == ["--small"] => compare(&["--", "--small"]),

@@ -15,23 +15,9 @@ const PACKAGE: [&str; 2] = ["--package", "-p"];
 /// # Errors
 /// A message if cargo does not list the members.
 pub fn has_tabulate(args: &[&str]) -> Result<bool, String> {
-    let mut command = workspace::cargo();
-    let manifest = workspace::root().join("Cargo.toml");
-    command
-        .args(["metadata", "--no-deps", "--format-version", "1"])
-        .arg("--manifest-path")
-        .arg(manifest);
-    let output = command
-        .output()
-        .map_err(|e| format!("cannot run cargo metadata: {e}"))?;
-    let metadata: Value = serde_json::from_slice(&output.stdout).map_err(|e| {
-        let message = String::from_utf8_lossy(&output.stderr);
-        format!("cargo metadata prints no JSON ({e}): {message}")
-    })?;
-    let members = metadata["packages"].as_array();
-    let members = members.ok_or("cargo metadata lists no packages")?;
+    let members = workspace::members()?;
     let folder = std::env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
-    Ok(any_has_tabulate(args, members, &folder))
+    Ok(any_has_tabulate(args, &members, &folder))
 }
 
 /// Returns whether the arguments, given in this folder, select one of the `members` that is or uses

@@ -6,30 +6,28 @@ use std::process::Command;
 
 use crate::{python, python_tests, succeed, venv, workspace};
 
-/// The version of zig that links the wheel of a release.
-const ZIG: &str = "==0.15.2";
-
 /// Builds the wheel and the source distribution into `wheels` in the target directory.
 pub fn build() -> Result<(), String> {
-    distribute(&[], None)
-}
-
-/// Builds the wheel of a release like [`build`], for every Linux since 2014: zig, from PyPI, links
-/// it with the C library of that time.
-pub fn release() -> Result<(), String> {
-    let zig = python::package("ziglang", ZIG)?;
-    distribute(&["--zig", "--compatibility", "manylinux2014"], Some(&zig))
-}
-
-fn distribute(options: &[&str], zig: Option<&Path>) -> Result<(), String> {
-    let python = venv::interpreter()?;
-    wheel(&python, options, zig)?;
-    succeed(maturin(&python, "sdist")?.arg("--out").arg(folder()?))?;
+    distribute(&[], None)?;
     println!(
         "xtask: wheel and source distribution are in {}",
         folder()?.display()
     );
     Ok(())
+}
+
+/// Builds the wheel for every Linux since 2014, linked by the zig of a folder, and the source
+/// distribution, and returns their paths.
+pub fn release(zig: &Path) -> Result<[PathBuf; 2], String> {
+    let options = ["--zig", "--strip", "--compatibility", "manylinux2014"];
+    distribute(&options, Some(zig))
+}
+
+fn distribute(options: &[&str], zig: Option<&Path>) -> Result<[PathBuf; 2], String> {
+    let python = venv::interpreter()?;
+    let wheel = wheel(&python, options, zig)?;
+    succeed(maturin(&python, "sdist")?.arg("--out").arg(folder()?))?;
+    Ok([wheel, made("gz")?])
 }
 
 /// Builds the wheel, installs it into a virtual environment, and runs its tests and checks there.
@@ -60,12 +58,18 @@ fn wheel(python: &Path, options: &[&str], zig: Option<&Path>) -> Result<PathBuf,
             .args(options)
             .envs(zig.map(|folder| ("PYTHONPATH", folder))),
     )?;
+    made("whl")
+}
+
+/// Returns the path of the file with an extension that maturin has made.
+fn made(extension: &str) -> Result<PathBuf, String> {
+    let folder = folder()?;
     let entries =
         fs::read_dir(&folder).map_err(|e| format!("cannot read {}: {e}", folder.display()))?;
     entries
         .filter_map(|entry| Some(entry.ok()?.path()))
-        .find(|path| path.extension().is_some_and(|extension| extension == "whl"))
-        .ok_or_else(|| format!("maturin left no wheel in {}", folder.display()))
+        .find(|path| path.extension().is_some_and(|found| found == extension))
+        .ok_or_else(|| format!("maturin left no {extension} in {}", folder.display()))
 }
 
 /// Returns a command of maturin on the package.

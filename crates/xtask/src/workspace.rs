@@ -4,6 +4,8 @@ use std::env;
 use std::path::PathBuf;
 use std::process::Command;
 
+use serde_json::Value;
+
 /// Returns the folder of the workspace's `Cargo.toml`.
 pub fn root() -> PathBuf {
     // The environment comes first: in a target directory that was copied with its checkout, this
@@ -21,6 +23,31 @@ pub fn target() -> Result<PathBuf, String> {
     let current = env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
     Ok(env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root().join("target"), |dir| current.join(dir)))
+}
+
+/// Returns what `cargo metadata` tells of each member of the workspace.
+pub fn members() -> Result<Vec<Value>, String> {
+    let mut command = cargo();
+    command
+        .args([
+            "metadata",
+            "--no-deps",
+            "--format-version",
+            "1",
+            "--manifest-path",
+        ])
+        .arg(root().join("Cargo.toml"));
+    let output = command
+        .output()
+        .map_err(|e| format!("cannot run cargo metadata: {e}"))?;
+    let mut metadata: Value = serde_json::from_slice(&output.stdout).map_err(|e| {
+        let message = String::from_utf8_lossy(&output.stderr);
+        format!("cargo metadata prints no JSON ({e}): {message}")
+    })?;
+    match metadata["packages"].take() {
+        Value::Array(members) => Ok(members),
+        _ => Err("cargo metadata lists no packages".into()),
+    }
 }
 
 /// Returns the cargo that runs this program.
