@@ -7,6 +7,7 @@ to each other by their paths there.
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 
 from docutils import nodes
@@ -14,13 +15,16 @@ from latex2mathml.converter import convert
 from sphinx.application import Sphinx
 from sphinx.writers.html5 import HTML5Translator
 
+sys.path.insert(0, str(Path(__file__).parent))
+import notebooks
+
 project = "coated-contact"
 author = "The authors of coated-contact"
 html_theme = "furo"
 html_title = "Adhesive contact on coated substrates"
 html_copy_source = False
 html_static_path = ["static"]
-html_css_files = ["formulas.css"]
+html_css_files = ["site.css"]
 root_doc = "crates/site/index"
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 include_patterns = [
@@ -31,10 +35,12 @@ include_patterns = [
     "crates/README.md",
     "crates/*/README.md",
     "crates/contact/fuzz/README.md",
+    "crates/python/notebooks/*.py",
     "crates/fit/EXPERIMENTS.md",
     "crates/tabulate/COST.md",
     "crates/site/**.md",
 ]
+source_suffix = {".md": "markdown", ".py": "markdown"}
 myst_heading_anchors = 4
 # A program without a lexer is shown without colours.
 suppress_warnings = ["misc.highlighting_failure"]
@@ -63,6 +69,12 @@ def pages_of_folders(_app: Sphinx, name: str, source: list[str]) -> None:
     source[0] = FOLDER.sub(text, LINK.sub(target, source[0]))
 
 
+def run_notebooks(_app: Sphinx, name: str, source: list[str]) -> None:
+    """Makes a notebook, which is plain Python, a page with its output and its pictures."""
+    if name.startswith("crates/python/notebooks/"):
+        source[0] = notebooks.page(source[0])
+
+
 def inline_math(writer: HTML5Translator, node: nodes.math) -> None:
     writer.body.append(convert(node.astext()))
     raise nodes.SkipNode
@@ -81,7 +93,8 @@ def first_page(app: Sphinx, error: Exception | None) -> None:
 
 
 def setup(app: Sphinx) -> None:
-    """Adds the links, the formulas, which a browser draws without a script, and the first page."""
+    """Adds the links, the notebooks, the formulas, which a browser draws without a script, and the first page."""
     app.connect("build-finished", first_page)
     app.connect("source-read", pages_of_folders)
+    app.connect("source-read", run_notebooks)
     app.add_html_math_renderer("mathml", (inline_math, None), (display_math, None))

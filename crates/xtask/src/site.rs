@@ -14,7 +14,7 @@ const PACKAGES: [&str; 4] = [
 ];
 
 /// Makes the site in `site` of the target directory. A dead link between its pages, an image that is
-/// missing, and a docstring that cannot be read are errors.
+/// missing, a docstring that cannot be read, and a notebook that fails are errors.
 pub fn site() -> Result<(), String> {
     let out = workspace::target()?.join("site");
     let modules = [python::packages(&PACKAGES)?, python_tests::package()?];
