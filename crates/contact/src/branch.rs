@@ -110,10 +110,7 @@ impl Equilibria<'_> {
     ) -> Result<(), Error> {
         let a = state.contact_radius;
         if a == 0.0 {
-            derivatives.fill(Derivatives {
-                load: 0.0,
-                penetration: 0.0,
-            });
+            derivatives.fill(Derivatives::ZERO);
             return Ok(());
         }
         let terms = self.contact.terms(a, self.energy.work_of_adhesion())?;
@@ -138,10 +135,7 @@ impl Equilibria<'_> {
         };
         for (derivative, &input) in by_inputs.iter_mut().zip(inputs) {
             let at_radius = match input {
-                Input::WorkOfAdhesion if self.adhesionless() => Derivatives {
-                    load: 0.0,
-                    penetration: 0.0,
-                },
+                Input::WorkOfAdhesion if self.adhesionless() => Derivatives::ZERO,
                 _ if punch.is_some() => Derivatives {
                     load: state.load
                         * terms
@@ -170,10 +164,39 @@ struct Last {
     section: usize,
     /// The logarithm of the contact radius.
     u: f64,
-    /// The imposed value, `du/dv`, and the second derivative of `u` as far as it is known.
+    /// The imposed value, `du/dv`, and the second and the third derivative of `u` as far as they are
+    /// known.
     imposed: f64,
     speed: f64,
     acceleration: f64,
+    jerk: f64,
+}
+
+impl Last {
+    /// Returns the logarithm of the contact radius to be expected after a change of the imposed value.
+    fn after(&self, change: f64) -> f64 {
+        let bend = 0.5 * (self.acceleration + change * self.jerk / 3.0);
+        self.u + change * (self.speed + change * bend)
+    }
+
+    /// Returns the state after a change of the imposed value, with the derivatives of the cubic
+    /// polynomial that has both values and both slopes.
+    fn followed_by(self, change: f64, u: f64, speed: f64) -> Self {
+        let imposed = self.imposed + change;
+        if change == 0.0 {
+            return Self { u, speed, ..self };
+        }
+        let chord = (u - self.u) / change;
+        let (bend, twist) = ((speed - chord) / change, (speed - self.speed) / change);
+        Self {
+            u,
+            imposed,
+            speed,
+            acceleration: 2.0 * (3.0 * bend - twist),
+            jerk: 6.0 * (2.0 * bend - twist) / change,
+            ..self
+        }
+    }
 }
 
 /// Follows a branch from one imposed value to the next.
@@ -223,6 +246,7 @@ impl<'a> Follower<'a> {
                 imposed,
                 speed,
                 acceleration: 0.0,
+                jerk: 0.0,
             });
         }
         Ok(found)
@@ -249,7 +273,7 @@ impl<'a> Follower<'a> {
             _ => return Ok(None),
         };
         let change = imposed - last.imposed;
-        let mut u = last.u + change * (last.speed + 0.5 * change * last.acceleration);
+        let mut u = last.after(change);
         // Newton's error after a step `s` is `s^2 v''/(2 v')`, that is `s^2 u''/(2 u'^2)`; four
         // times that is safe, and 4 s^2 for powers.
         let bend = 4.0 * (1.0 + (0.5 * last.acceleration / (last.speed * last.speed)).abs());
@@ -269,18 +293,7 @@ impl<'a> Follower<'a> {
                 step * step * bend
             };
             if error <= TOLERANCE {
-                let speed = 1.0 / slope;
-                self.last = Some(Last {
-                    u: u + step,
-                    imposed,
-                    speed,
-                    acceleration: if change == 0.0 {
-                        last.acceleration
-                    } else {
-                        (speed - last.speed) / change
-                    },
-                    ..last
-                });
+                self.last = Some(last.followed_by(change, u + step, 1.0 / slope));
                 return Ok(Some(State {
                     contact_radius: a * (1.0 + step),
                     load: at.load + load * step,

@@ -84,6 +84,14 @@ pub struct ContactGradient {
     derivatives: [Option<Derivatives>; 9],
 }
 
+impl Derivatives {
+    /// Both are 0.
+    pub const ZERO: Self = Self {
+        load: 0.0,
+        penetration: 0.0,
+    };
+}
+
 impl ContactGradient {
     /// Returns the load `F`, N.
     pub const fn load(&self) -> f64 {
@@ -165,6 +173,33 @@ impl Contact {
             penetration: finite_result(a, terms.penetration)?,
             derivatives,
         })
+    }
+
+    /// Writes into `derivatives` those of load and penetration at contact radius `a` (m) and work of
+    /// adhesion `w` (J/m^2) with respect to each of the `inputs`, and returns load (N) and penetration
+    /// (m). It takes less time than [`Contact::gradient`], which differentiates by all inputs.
+    ///
+    /// # Errors
+    /// As [`Contact::gradient`] and [`ContactGradient::by`]; [`Error::InvalidArgument`] unless
+    /// `derivatives` is as long as `inputs`.
+    pub fn derivatives(
+        &self,
+        a: f64,
+        w: f64,
+        inputs: &[Input],
+        derivatives: &mut [Derivatives],
+    ) -> Result<(f64, f64), Error> {
+        Error::same_length(inputs, derivatives)?;
+        self.same_material()?;
+        let terms = self.terms(a, w)?;
+        for (derivatives, &input) in derivatives.iter_mut().zip(inputs) {
+            let by = terms.by(input).ok_or(Error::FixedParameter(input.name()))?;
+            finite_result(a, by.load)?;
+            finite_result(a, by.penetration)?;
+            *derivatives = by;
+        }
+        let (load, penetration) = (terms.load, terms.penetration);
+        Ok((finite_result(a, load)?, finite_result(a, penetration)?))
     }
 
     /// Accepts a curve whose derivatives are those of the material of the system itself.

@@ -3,7 +3,7 @@
 use super::measured::Setting;
 use super::one_turn::Step;
 use super::{HistoryError, Phase, TimedContact};
-use crate::State;
+use crate::{Derivatives, State};
 
 /// A place of a program.
 #[derive(Clone, Copy, Debug)]
@@ -244,9 +244,10 @@ impl<'a> Approach<'a> {
         // The derivatives of the elastic load at this penetration.
         let mut elastic = vec![0.0; width];
         if radius > 0.0 && !setting.inputs.is_empty() {
-            let gradient = setting.contact.gradient(radius, 0.0)?;
-            for (own, &input) in elastic[2..].iter_mut().zip(setting.inputs) {
-                let by = gradient.by(input)?;
+            let mut of_inputs = vec![Derivatives::ZERO; setting.inputs.len()];
+            let contact = setting.contact;
+            contact.derivatives(radius, 0.0, setting.inputs, &mut of_inputs)?;
+            for (own, by) in elastic[2..].iter_mut().zip(of_inputs) {
                 *own = by.load - to.stiffness * by.penetration;
             }
         }

@@ -1,5 +1,6 @@
 //! The least-squares problem, for the crate `levenberg-marquardt`.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -63,7 +64,8 @@ pub(crate) struct Problem<'a> {
     pub loss: Loss,
     /// The coordinates of the slots.
     pub x: DVector<f64>,
-    /// The predictions; `None` if there is no contact with these parameters.
+    /// The predictions, with the derivatives with respect to the slots where the bodies have exact ones;
+    /// `None` if there is no contact with these parameters.
     pub predicted: Option<Vec<Predicted>>,
     pub evaluations: usize,
     /// Whether the last minimisation met parameters without a contact, such as those outside the
@@ -183,10 +185,29 @@ impl<'a> Problem<'a> {
             }
         }
         let predicted: Result<Vec<_>, _> = (0..self.assigned.len())
-            .map(|e| self.predict(e, None))
+            .map(|e| self.predict_now(e))
             .collect();
         self.predicted = Some(predicted?);
         Ok(())
+    }
+
+    /// Predicts the points of an experiment at its present values. The derivatives are predicted at
+    /// once, because nearly every value is one to go on from.
+    fn predict_now(&self, experiment: usize) -> Result<Predicted, Error> {
+        if self.assigned[experiment].experiment.has_exact_derivatives() {
+            let parameters = self.parameters_of(experiment);
+            // There may be a contact without derivatives.
+            if let Ok(predicted) = self.predict(experiment, Some(&parameters)) {
+                return Ok(predicted);
+            }
+        }
+        self.predict(experiment, None)
+    }
+
+    /// Returns the parameters of the slots that are of an experiment, in their order.
+    pub fn parameters_of(&self, experiment: usize) -> Vec<Parameter> {
+        let slots = self.slots_of(experiment).into_iter();
+        slots.map(|slot| self.slots[slot].parameter).collect()
     }
 
     /// Predicts the points of an experiment, with derivatives if asked for.
@@ -300,11 +321,12 @@ impl<'a> Problem<'a> {
         let mut row = 0;
         for (e, assigned) in self.assigned.iter().enumerate() {
             let slots = self.slots_of(e);
-            let parameters: Vec<Parameter> = slots
-                .iter()
-                .map(|&slot| self.slots[slot].parameter)
-                .collect();
-            let predicted = self.predict(e, Some(&parameters)).ok()?;
+            let known = self.predicted.as_ref().map(|all| &all[e]);
+            let known = known.filter(|one| one.derivatives.len() == one.values.len() * slots.len());
+            let predicted = match known {
+                Some(known) => Cow::Borrowed(known),
+                None => Cow::Owned(self.predict(e, Some(&self.parameters_of(e))).ok()?),
+            };
             for (i, branch) in assigned.branches.iter().enumerate() {
                 if *branch == Branch::LeftOut {
                     continue;

@@ -5,7 +5,7 @@ use super::problem::{Assigned, Ending, Problem};
 use super::uncertainty::Uncertainty;
 use crate::model::Assignment;
 use crate::statistics::{excess, median};
-use crate::{Bodies, Branch, Experiment, Kind, Loss, Parameter};
+use crate::{Bodies, Branch, Experiment, Kind, Loss};
 
 /// The most evaluations over the number of parameters + 1.
 pub(super) const PATIENCE: usize = 60;
@@ -306,10 +306,7 @@ pub(super) fn ends(
 ) -> Vec<End> {
     let experiment = &problem.assigned[e].experiment;
     let slots = problem.slots_of(e);
-    let parameters: Vec<Parameter> = slots
-        .iter()
-        .map(|&slot| problem.slots[slot].parameter)
-        .collect();
+    let parameters = problem.parameters_of(e);
     // With all points that may count, the variance will be smaller.
     let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
     let end = |branch: Branch| {

@@ -21,6 +21,11 @@ const STEP: f64 = 1e-5;
 pub(crate) type ContactOf<'a> = dyn Fn(&Bodies, bool) -> Result<Contact, Error> + 'a;
 
 impl Experiment {
+    /// Tells whether the derivatives of its predictions are exact, so that they need no further contacts.
+    pub(crate) const fn has_exact_derivatives(&self) -> bool {
+        self.bodies.has_derivatives() && !self.measurement.kind.is_stiffness()
+    }
+
     /// Predicts all points that are not left out, with derivatives with respect to `parameters` if
     /// they are given. See [`Experiment::predict`].
     pub(crate) fn predict_with(

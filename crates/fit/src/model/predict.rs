@@ -99,37 +99,43 @@ impl Experiment {
     ) -> Result<(), interp::Error> {
         let load = self.measurement.kind == Kind::LoadRadius;
         let columns = parameters.unwrap_or_default();
-        for (i, (point, &branch)) in self.measurement.points.iter().zip(branches).enumerate() {
-            if !matches!(branch, Branch::Advancing | Branch::Receding) {
-                continue;
+        for branch in [Branch::Advancing, Branch::Receding] {
+            let w = self.work_of(branch);
+            let (mut inputs, mut input_columns) = self.inputs_on(branch, columns);
+            if w == 0.0 {
+                // The load falls like the root of `w`.
+                input_columns.retain(|&column| self.input(columns[column]).is_some());
+                inputs.retain(|&input| input != Input::WorkOfAdhesion);
             }
-            let (a, w) = (point.abscissa, self.work_of(branch));
-            predicted.radii[i] = a;
-            if parameters.is_none() {
-                predicted.values[i] += if load {
-                    contact.load(a, w)?
-                } else {
-                    contact.load_and_penetration(a, w)?.1
+            let mut by = vec![Derivatives::ZERO; inputs.len()];
+            for (i, point) in self.measurement.points.iter().enumerate() {
+                if branches[i] != branch {
+                    continue;
+                }
+                let a = point.abscissa;
+                predicted.radii[i] = a;
+                predicted.values[i] += match (load, inputs.is_empty()) {
+                    (true, true) => contact.load(a, w)?,
+                    (false, true) => contact.load_and_penetration(a, w)?.1,
+                    (true, false) => contact.derivatives(a, w, &inputs, &mut by)?.0,
+                    (false, false) => contact.derivatives(a, w, &inputs, &mut by)?.1,
                 };
-                continue;
-            }
-            let gradient = contact.gradient(a, w)?;
-            let of = |both: Derivatives| if load { both.load } else { both.penetration };
-            predicted.values[i] += if load {
-                gradient.load()
-            } else {
-                gradient.penetration()
-            };
-            let row = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
-            for (derivative, &parameter) in row.iter_mut().zip(columns) {
-                if let Some(input) = self.input(parameter) {
-                    *derivative += of(gradient.by(input)?);
-                } else if self.is_work_of(parameter, branch) && w > 0.0 {
-                    *derivative += of(gradient.by(Input::WorkOfAdhesion)?);
+                for (by, &column) in by.iter().zip(&input_columns) {
+                    predicted.derivatives[i * columns.len() + column] +=
+                        if load { by.load } else { by.penetration };
                 }
             }
         }
         Ok(())
+    }
+
+    /// Returns the inputs of the contact on a branch that parameters are, and the number of each of
+    /// these parameters.
+    fn inputs_on(&self, branch: Branch, columns: &[Parameter]) -> (Vec<Input>, Vec<usize>) {
+        let columns = columns.iter().enumerate();
+        columns
+            .filter_map(|(column, &parameter)| Some((self.input_on(parameter, branch)?, column)))
+            .unzip()
     }
 
     /// Predicts the points of one branch at imposed penetrations or positions of the spring.
@@ -233,20 +239,8 @@ impl Experiment {
             }
             return Ok(());
         };
-        // The inputs asked for, and the column of each.
-        let mut inputs = Vec::new();
-        let mut input_columns = Vec::new();
-        for (column, &parameter) in columns.iter().enumerate() {
-            if let Some(input) = self.input_on(parameter, branch) {
-                inputs.push(input);
-                input_columns.push(column);
-            }
-        }
-        let zero = Derivatives {
-            load: 0.0,
-            penetration: 0.0,
-        };
-        let mut derivatives = vec![zero; values.len() * (1 + inputs.len())];
+        let (inputs, input_columns) = self.inputs_on(branch, columns);
+        let mut derivatives = vec![Derivatives::ZERO; values.len() * (1 + inputs.len())];
         equilibria.branch_with_gradient(&values, course, &inputs, &mut states, &mut derivatives)?;
         let rows = derivatives.chunks_exact(1 + inputs.len());
         for ((&i, state), row) in indices.iter().zip(&states).zip(rows) {
