@@ -4,8 +4,11 @@
 use std::f64::consts::PI;
 
 use acceptance::assert_names;
-use fit::{Fit, Free, Options, Parameter, WarningKind, fit};
-use interp::Table;
+use fit::{
+    Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
+    WarningKind, fit, simulate,
+};
+use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
@@ -265,4 +268,56 @@ fn another_minimum_is_named_with_its_values() {
             "prior",
         ],
     );
+}
+
+/// Under a soft sphere on a thin film, noise may make the largest load one that no film gives. The search
+/// for the modulus to start from must not end at a film as stiff as steel, from where no step leads back.
+#[test]
+fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
+    let (modulus, noise) = (5e5, 1e-6);
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-3 },
+        sphere_modulus: 2e6,
+        film: Elastic::new(modulus, 0.45).expect("physical"),
+        film_thickness: 1e-5,
+        substrate: Elastic::new(2e11, 0.25).expect("physical"),
+    };
+    let point = |i: u32| Point {
+        line: u64::from(i) + 1,
+        abscissa: -0.5e-6 + 6e-6 * f64::from(i) / 299.0,
+        ordinate: 0.0,
+        direction: Some(Direction::Retract),
+    };
+    let measurement = Measurement {
+        name: "thin.csv".into(),
+        kind: Kind::ForceHeight,
+        points: (0..300).map(point).collect(),
+    };
+    let planned = Experiment {
+        work_of_adhesion: 0.04,
+        contact_point: 4e-6,
+        stiffness: Some(200.0),
+        noise: Some(noise),
+        ..Experiment::new(measurement, Bodies::Coated(system))
+    };
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+    ]
+    .map(Free::new);
+    (0..20).into_par_iter().for_each(|seed| {
+        let measurement = simulate(Table::embedded(), &planned, noise, seed).expect("in the table");
+        let measured = Experiment {
+            measurement,
+            ..planned.clone()
+        };
+        let found = fit(Table::embedded(), &[measured], &free, &Options::default());
+        let found = found.expect("sound data");
+        let film = found.estimate(Parameter::FilmModulus).expect("it is free");
+        assert!(
+            (film.value - modulus).abs() < 5.0 * film.standard_error && film.value < 2.0 * modulus,
+            "seed {seed}: {film:?}"
+        );
+    });
 }

@@ -114,7 +114,8 @@ impl Equilibria<'_> {
             return Ok(());
         }
         let terms = self.contact.terms(a, self.energy.work_of_adhesion())?;
-        let by = |input: Input| terms.by(input).ok_or(Error::FixedParameter(input.name()));
+        let unknown = |input: Input| Error::FixedParameter(input.name());
+        let by = |input: Input| terms.by(input).ok_or_else(|| unknown(input));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed
         // value: `F = S delta`.
         let punch = self.contact.is_punch().then(|| terms.stiffness());
@@ -137,10 +138,7 @@ impl Equilibria<'_> {
             let at_radius = match input {
                 Input::WorkOfAdhesion if self.adhesionless() => Derivatives::ZERO,
                 _ if punch.is_some() => Derivatives {
-                    load: state.load
-                        * terms
-                            .stiffness_by(input)
-                            .ok_or(Error::FixedParameter(input.name()))?,
+                    load: state.load * terms.stiffness_by(input).ok_or_else(|| unknown(input))?,
                     penetration: 0.0,
                 },
                 _ => by(input)?,

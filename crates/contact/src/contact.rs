@@ -307,6 +307,7 @@ impl Contact {
     ///
     /// They are the derivatives of `F = F0 - 4 a g Eeq/Gamma` and
     /// `delta = delta0 - 2 g/(E* Gamma)`, where `g` grows like `(a G(a))^{1/2}`.
+    #[inline]
     pub(crate) fn state_and_slopes(
         &self,
         a: f64,
@@ -334,6 +335,7 @@ impl Contact {
     /// Returns by how much the energy of the contact line lowers load (N) and penetration (m) at
     /// contact radius `a` (m), and the derivatives with respect to `ln a`, from the quantities and the
     /// derivatives of their logarithms.
+    #[inline]
     pub(crate) fn lowered_and_slopes(
         &self,
         a: f64,

@@ -113,7 +113,7 @@ impl ContactGradient {
     /// that has none, and the contact radius of a flat punch, which is that of the punch; and for
     /// the work of adhesion if it is below 2.3e-308 J/m^2, because the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
-        self.derivatives[input as usize].ok_or(Error::FixedParameter(input.name()))
+        self.derivatives[input as usize].ok_or_else(|| Error::FixedParameter(input.name()))
     }
 }
 
@@ -193,7 +193,8 @@ impl Contact {
         self.same_material()?;
         let terms = self.terms(a, w)?;
         for (derivatives, &input) in derivatives.iter_mut().zip(inputs) {
-            let by = terms.by(input).ok_or(Error::FixedParameter(input.name()))?;
+            let by = terms.by(input);
+            let by = by.ok_or_else(|| Error::FixedParameter(input.name()))?;
             finite_result(a, by.load)?;
             finite_result(a, by.penetration)?;
             *derivatives = by;

@@ -62,9 +62,15 @@ pub(super) fn slopes(from: &Passed, to: &Passed) -> [f64; 3] {
 
 impl<'a> Approach<'a> {
     /// Begins at the first place, without a contact.
-    pub fn new(setting: &'a Setting<'a>, first: &Place) -> Self {
+    /// There is room for all of so many `places`, of which the approach takes the first.
+    pub fn new(setting: &'a Setting<'a>, first: &Place, places: usize) -> Self {
         let (m, width) = (setting.law.len(), setting.width);
         let spring = setting.compliance > 0.0;
+        let zeros = |count: usize| {
+            let mut zeros = Vec::with_capacity(count * places);
+            zeros.resize(count, 0.0);
+            zeros
+        };
         let mut own = Self {
             setting,
             passed: vec![Passed {
@@ -74,12 +80,12 @@ impl<'a> Approach<'a> {
                 stiffness: 0.0,
                 bend: 0.0,
             }],
-            loads: vec![0.0; m],
-            lengths: vec![0.0; m],
-            totals: vec![0.0; width],
-            of_totals: vec![0.0; width * m],
+            loads: zeros(m),
+            lengths: zeros(m),
+            totals: zeros(width),
+            of_totals: zeros(width * m),
             moved: Vec::new(),
-            of_moved: vec![0.0; if spring { width * m } else { 0 }],
+            of_moved: zeros(if spring { width * m } else { 0 }),
             touch: 0,
             step: Step::new(),
         };

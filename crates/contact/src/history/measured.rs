@@ -244,7 +244,7 @@ fn follow(
 ) -> Result<(), HistoryError> {
     let width = setting.width;
     let mut by = vec![0.0; width];
-    let mut approach = Approach::new(setting, &steps[0]);
+    let mut approach = Approach::new(setting, &steps[0], steps.len());
     let mut add = |place: &Place, state: TimedContact, by: &[f64]| {
         if let Some(point) = place.point {
             found.states.push(state);

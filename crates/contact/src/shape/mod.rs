@@ -226,6 +226,7 @@ impl Contact {
 
     /// Returns load and penetration at contact radius `a` (m) without adhesion, their derivatives
     /// with respect to `ln a`, the quantities, and the derivatives of the logarithms of these.
+    #[inline]
     pub(super) fn everything_and_slopes(
         &self,
         a: f64,
@@ -272,6 +273,7 @@ impl Contact {
 
     /// Returns load and penetration without adhesion and their derivatives with respect to `ln a`
     /// from the quantities and their slopes. Of these, a paraboloid needs `Pi0` and `Delta0`, and every other shape `Eeq`, because `F0' = S delta0'`.
+    #[inline]
     fn with_slopes(
         &self,
         a: f64,

@@ -457,8 +457,11 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         let residuals = self.plain_residuals()?;
         let mut jacobian = self.plain_jacobian()?;
-        for (mut row, residual) in jacobian.row_iter_mut().zip(residuals.iter()) {
-            row *= weighted(self.loss, *residual).1;
+        // The weights of squares are 1.
+        if self.loss != Loss::Squares {
+            for (mut row, residual) in jacobian.row_iter_mut().zip(residuals.iter()) {
+                row *= weighted(self.loss, *residual).1;
+            }
         }
         for (slot, mut column) in jacobian.column_iter_mut().enumerate() {
             column *= self.slots[slot].coordinate.slope(self.x[slot]);

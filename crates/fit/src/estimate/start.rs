@@ -14,6 +14,9 @@ use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Poin
 const MOST_STEPS: usize = 12;
 /// The accuracy of the logarithm of a modulus to start from.
 const ACCURACY: f64 = 0.02;
+/// A step of the modulus that leaves more than this part of the excess load ends the search: the load
+/// hardly depends on a modulus as large, from where no step of a fit leads back.
+const SATURATED: f64 = 0.98;
 /// The smallest work of adhesion to start from, relative to that of which the largest load would be
 /// the pull-off load.
 const SMALLEST_WORK: f64 = 1e-6;
@@ -359,7 +362,7 @@ fn matching_modulus(
             bracket = Some(([u, value], [u + step, next]));
             break;
         }
-        if next.abs() >= value.abs() {
+        if next.abs() >= SATURATED * value.abs() {
             break;
         }
         (u, value) = (u + step, next);

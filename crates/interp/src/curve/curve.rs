@@ -292,6 +292,7 @@ impl Curve {
     ///
     /// # Errors
     /// As [`Curve::quantity`].
+    #[inline]
     pub fn quantities_and_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
         self.require_all()?;
         self.values_and_slopes(a_over_t)
@@ -331,6 +332,7 @@ impl Curve {
     /// # Errors
     /// As [`Curve::quantity`], but [`Error::OutsideTable`] everywhere above the nodes;
     /// [`Error::NoGradient`] on a curve that was made without derivatives.
+    #[inline]
     pub fn gradient(&self, a_over_t: f64) -> Result<QuantityGradient, Error> {
         self.require_all()?;
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
@@ -424,6 +426,7 @@ impl Curve {
     }
 
     /// Evaluates all quantities and their slopes, whether they are known or not.
+    #[inline]
     pub(super) fn values_and_slopes(
         &self,
         a_over_t: f64,

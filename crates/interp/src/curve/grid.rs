@@ -99,6 +99,7 @@ impl Grid {
     }
 
     /// Returns `x dt/dx`.
+    #[inline]
     pub(crate) fn logarithmic_speed(&self, x: f64) -> f64 {
         let (octave, mantissa) = split(x * self.factor);
         2.0 * mantissa * (1_u64 << self.octaves[octave].bits) as f64
