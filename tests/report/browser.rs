@@ -126,23 +126,6 @@ pub fn told(page: &str) -> Option<Value> {
     run(page, "told()")
 }
 
-/// Returns the outcomes of reading damaged copies of a report's data.
-pub fn damage(page: &str, copies: usize) -> Option<Value> {
-    // The functions of the page are those of a module, which other modules do not see.
-    let module = "<script type=\"module\">";
-    let (before, after) = page.split_once(module).expect("a module");
-    let page = format!(
-        "{before}{module}\naddEventListener(\"read\", (event) => event.detail(Table, checksum));\n{after}"
-    );
-    run(
-        &page,
-        &format!(
-            "(() => {{ let seen; const detail = (...of) => {{ seen = damage({copies}, ...of); }};
-             dispatchEvent(new CustomEvent(\"read\", {{ detail }})); return seen; }})()"
-        ),
-    )
-}
-
 /// Returns the state of the fields and messages of a report after each of the entries, a field's
 /// name and the text typed into it, one after the other.
 pub fn fill(page: &str, entries: &[(&str, &str)]) -> Option<Value> {

@@ -4,7 +4,7 @@ use acceptance::table;
 use tabulate::report::report;
 
 use crate::SPHERE;
-use crate::browser::{damage, told};
+use crate::browser::told;
 
 const SCENE: &str = "
     title      = 'Small'
@@ -20,7 +20,7 @@ const DAMAGED: &str = "The data of this page is damaged. Copy the page again, or
 fn page() -> (String, String) {
     let page = report(&table(SCENE), &[], &SPHERE).expect("a report");
     let (_, rest) = page
-        .split_once("id=\"packed\">")
+        .split_once("id=\"integers\">")
         .expect("the page has data");
     let data = rest.split('<').next().unwrap_or_default().to_owned();
     (page, data)
@@ -44,26 +44,8 @@ fn a_page_with_damaged_data_says_so() {
         format!("{data}AAAA"),
         format!("{}{other}{}", &data[..middle], &data[middle + 1..]),
         format!("{}=3D{}", &data[..middle], &data[middle..]),
-        // The version.
-        format!("{}_{}", &data[..12], &data[13..]),
     ] {
         let told = told(&page.replacen(&data, &damaged, 1));
         assert_eq!(told.expect("as before"), DAMAGED);
     }
-}
-
-/// The environment variable `HOSTILE_CASES` sets the number of copies. Those with a repaired
-/// checksum are read or refused, and take no more time or memory than their length allows.
-#[test]
-fn damaged_copies_of_the_data_are_refused() {
-    let copies =
-        std::env::var("HOSTILE_CASES").map_or(5000, |text| text.parse().expect("a number"));
-    let (page, _) = page();
-    let Some(seen) = damage(&page, copies) else {
-        return;
-    };
-    println!("{seen}");
-    assert_eq!(seen["unexpected"], serde_json::json!([]));
-    assert!(seen["refused"].as_u64() > Some(copies as u64 / 3));
-    assert!(seen["repaired"]["refused"].as_u64() > Some(0));
 }

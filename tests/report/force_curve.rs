@@ -145,7 +145,7 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
     let beyond = &seen["looks"][1];
     assert_names(
         beyond["messages"].as_str().expect("text"),
-        &["The curve ends at a = 1.00000 µm, where the table’s a/t ends: 100"],
+        &["The curve ends at a = 1.000 µm, where the table’s a/t ends: 100"],
     );
     assert_eq!(beyond["states"]["pull-off-load"]["load"], Value::Null);
 }

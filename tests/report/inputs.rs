@@ -40,7 +40,7 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
         ),
         (
             "film_thickness=1e-3&sphere_radius=1e-7",
-            "A contact of 10.0000 µm, where the table’s a/t begins, is not smaller than the sphere. \
+            "A contact of 10.00 µm, where the table’s a/t begins, is not smaller than the sphere. \
              Change the sphere radius or the film thickness.",
         ),
         (

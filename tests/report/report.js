@@ -148,52 +148,6 @@ function told() {
     return document.getElementById("message").innerText;
 }
 
-/** The outcomes of reading `count` damaged copies of the data, which `Table` reads. In every second copy length and checksum are repaired. */
-function damage(count, Table, checksum) {
-    const bytes = Uint8Array.from(atob(document.getElementById("packed").textContent.trim()), (c) => c.charCodeAt(0));
-    let state = 1;
-    const random = (below) => {
-        // Xorshift, of 32 bits.
-        state ^= state << 13;
-        state ^= state >>> 17;
-        state ^= state << 5;
-        return (state >>> 0) % below;
-    };
-    const seen = { refused: 0, read: 0, repaired: { refused: 0, read: 0 }, unexpected: [] };
-    for (let i = 0; i < count; i += 1) {
-        let copy = bytes.slice();
-        const repaired = i % 2 === 1;
-        for (let k = random(4); k >= 0; k -= 1) {
-            const at = random(copy.length);
-            switch (random(5)) {
-                case 0: copy = copy.slice(0, at); break;
-                case 1: copy[at] ^= 1 << random(8); break;
-                case 2: copy[at] = [0, 1, 127, 128, 250, 251, 252, 253, 255][random(9)]; break;
-                case 3: copy.copyWithin(at, random(copy.length), random(copy.length)); break;
-                default: copy.fill(random(256), at, at + random(16));
-            }
-            if (copy.length === 0) break;
-        }
-        if (repaired && copy.length > 24) {
-            const view = new DataView(copy.buffer);
-            view.setUint32(8, 3, true);
-            view.setBigUint64(12, BigInt(copy.length - 24), true);
-            view.setUint32(20, checksum(copy.subarray(24)), true);
-        }
-        const into = repaired ? seen.repaired : seen;
-        try {
-            new Table(copy);
-            const same = copy.length === bytes.length && copy.every((byte, k) => k < 8 || byte === bytes[k]);
-            if (!repaired && !same) seen.unexpected.push(`copy ${i} is read`);
-            into.read += 1;
-        } catch (error) {
-            if (!(error instanceof Error)) seen.unexpected.push(`copy ${i}: ${error}`);
-            into.refused += 1;
-        }
-    }
-    return seen;
-}
-
 function leave(result) {
     const seen = { result, fetched: performance.getEntriesByType("resource").length, complaints };
     const bytes = new TextEncoder().encode(JSON.stringify(seen));

@@ -199,6 +199,12 @@ impl IntegerTrain {
         self.terms
     }
 
+    /// Returns the integers of the cores, row-major over the bond before, the degree, and the bond
+    /// after (the functions, for the last core).
+    pub fn cores(&self) -> &[Vec<i64>; 4] {
+        &self.cores
+    }
+
     /// Returns the integers of the cores in code, a few bits each.
     pub fn coded_integers(&self) -> Vec<u8> {
         entropy::encode(self.shapes(), &self.cores)

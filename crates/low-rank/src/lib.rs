@@ -51,6 +51,7 @@
 //!
 //! * [`IntegerTrain`]: the parts, their bounds, and their code in a file. Parts from a file may be
 //!   hostile: whatever they are, there is a [`Malformed`] error or a train whose values are finite.
+//! * [`coarser`]: a train in fewer and smaller integers, where a larger error is enough.
 //! * [`PreparedTrain`]: evaluation. It drops what is far below a tolerance. [`Needs`] says before what
 //!   memory and work it takes.
 //! * `compress` (feature `compress`): the train of values on a grid.
@@ -62,6 +63,7 @@
 mod blocks;
 pub mod bspline;
 pub mod chebyshev;
+mod coarser;
 #[cfg(feature = "compress")]
 pub mod compress;
 mod entropy;
@@ -74,6 +76,7 @@ mod prepared_train;
 mod vectors;
 mod weighted_sum;
 
+pub use coarser::coarser;
 pub use integer_train::IntegerTrain;
 pub use malformed::Malformed;
 pub use needs::Needs;

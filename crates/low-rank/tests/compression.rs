@@ -2,7 +2,7 @@
 
 use low_rank::bspline::Basis;
 use low_rank::compress::{Axis, NotReached, compress};
-use low_rank::{IntegerTrain, PreparedTrain};
+use low_rank::{IntegerTrain, PreparedTrain, coarser};
 
 const COUNT: usize = 12;
 
@@ -177,5 +177,46 @@ fn evaluation_depends_on_the_product_of_the_cores_only() {
                 }
             }
         }
+    }
+}
+
+/// The largest error of the values of a train at the nodes of the whole box.
+fn error_at_nodes(train: &IntegerTrain) -> f64 {
+    let nodes = nodes();
+    let values = train.values([[0.0, 1.0]; 4], [&nodes; 4].map(Vec::as_slice));
+    let mut values = values.chunks_exact(2);
+    let mut largest = 0.0_f64;
+    for &u in &nodes {
+        for &v in &nodes {
+            for &w in &nodes {
+                for &y in &nodes {
+                    let found = values.next().expect("a value at each node");
+                    for (found, exact) in found.iter().zip(functions([y, u, v, w])) {
+                        largest = largest.max((found - exact).abs());
+                    }
+                }
+            }
+        }
+    }
+    largest
+}
+
+#[test]
+fn a_coarser_train_is_smaller_by_an_error_that_grows_with_its_step() {
+    let train = compressed([0, COUNT - 1], 1e-8).expect("a train");
+    let count = |train: &IntegerTrain| train.cores().iter().map(Vec::len).sum::<usize>();
+    assert!(error_at_nodes(&train) < 1e-8);
+    assert_eq!(coarser(&train, 1).expect("a train").step(), train.step());
+    let (mut before, mut error) = (count(&train), 1e-8);
+    for factor in [30, 1000, 30_000] {
+        let coarse = coarser(&train, factor).expect("a train");
+        assert!(
+            count(&coarse) < before,
+            "{factor}: {} {before}",
+            count(&coarse)
+        );
+        assert!(error_at_nodes(&coarse) > error, "{factor}: {error:e}");
+        (before, error) = (count(&coarse), error_at_nodes(&coarse));
+        assert!(error < 3e-8 * factor as f64, "{factor}: {error:e}");
     }
 }

@@ -1,9 +1,12 @@
 //! The interactive page about a table: one HTML file that works without a network.
 //!
-//! [`Page::html`] fills the template `page.html`. In the browser `table.js` reads the packed table and
-//! evaluates its splines, `derived.js` integrates the other quantities from `Gamma` alone, `material.js` finds the place of a
-//! material in the table, `contact.js` computes eqs. 2 to 9, `shape.js` the sphere itself and the
-//! flat punch, `chart.js` draws, and `page.js` connects the sliders and fields with them.
+//! [`Page::html`] fills the template `page.html`, and `form` makes the rows of its settings. In the
+//! browser `table.js` evaluates the tensor trains of the page, `grid.js` integrates the other
+//! quantities from `Gamma` alone and those of the sphere itself, `material.js` finds the place of a
+//! material in the table, `contact.js` computes eqs. 2 to 9, `chart.js` draws, and `page.js` connects
+//! the sliders and fields with them.
+
+mod form;
 
 use std::fmt::Write;
 
@@ -13,6 +16,11 @@ use base64::engine::general_purpose::STANDARD;
 use crate::Error;
 use crate::chart::Figure;
 use crate::picture::Format;
+
+pub use form::{SetBy, Setting, list, number};
+
+/// The digits of the numbers that a page shows: as many as its pictures need.
+pub const DIGITS: usize = 4;
 
 /// A figure of a page with its caption.
 #[derive(Debug)]
@@ -40,18 +48,33 @@ pub struct Page<'a> {
     pub scene: String,
     /// The names and values of the certificate.
     pub certificate: Vec<(&'static str, String)>,
-    /// How the packed table differs from the table.
-    pub difference: String,
-    /// The packed table, with which the page computes.
-    pub packed: &'a [u8],
+    /// What the page computes with; or the reason why it computes nothing.
+    pub numbers: Result<Numbers, &'static str>,
     /// The figures.
     pub illustrations: &'a [Illustration],
     /// The contact radius over the radius of the probe from which on the page shows `large_contact`.
     pub warning_a_over_r: f64,
     /// The warning of wide contacts.
     pub large_contact: &'a str,
-    /// The name and the radius (m) of the probe with which the page opens.
-    pub probe: (&'static str, f64),
+    /// The name of the probe with which the page opens.
+    pub probe: &'static str,
+}
+
+/// What a page computes force curves with.
+#[derive(Debug)]
+pub struct Numbers {
+    /// The settings of its form.
+    pub settings: Vec<Setting>,
+    /// The names and texts of the probes between which its user chooses.
+    pub probes: Vec<(&'static str, &'static str)>,
+    /// The symbols of the numbers of a state, the columns of its tables.
+    pub columns: Vec<&'static str>,
+    /// The table without its integers, as entries of an object of JavaScript.
+    pub table: String,
+    /// The integers of the tensor trains, separated by commas, with nothing in place of a zero.
+    pub integers: String,
+    /// The largest relative difference of the quantities from those of the table, and the number of random points.
+    pub difference: (f64, usize),
 }
 
 /// A parameter of a table.
@@ -80,21 +103,18 @@ impl Page<'_> {
     /// # Errors
     /// Those of drawing the illustrations.
     pub fn html(&self) -> Result<String, Error> {
-        let (probe, radius) = self.probe;
-        let constants = format!(
-            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, OPENING = {{ probe: {probe:?}, radius: {radius:?} }};\n",
-            self.warning_a_over_r, self.large_contact
-        );
-        let script = [
-            &constants,
-            include_str!("table.js"),
-            include_str!("derived.js"),
-            include_str!("material.js"),
-            include_str!("contact.js"),
-            include_str!("shape.js"),
-            include_str!("chart.js"),
-            include_str!("page.js"),
-        ];
+        let (section, script, integers) = match &self.numbers {
+            Ok(numbers) => (
+                curves(numbers),
+                self.script(numbers),
+                numbers.integers.as_str(),
+            ),
+            Err(reason) => (
+                format!("<div id=\"message\" role=\"status\"><p>{reason}</p></div>"),
+                String::new(),
+                "",
+            ),
+        };
         let certificate = self
             .certificate
             .iter()
@@ -108,14 +128,59 @@ impl Page<'_> {
             ("created_by", escape(&self.created_by)),
             ("scene", escape(&self.scene)),
             ("certificate", certificate.collect()),
-            ("bytes", self.packed.len().div_ceil(1000).to_string()),
-            ("difference", self.difference.clone()),
-            ("figures", section(self.illustrations)?),
-            ("packed", STANDARD.encode(self.packed)),
-            ("script", script.concat()),
+            ("curves", section),
+            ("figures", figures(self.illustrations)?),
+            ("integers", integers.to_owned()),
+            ("script", script),
         ];
         Ok(fill(include_str!("page.html"), &parts))
     }
+
+    /// Returns the script.
+    fn script(&self, numbers: &Numbers) -> String {
+        let constants = format!(
+            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, PROBE = {:?}, DIGITS = {DIGITS};\n\
+             const SETTINGS = {};\nconst TABLE = {{ {},\nhash: {} }};\n",
+            self.warning_a_over_r,
+            self.large_contact,
+            self.probe,
+            form::script(&numbers.settings),
+            numbers.table,
+            hash(&numbers.integers),
+        );
+        let script = [
+            &constants,
+            include_str!("table.js"),
+            include_str!("grid.js"),
+            include_str!("material.js"),
+            include_str!("contact.js"),
+            include_str!("chart.js"),
+            include_str!("page.js"),
+        ];
+        script.concat()
+    }
+}
+
+/// Returns the form, and the places of the curves and numbers, in HTML.
+fn curves(numbers: &Numbers) -> String {
+    let head = |symbol: &&str| format!("<th scope=\"col\">{symbol}</th>");
+    let (difference, compared) = numbers.difference;
+    let parts = [
+        ("form", form::form(&numbers.settings, &numbers.probes)),
+        ("columns", numbers.columns.iter().map(head).collect()),
+        ("bytes", numbers.integers.len().div_ceil(1000).to_string()),
+        ("difference", format!("{difference:.0e}")),
+        ("compared", compared.to_string()),
+        ("digits", DIGITS.to_string()),
+    ];
+    fill(include_str!("curves.html"), &parts)
+}
+
+/// Returns the hash of Fowler, Noll and Vo (FNV-1a) of a text, by which the page finds damage.
+fn hash(text: &str) -> u32 {
+    text.bytes().fold(2_166_136_261, |hash, byte| {
+        (hash ^ u32::from(byte)).wrapping_mul(16_777_619)
+    })
 }
 
 /// Returns a row of the table of parameters in HTML.
@@ -136,13 +201,14 @@ fn row(parameter: &Parameter) -> String {
 
 /// Returns the section of the figures: empty if there are none. Each figure is an image of its own,
 /// because the names inside two SVG figures are equal.
-fn section(illustrations: &[Illustration]) -> Result<String, Error> {
+fn figures(illustrations: &[Illustration]) -> Result<String, Error> {
     let mut section = String::new();
     for Illustration { caption, figure } in illustrations {
         let svg = STANDARD.encode(figure.picture()?.encode(Format::Svg)?);
         let _ = writeln!(
             section,
-            "<figure><img alt=\"{caption}\" src=\"data:image/svg+xml;base64,{svg}\"><figcaption>{caption}</figcaption></figure>"
+            "<figure><img alt=\"{caption}\" src=\"data:image/svg+xml;base64,{svg}\"><figcaption>{caption} \
+             <label class=\"enlarge\"><input type=\"checkbox\"> full size</label></figcaption></figure>"
         );
     }
     if section.is_empty() {

@@ -1,30 +1,24 @@
 //! The page about a table, with its texts and numbers from the table.
 //!
-//! [`report`] collects what the page of the crate `figures` shows: the range of the table, its certificate (the
-//! largest error at sampled points), the figures of [`figures()`], and the packed low-rank form of
-//! the table, with which the page computes.
+//! [`report`] collects what the page of the crate `figures` shows: the range of the table, its
+//! certificate (the largest error at sampled points), the figures of [`figures()`], and the numbers
+//! with which the page computes. `numbers` takes these from the table, and `settings` says what
+//! the user of the page can set.
 
 mod illustrations;
+mod numbers;
+mod settings;
 
 use contact::Validity;
-use figures::page::{self, Illustration, Page, Range};
+use figures::page::{self, Illustration, Numbers, Page, Range};
 use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table};
 
 pub use illustrations::{figures, steps};
+pub use numbers::{Coarse, coarse};
 
 use crate::Error;
 use crate::large_contact::LARGE_CONTACT;
 use crate::printable;
-use crate::table::{compress, random_points};
-
-/// The largest relative difference, at the nodes, between the quantities of the form in a page and
-/// those of its table. Between the nodes the difference is larger: 1.4 times in a table of many
-/// nodes, 2.4 to 4.3 times in tables of few. It stays below 1e-6.
-const TRUNCATION: f64 = 2e-7;
-/// The number of random points at which the two forms are compared.
-const COMPARED: usize = 2000;
-/// The seed of these points.
-const SEED: u64 = 1;
 
 /// Returns the HTML page of a table: its range, its certificate, force curves that the page
 /// computes, and the `illustrations`, which are those of [`figures()`].
@@ -32,15 +26,14 @@ const SEED: u64 = 1;
 /// The page opens with the `probe`, a paraboloid, a sphere or a flat punch, between which its user
 /// chooses if the table answers all quantities.
 ///
-/// A dense table is embedded in low-rank form. Its quantities differ from those of the table by at
-/// most 1e-6, relative (`tests/report` measures it). The page states the largest difference at
-/// random points. A table in low-rank form is embedded unchanged. Equal tables give equal pages,
-/// byte for byte.
+/// The page computes with a low-rank form of the table, whose quantities differ from those of the
+/// table by at most 1e-4, relative (`tests/report` measures it). The page states the largest difference
+/// at random points, and shows numbers with four digits. Equal tables give equal pages, byte for byte.
 ///
 /// # Errors
 /// [`Error::PageProbe`] for a probe that the page does not compute; [`interp::Error::OfStack`] for
-/// a table of a stack of layers; those of [`compress`], of [`Table::to_packed`], of the lookup and of
-/// the drawing.
+/// a table of a stack of layers; those of [`compress`](crate::table::compress), of the lookup and of the
+/// drawing.
 pub fn report(
     table: &Table,
     illustrations: &[Illustration],
@@ -49,9 +42,7 @@ pub fn report(
     if table.is_of_stack() {
         return Err(interp::Error::OfStack.into());
     }
-    let opening = opening(table, probe)?;
-    let embedded = embedded(table)?;
-    let packed = embedded.to_packed()?;
+    let (probe, radius) = opening(&numbers::quantities(table), probe)?;
     let description = table.description();
     let normalisation = match table.unit() {
         "E2*" => "E₂*, the sphere’s reduced modulus E₂/(1 − ν₂²)",
@@ -66,15 +57,6 @@ pub fn report(
             false => format!("{} ({}, follows from gamma)", q.name(), q.long_name()),
         })
         .collect();
-    let difference = if table.low_rank().is_some() {
-        "the table itself, in low-rank form".to_owned()
-    } else {
-        format!(
-            "a low-rank form of the table, whose quantities differ from those of the table by at most {:.1e} \
-             (relative, at {COMPARED} random points)",
-            largest_difference(table, &embedded)?
-        )
-    };
     let page = Page {
         title: printable::line(&description.title),
         parameters: parameters(table),
@@ -83,18 +65,20 @@ pub fn report(
         created_by: printable::line(&description.created_by),
         scene: printable::lines(description.scene.trim_end()),
         certificate: certificate(table),
-        difference,
-        packed: &packed,
+        numbers: match without_curves(table) {
+            Some(reason) => Err(reason),
+            None => Ok(numbers(table, radius)?),
+        },
         illustrations,
         warning_a_over_r: Validity::WARNING_A_OVER_R,
         large_contact: LARGE_CONTACT,
-        probe: opening,
+        probe,
     };
     Ok(page.html()?)
 }
 
 /// Returns the name and the radius of the probe with which the page opens.
-fn opening(table: &Table, probe: &Probe) -> Result<(&'static str, f64), Error> {
+fn opening(quantities: &[Quantity], probe: &Probe) -> Result<(&'static str, f64), Error> {
     let refused = |reason| Error::PageProbe {
         probe: probe.name(),
         reason,
@@ -109,42 +93,48 @@ fn opening(table: &Table, probe: &Probe) -> Result<(&'static str, f64), Error> {
             ));
         }
     };
-    let answered = table.answers();
-    if name != "paraboloid" && answered != Quantity::ALL {
+    if name != "paraboloid" && quantities != Quantity::ALL {
         return Err(refused("it needs pi0, eeq, gamma and delta0"));
     }
     Ok((name, radius))
 }
 
-/// Returns the low-rank form that goes into the page.
-fn embedded(table: &Table) -> Result<Table, Error> {
-    if table.low_rank().is_some() {
-        return Ok(table.clone());
+/// Returns why the page has no curves; none if it has.
+fn without_curves(table: &Table) -> Option<&'static str> {
+    if table.axis(Parameter::AOverT).len() == 1 {
+        Some("The table holds a single a/t: there is no curve.")
+    } else if numbers::quantities(table).contains(&Quantity::Pi0) {
+        None
+    } else if table.answers().contains(&Quantity::Pi0) {
+        Some("The table begins at too large an a/t: the page cannot derive the load from gamma.")
+    } else {
+        Some("The table does not hold pi0, from which the load is computed.")
     }
-    let form = compress(table, TRUNCATION)?;
-    Ok(Table::from_low_rank(
-        table.description().clone(),
-        table.axes(),
-        table.quantities(),
-        form,
-    )?)
 }
 
-/// Returns the largest relative difference of the quantities of two tables, held or derived, at
-/// random points of their box.
-fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
-    let mut largest = 0.0_f64;
-    for (x, material) in random_points(table, COMPARED, SEED) {
-        let curves = [table.curve(&material)?, other.curve(&material)?];
-        for quantity in Quantity::ALL {
-            if let [Ok(value), Ok(other)] =
-                curves.each_ref().map(|curve| curve.quantity(quantity, x))
-            {
-                largest = largest.max((other / value - 1.0).abs());
-            }
-        }
+/// Returns what the page computes with, of a probe with this `radius`.
+fn numbers(table: &Table, radius: f64) -> Result<Numbers, Error> {
+    let quantities = numbers::quantities(table);
+    let materials = settings::Materials::new(table);
+    let coarse = coarse(table)?;
+    let mut probes = vec![("paraboloid", "paraboloid r²/(2R)")];
+    if quantities == Quantity::ALL {
+        probes.extend([("sphere", "sphere itself"), ("flat-punch", "flat punch")]);
     }
-    Ok(largest)
+    let mut columns = vec!["F", "δ", "a", "a/t"];
+    columns.retain(|&symbol| symbol != "δ" || quantities.contains(&Quantity::Delta0));
+    Ok(Numbers {
+        settings: materials.settings(&quantities, radius),
+        probes,
+        columns,
+        table: format!(
+            "{},\n{}",
+            materials.script(),
+            numbers::script(&coarse.table)
+        ),
+        integers: numbers::integers(&coarse.table),
+        difference: (coarse.difference, numbers::COMPARED),
+    })
 }
 
 /// Returns the symbol of a parameter and its meaning.
