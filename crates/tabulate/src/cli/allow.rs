@@ -9,7 +9,7 @@ use clap::ValueEnum;
 pub enum Allowed {
     /// Numbers that no contact experiment has, such as a sphere of 2 m
     Magnitudes,
-    /// Fits that leave more than a third of the points in contact out
+    /// Fits that leave out more than a third of the points in contact
     LeftOut,
 }
 

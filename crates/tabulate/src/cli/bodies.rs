@@ -32,7 +32,7 @@ pub struct BodiesArguments {
     pub system: SystemArguments,
     #[command(flatten)]
     interface: InterfaceArguments,
-    /// Go on although these are doubtful
+    /// Accept these, which are errors otherwise
     #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
     pub allow: Vec<Allowed>,
 }

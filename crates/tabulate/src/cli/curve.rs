@@ -37,13 +37,13 @@ use solve::{curve as adaptive, solve};
 /// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
 /// is a column outer_radius (m): the radius within which it acts.
 ///
-/// With --friction stick, surfaces that have touched never slide: the rows are those of a contact that
-/// has grown from radius 0 with --work-of-adhesion, and with --work-of-adhesion-receding those of its
-/// retreat. The sphere is solved where Dundurs' beta of sphere and film is 0.
+/// With --friction stick, surfaces that have touched never slide. The rows are those of a contact that
+/// has grown from radius 0 with --work-of-adhesion. With --work-of-adhesion-receding they are those of
+/// the same contact while it recedes. Spheres are solved where Dundurs' beta of sphere and film is 0.
 ///
 /// Values that are not given are those of Barthel's Tables 1 and 2, an elastomer sphere of 1 mm on an
-/// elastomer film of 1 um on silicon, and a comment line on standard error names them. With
-/// --specimen paper they are meant, and not named.
+/// elastomer film of 1 um on silicon, and a comment line on standard error names them. --specimen
+/// paper says that these values are wanted: then there is no such line.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate curve --specimen paper",

@@ -15,8 +15,7 @@ const TOLERANCE: f64 = 1e-6;
 const OWN_TOLERANCE: f64 = 2e-7;
 
 /// The help of an argument that names such a table.
-pub const HELP: &str =
-    "[default: the packed table of the default scene, made first in half a minute]";
+pub const HELP: &str = "[default: the packed table of the default scene, made first]";
 
 /// Reads the table, or makes the packed table of the default scene.
 pub fn read_or_make(name: Option<&TableName>) -> anyhow::Result<Cow<'static, Table>> {

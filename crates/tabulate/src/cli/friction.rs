@@ -30,12 +30,12 @@ pub struct HistoryArguments {
     #[arg(long, value_enum, default_value = "none")]
     friction: Friction,
     /// Poisson ratio of the sphere, for --friction stick [default there: 0.5], and for a fit of its
-    /// modulus, which then tells Young's modulus, too, E2 = E2* (1 - nu2^2). Nothing else needs it
+    /// modulus, which then prints Young's modulus E2 = E2* (1 - nu2^2), too. Nothing else needs it
     #[arg(long, visible_alias = "nu2", value_name = "NU", value_parser = poisson_ratio, allow_hyphen_values = true)]
     pub sphere_poisson_ratio: Option<f64>,
-    /// With --friction stick: work of adhesion with which the contact recedes, J/m^2, at least
-    /// --work-of-adhesion, with which it has grown; 0 there is a contact that was pressed on without
-    /// attraction
+    /// With --friction stick: work of adhesion with which the contact recedes, J/m^2. It is at least
+    /// --work-of-adhesion, with which the contact has grown. With --work-of-adhesion 0 the contact
+    /// has grown by the load alone
     #[arg(long, value_name = "J/m^2", value_parser = force_per_length, allow_hyphen_values = true)]
     pub work_of_adhesion_receding: Option<f64>,
 }

@@ -37,9 +37,9 @@ const DEFAULT_SCENE: &str = include_str!("default.toml");
 ///
 /// Finished pieces are kept in TABLE.h5.unfinished until the table is complete: after an
 /// interruption, --resume goes on from them, with the same build of this program on the same kind
-/// of processor. Without --resume, pieces that are kept are an error: nothing drops them but their
-/// removal by hand. A loss of power costs a megabyte of pieces at most. An existing table is not
-/// touched until then. In a scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's
+/// of processor. Without --resume, kept pieces are an error: remove their file to begin anew. A loss of
+/// power costs a megabyte of pieces at most. An existing table stays as it is until the new one is
+/// complete. In a scene, e1_over_e2 and e0_over_e2 are Young's moduli over the sphere's
 /// reduced modulus E2*, see `tabulate --help`.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(

@@ -25,7 +25,7 @@ pub struct InterfaceArguments {
     /// film.modulus, film.thickness. --stack names the interfaces of several layers.
     #[arg(long, value_enum, conflicts_with_all = NO_FILM, conflicts_with = "interface_stiffness")]
     interface: Option<Word>,
-    /// Springs between film and substrate, Pa/m: the tangential stiffness, and perhaps the normal
+    /// Springs between film and substrate, Pa/m: the tangential stiffness, and optionally the normal
     /// one [default: inf]. A layer of glue of shear modulus G and thickness d has G/d. 0 slides, inf
     /// is bonded. In a fit film.interface-stiffness is the tangential one
     #[arg(

@@ -68,7 +68,7 @@ enum Figure {
         #[arg(long, value_enum, conflicts_with_all = OF_PROBE, conflicts_with = "interface_stiffness")]
         interface: Option<Word>,
         /// Springs between films and substrate, Pa/m, under a paraboloid: the tangential stiffness,
-        /// and perhaps the normal one [default: inf]. 0 slides, inf is bonded
+        /// and optionally the normal one [default: inf]. 0 slides, inf is bonded
         #[arg(
             long,
             value_name = "KT[,KN]",

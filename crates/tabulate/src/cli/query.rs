@@ -36,7 +36,7 @@ use crate::{Error, printable};
 pub struct Arguments {
     #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
     table: TableName,
-    /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0 (default: the
+    /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and optionally nu0 (default: the
     /// table's, or 0.25 if the table is made for every nu0), in any order
     #[arg(long, value_name = "IN.csv")]
     points: PathBuf,

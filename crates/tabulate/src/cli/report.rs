@@ -13,9 +13,9 @@ use crate::report::{figures, report, steps};
 
 /// Write an HTML page about a table, with force curves that follow sliders
 ///
-/// The page shows the range of the table, its certificate, a map of its errors, and the force curve
-/// of any system in the table, which is computed in the page. It is one file, which fetches
-/// nothing.
+/// The page shows the range of the table, its certificate, a map of its errors, and the force curve of
+/// any system in the table. The page computes the curve, accurately enough for a picture, and shows
+/// numbers with four digits. It is one file and needs no network.
 ///
 /// The page opens with --probe: the paraboloid, the sphere or the flat punch.
 #[derive(clap::Args)]

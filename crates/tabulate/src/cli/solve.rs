@@ -75,7 +75,7 @@ pub struct Arguments {
     /// Poisson ratio of the substrate; with --points, where the CSV has no column nu0
     #[arg(long, default_value_t = DEFAULT_NU0, value_parser = plain, allow_hyphen_values = true)]
     nu0: f64,
-    /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and perhaps nu0, in any order
+    /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and optionally nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     points: Option<PathBuf>,
     /// What joins the film to the substrate [default: bonded]
@@ -85,7 +85,7 @@ pub struct Arguments {
     #[arg(long, value_enum, conflicts_with_all = ["stack", "interface_stiffness"])]
     interface: Option<Word>,
     /// Springs between film and substrate, in units of E2*/t, under a rigid sphere of E1/t: the
-    /// tangential stiffness, and perhaps the normal one [default: inf]. 0 slides, inf is bonded
+    /// tangential stiffness, and optionally the normal one [default: inf]. 0 slides, inf is bonded
     #[arg(
         long,
         value_name = "KT[,KN]",

@@ -17,8 +17,10 @@ use solve::stack_curve;
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
 pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
-    from the base up, a [[layers]] with young_modulus, poisson_ratio, thickness and perhaps a name, by which messages and fits call it, and perhaps an interface to what lies below, \"bonded\", \"sliding\" or { tangential_stiffness = PA_PER_M, normal_stiffness = inf }, for each. A base with \
-    young_modulus = inf is rigid and needs no Poisson ratio. A table of a stack, made of a scene with a [stack], stands for its stack";
+    for each layer from the base up, [[layers]] with young_modulus, poisson_ratio and thickness. Optional keys of a layer are name, \
+    which messages and fits use, and interface, what joins it to what lies below: \"bonded\" (without the key), \"sliding\" or \
+    { tangential_stiffness = PA_PER_M, normal_stiffness = inf }. A base with young_modulus = inf is rigid and needs no Poisson \
+    ratio. In place of a TOML file, a table made of a scene with a [stack] names the stack of the scene";
 
 /// The first bytes of an HDF5 file.
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";

@@ -65,14 +65,15 @@ use crate::printable;
 /// some tenths of a second, and the modulus and the thickness of its layers can be free; or it is
 /// looked up where --stack names a table of the stack.
 ///
-/// What the fit needs and nobody gives is an error that lists it. A value of the bodies is fixed
-/// unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
+/// Values that the fit needs and that are not given are an error that lists them. A value of the bodies
+/// is fixed unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
 /// value: the data tell where to start.
 ///
-/// With --relaxation the film relaxes in time, and an approach, a hold and a retract, which the points
-/// of one file are, give its modulus and its relaxation function; without adhesion, and exactly on films of any thickness. A
-/// gel also relaxes by flow of its solvent, and that is no law of the material: its time grows like the
-/// square of the contact radius. Fit curves of two radii: a material has the same relaxation times.
+/// With --relaxation the film relaxes in time. The points of a file are an approach, a hold and a
+/// retract without adhesion; they give the modulus of the film and its relaxation function. The effect
+/// of the film thickness is exact. A gel also relaxes by flow of its solvent, and that is no law of the
+/// material: its time grows like the square of the contact radius. Fit curves of two radii: a material
+/// has the same relaxation times at both.
 ///
 /// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
 /// without it, a warning tells where full friction would change the modulus by more than its standard

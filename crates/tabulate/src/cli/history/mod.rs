@@ -27,21 +27,21 @@ use super::table_name::{self, TableName};
 ///
 /// The columns are time (s), penetration (m), load (N), contact_radius (m) and phase: advancing,
 /// resting, receding or separated. Load and radius are 0 while separated. --film-modulus is E_ref:
-/// the instantaneous modulus, and of a power law that at --reference-time.
+/// the instantaneous modulus, or under a power law the modulus at --reference-time.
 ///
-/// The thickness of the film enters exactly, at any time. Adhesion acts on the receding line alone
+/// The effect of the film thickness is exact at any time. Only a receding contact line has adhesion
 /// (--work-of-adhesion-receding), after one approach.
 ///
-/// Sphere and substrate do not relax. Where they deform noticeably beside the film, the error of
-/// that is estimated, and above 2 % refused; --all-relax takes them to relax like the film.
+/// Sphere and substrate do not relax. Where they deform, too, the program estimates the
+/// error that this causes, and refuses errors above 2 %. With --all-relax they relax like the film.
 ///
 /// A gel also relaxes by flow of its solvent, and that is no law of the material: its time grows like
 /// the square of the contact radius, or of the thickness of a thin film. Measure at two radii: a
 /// material has the same relaxation times at both.
 ///
-/// The loads, radii and penetrations are within the tolerance, each of the largest one, to which the
-/// error of the elastic curve adds. Without --tolerance a comment line on standard error tells an
-/// estimated error above 1e-8.
+/// The errors of loads, radii and penetrations are within the tolerance, each relative to the largest
+/// one; the error of the elastic curve adds to it. Without --tolerance a comment line on standard
+/// error names an estimated error above 1e-8.
 ///
 /// Values that are not given are those of the paper, and a comment line on standard error names
 /// them, as in `tabulate curve`; the work of adhesion is 0.
