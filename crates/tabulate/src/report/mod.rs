@@ -27,7 +27,7 @@ use crate::printable;
 /// chooses if the table answers all quantities.
 ///
 /// The page computes with a low-rank form of the table, whose quantities differ from those of the
-/// table by at most 1e-4, relative (`tests/report` measures it). The page states the largest difference
+/// table by at most 2e-4, relative (`tests/report` measures it). The page states the largest difference
 /// at random points, and shows numbers with four digits. Equal tables give equal pages, byte for byte.
 ///
 /// # Errors

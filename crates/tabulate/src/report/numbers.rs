@@ -11,8 +11,7 @@ use crate::table::{compress, random_points};
 /// The largest relative difference, at random points, between a quantity that the page knows and that
 /// of the table in low-rank form.
 const DIFFERENCE: f64 = 5e-5;
-/// The error of a dense table's low-rank form at its nodes. Between the nodes it is larger, up to 13
-/// times in tables of few nodes.
+/// The error of a dense table's low-rank form at its nodes. Between the nodes it is larger.
 const TRUNCATION: f64 = 5e-6;
 /// The binary logarithm of the largest factor by which the integers of a table become smaller.
 const LARGEST_FACTOR: u32 = 12;
@@ -44,6 +43,9 @@ pub fn quantities(table: &Table) -> Vec<Quantity> {
 }
 
 /// Returns the table in as few integers as pictures need.
+///
+/// # Errors
+/// Those of [`compress`] and of the lookup.
 pub fn coarse(table: &Table) -> Result<Coarse, Error> {
     // The page derives all quantities, also where the table with its own tolerance does not.
     let mut description = table.description().clone();
