@@ -444,7 +444,7 @@ fn anywhere(contacts: &mut Contacts) -> (f64, Material, f64) {
 #[test]
 fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
     const COUNT: usize = 3000;
-    /// Tolerances from this on are refused only beyond [`CONTRAST`]. Measured: 3.7e-10 is reached
+    /// Tolerances from this on are refused only beyond [`CONTRAST`]. Measured: 4.6e-10 is reached
     /// where 1e-10 is refused.
     const ANSWERED: f64 = 1e-9;
     /// The contrast `E1*/E0*` and the `a/t` beyond which few digits may be left. Measured beyond
@@ -493,7 +493,7 @@ fn no_contact_of_the_domain_is_answered_wrongly_or_not_at_all() {
         "{COUNT} contacts: {methods:?}, {refused} refused, where {reached_most:.1e} is reached, and {contrasts} for their contrast"
     );
     println!("against tighter answers: at most {worst:.2} of the stated errors");
-    // Measured: 3.9e-10, 38 and 29.
+    // Measured: 4.6e-10, 42 and 29.
     assert!(reached_most <= 2e-9);
     assert!(refused <= 60 && contrasts <= 45);
     assert!(worst <= 1.0);

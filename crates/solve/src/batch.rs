@@ -14,7 +14,7 @@ use crate::Error;
 use crate::abscissae::{Abscissae, BesselValues};
 use crate::compliance::Compliance;
 use crate::galerkin;
-use crate::method::has_closed_form;
+use crate::method::{Method, has_closed_form};
 use crate::operator::Operator;
 use crate::parallel::{on_all_cores, try_map};
 use crate::surface::SurfaceCompliance;
@@ -33,14 +33,19 @@ struct Group {
 }
 
 impl Group {
-    /// Returns whether Galerkin's method, whose matrices the members share, costs less than the
-    /// Wiener-Hopf method for each member.
-    fn prefers_galerkin(&self, x: f64, tolerance: f64) -> bool {
+    /// Returns whether Galerkin's method, whose matrices the members share, costs less than what
+    /// each member would take alone.
+    fn prefers_galerkin(&self, x: f64, materials: &[Material], tolerance: f64) -> bool {
         /// The [cost](galerkin::cost) of one contact up to which Galerkin's method is faster here.
         /// It is larger than the time of the Wiener-Hopf method, because the cost includes the
         /// Bessel values. With 15 instead, the scene `universal` took 3 % longer.
         const WIENER_HOPF: f64 = 25.0;
+        let takes_galerkin = |&member: &usize| {
+            let symbol = Symbol::with_compliance(self.compliance, &materials[member]);
+            Method::candidates(x, &symbol, tolerance).next() == Some(Method::Galerkin)
+        };
         galerkin::cost(x, tolerance) <= WIENER_HOPF * self.members.len() as f64
+            || self.members.iter().any(takes_galerkin)
     }
 
     /// Returns the exponent of the largest power of 4 that is at most the smallest scale of the
@@ -101,13 +106,13 @@ impl Batch {
         solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Vec<Quantities>, Error> {
-        let shared = Shared::new(x, &self.groups, tolerance);
-        let solve_group = |group: &Group| -> Result<_, Error> {
-            let solved = shared.solve(group, &self.materials, solve_one)?;
+        let shared = Shared::new(x, self, tolerance);
+        let solve_group = |(group, scale): (&Group, &Option<i32>)| -> Result<_, Error> {
+            let solved = shared.solve(group, *scale, &self.materials, solve_one)?;
             progress(solved.len());
             Ok(solved)
         };
-        let solved = try_map(&self.groups, solve_group)?;
+        let solved = try_map(self.groups.par_iter().zip(&shared.scales), solve_group)?;
         let missing = Quantities::from_array([f64::NAN; 4]);
         let mut all = vec![missing; self.materials.len()];
         for (group, solved) in self.groups.iter().zip(solved) {
@@ -121,20 +126,25 @@ impl Batch {
 
 /// The values that materials share at one `a/t`.
 struct Shared {
-    x: f64,
     tolerance: f64,
-    /// The abscissae and Bessel values of Galerkin's method for the groups that prefer it, by their
-    /// [scales](Group::scale).
+    /// The [scale](Group::scale) of every group that prefers Galerkin's method.
+    scales: Vec<Option<i32>>,
+    /// The abscissae and Bessel values of these groups, by their scales.
     galerkin: BTreeMap<i32, (Abscissae, BesselValues)>,
 }
 
 impl Shared {
     /// Evaluates the Bessel functions at `x = a/t`, on panels that serve every group of one scale.
-    fn new(x: f64, groups: &[Group], tolerance: f64) -> Self {
-        let mut scales: BTreeMap<i32, Vec<&Compliance>> = BTreeMap::new();
-        for group in groups {
-            if group.prefers_galerkin(x, tolerance) {
-                let of_scale = scales.entry(group.scale()).or_default();
+    fn new(x: f64, batch: &Batch, tolerance: f64) -> Self {
+        let scale = |group: &Group| {
+            let prefers_galerkin = group.prefers_galerkin(x, &batch.materials, tolerance);
+            prefers_galerkin.then(|| group.scale())
+        };
+        let scales: Vec<_> = on_all_cores(|| batch.groups.par_iter().map(scale).collect());
+        let mut of_scales: BTreeMap<i32, Vec<&Compliance>> = BTreeMap::new();
+        for (group, scale) in batch.groups.iter().zip(&scales) {
+            if let Some(scale) = scale {
+                let of_scale = of_scales.entry(*scale).or_default();
                 of_scale.push(&group.compliance);
             }
         }
@@ -144,22 +154,23 @@ impl Shared {
             (scale, (abscissae, bessel))
         };
         Self {
-            x,
             tolerance,
-            galerkin: on_all_cores(|| scales.into_par_iter().map(prepare).collect()),
+            scales,
+            galerkin: on_all_cores(|| of_scales.into_par_iter().map(prepare).collect()),
         }
     }
 
-    /// Returns the quantities of every member of a group.
+    /// Returns the quantities of every member of a group, whose `scale` is none if it does not
+    /// prefer Galerkin's method.
     fn solve(
         &self,
         group: &Group,
+        scale: Option<i32>,
         materials: &[Material],
         solve_one: &(dyn Fn(&Material) -> Result<Quantities, Error> + Sync),
     ) -> Result<Vec<Quantities>, Error> {
         let members = group.members.iter().map(|&member| &materials[member]);
-        let prefers_galerkin = group.prefers_galerkin(self.x, self.tolerance);
-        let galerkin = prefers_galerkin.then(|| &self.galerkin[&group.scale()]);
+        let galerkin = scale.map(|scale| &self.galerkin[&scale]);
         let assemble = |abscissae, bessel| match group.members.len() {
             1 => Operator::for_one_sphere(&group.compliance, abscissae, bessel),
             _ => Operator::for_many_spheres(&group.compliance, abscissae, bessel),

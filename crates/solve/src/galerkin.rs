@@ -43,20 +43,27 @@ pub fn solve<C: SurfaceCompliance>(
     exponents: &[f64],
     tolerance: f64,
 ) -> Estimate {
+    /// The truncation error over the tolerance for which modes are added.
+    const AIM: f64 = 0.1;
+    /// The compliance `S(t/a)` below which a contact needs more modes than most, as of a soft film
+    /// between stiff bodies.
+    const SOFT: f64 = 0.1;
     let compliance = symbol.compliance();
-    let (mut modes, ample) = (modes(x, tolerance), modes(x, FINEST));
+    let is_soft = symbol.value(1.0 / x) < SOFT;
+    let first = if is_soft { AIM * tolerance } else { tolerance };
+    let (mut count, ample) = (modes(x, first), modes(x, FINEST));
     let mut panels = Panels::new(x, [compliance], tolerance);
-    let mut quadrature_tolerance = tolerance;
+    let (mut truncation_tolerance, mut quadrature_tolerance) = (first, tolerance);
     loop {
-        let abscissae = Abscissae::new(x, modes, panels.clone());
+        let abscissae = Abscissae::new(x, count, panels.clone());
         let bessel = abscissae.bessel_values();
         let operator = Operator::for_one_sphere(compliance, &abscissae, &bessel);
         let Some(solved) = operator.solve(symbol, exponents) else {
             // Too few modes, or too much rounding.
-            if modes >= ample {
+            if count >= ample {
                 return Estimate::FAILED;
             }
-            modes = ample;
+            count = ample;
             continue;
         };
         let error = solved.error();
@@ -65,13 +72,22 @@ pub fn solve<C: SurfaceCompliance>(
                 quantities: solved.quantities,
                 power_laws: solved.power_laws,
                 error,
-                modes,
+                modes: count,
             };
         }
-        // Refines the larger source of the error, unless that is rounding.
-        if solved.truncation >= 0.5 * error && modes < MOST_MODES {
-            modes += 2 + modes / 4;
-        } else if solved.quadrature >= 0.5 * error && quadrature_tolerance > FINEST {
+        // Refines the larger source of the error, or one without which it would be small enough,
+        // unless that is rounding.
+        let large = (0.5 * error).min(error - tolerance);
+        if solved.truncation >= large && count < MOST_MODES {
+            truncation_tolerance *= AIM * tolerance / solved.truncation;
+            // A profile with a kink converges slowly.
+            let least = if exponents.is_empty() {
+                2
+            } else {
+                2 + count / 4
+            };
+            count = modes(x, truncation_tolerance).clamp(count + least, 2 * count + least);
+        } else if solved.quadrature >= large && quadrature_tolerance > FINEST {
             quadrature_tolerance *= 0.01;
             panels = Panels::new(x, [compliance], quadrature_tolerance);
         } else {
@@ -79,7 +95,7 @@ pub fn solve<C: SurfaceCompliance>(
                 quantities: solved.quantities,
                 power_laws: solved.power_laws,
                 error,
-                modes,
+                modes: count,
             };
         }
     }

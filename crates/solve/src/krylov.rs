@@ -3,7 +3,10 @@
 //! Both systems have one Krylov space, spanned by `b, M b, M^2 b, ...`: one Arnoldi process serves
 //! both.
 
+use fearless_simd::{Level, dispatch};
+
 use crate::estimate::larger;
+use crate::slope::dot;
 
 /// Solves `(1 - M) v = b` and `(1 + M) v = b`, and returns both `v` in this order.
 ///
@@ -26,13 +29,7 @@ pub fn solve(
         let mut projections = vec![0.0; steps + 1];
         // Twice is enough: the basis is then orthogonal to rounding.
         for _ in 0..2 {
-            for (vector, projection) in basis.chunks_exact(n).zip(&mut projections) {
-                let part = dot(vector, &next);
-                *projection += part;
-                next.iter_mut()
-                    .zip(vector)
-                    .for_each(|(next, v)| *next -= part * v);
-            }
+            dispatch!(Level::new(), _simd => orthogonalise(&basis, &mut next, &mut projections));
         }
         let length = dot(&next, &next).sqrt();
         projections[steps] = length;
@@ -57,23 +54,17 @@ pub fn solve(
     })
 }
 
-/// Returns `a.b`.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    // Four sums: the processor need not wait for one addition before the next.
-    let mut sums = [0.0; 4];
-    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest: f64 = a4
-        .remainder()
-        .iter()
-        .zip(b4.remainder())
-        .map(|(a, b)| a * b)
-        .sum();
-    for (a, b) in a4.zip(b4) {
-        for i in 0..4 {
-            sums[i] += a[i] * b[i];
+/// Takes from `next` its parts along the vectors of `basis`, and adds them to `projections`.
+// Inlined, with all that it calls, into code with vector instructions.
+#[inline(always)]
+fn orthogonalise(basis: &[f64], next: &mut [f64], projections: &mut [f64]) {
+    for (vector, projection) in basis.chunks_exact(next.len()).zip(projections) {
+        let part = dot(vector, next);
+        *projection += part;
+        for (next, v) in next.iter_mut().zip(vector) {
+            *next -= part * v;
         }
     }
-    rest + (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
 
 /// The least-squares problem `|e_0 - (1 + sign H) y|` over a growing Hessenberg matrix `H`, reduced

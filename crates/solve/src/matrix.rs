@@ -6,15 +6,20 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 
-/// The rows that are multiplied side by side.
+/// The rows of a group, which are multiplied side by side.
 const LANES: usize = 8;
+
+/// The number of groups of rows at once. Their sums are independent: the processor need not wait for
+/// one addition before it begins the next.
+const AT_ONCE: usize = 4;
 
 /// A real matrix.
 #[derive(Debug)]
 pub struct Matrix {
     rows: usize,
     columns: usize,
-    /// Groups of [`LANES`] rows, padded with zeros; each group column by column.
+    /// Groups of [`LANES`] rows, padded with zeros. Up to [`AT_ONCE`] groups lie together, column by
+    /// column.
     groups: Vec<[f64; LANES]>,
 }
 
@@ -29,8 +34,11 @@ impl Matrix {
         let count = columns.len();
         let mut groups = vec![[0.0; LANES]; rows.div_ceil(LANES) * count];
         for (j, column) in columns.enumerate() {
-            for (group, part) in column.chunks(LANES).enumerate() {
-                groups[group * count + j][..part.len()].copy_from_slice(part);
+            let several = groups.chunks_mut(AT_ONCE * count);
+            for (groups, part) in several.zip(column.chunks(AT_ONCE * LANES)) {
+                let together = groups.len() / count;
+                let of_column = &mut groups[j * together..][..together];
+                of_column.as_flattened_mut()[..part.len()].copy_from_slice(part);
             }
         }
         Self {
@@ -54,39 +62,35 @@ impl Matrix {
 
     #[inline(always)]
     fn multiply_by<S: Simd>(&self, simd: S, vector: &[f64], out: &mut [f64]) {
-        /// The number of groups of rows at once. Their sums are independent: the processor need not
-        /// wait for one addition before it begins the next.
-        const AT_ONCE: usize = 4;
         let several = self.groups.chunks(AT_ONCE * self.columns);
         for (groups, out) in several.zip(out.chunks_mut(AT_ONCE * LANES)) {
             match groups.len() / self.columns {
-                1 => self.multiply_groups::<S, 1>(simd, groups, vector, out),
-                2 => self.multiply_groups::<S, 2>(simd, groups, vector, out),
-                3 => self.multiply_groups::<S, 3>(simd, groups, vector, out),
-                _ => self.multiply_groups::<S, AT_ONCE>(simd, groups, vector, out),
+                1 => multiply_groups::<S, 1>(simd, groups, vector, out),
+                2 => multiply_groups::<S, 2>(simd, groups, vector, out),
+                3 => multiply_groups::<S, 3>(simd, groups, vector, out),
+                _ => multiply_groups::<S, AT_ONCE>(simd, groups, vector, out),
             }
         }
     }
+}
 
-    /// Multiplies `N` groups of rows.
-    #[inline(always)]
-    fn multiply_groups<S: Simd, const N: usize>(
-        &self,
-        simd: S,
-        groups: &[[f64; LANES]],
-        vector: &[f64],
-        out: &mut [f64],
-    ) {
-        let mut sums = [f64x8::splat(simd, 0.0); N];
-        for (j, &factor) in vector.iter().enumerate() {
-            for (i, sum) in sums.iter_mut().enumerate() {
-                let column = f64x8::simd_from(simd, groups[i * self.columns + j]);
-                *sum = column.mul_add(factor, *sum);
-            }
+/// Multiplies `N` groups of rows.
+#[inline(always)]
+fn multiply_groups<S: Simd, const N: usize>(
+    simd: S,
+    groups: &[[f64; LANES]],
+    vector: &[f64],
+    out: &mut [f64],
+) {
+    let (columns, _) = groups.as_chunks::<N>();
+    let mut sums = [f64x8::splat(simd, 0.0); N];
+    for (column, &factor) in columns.iter().zip(vector) {
+        for (sum, group) in sums.iter_mut().zip(column) {
+            *sum = f64x8::simd_from(simd, *group).mul_add(factor, *sum);
         }
-        for (out, sum) in out.chunks_mut(LANES).zip(&sums) {
-            out.copy_from_slice(&sum.as_slice()[..out.len()]);
-        }
+    }
+    for (out, sum) in out.chunks_mut(LANES).zip(&sums) {
+        out.copy_from_slice(&sum.as_slice()[..out.len()]);
     }
 }
 

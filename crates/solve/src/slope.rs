@@ -95,6 +95,7 @@ fn lanes_mut(values: &mut [f64]) -> std::slice::ChunksExactMut<'_, f64> {
 
 /// Returns `a.b` of two vectors of equal length. The products are added to eight sums in turn,
 /// because an addition to a sum must wait for the one before it.
+#[inline(always)]
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     debug_assert_eq!(a.len(), b.len());
     let (groups, rest) = a.as_chunks::<LANES>();

@@ -51,6 +51,11 @@ impl<C: SurfaceCompliance> Symbol<C> {
         self.film
     }
 
+    /// Returns `S(q)` for a real `q >= 0`, to a few rounding units of `max(S, 1)`.
+    pub fn value(&self, q: f64) -> f64 {
+        1.0 + self.film * self.compliance.sample(q).excess
+    }
+
     /// Returns a bound of `|S - 1|`: 0 where film and substrate are one material in the sense of
     /// Dundurs, and tiny under a sphere that is much softer than both.
     pub fn contrast(&self) -> f64 {

@@ -80,7 +80,7 @@ use num_complex::Complex64;
 
 use crate::compliance::{FLAT, SINE_OF_FREE_ANGLE};
 use crate::contour::{Contour, LEVELS, Path};
-use crate::estimate::Estimate;
+use crate::estimate::{Estimate, larger};
 use crate::krylov;
 use crate::read_out::Fields;
 use crate::symbol::Symbol;
@@ -96,9 +96,26 @@ pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
 /// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
 /// methods: a fit to the bench `accuracy`.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
+    /// The time of the second sphere over that of the first.
+    const SECOND_SPHERE: f64 = 0.7;
+    let (symbol, spheres) = match softening(x, symbol) {
+        Some(share) => (symbol.softened(share), 1.0 + SECOND_SPHERE),
+        None => (*symbol, 1.0),
+    };
     let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
     let unknowns = scales * (8.0 - tolerance.ln());
-    0.005 * unknowns * unknowns
+    0.0023 * spheres * unknowns * unknowns
+}
+
+/// The compliance that is added to a sphere between bodies that are nearly rigid, over `S(t/a)`. The
+/// error is about its square.
+const SOFTENING: f64 = 1e-6;
+
+/// Returns the compliance to be added over `S(inf)`, where the compliance of long waves is
+/// negligible; none elsewhere.
+fn softening(x: f64, symbol: &Symbol) -> Option<f64> {
+    let softening = SOFTENING * symbol.at(1.0 / x);
+    (symbol.at(0.0) <= softening).then_some(softening)
 }
 
 /// Solves the contact at `x = a/t` with contours of growing accuracy, until two agree to
@@ -109,19 +126,25 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 /// in proportion to `S(0)`. The quantities are analytic in the sphere's compliance, so that two
 /// slightly softer spheres extrapolate to the given one: `2 f(h) - f(2h)` differs from `f(0)` by
 /// `h^2 f''`. As `f` is a sum of `c/(l + h)` with `l` above `S(t/a)` or so, this is less than twice
-/// the square of `h/S(t/a)`. Measured: 1.5 times.
+/// the square of `h/S(t/a)`. Measured: 1.5 times. A contour that serves the first sphere serves the
+/// second one, whose symbol varies less.
 pub fn solve(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: f64) -> Estimate {
-    /// The added compliance over `S(t/a)`. The error is about its square.
-    const SOFTENING: f64 = 1e-6;
     const WEIGHTS: [f64; 2] = [2.0, -1.0];
-    let softening = SOFTENING * symbol.at(1.0 / x);
-    if symbol.at(0.0) > softening {
-        return converge(x, symbol, exponents, path, tolerance);
-    }
-    let [mut extrapolated, softer] = [1.0, 2.0].map(|multiple| {
-        let symbol = symbol.softened(multiple * softening);
-        converge(x, &symbol, exponents, path, tolerance / 3.0)
-    });
+    let Some(softening) = softening(x, symbol) else {
+        return converge(x, symbol, exponents, path, tolerance).0;
+    };
+    let [soft, softer] = [1.0, 2.0].map(|multiple| symbol.softened(multiple * softening));
+    let share = tolerance / 3.0;
+    let (mut extrapolated, level) = converge(x, &soft, exponents, path, share);
+    let softer = if extrapolated.error <= share {
+        let softer = on_contour(x, &softer, exponents, path, level);
+        Estimate {
+            error: larger(extrapolated.error, softer.error),
+            ..softer
+        }
+    } else {
+        converge(x, &softer, exponents, path, share).0
+    };
     let mut others = softer.numbers();
     extrapolated.change(|number| {
         let other = others.next().expect("both hold the same numbers");
@@ -141,32 +164,47 @@ const GAIN: f64 = 0.3;
 /// part.
 const NOISE: f64 = 3e-11;
 
-/// Solves with contours of growing accuracy until two agree.
-fn converge(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: f64) -> Estimate {
+/// The logarithm of `S(0)/S(t/a)` from which on most contacts need one more level than the
+/// tolerance.
+const STRONG: f64 = 0.1;
+
+/// Solves with contours of growing accuracy until two agree. Returns the level of the last one,
+/// too.
+fn converge(
+    x: f64,
+    symbol: &Symbol,
+    exponents: &[f64],
+    path: Path,
+    tolerance: f64,
+) -> (Estimate, usize) {
     let left_out = if path == Path::Axis {
         left_out(x, symbol)
     } else {
         0.0
     };
+    let contrast = (symbol.at(0.0) / symbol.at(1.0 / x)).ln().abs();
+    let further = usize::from(contrast > STRONG);
     let first = LEVELS
         .iter()
         .position(|&digits| digits > -tolerance.ln())
-        .unwrap_or(LEVELS.len())
+        .map_or(LEVELS.len(), |level| level + further)
         .clamp(1, LEVELS.len() - 1);
     let mut best = Estimate {
         error: f64::INFINITY,
         ..on_contour(x, symbol, exponents, path, first - 1)
     };
+    let mut last = first;
     for level in first..LEVELS.len() {
         let next = on_contour(x, symbol, exponents, path, level);
         let difference = next.difference(&best);
         let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + left_out;
         best = Estimate { error, ..next };
+        last = level;
         if error <= tolerance {
             break;
         }
     }
-    best
+    (best, last)
 }
 
 /// Solves with one contour. The error of the estimate is that of rounding only.
