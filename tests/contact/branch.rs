@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, assert_names, paper_system};
+use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
-use interp::{Elastic, Error, HalfSpace, Probe, System, Table};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 const NONE: Derivatives = Derivatives {
     load: 0.0,

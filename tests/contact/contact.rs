@@ -4,8 +4,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system};
+use contact::Error;
 use contact::{Contact, JkrFit, JkrPoint};
-use interp::{Elastic, Error, HalfSpace, Material, Mechanics, Probe, System, Table};
+use interp::{Elastic, HalfSpace, Material, Mechanics, Probe, System, Table};
 use solve::solve;
 
 pub fn bare() -> HalfSpace {
@@ -110,7 +111,10 @@ fn a_load_that_no_adhesive_contact_bears_has_no_energy_release_rate() {
             .radius_and_energy_release_rate(load, penetration)
             .expect_err("no such contact");
         assert!(
-            matches!(error, Error::Unphysical { name: "load", .. }),
+            matches!(
+                error,
+                Error::Table(interp::Error::Unphysical { name: "load", .. })
+            ),
             "{error}"
         );
     }
@@ -180,10 +184,10 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
     ] {
         assert!(matches!(
             JkrFit::through(points),
-            Err(Error::InvalidArgument {
+            Err(Error::Table(interp::Error::InvalidArgument {
                 name: "spread of the JKR plot's abscissas",
                 ..
-            })
+            }))
         ));
     }
     let falling = [0.0, 1.0].map(|x| JkrPoint {
@@ -198,10 +202,10 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
     for points in [falling, steep] {
         assert!(matches!(
             JkrFit::through(&points),
-            Err(Error::Unphysical {
+            Err(Error::Table(interp::Error::Unphysical {
                 name: "slope of the JKR plot",
                 ..
-            })
+            }))
         ));
     }
 }
@@ -225,11 +229,11 @@ fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
     assert!(
         matches!(
             error,
-            Error::InvalidArgument {
+            Error::Table(interp::Error::InvalidArgument {
                 name: "sphere_modulus",
                 value: f64::INFINITY,
                 ..
-            }
+            })
         ),
         "{error}"
     );
@@ -250,10 +254,10 @@ fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
     // Without adhesion there is no error of the work of adhesion, either.
     assert!(matches!(
         bare.film_bias(0.0, radii, 15),
-        Err(Error::InvalidArgument {
+        Err(Error::Table(interp::Error::InvalidArgument {
             name: "work of adhesion",
             ..
-        })
+        }))
     ));
 }
 
@@ -264,10 +268,10 @@ fn numbers_of_points_are_bounded() {
         assert!(
             matches!(
                 result,
-                Err(Error::InvalidArgument {
+                Err(Error::Table(interp::Error::InvalidArgument {
                     name: "number of points",
                     ..
-                })
+                }))
             ),
             "{result:?}"
         );
@@ -381,6 +385,6 @@ fn many_loads_are_those_of_one_after_the_other() {
     }
     assert!(matches!(
         contact.load_at_all(&radii, 0.04, &mut loads[1..]),
-        Err(Error::InvalidArgument { .. })
+        Err(Error::Table(interp::Error::InvalidArgument { .. }))
     ));
 }

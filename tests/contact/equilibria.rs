@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, paper_system, table};
+use contact::Error;
 use contact::{Contact, Control, ForceDisplacement, State};
-use interp::{Curve, Elastic, Error, Probe, Quantities, System, Table};
+use interp::{Curve, Elastic, Probe, Quantities, System, Table};
 use solve::curve;
 
 const CONTROLS: [Control; 3] = [
@@ -547,10 +548,10 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
     for points in [0, 1, 1_000_001, usize::MAX] {
         assert!(matches!(
             equilibria.force_displacement(1e-4, points),
-            Err(Error::InvalidArgument {
+            Err(Error::Table(interp::Error::InvalidArgument {
                 name: "number of points",
                 ..
-            })
+            }))
         ));
     }
 }
@@ -591,7 +592,9 @@ fn without_adhesion_a_table_needs_no_stiffness() {
         assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
         assert!(matches!(
             contact.equilibria(0.04, control),
-            Err(Error::MissingQuantity("eeq" | "gamma"))
+            Err(Error::Table(interp::Error::MissingQuantity(
+                "eeq" | "gamma"
+            )))
         ));
         // Before the curve begins.
         assert!(matches!(

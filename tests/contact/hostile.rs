@@ -1,8 +1,9 @@
 //! Contacts asked with hostile arguments.
 
 use acceptance::paper_system;
+use contact::Error;
 use contact::{Contact, Control};
-use interp::{Elastic, Error, HalfSpace, Probe, Quantity, System, Table};
+use interp::{Elastic, HalfSpace, Probe, Quantity, System, Table};
 
 use crate::contact::{bare, coated, half_space};
 
@@ -163,7 +164,7 @@ fn every_function_answers_any_number_with_a_finite_result_or_an_error() {
 fn numbers_out_of_bounds_are_named() {
     let contact = half_space();
     let assert_names = |result: Result<(), Error>, name: &str, value: f64| match result {
-        Err(error @ Error::Unphysical { allowed, .. }) => {
+        Err(error @ Error::Table(interp::Error::Unphysical { allowed, .. })) => {
             acceptance::assert_names(&error.to_string(), &[name, &format!("{value:?}"), allowed])
         }
         other => panic!("{name} = {value}: {other:?}"),

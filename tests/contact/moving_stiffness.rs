@@ -1,8 +1,9 @@
 //! The slope of the force curve, against differences of the curve and closed forms.
 
 use acceptance::{Contacts, larger, paper_system};
+use contact::Error;
 use contact::{Contact, Control};
-use interp::{Elastic, Error, HalfSpace, Probe, Profile, System, Table};
+use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
 
 fn solid(young: f64, poisson: f64) -> Elastic {
     Elastic::new(young, poisson).expect("physical")
@@ -158,7 +159,10 @@ fn a_flat_punch_and_a_wrong_radius_are_refused() {
     let punch = Contact::half_space(&system(Probe::FlatPunch { radius: 1e-5 })).expect("physical");
     for w in [0.0, 0.04] {
         let error = punch.moving_stiffness(1e-5, w).expect_err("it cannot move");
-        assert!(matches!(error, Error::OtherProbe { .. }), "{error}");
+        assert!(
+            matches!(error, Error::Table(interp::Error::OtherProbe { .. })),
+            "{error}"
+        );
     }
     let sphere =
         Contact::half_space(&system(Probe::Paraboloid { radius: 1e-5 })).expect("physical");

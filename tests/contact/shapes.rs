@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, Data, larger};
+use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, Neglected, State};
-use interp::{Elastic, Error, HalfSpace, Probe, Profile, System, Table};
+use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
 use solve::solve_power_laws;
 
 /// Work of adhesion, J/m^2.
@@ -302,7 +303,7 @@ fn the_sphere_is_the_sum_of_its_powers_up_to_the_largest_contact() {
         // Farther out nothing is computed.
         assert!(matches!(
             contact.load_and_penetration(0.56 * r, 0.0),
-            Err(Error::BeyondProbe { limit, .. }) if (limit / (0.55 * r) - 1.0).abs() < 1e-12
+            Err(Error::Table(interp::Error::BeyondProbe { limit, .. })) if (limit / (0.55 * r) - 1.0).abs() < 1e-12
         ));
     }
     println!("worst: {worst:.1e}");
@@ -725,7 +726,7 @@ fn a_flat_punch_has_one_contact_radius() {
         }
         assert!(matches!(
             contact.load(0.9 * radius, W),
-            Err(Error::BeyondProbe { .. })
+            Err(Error::Table(interp::Error::BeyondProbe { .. }))
         ));
         for result in [
             contact.line(W, radius).map(drop),
@@ -734,7 +735,7 @@ fn a_flat_punch_has_one_contact_radius() {
             contact.adhesion_range(W, 1e-9).map(drop),
         ] {
             assert!(
-                matches!(result, Err(Error::OtherProbe { .. })),
+                matches!(result, Err(Error::Table(interp::Error::OtherProbe { .. }))),
                 "{result:?}"
             );
         }

@@ -2,8 +2,9 @@
 //! all layers.
 
 use acceptance::{larger, layer, paper_system, solid, stack};
+use contact::Error;
 use contact::{Contact, Control};
-use interp::{Error, Quantity};
+use interp::Quantity;
 use solve::stack::Stack;
 use solve::{curve, stack_curve};
 
@@ -111,10 +112,13 @@ fn beyond_its_ends_the_curve_of_a_stack_is_an_error() {
     for a in [0.9 * RADII[0], 1.1 * RADII[1]] {
         let x = a / 1e-4;
         for error in [
-            curve.quantity(Quantity::Eeq, x).expect_err("beyond"),
+            curve.quantity(Quantity::Eeq, x).expect_err("beyond").into(),
             contact.load(a, W).expect_err("beyond"),
         ] {
-            assert!(matches!(error, Error::OutsideTable { .. }), "{error}");
+            assert!(
+                matches!(error, Error::Table(interp::Error::OutsideTable { .. })),
+                "{error}"
+            );
         }
     }
 }
@@ -123,7 +127,10 @@ fn beyond_its_ends_the_curve_of_a_stack_is_an_error() {
 fn derivatives_with_respect_to_one_films_parameters_are_an_error() {
     let contact = contact(&two_layers());
     let error = contact.gradient(5e-5, W).expect_err("none");
-    assert!(matches!(error, Error::NoGradient), "{error}");
+    assert!(
+        matches!(error, Error::Table(interp::Error::NoGradient)),
+        "{error}"
+    );
 }
 
 /// Springs in series over squeeze flow, integrated numerically; and the formula for one film.

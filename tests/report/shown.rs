@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 
 use acceptance::{Data, Workdir, ends};
+use contact::Error;
 use contact::{Contact, Control};
-use interp::{Error, Parameter, Quantity, Table};
+use interp::{Parameter, Quantity, Table};
 use serde_json::Value;
 use tabulate::report::report;
 

@@ -307,7 +307,7 @@ fn a_contact_takes_the_curve_of_its_material_or_an_equivalent_one_only() {
     }
     let error = Contact::new(&compressible, curve_of(&own)).expect_err("another film");
     assert!(
-        matches!(error, interp::Error::OtherMaterial { .. }),
+        matches!(error, contact::Error::OtherMaterial { .. }),
         "{error:?}"
     );
     acceptance::assert_names(

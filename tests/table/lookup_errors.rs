@@ -45,15 +45,19 @@ fn with(parameter: Parameter, value: f64) -> [f64; 4] {
 
 /// Asserts that an error is `Unphysical` and names the parameter `expected`, the value `given` and
 /// the allowed range.
-fn assert_unphysical<T: std::fmt::Debug>(result: Result<T, Error>, expected: &str, given: f64) {
-    match result {
-        Err(
+fn assert_unphysical<T: std::fmt::Debug>(
+    result: Result<T, impl Into<contact::Error>>,
+    expected: &str,
+    given: f64,
+) {
+    match result.map_err(Into::into) {
+        Err(contact::Error::Table(
             error @ Error::Unphysical {
                 name,
                 value,
                 allowed,
             },
-        ) => {
+        )) => {
             assert_eq!(name, expected);
             assert_eq!(value.to_bits(), given.to_bits());
             assert_names(&error.to_string(), &[name, &format!("{given:?}"), allowed]);
@@ -248,7 +252,7 @@ fn a_rigid_sphere_needs_a_table_of_its_own() {
             "the sphere is compliant"
         };
         match Contact::in_table(table, &system(sphere)) {
-            Err(error @ Error::Normalisation { table, query }) => {
+            Err(contact::Error::Table(error @ Error::Normalisation { table, query })) => {
                 assert_eq!((table, query), (holds, asked));
                 assert_names(&error.to_string(), &[holds, kind, "e1_over_e2", "embedded"]);
             }
@@ -348,7 +352,10 @@ fn the_work_of_adhesion_is_finite_and_not_negative() {
             contact.stiffness(a),
         ] {
             assert!(
-                matches!(result, Err(Error::Extrapolation { .. })),
+                matches!(
+                    result,
+                    Err(contact::Error::Table(Error::Extrapolation { .. }))
+                ),
                 "{a}: {result:?}"
             );
         }

@@ -248,9 +248,9 @@ fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_
         Contact::in_table(&table, &acceptance::paper_system(1e-6)).expect("the scene's material");
     assert!(contact.stiffness(1e-6).is_ok(), "eeq is all that it needs");
     let missing = |name| {
-        move |error: Error| {
+        move |error: contact::Error| {
             assert!(
-                matches!(error, Error::MissingQuantity(found) if found == name),
+                matches!(error, contact::Error::Table(Error::MissingQuantity(found)) if found == name),
                 "{error}"
             )
         }
@@ -258,6 +258,7 @@ fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_
     curve
         .quantities(1.0)
         .map(drop)
+        .map_err(contact::Error::from)
         .map_err(missing("pi0"))
         .expect_err("pi0 is not held");
     contact

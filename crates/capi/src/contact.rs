@@ -6,8 +6,8 @@ use std::io::Read;
 use std::mem::MaybeUninit;
 use std::ptr;
 
-use contact::{Contact, Control, Input};
-use interp::{Error, Table, is_packed};
+use contact::{Contact, Control, Error, Input};
+use interp::{Table, is_packed};
 
 use crate::guard::{CcStatus, Failure, array, given, guarded};
 use crate::system::{CcState, CcSystem};

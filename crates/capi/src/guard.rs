@@ -36,8 +36,15 @@ impl Failure {
 }
 
 impl From<interp::Error> for Failure {
-    /// An error of the contact, with its sources.
+    /// An error of the table or of the system.
     fn from(error: interp::Error) -> Self {
+        contact::Error::from(error).into()
+    }
+}
+
+impl From<contact::Error> for Failure {
+    /// An error of the contact, with its sources.
+    fn from(error: contact::Error) -> Self {
         let chain = successors(Some(&error as &dyn Error), |&error| error.source());
         let texts: Vec<String> = chain.map(ToString::to_string).collect();
         Self(CcStatus::Contact, texts.join(": "))

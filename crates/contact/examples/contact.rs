@@ -4,7 +4,7 @@
 use contact::{Contact, Control, Hysteresis, Input};
 use interp::{Elastic, Probe, System, Table};
 
-fn main() -> Result<(), interp::Error> {
+fn main() -> Result<(), contact::Error> {
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,

@@ -1,8 +1,8 @@
 //! The states of one branch at many imposed values, with their derivatives at a fixed imposed
 //! value.
 
+use crate::Error;
 use crate::{Derivatives, Equilibria, Input, State};
-use interp::Error;
 use interp::check::finite_result;
 
 /// Where several stable equilibria exist at an imposed value, the one that an experiment is in.
@@ -43,7 +43,7 @@ impl Equilibria<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] unless `states` is as long as `imposed`; else as
+    /// [`interp::Error::InvalidArgument`] unless `states` is as long as `imposed`; else as
     /// [`Equilibria::loading`] or [`Equilibria::unloading`] at the first value that has an error.
     /// The states before it are written.
     pub fn branch(
@@ -52,7 +52,7 @@ impl Equilibria<'_> {
         branch: Branch,
         states: &mut [State],
     ) -> Result<(), Error> {
-        Error::same_length(imposed, states)?;
+        interp::Error::same_length(imposed, states)?;
         let mut follower = Follower::new(self, branch);
         for (state, &value) in states.iter_mut().zip(imposed) {
             *state = follower.state(value)?;
@@ -75,8 +75,8 @@ impl Equilibria<'_> {
     ///
     /// # Errors
     /// As [`Equilibria::branch`], [`Contact::gradient`](crate::Contact::gradient) and
-    /// [`ContactGradient::by`](crate::ContactGradient::by); [`Error::InvalidArgument`] unless
-    /// `derivatives` has its length; [`Error::Unphysical`] at the very end of a branch, where the
+    /// [`ContactGradient::by`](crate::ContactGradient::by); [`interp::Error::InvalidArgument`] unless
+    /// `derivatives` has its length; [`interp::Error::Unphysical`] at the very end of a branch, where the
     /// derivatives are infinite.
     pub fn branch_with_gradient(
         &self,
@@ -87,7 +87,7 @@ impl Equilibria<'_> {
         derivatives: &mut [Derivatives],
     ) -> Result<(), Error> {
         let width = 1 + inputs.len();
-        Error::argument(
+        interp::Error::argument(
             derivatives.len() == width * imposed.len(),
             "the number of derivatives",
             derivatives.len() as f64,
@@ -114,7 +114,7 @@ impl Equilibria<'_> {
             return Ok(());
         }
         let terms = self.contact.terms(a, self.energy.work_of_adhesion())?;
-        let unknown = |input: Input| Error::FixedParameter(input.name());
+        let unknown = |input: Input| Error::from(interp::Error::FixedParameter(input.name()));
         let by = |input: Input| terms.by(input).ok_or_else(|| unknown(input));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed
         // value: `F = S delta`.

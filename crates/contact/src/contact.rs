@@ -2,11 +2,12 @@
 //! contact radius.
 
 use super::line_energy::LineEnergy;
+use crate::Error;
 use crate::bodies::Bodies;
 use crate::shape::Shape;
 use interp::LoadAndPenetration;
 use interp::check::finite_result;
-use interp::{Curve, Error, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
+use interp::{Curve, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 
 /// A contact of a probe with a coated substrate, or with a half-space.
 ///
@@ -169,29 +170,29 @@ impl Contact {
     /// It is eq. 9. Each of its two terms has the relative error of the curve.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`, as
-    /// [`Curve::quantity`]; [`Error::BeyondSphere`] for an `a` that is not below the radius of the
-    /// sphere, as with `a` and `w` in the wrong order; [`Error::Unphysical`] for `a <= 0`, `w < 0`,
-    /// infinity, NaN, or a load that overflows an f64; [`Error::MissingQuantity`] without `pi0`
+    /// [`interp::Error::OutsideTable`] or [`interp::Error::Extrapolation`] where the curve does not cover `a/t`, as
+    /// [`Curve::quantity`]; [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the
+    /// sphere, as with `a` and `w` in the wrong order; [`interp::Error::Unphysical`] for `a <= 0`, `w < 0`,
+    /// infinity, NaN, or a load that overflows an f64; [`interp::Error::MissingQuantity`] without `pi0`
     /// and, if `w > 0`, without `eeq` and `gamma`.
     pub fn load(&self, a: f64, w: f64) -> Result<f64, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         if w == 0.0 {
-            return finite_result(a, self.adhesionless_load(a)?);
+            return Ok(finite_result(a, self.adhesionless_load(a)?)?);
         }
         let (without, eeq_over_gamma) = self.load_factors(a)?;
         let lowered = Mechanics::load_lowered_by(a, edge, eeq_over_gamma);
-        finite_result(a, without - lowered)
+        Ok(finite_result(a, without - lowered)?)
     }
 
     /// Writes into `loads` the load (N) at each of the contact `radii` (m), in their order, at work
     /// of adhesion `w` (J/m^2).
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] unless `loads` is as long as `radii`; else as [`Contact::load`]
+    /// [`interp::Error::InvalidArgument`] unless `loads` is as long as `radii`; else as [`Contact::load`]
     /// at the first radius that has an error. The loads before it are written.
     pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
-        Error::same_length(radii, loads)?;
+        interp::Error::same_length(radii, loads)?;
         for (load, &a) in loads.iter_mut().zip(radii) {
             *load = self.load(a, w)?;
         }
@@ -202,7 +203,7 @@ impl Contact {
     /// `a` (m) and work of adhesion `w` (J/m^2).
     ///
     /// # Errors
-    /// As [`Contact::load`], and [`Error::MissingQuantity`] without `delta0`.
+    /// As [`Contact::load`], and [`interp::Error::MissingQuantity`] without `delta0`.
     pub fn load_and_penetration(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (load, penetration) = if w == 0.0 {
@@ -225,9 +226,9 @@ impl Contact {
     /// With full friction ([`Curve::with_stick`]) it is that of a flat punch that sticks.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
-    /// [`Error::MissingQuantity`] without `eeq`; [`Error::BeyondSphere`] for an `a` that is not
-    /// below the radius of the sphere; [`Error::Unphysical`] for a stiffness that overflows an f64,
+    /// [`interp::Error::OutsideTable`] or [`interp::Error::Extrapolation`] where the curve does not cover `a/t`;
+    /// [`interp::Error::MissingQuantity`] without `eeq`; [`interp::Error::BeyondSphere`] for an `a` that is not
+    /// below the radius of the sphere; [`interp::Error::Unphysical`] for a stiffness that overflows an f64,
     /// and unless `a` is positive and finite.
     pub fn stiffness(&self, a: f64) -> Result<f64, Error> {
         self.mechanics.check_radius(a)?;
@@ -236,7 +237,7 @@ impl Contact {
             |curve, x| curve.stick().unwrap_or(curve).quantity(Quantity::Eeq, x),
             Quantities::homogeneous(1.0).eeq,
         )?;
-        finite_result(a, self.mechanics.stiffness(a, eeq))
+        Ok(finite_result(a, self.mechanics.stiffness(a, eeq))?)
     }
 
     /// Refuses a `question` whose answer needs a contact without friction.
@@ -259,26 +260,28 @@ impl Contact {
     /// `g(a)`.
     ///
     /// # Errors
-    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a stress intensity that
+    /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
+    /// [`interp::Error::Unphysical`] for `a <= 0`, `w < 0`, infinity, NaN, or a stress intensity that
     /// overflows an f64.
     pub fn stress_intensity(&self, a: f64, w: f64) -> Result<f64, Error> {
-        finite_result(
+        Ok(finite_result(
             a,
             self.mechanics
                 .stress_intensity(a, self.mechanics.edge_singularity(a, w)?),
-        )
+        )?)
     }
 
     /// Returns all four quantities at contact radius `a` (m), in the normalisation that
     /// [`Mechanics`] expects.
     ///
     /// # Errors
-    /// As [`Contact::stiffness`], and [`Error::MissingQuantity`] unless the curve holds all four.
+    /// As [`Contact::stiffness`], and [`interp::Error::MissingQuantity`] unless the curve holds all four.
     pub fn quantities(&self, a: f64) -> Result<Quantities, Error> {
         self.mechanics.check_radius(a)?;
         match &self.bodies {
-            Bodies::Coated { system, curve, .. } => curve.quantities(a / system.film_thickness),
+            Bodies::Coated { system, curve, .. } => {
+                Ok(curve.quantities(a / system.film_thickness)?)
+            }
             Bodies::HalfSpace(_) => Ok(Quantities::homogeneous(1.0)),
         }
     }
@@ -367,13 +370,16 @@ impl Contact {
     pub(crate) fn evaluate<T>(
         &self,
         a: f64,
-        curve: impl FnOnce(&Curve, f64) -> Result<T, Error>,
+        curve: impl FnOnce(&Curve, f64) -> Result<T, interp::Error>,
         half_space: T,
     ) -> Result<T, Error> {
         match &self.bodies {
             Bodies::Coated {
                 system, curve: own, ..
-            } => curve(self.shape.curve().unwrap_or(own), a / system.film_thickness),
+            } => Ok(curve(
+                self.shape.curve().unwrap_or(own),
+                a / system.film_thickness,
+            )?),
             Bodies::HalfSpace(_) => Ok(half_space),
         }
     }

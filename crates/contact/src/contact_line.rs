@@ -1,8 +1,8 @@
 //! The slow motion of the contact line under a load, a penetration or a spring.
 
 use super::crack_tip::energies_in_order;
+use crate::Error;
 use crate::{Contact, Control, CrackTip, State};
-use interp::Error;
 use interp::check::{finite_input, finite_result};
 
 /// The part of a radius by which an equilibrium may lie on the wrong side of the line that moves to
@@ -41,8 +41,8 @@ impl Contact {
     /// `law`.
     ///
     /// # Errors
-    /// As [`Contact::load_and_penetration`]; [`Error::Unphysical`] for a law whose energies at rest
-    /// are negative, infinite or in the wrong order; [`Error::MissingQuantity`] without all four
+    /// As [`Contact::load_and_penetration`]; [`interp::Error::Unphysical`] for a law whose energies at rest
+    /// are negative, infinite or in the wrong order; [`interp::Error::MissingQuantity`] without all four
     /// quantities.
     pub fn line<L: CrackTip>(&self, law: L, a: f64) -> Result<ContactLine<'_, L>, Error> {
         let [advancing, _] = self.energies_of_line(&law)?;
@@ -59,7 +59,7 @@ impl Contact {
     /// was saved; `None` after it has separated.
     ///
     /// # Errors
-    /// As [`Contact::line`]; [`Error::Unphysical`] for a load or penetration that is not finite.
+    /// As [`Contact::line`]; [`interp::Error::Unphysical`] for a load or penetration that is not finite.
     pub fn line_in<L: CrackTip>(
         &self,
         law: L,
@@ -140,7 +140,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// large change and several small ones in one direction give one result.
     ///
     /// # Errors
-    /// [`Error::OutsideRadii`] where the line may leave the curve; [`Error::Unphysical`] for a
+    /// [`Error::OutsideRadii`] where the line may leave the curve; [`interp::Error::Unphysical`] for a
     /// `value` that is not finite, or a stiffness outside `[1e-100, 1e100]`. After an error the
     /// state is that before the call.
     pub fn impose(&mut self, control: Control, value: f64) -> Result<Option<State>, Error> {

@@ -1,7 +1,7 @@
 //! Crack-tip laws: how fast the contact line moves at a given energy release rate. Eq. 8 is the
 //! simplest of them.
 
-use interp::Error;
+use crate::Error;
 use interp::check::finite_input;
 
 /// A law for the motion of the contact line at an energy release rate `G`.
@@ -77,7 +77,7 @@ impl Hysteresis {
     /// J/m^2.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless `0 <= advancing <= receding`, both finite.
+    /// [`interp::Error::Unphysical`] unless `0 <= advancing <= receding`, both finite.
     pub fn new(advancing: f64, receding: f64) -> Result<Self, Error> {
         energies_in_order([advancing, receding]).map(|energies| Self { energies })
     }
@@ -126,18 +126,18 @@ impl<L: CrackTip> RateDependent<L> {
     /// halved, and the exponent `n`. The speeds that `slow` states are not used.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless `v0` and `n` are positive and finite, and the energies of
+    /// [`interp::Error::Unphysical`] unless `v0` and `n` are positive and finite, and the energies of
     /// `slow` are in order, the receding one positive.
     pub fn new(slow: L, v0: f64, n: f64) -> Result<Self, Error> {
         let [_, receding] = energies_in_order(slow.at_rest())?;
-        Error::unless(
+        interp::Error::unless(
             receding > 0.0,
             "receding energy",
             receding,
             "> 0 and finite",
         )?;
-        Error::unless(v0 > 0.0 && v0.is_finite(), "v0", v0, "> 0 and finite")?;
-        Error::unless(n > 0.0 && n.is_finite(), "exponent n", n, "> 0 and finite")?;
+        interp::Error::unless(v0 > 0.0 && v0.is_finite(), "v0", v0, "> 0 and finite")?;
+        interp::Error::unless(n > 0.0 && n.is_finite(), "exponent n", n, "> 0 and finite")?;
         Ok(Self { slow, v0, n })
     }
 
@@ -145,7 +145,7 @@ impl<L: CrackTip> RateDependent<L> {
     /// when it recedes). At 0 it is that at which the line begins to recede.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for NaN, an infinite `speed`, or one whose energy release rate
+    /// [`interp::Error::Unphysical`] for NaN, an infinite `speed`, or one whose energy release rate
     /// overflows an f64.
     pub fn energy_release_rate(&self, speed: f64) -> Result<f64, Error> {
         finite_input("speed", speed)?;
@@ -156,13 +156,13 @@ impl<L: CrackTip> RateDependent<L> {
         } else {
             receding * factor
         };
-        Error::unless(
+        interp::Error::unless(
             energy.is_finite(),
             "speed",
             speed,
             "such that the energy release rate does not overflow an f64",
-        )
-        .map(|()| energy)
+        )?;
+        Ok(energy)
     }
 }
 
@@ -187,13 +187,13 @@ impl<L: CrackTip> CrackTip for RateDependent<L> {
 /// Returns the energies of a law at rest if they are finite, not negative and ascending.
 pub(crate) fn energies_in_order(at_rest: [f64; 2]) -> Result<[f64; 2], Error> {
     let [advancing, receding] = at_rest;
-    Error::unless(
+    interp::Error::unless(
         (0.0..f64::INFINITY).contains(&advancing),
         "advancing energy",
         advancing,
         ">= 0 and finite",
     )?;
-    Error::unless(
+    interp::Error::unless(
         (advancing..f64::INFINITY).contains(&receding),
         "receding energy",
         receding,

@@ -8,8 +8,8 @@
 //! each, if need be shorter than what the time can tell apart.
 
 use super::implicit_step::{ORDER, step};
+use crate::Error;
 use crate::{Contact, ContactLine, Control, CrackTip, State};
-use interp::Error;
 use interp::check::finite_input;
 
 /// A point of the motion: radius over `a1`, and time over `T`.
@@ -82,9 +82,9 @@ impl<L: CrackTip> ContactLine<'_, L> {
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] where the line leaves [`Contact::contact_radius_range`];
-    /// [`Error::Unphysical`] for a `value` that is not finite, a stiffness outside
+    /// [`interp::Error::Unphysical`] for a `value` that is not finite, a stiffness outside
     /// `[1e-100, 1e100]`, or a `duration` that is not positive and finite;
-    /// [`Error::InvalidArgument`] for a `tolerance` outside `[1e-10, 1e-2]`, or a law without
+    /// [`interp::Error::InvalidArgument`] for a `tolerance` outside `[1e-10, 1e-2]`, or a law without
     /// finite speeds; [`Error::Motion`] for a ramp of more than 100 000 steps. After an error the
     /// state is that before the call.
     pub fn ramp(
@@ -96,13 +96,13 @@ impl<L: CrackTip> ContactLine<'_, L> {
     ) -> Result<Vec<TimedState>, Error> {
         control.check()?;
         finite_input(control.name(), value)?;
-        Error::unless(
+        interp::Error::unless(
             duration > 0.0 && duration.is_finite(),
             "duration",
             duration,
             "> 0 and finite",
         )?;
-        Error::argument(
+        interp::Error::argument(
             (1e-10..=1e-2).contains(&tolerance),
             "tolerance",
             tolerance,
@@ -112,7 +112,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
         for moving in [receding.next_up(), advancing.next_down().max(0.0)] {
             let speed = self.law.speed(moving);
             let allowed = "finite for a motion in time: give the line a `RateDependent` law, or use `ContactLine::impose`";
-            Error::argument(speed.is_finite(), SPEED, speed, allowed)?;
+            interp::Error::argument(speed.is_finite(), SPEED, speed, allowed)?;
         }
         let Some(start) = self.state else {
             return Ok(Vec::new());
@@ -295,7 +295,7 @@ impl<L: CrackTip> Motion<'_, L> {
         let imposed = self.imposed_at(&[radius, time]);
         let (_, energy_release_rate) = self.contact.state_under(self.control, imposed, a)?;
         let speed = self.law.speed(energy_release_rate);
-        Error::argument(
+        interp::Error::argument(
             !speed.is_nan(),
             SPEED,
             speed,

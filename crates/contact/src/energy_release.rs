@@ -3,8 +3,9 @@
 
 use super::root::root;
 use crate::Contact;
+use crate::Error;
+use interp::Quantity;
 use interp::check::{finite_input, finite_result};
-use interp::{Error, Quantity};
 
 impl Contact {
     /// Returns the energy release rate `G` (J/m^2) of a measured contact radius `a` (m) and `load`
@@ -14,16 +15,19 @@ impl Contact {
     /// `load`. It is negative for a `load` above `F0`, under which the contact grows.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] or [`Error::Extrapolation`] where the curve does not cover `a/t`;
-    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
-    /// [`Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
+    /// [`interp::Error::OutsideTable`] or [`interp::Error::Extrapolation`] where the curve does not cover `a/t`;
+    /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
+    /// [`interp::Error::Unphysical`] for `a <= 0`, or numbers that are not finite;
+    /// [`interp::Error::MissingQuantity`] without `pi0`, `eeq` and `gamma`.
     pub fn energy_release_rate_at_load(&self, a: f64, load: f64) -> Result<f64, Error> {
         self.mechanics().check_radius(a)?;
         finite_input("load", load)?;
         let (without, eeq_over_gamma) = self.load_factors(a)?;
         let edge = (without - load) / (4.0 * a * eeq_over_gamma);
-        finite_result(a, self.mechanics().energy_release_rate(a, edge))
+        Ok(finite_result(
+            a,
+            self.mechanics().energy_release_rate(a, edge),
+        )?)
     }
 
     /// Returns the energy release rate `G` (J/m^2) of a measured contact radius `a` (m) and
@@ -34,7 +38,7 @@ impl Contact {
     /// the contact grows.
     ///
     /// # Errors
-    /// As [`Contact::energy_release_rate_at_load`], but [`Error::MissingQuantity`] without `gamma`
+    /// As [`Contact::energy_release_rate_at_load`], but [`interp::Error::MissingQuantity`] without `gamma`
     /// and `delta0`.
     pub fn energy_release_rate_at_penetration(
         &self,
@@ -45,11 +49,11 @@ impl Contact {
         finite_input("penetration", penetration)?;
         let gamma = self.quantity(Quantity::Gamma, a)?;
         let flat_punch = self.adhesionless_penetration(a)? - penetration;
-        finite_result(
+        Ok(finite_result(
             a,
             self.mechanics()
                 .energy_release_rate(a, self.mechanics().edge_of_flat_punch(flat_punch, gamma)),
-        )
+        )?)
     }
 
     /// Returns the contact radius `a` (m) and the energy release rate `G >= 0` (J/m^2) of a
@@ -65,10 +69,10 @@ impl Contact {
     /// to half the digits only.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a `load` that is larger than without adhesion at this
+    /// [`interp::Error::Unphysical`] for a `load` that is larger than without adhesion at this
     /// `penetration` (larger than 0 if the `penetration` is not positive), or numbers that are not
     /// finite; [`Error::OutsideRadii`] if the contact radius is not in
-    /// [`Contact::contact_radius_range`]; [`Error::MissingQuantity`] without all four quantities.
+    /// [`Contact::contact_radius_range`]; [`interp::Error::MissingQuantity`] without all four quantities.
     pub fn radius_and_energy_release_rate(
         &self,
         load: f64,
@@ -86,7 +90,8 @@ impl Contact {
         let [u_least, u_most] = self.search_range()?.map(f64::ln);
         let radius = |u: f64| self.radius_at(u);
         let outside = |name, value| Err(self.outside(name, value));
-        let flat_punch = |u: f64| Ok(self.adhesionless_penetration(radius(u))? - penetration);
+        let flat_punch =
+            |u: f64| Ok::<_, Error>(self.adhesionless_penetration(radius(u))? - penetration);
         if flat_punch(u_most)? < 0.0 {
             return outside("penetration", penetration);
         }
@@ -100,11 +105,12 @@ impl Contact {
         let excess = |u: f64| {
             let (a, flat_punch) = (radius(u), flat_punch(u)?);
             let eeq = self.quantity(Quantity::Eeq, a)?;
-            Ok(self.adhesionless_load(a)? - self.mechanics().stiffness(a, eeq) * flat_punch - load)
+            let pulled = self.mechanics().stiffness(a, eeq) * flat_punch;
+            Ok::<_, Error>(self.adhesionless_load(a)? - pulled - load)
         };
         if excess(u_from)? < 0.0 {
             let possible = adhesionless || (penetration <= 0.0 && load >= 0.0);
-            Error::unless(
+            interp::Error::unless(
                 !possible,
                 "load",
                 load,

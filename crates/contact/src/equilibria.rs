@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use super::line_energy::LineEnergy;
 use super::root::root;
 use super::turning_points::Section;
+use crate::Error;
 use crate::{Branch, Contact, State};
-use interp::Error;
 use interp::check::{finite_input, work_of_adhesion};
 
 /// The quantity that is imposed on the contact. The stability of the equilibria depends on it.
@@ -36,9 +36,9 @@ impl Control {
     }
 
     /// Accepts a spring unless its stiffness is so extreme that computations would overflow.
-    pub(crate) fn check(self) -> Result<(), Error> {
+    pub(crate) fn check(self) -> Result<(), interp::Error> {
         match self {
-            Self::Spring { stiffness } => Error::unless(
+            Self::Spring { stiffness } => interp::Error::unless(
                 (1e-100..=1e100).contains(&stiffness),
                 "stiffness of the spring",
                 stiffness,
@@ -126,8 +126,8 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unphysical`] for a `w` that is negative, infinite or NaN, or a spring's stiffness
-    /// outside `[1e-100, 1e100]`; [`Error::MissingQuantity`] without `pi0`, `delta0` and, with
+    /// [`interp::Error::Unphysical`] for a `w` that is negative, infinite or NaN, or a spring's stiffness
+    /// outside `[1e-100, 1e100]`; [`interp::Error::MissingQuantity`] without `pi0`, `delta0` and, with
     /// adhesion, `eeq` and `gamma`.
     pub fn equilibria(&self, w: f64, control: Control) -> Result<Equilibria<'_>, Error> {
         work_of_adhesion(w)?;
@@ -187,7 +187,7 @@ impl Equilibria<'_> {
     ///
     /// # Errors
     /// [`Error::OutsideRadii`] if a stable equilibrium has a contact radius out of range;
-    /// [`Error::Unphysical`] if `imposed` is not finite.
+    /// [`interp::Error::Unphysical`] if `imposed` is not finite.
     pub fn at(&self, imposed: f64) -> Result<Vec<Equilibrium>, Error> {
         self.check(imposed)?;
         if self.adhesionless() && imposed == 0.0 {

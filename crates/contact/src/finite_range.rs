@@ -22,9 +22,10 @@
 use std::f64::consts::PI;
 
 use super::line_energy::LineEnergy;
+use crate::Error;
 use crate::{Contact, Control};
+use interp::Probe;
 use interp::check::positive;
-use interp::{Error, Probe};
 
 /// A constant attraction over a finite range (Dugdale's law).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,9 +99,9 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless `w` and the stress are positive and finite; [`Error::LongZone`]
+    /// [`interp::Error::Unphysical`] unless `w` and the stress are positive and finite; [`Error::LongZone`]
     /// for a zone longer than [`FiniteRange::LONGEST`] times the film, or top layer, or largest
-    /// contact; [`Error::OtherProbe`] for a shape with edges or bends.
+    /// contact; [`interp::Error::OtherProbe`] for a shape with edges or bends.
     pub fn finite_range(&self, w: f64, range: FiniteRange) -> Result<ShortRange<'_>, Error> {
         positive("work of adhesion", w)?;
         positive("stress of the attraction", range.stress)?;
@@ -147,12 +148,13 @@ impl Contact {
             | Probe::FlatEndedCone { .. }
             | Probe::Profile(_) => {}
         }
-        Err(Error::OtherProbe {
+        Err(interp::Error::OtherProbe {
             question: "an attraction of finite range",
             probe: self.mechanics().probe(),
             reason: "the zone of attraction must lie where the shape is smooth, and this one has \
                      an edge or a bend; use a paraboloid, a sphere, a cone or a power law",
-        })
+        }
+        .into())
     }
 }
 

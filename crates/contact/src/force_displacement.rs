@@ -1,7 +1,7 @@
 //! Whole force-displacement curves: loading and unloading, with the jumps.
 
+use crate::Error;
 use crate::{Control, Equilibria, State};
-use interp::Error;
 use interp::check::number_of_points;
 
 /// A sudden change of the contact at a fixed imposed value.
@@ -49,7 +49,7 @@ impl Equilibria<'_> {
     ///
     /// # Errors
     /// As [`Equilibria::loading`] at `most` and at 0, and as [`Equilibria::pull_off`];
-    /// [`Error::InvalidArgument`] unless `points` is 2 to 1,000,000.
+    /// [`interp::Error::InvalidArgument`] unless `points` is 2 to 1,000,000.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use crate::Contact;
-use interp::Error;
+use crate::Error;
 use interp::check::{number_of_points, work_of_adhesion};
 
 /// A point of the reduced "JKR plot" of eq. 9, a straight line for a homogeneous system.
@@ -49,8 +49,8 @@ impl JkrFit {
     /// Fits measured or computed points.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] unless at least two of the `points` differ in their abscissa and
-    /// all abscissas are finite; [`Error::Unphysical`] unless the slope is positive, and slope and
+    /// [`interp::Error::InvalidArgument`] unless at least two of the `points` differ in their abscissa and
+    /// all abscissas are finite; [`interp::Error::Unphysical`] unless the slope is positive, and slope and
     /// intercept are finite.
     pub fn through(points: &[JkrPoint]) -> Result<Self, Error> {
         let count = points.len() as f64;
@@ -64,7 +64,7 @@ impl JkrFit {
                 .sum::<f64>()
         };
         let spread = moment(&|point| point.abscissa - x);
-        Error::argument(
+        interp::Error::argument(
             spread > 0.0,
             "spread of the JKR plot's abscissas",
             spread,
@@ -76,7 +76,7 @@ impl JkrFit {
             intercept: y - slope * x,
         };
         let finite = fit.modulus.is_finite() && fit.intercept.is_finite();
-        Error::unless(
+        interp::Error::unless(
             slope > 0.0 && finite,
             "slope of the JKR plot",
             slope,
@@ -136,7 +136,7 @@ impl Contact {
     /// is ignored.
     ///
     /// # Errors
-    /// As [`Contact::load`] and [`JkrFit::through`]; [`Error::InvalidArgument`] unless `points` is
+    /// As [`Contact::load`] and [`JkrFit::through`]; [`interp::Error::InvalidArgument`] unless `points` is
     /// 2 to 1,000,000.
     pub fn jkr_fit(&self, w: f64, [from, to]: [f64; 2], points: usize) -> Result<JkrFit, Error> {
         number_of_points(points)?;
@@ -159,7 +159,7 @@ impl Contact {
     /// [`Contact::jkr_fit`] there, which gives the fitted values themselves.
     ///
     /// # Errors
-    /// As [`Contact::jkr_fit`]; [`Error::InvalidArgument`] for a rigid sphere on a film, and for a
+    /// As [`Contact::jkr_fit`]; [`interp::Error::InvalidArgument`] for a rigid sphere on a film, and for a
     /// `w` of 0 or so small that an error relative to it overflows an f64.
     ///
     /// ```
@@ -180,7 +180,7 @@ impl Contact {
     pub fn film_bias(&self, w: f64, radii: [f64; 2], points: usize) -> Result<FilmBias, Error> {
         work_of_adhesion(w)?;
         self.compliant_sphere()?;
-        let relative = |holds| Error::argument(holds, "work of adhesion", w, RELATIVE_TO_W);
+        let relative = |holds| interp::Error::argument(holds, "work of adhesion", w, RELATIVE_TO_W);
         relative(w > 0.0)?;
         let fit = self.jkr_fit(w, radii, points)?;
         let bare = self.mechanics().sphere_substrate_modulus();
@@ -201,12 +201,13 @@ impl Contact {
         if radius.is_finite() {
             return Ok(radius);
         }
-        Err(Error::OtherProbe {
+        Err(interp::Error::OtherProbe {
             question,
             probe: self.mechanics().probe(),
             reason: "it needs the radius of curvature at the tip; use a paraboloid, a sphere or a \
                      rounded cone",
-        })
+        }
+        .into())
     }
 
     /// Accepts a contact unless its sphere is rigid and it has a film.
@@ -214,12 +215,12 @@ impl Contact {
         let Some(system) = self.system() else {
             return Ok(());
         };
-        Error::argument(
+        Ok(interp::Error::argument(
             system.sphere_modulus.is_finite(),
             "sphere_modulus",
             system.sphere_modulus,
             "finite for a film bias, which is relative to a compliant sphere on the bare substrate: \
              under a rigid sphere use `Contact::jkr_fit`, which gives the fitted modulus itself",
-        )
+        )?)
     }
 }

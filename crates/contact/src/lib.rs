@@ -4,7 +4,7 @@
 //! the crate `interp` or from a direct solve. Everything after that is arithmetic. All units are SI.
 //!
 //! ```
-//! # fn main() -> Result<(), interp::Error> {
+//! # fn main() -> Result<(), contact::Error> {
 //! use contact::{Contact, Control};
 //! use interp::{Elastic, Probe, System, Table};
 //!
@@ -76,6 +76,7 @@ mod crack_tip;
 mod dynamics;
 mod energy_release;
 mod equilibria;
+mod error;
 mod finite_range;
 mod force_displacement;
 mod gradient;
@@ -96,6 +97,7 @@ pub use contact_line::ContactLine;
 pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
 pub use dynamics::TimedState;
 pub use equilibria::{Control, Equilibria, Equilibrium};
+pub use error::Error;
 pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};

@@ -2,7 +2,7 @@
 
 use super::line_energy::LineEnergy;
 use crate::Contact;
-use interp::Error;
+use crate::Error;
 use interp::check::finite_result;
 
 impl Contact {
@@ -25,19 +25,19 @@ impl Contact {
     /// every shape (`tests/contact/moving_stiffness.rs`). To this comes the error of the curve.
     ///
     /// # Errors
-    /// As [`Contact::load_and_penetration`]; [`Error::OtherProbe`] for a flat punch, whose contact
-    /// line cannot move; [`Error::Unphysical`] where the slope is infinite.
+    /// As [`Contact::load_and_penetration`]; [`interp::Error::OtherProbe`] for a flat punch, whose contact
+    /// line cannot move; [`interp::Error::Unphysical`] where the slope is infinite.
     pub fn moving_stiffness(&self, a: f64, w: f64) -> Result<f64, Error> {
         self.mechanics().edge_singularity(a, w)?;
         let (_, slopes, values, relative) = self.everything_and_slopes(a)?;
         let pinned = self.mechanics().stiffness(a, values.eeq);
         if w == 0.0 {
-            return finite_result(a, pinned);
+            return Ok(finite_result(a, pinned)?);
         }
         let [lowered, by_radius] =
             self.lowered_and_slopes(a, LineEnergy::of_jkr(w), &values, &relative)?;
         let by_radius = slopes.penetration - by_radius.penetration;
         let lost = pinned * (1.0 + relative.eeq) * lowered.penetration / by_radius;
-        finite_result(a, pinned - lost)
+        Ok(finite_result(a, pinned - lost)?)
     }
 }

@@ -1,8 +1,9 @@
 //! The contact radii among which states are sought.
 
 use super::Contact;
+use crate::Error;
 use crate::bodies::Bodies;
-use interp::{Curve, Error};
+use interp::Curve;
 
 /// The radius (m) from which a search starts where the range begins at 0.
 const SMALLEST: f64 = 1e-60;
@@ -70,10 +71,11 @@ impl Contact {
     /// Returns the range of a search: [`Contact::contact_radius_range`] with a positive beginning.
     ///
     /// # Errors
-    /// [`Error::BeyondSphere`] if it is empty.
+    /// [`interp::Error::BeyondSphere`] if it is empty.
     pub(crate) fn search_range(&self) -> Result<[f64; 2], Error> {
         let [from, to] = self.search_ends();
-        self.mechanics().check_radius(from).map(|()| [from, to])
+        self.mechanics().check_radius(from)?;
+        Ok([from, to])
     }
 
     /// Returns the ends of [`Contact::search_range`], whether it is empty or not.

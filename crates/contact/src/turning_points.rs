@@ -4,8 +4,9 @@ use std::sync::OnceLock;
 
 use super::line_energy::LineEnergy;
 use super::root::root;
+use crate::Error;
 use crate::{Branch, Contact, Control, Equilibria};
-use interp::{Error, LoadAndPenetration};
+use interp::LoadAndPenetration;
 
 /// The number of intervals of the search grid between two radii at which an imposed value is kept
 /// beyond the last turning point.
@@ -69,7 +70,7 @@ impl Contact {
                 rises,
             });
             start = (end, value);
-            Ok(())
+            Ok::<_, Error>(())
         };
         for k in 1..grid.len() {
             if (slopes[k] >= 0.0) != rises {

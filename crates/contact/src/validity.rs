@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use super::finite_range::short;
+use crate::Error;
 use crate::{Contact, Control};
-use interp::Error;
 #[cfg(doc)]
 use interp::Probe;
 use interp::check::finite_result;
@@ -201,8 +201,8 @@ impl Contact {
     /// The size of friction takes two solves and is told by `solve::stick::Sticking::stiffening`.
     ///
     /// # Errors
-    /// [`Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
-    /// [`Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `t`
+    /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;
+    /// [`interp::Error::Unphysical`] for an `a` that is not positive and finite, or so large beside `t`
     /// that a result overflows an f64.
     pub fn validity(&self, a: f64) -> Result<Validity, Error> {
         self.mechanics().check_radius(a)?;
@@ -257,7 +257,7 @@ impl Contact {
     /// Waals forces it is of the order of the diameter of an atom.
     ///
     /// # Errors
-    /// [`Error::Unphysical`] unless `w` and `interaction_range` are positive and finite, and for a
+    /// [`interp::Error::Unphysical`] unless `w` and `interaction_range` are positive and finite, and for a
     /// result that overflows an f64.
     pub fn adhesion_range(
         &self,
@@ -273,7 +273,7 @@ impl Contact {
         let tabor = (radius / interaction_range * stretch * stretch).cbrt();
         let cohesive_zone = 0.25 * PI * interaction_range / stretch;
         let finite = tabor.is_finite() && cohesive_zone.is_finite();
-        Error::unless(
+        interp::Error::unless(
             finite,
             "interaction range",
             interaction_range,

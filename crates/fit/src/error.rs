@@ -203,7 +203,13 @@ pub enum Error {
     Layers(Cause),
     /// A contact that cannot be computed.
     #[error(transparent)]
-    Contact(#[from] interp::Error),
+    Contact(#[from] contact::Error),
+}
+
+impl From<interp::Error> for Error {
+    fn from(error: interp::Error) -> Self {
+        Self::Contact(error.into())
+    }
 }
 
 /// Lists the names of all parameters.

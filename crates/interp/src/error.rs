@@ -67,36 +67,12 @@ pub enum Error {
         /// The reason, and what to ask instead.
         reason: &'static str,
     },
-    /// A zone of attraction that is not short.
-    #[error(
-        "the zone of attraction is {zone:?} m long, more than {most} times the {what}, {length:?} m, and \
-         the correction for a short zone does not hold: give a larger stress of the attraction, or solve \
-         a zone of any length by a direct solve"
-    )]
-    LongZone {
-        /// The length of the zone, m.
-        zone: f64,
-        /// What it is compared with, in words.
-        what: &'static str,
-        /// The radius or thickness, m.
-        length: f64,
-        /// The largest length of the zone over this length.
-        most: f64,
-    },
     /// The curve of a stack of layers under a probe that is no paraboloid.
     #[error(
         "the curve of a stack of layers serves a paraboloid or a flat punch only, because its expansion \
          for small contacts is not known: use one of these"
     )]
     StackProbe,
-    /// A question that a contact with full friction does not answer.
-    #[error("{question} cannot be told of a contact with full friction: {reason}")]
-    Sticks {
-        /// The question.
-        question: &'static str,
-        /// The reason, and what to do instead.
-        reason: &'static str,
-    },
     /// Points of a measured probe that are no convex shape.
     #[error("row {row} of the profile of the probe cannot be used: {reason}")]
     Profile {
@@ -137,35 +113,6 @@ pub enum Error {
         estimate: f64,
         /// The relative tolerance of the table.
         tolerance: f64,
-    },
-    /// A state whose contact radius is outside the range of a search:
-    /// `Contact::contact_radius_range` of the crate `contact`.
-    #[error(
-        "{name} = {value:?}{} needs a contact radius that {}",
-        unit(name),
-        if *at_sphere { at_the_sphere(*to) } else { of_the_table(*from, *to) }
-    )]
-    OutsideRadii {
-        /// The name of the quantity imposed or measured.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// The smallest contact radius, m.
-        from: f64,
-        /// The largest contact radius, m.
-        to: f64,
-        /// Whether the range ends at the radius of the sphere, beyond which no table helps.
-        at_sphere: bool,
-    },
-    /// A load, penetration or position of the spring at which there is no contact.
-    #[error("there is no contact at {name} = {value:?}{unit}: give {least:?}{unit} or more", unit = unit(name))]
-    NoContact {
-        /// The name of the quantity imposed.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// The smallest value with a contact.
-        least: f64,
     },
     /// A material on a substrate with another Poisson ratio than the table's, whose equivalent does
     /// not exist or is outside the table.
@@ -212,18 +159,6 @@ pub enum Error {
          table of a scene with a [stack], or solve the stack without a table"
     )]
     NotOfStack,
-    /// A curve made for another material than the system's.
-    #[error(
-        "the curve was made for {}, the system has {}: make the curve for the material of the system",
-        material(curve),
-        material(system)
-    )]
-    OtherMaterial {
-        /// The material of the curve: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
-        curve: [f64; 4],
-        /// The material of the system: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
-        system: [f64; 4],
-    },
     /// A quantity that the table does not hold, because its scene did not ask for it.
     #[error(
         "the table does not hold {0}: add it to `quantities` in the scene and make the table again"
@@ -247,17 +182,6 @@ pub enum Error {
         estimate: f64,
         /// The relative tolerance of the table.
         tolerance: f64,
-    },
-    /// A motion of the contact line that takes too many steps.
-    #[error(
-        "the contact line has been followed to {time:?} s of the ramp in {steps} steps, the most that are taken; divide the ramp \
-         into several, or give a larger tolerance"
-    )]
-    Motion {
-        /// The time from the beginning of the ramp up to which it was followed, s.
-        time: f64,
-        /// The largest number of steps.
-        steps: usize,
     },
     /// A derivative that is unknown, in most cases because the scene of the table fixes the
     /// parameter.
@@ -349,40 +273,6 @@ pub enum Error {
     },
 }
 
-/// Returns the unit of an imposed quantity, with a space before it.
-fn unit(name: &str) -> &'static str {
-    match name {
-        "load" => " N",
-        "penetration" | "position of the spring" => " m",
-        _ => "",
-    }
-}
-
-/// Says that no contact reaches the sphere's radius.
-fn at_the_sphere(to: f64) -> String {
-    // The search ends just below the radius.
-    let radius = format!("{to:.6e}").parse().unwrap_or(to);
-    format!(
-        "no contact has: the search ends at the sphere's radius, {radius:?} m; give a smaller value, \
-         or check its unit and that of the radius"
-    )
-}
-
-/// Says which contact radii a table or a curve holds.
-fn of_the_table(from: f64, to: f64) -> String {
-    /// Below this radius (m) a search stands for one from 0.
-    const ZERO: f64 = 1e-50;
-    let from = if from < ZERO {
-        format!("0 (in the search {from:?} m)")
-    } else {
-        format!("{from:?} m")
-    };
-    format!(
-        "the table or curve does not hold: it holds those from {from} to {to:?} m; give another value, \
-         or make a table with a larger range of a_over_t"
-    )
-}
-
 /// Formats the range of an axis, or its only value.
 fn extent(from: f64, to: f64) -> String {
     if from == to {
@@ -408,11 +298,6 @@ fn scene_of(normalisation: &str) -> &'static str {
     } else {
         "e1_over_e2 > 0"
     }
-}
-
-/// Formats the four parameters of a material.
-fn material([e1, nu1, e0, nu0]: &[f64; 4]) -> String {
-    format!("e1_over_e2 = {e1:?}, nu1 = {nu1:?}, e0_over_e2 = {e0:?}, nu0 = {nu0:?}")
 }
 
 impl Error {

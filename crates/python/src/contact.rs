@@ -2,9 +2,10 @@
 
 use std::sync::OnceLock;
 
+use ::contact::Error;
 use ::contact::{Branch, Control, ForceDisplacement, Input as Parameter, Neglected, State};
 use ::solve::stick::{StickCurves, Sticking};
-use interp::{Curve, Error, System};
+use interp::{Curve, System};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -404,7 +405,7 @@ impl Contact {
     ) -> PyResult<CurveNumbers<'py>> {
         let control = control(imposed)?;
         let computed = py.detach(|| {
-            let points = usize::try_from(points).map_err(|_| Error::InvalidArgument {
+            let points = usize::try_from(points).map_err(|_| interp::Error::InvalidArgument {
                 name: "number of points",
                 value: points as f64,
                 allowed: "from 2 to 1000000".into(),

@@ -252,9 +252,7 @@ impl From<Error> for Failure {
                 name,
                 value,
                 allowed,
-            } => of("InputError")
-                .about(name, value)
-                .allowed(&allowed),
+            } => of("InputError").about(name, value).allowed(&allowed),
             Error::BeyondSphere {
                 contact_radius,
                 sphere_radius,
@@ -270,15 +268,6 @@ impl From<Error> for Failure {
                 .about("contact radius", contact_radius)
                 .allowed(&format!("{allowed} {limit:?} m")),
             Error::OtherProbe { .. } | Error::StackProbe => of("InputError"),
-            Error::Sticks { .. } => of("InputError"),
-            Error::LongZone { zone, what, length, most } => of("InputError")
-                .about("zone", zone)
-                .range(0.0, most * length)
-                .saying(&format!(
-                    "the zone of attraction is {zone:?} m long, more than {most} times the {what}, \
-                     {length:?} m, and the correction for a short zone does not hold: give a larger \
-                     stress of the attraction, or solve a zone of any length with `Cohesive`"
-                )),
             Error::Profile { row, .. } => of("InputError").about("row", row as f64),
             Error::OutsideTable {
                 axis,
@@ -293,18 +282,6 @@ impl From<Error> for Failure {
                     if ends_above { f64::INFINITY } else { edge },
                 )
             }
-            Error::OutsideRadii {
-                name,
-                value,
-                from,
-                to,
-                ..
-            } => of("NoContactError").about(name, value).allowed(&format!(
-                "such that the contact radius is from {from:?} m to {to:?} m"
-            )),
-            Error::NoContact { name, value, least } => of("NoContactError")
-                .about(name, value)
-                .range(least, f64::INFINITY),
             Error::Equivalent { nu0, cause, .. } => Self {
                 cause: Some(Box::new((*cause).into())),
                 ..of("OutsideTableError").about("nu0", nu0)
@@ -342,6 +319,39 @@ impl From<Error> for Failure {
                 Self { message, ..failure }
             }
             Error::Io { path, source } => of("OSError").about_file(&path, &source),
+            _ => of("ContactError"),
+        }
+    }
+}
+
+impl From<::contact::Error> for Failure {
+    fn from(error: ::contact::Error) -> Self {
+        use ::contact::Error;
+        let failure = Self::new("ContactError", &error);
+        let of = |class| Self { class, ..failure };
+        match error {
+            Error::Table(error) => error.into(),
+            Error::Sticks { .. } => of("InputError"),
+            Error::LongZone { zone, what, length, most } => of("InputError")
+                .about("zone", zone)
+                .range(0.0, most * length)
+                .saying(&format!(
+                    "the zone of attraction is {zone:?} m long, more than {most} times the {what}, \
+                     {length:?} m, and the correction for a short zone does not hold: give a larger \
+                     stress of the attraction, or solve a zone of any length with `Cohesive`"
+                )),
+            Error::OutsideRadii {
+                name,
+                value,
+                from,
+                to,
+                ..
+            } => of("NoContactError").about(name, value).allowed(&format!(
+                "such that the contact radius is from {from:?} m to {to:?} m"
+            )),
+            Error::NoContact { name, value, least } => of("NoContactError")
+                .about(name, value)
+                .range(least, f64::INFINITY),
             _ => of("ContactError"),
         }
     }
@@ -486,6 +496,10 @@ impl From<fit::Cause> for Failure {
     /// The error of `fit::DirectSolver`, which tells the layer by its name.
     fn from(cause: fit::Cause) -> Self {
         let cause = match cause.downcast::<::solve::Error>() {
+            Ok(error) => return (*error).into(),
+            Err(cause) => cause,
+        };
+        let cause = match cause.downcast::<::contact::Error>() {
             Ok(error) => return (*error).into(),
             Err(cause) => cause,
         };

@@ -3,8 +3,8 @@
 //! A line in Python holds its contact, its law and its state; each call of this module makes it
 //! again from these.
 
+use ::contact::Error;
 use ::contact::{CrackTip, Hysteresis, RateDependent, State};
-use interp::Error;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 

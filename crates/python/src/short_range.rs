@@ -1,7 +1,7 @@
 //! An attraction of short range, as a correction of JKR's contact.
 
+use ::contact::Error;
 use ::contact::{FiniteRange, ShortRange};
-use interp::Error;
 use pyo3::prelude::*;
 
 use crate::arrays::{Input, Output, Points};

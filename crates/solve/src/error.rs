@@ -169,7 +169,13 @@ pub enum Error {
     },
     /// An error of a material, of a curve or of a contact.
     #[error(transparent)]
-    Contact(#[from] interp::Error),
+    Contact(#[from] contact::Error),
+}
+
+impl From<interp::Error> for Error {
+    fn from(error: interp::Error) -> Self {
+        Self::Contact(error.into())
+    }
 }
 
 impl Error {

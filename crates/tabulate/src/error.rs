@@ -210,15 +210,27 @@ pub enum Error {
     /// An error of a contact in time.
     #[error(transparent)]
     History(#[from] contact::HistoryError),
+    /// An error of a contact.
+    #[error(transparent)]
+    Contact(contact::Error),
     /// An error of a table or of its parameters.
     #[error(transparent)]
     Table(#[from] interp::Error),
 }
 
+impl From<contact::Error> for Error {
+    fn from(error: contact::Error) -> Self {
+        match error {
+            contact::Error::Table(error) => Self::Table(error),
+            error => Self::Contact(error),
+        }
+    }
+}
+
 impl From<solve::Error> for Error {
     fn from(error: solve::Error) -> Self {
         match error {
-            solve::Error::Contact(error) => Self::Table(error),
+            solve::Error::Contact(error) => error.into(),
             error => Self::Solve(error),
         }
     }

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::larger;
+use contact::Error;
 use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State, TimedState};
-use interp::Error;
 
 use crate::crack_tip::jkr::{Jkr, R, W, half_space};
 use crate::crack_tip::{film, impose, integral, rate_dependent, steps};
@@ -367,7 +367,9 @@ fn films_are_like_half_spaces() {
 fn a_law_without_a_rate_has_no_time() {
     let contact = half_space();
     let mut line = contact.line(W, 60e-6).expect("physical");
-    let Err(Error::InvalidArgument { name, .. }) = line.ramp(Control::Load, 1e-3, 1.0, 1e-6) else {
+    let Err(Error::Table(interp::Error::InvalidArgument { name, .. })) =
+        line.ramp(Control::Load, 1e-3, 1.0, 1e-6)
+    else {
         panic!("infinitely fast")
     };
     assert_eq!(name, "speed of the crack-tip law");

@@ -7,8 +7,9 @@ mod ramps;
 mod slow;
 
 use acceptance::paper_system;
+use contact::Error;
 use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State};
-use interp::{Error, Table};
+use interp::Table;
 
 use jkr::{W, half_space};
 

@@ -1,8 +1,9 @@
 //! Ramps of every speed: times rise, slow ramps are the slow motion, and nothing ends in a failure of
 //! the integration.
 
+use contact::Error;
 use contact::{Contact, Control, Hysteresis, RateDependent, State, TimedState};
-use interp::{Error, Probe, System, Table};
+use interp::{Probe, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 

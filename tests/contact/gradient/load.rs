@@ -1,8 +1,9 @@
 //! Load and penetration as functions of every input in SI units.
 
 use acceptance::{larger, paper_system, shipped};
+use contact::Error;
 use contact::{Contact, Input};
-use interp::{Elastic, Error, HalfSpace, Mechanics, Parameter, Probe, System, Table};
+use interp::{Elastic, HalfSpace, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 
 use super::{SHARES, derivatives};
@@ -113,7 +114,10 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 if input == Input::WorkOfAdhesion && w == 0.0 {
                     let error = gradient.by(input).expect_err("infinite");
                     assert!(
-                        matches!(error, Error::FixedParameter("work of adhesion")),
+                        matches!(
+                            error,
+                            Error::Table(interp::Error::FixedParameter("work of adhesion"))
+                        ),
                         "{error}"
                     );
                     continue;
@@ -167,7 +171,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
     ] {
         let error = gradient.by(input).expect_err("fixed");
         assert!(
-            matches!(error, Error::FixedParameter(name) if name == input.name()),
+            matches!(error, Error::Table(interp::Error::FixedParameter(name)) if name == input.name()),
             "{error}"
         );
     }
@@ -186,18 +190,18 @@ fn what_is_not_known_is_an_error_that_names_it() {
     let gradient = curve.gradient(1.0).expect("inside");
     assert!(matches!(
         gradient.by(Parameter::AOverT),
-        Err(Error::FixedParameter("a_over_t"))
+        Err(interp::Error::FixedParameter("a_over_t"))
     ));
     assert!(matches!(
         curve.gradient(1e4),
-        Err(Error::OutsideTable {
+        Err(interp::Error::OutsideTable {
             axis: "a_over_t",
             ..
         })
     ));
     assert!(matches!(
         curve.gradient(f64::NAN),
-        Err(Error::OutsideTable {
+        Err(interp::Error::OutsideTable {
             axis: "a_over_t",
             ..
         })
@@ -206,7 +210,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
     let plain = Contact::in_table(&paper, &paper_system(1e-6)).expect("inside");
     assert!(matches!(
         plain.gradient(65e-6, 0.04),
-        Err(Error::NoGradient)
+        Err(Error::Table(interp::Error::NoGradient))
     ));
     for (a, w) in [
         (0.0, 0.04),
@@ -215,7 +219,10 @@ fn what_is_not_known_is_an_error_that_names_it() {
         (65e-6, f64::NAN),
     ] {
         assert!(
-            matches!(contact.gradient(a, w), Err(Error::Unphysical { .. })),
+            matches!(
+                contact.gradient(a, w),
+                Err(Error::Table(interp::Error::Unphysical { .. }))
+            ),
             "a = {a}, w = {w}"
         );
     }
@@ -291,7 +298,7 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     }
     for input in [Input::FilmThickness, Input::FilmModulus, Input::FilmPoisson] {
         assert!(
-            matches!(gradient.by(input), Err(Error::FixedParameter(name)) if name == input.name())
+            matches!(gradient.by(input), Err(Error::Table(interp::Error::FixedParameter(name))) if name == input.name())
         );
     }
     let rigid = HalfSpace {

@@ -7,8 +7,8 @@ mod logarithms;
 mod terms;
 
 use crate::Contact;
+use crate::Error;
 use crate::bodies::Bodies;
-use interp::Error;
 use interp::check::finite_result;
 
 /// An input on which the load and the penetration of a contact depend, in SI units.
@@ -108,12 +108,13 @@ impl ContactGradient {
     /// They are 0 with respect to the modulus and the Poisson ratio of a rigid body.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] for an input whose derivative needs a parameter of the material
+    /// [`interp::Error::FixedParameter`] for an input whose derivative needs a parameter of the material
     /// that the table fixes; for an input of the film on a half-space; for the radius of a probe
     /// that has none, and the contact radius of a flat punch, which is that of the punch; and for
     /// the work of adhesion if it is below 2.3e-308 J/m^2, because the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
-        self.derivatives[input as usize].ok_or_else(|| Error::FixedParameter(input.name()))
+        self.derivatives[input as usize]
+            .ok_or_else(|| interp::Error::FixedParameter(input.name()).into())
     }
 }
 
@@ -143,8 +144,8 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// As [`Contact::load_and_penetration`], but always [`Error::OutsideTable`] above the nodes in
-    /// `a/t`; [`Error::NoGradient`] on a curve made without derivatives; [`Error::Unphysical`] for
+    /// As [`Contact::load_and_penetration`], but always [`interp::Error::OutsideTable`] above the nodes in
+    /// `a/t`; [`interp::Error::NoGradient`] on a curve made without derivatives; [`interp::Error::Unphysical`] for
     /// a derivative that overflows an f64; [`Error::OtherMaterial`] on a curve whose derivatives
     /// are those of an equivalent material on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
@@ -180,7 +181,7 @@ impl Contact {
     /// (m). It takes less time than [`Contact::gradient`], which differentiates by all inputs.
     ///
     /// # Errors
-    /// As [`Contact::gradient`] and [`ContactGradient::by`]; [`Error::InvalidArgument`] unless
+    /// As [`Contact::gradient`] and [`ContactGradient::by`]; [`interp::Error::InvalidArgument`] unless
     /// `derivatives` is as long as `inputs`.
     pub fn derivatives(
         &self,
@@ -189,12 +190,12 @@ impl Contact {
         inputs: &[Input],
         derivatives: &mut [Derivatives],
     ) -> Result<(f64, f64), Error> {
-        Error::same_length(inputs, derivatives)?;
+        interp::Error::same_length(inputs, derivatives)?;
         self.same_material()?;
         let terms = self.terms(a, w)?;
         for (derivatives, &input) in derivatives.iter_mut().zip(inputs) {
             let by = terms.by(input);
-            let by = by.ok_or_else(|| Error::FixedParameter(input.name()))?;
+            let by = by.ok_or_else(|| interp::Error::FixedParameter(input.name()))?;
             finite_result(a, by.load)?;
             finite_result(a, by.penetration)?;
             *derivatives = by;

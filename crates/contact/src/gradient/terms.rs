@@ -3,10 +3,11 @@
 use super::logarithms::{LogDerivatives, coated_derivatives, half_space_derivatives};
 use super::{Derivatives, Input};
 use crate::Contact;
+use crate::Error;
 use crate::bodies::Bodies;
 use crate::shape::Shape;
 use interp::LoadAndPenetration;
-use interp::{Error, Quantities, QuantityGradient};
+use interp::{Quantities, QuantityGradient};
 
 impl Contact {
     /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from

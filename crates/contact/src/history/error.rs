@@ -1,5 +1,7 @@
 //! What can be wrong with a history.
 
+use crate::Error;
+
 /// A failure of a contact in time.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -165,5 +167,11 @@ pub enum HistoryError {
     },
     /// An error of the elastic contact.
     #[error(transparent)]
-    Contact(#[from] interp::Error),
+    Contact(#[from] Error),
+}
+
+impl From<interp::Error> for HistoryError {
+    fn from(error: interp::Error) -> Self {
+        Self::Contact(error.into())
+    }
 }

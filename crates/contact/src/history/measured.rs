@@ -91,8 +91,8 @@ impl History<'_> {
     ///
     /// # Errors
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
-    /// retract; [`HistoryError::MeasuredLoad`] for imposed loads; [`Error::FixedParameter`](interp::Error::FixedParameter)
-    /// and [`Error::NoGradient`](interp::Error::NoGradient) as
+    /// retract; [`HistoryError::MeasuredLoad`] for imposed loads; [`interp::Error::FixedParameter`](interp::Error::FixedParameter)
+    /// and [`interp::Error::NoGradient`](interp::Error::NoGradient) as
     /// [`Contact::gradient`].
     pub fn measured(
         &self,

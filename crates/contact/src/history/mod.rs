@@ -137,7 +137,7 @@ impl Contact {
     /// of the contact is its `E_ref`.
     ///
     /// # Errors
-    /// As [`Relaxation::check`]; [`Error::OtherProbe`](interp::Error::OtherProbe) for a flat punch,
+    /// As [`Relaxation::check`]; [`interp::Error::OtherProbe`](interp::Error::OtherProbe) for a flat punch,
     /// whose load is the stiffness times `int phi d delta`.
     pub fn history(&self, relaxation: &Relaxation) -> Result<History<'_>, HistoryError> {
         relaxation.check()?;

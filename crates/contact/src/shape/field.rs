@@ -49,7 +49,7 @@ use fearless_simd::{Level, dispatch, f64x4};
 
 use super::medium::{Change, Medium};
 use super::polynomial::{CHEBYSHEV, POINTS, basis_on, points_on};
-use interp::Error;
+use crate::Error;
 
 /// The most iterations in a block. Each gains a digit or more.
 const MOST_ITERATIONS: usize = 40;

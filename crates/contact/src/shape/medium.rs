@@ -1,6 +1,7 @@
 //! What the contact of any shape needs of a material: `Gamma` and `Eeq` at all `x = a/t` from 0.
 
-use interp::{Curve, Error, Quantity};
+use crate::Error;
+use interp::{Curve, Quantity};
 
 /// The largest third-order part of the thick film at the first point of the solution, over the
 /// tolerance.

@@ -23,8 +23,9 @@ use std::sync::Arc;
 use self::solved::{SIZE, Solved};
 use self::transform::{Transform, kappa};
 use crate::Contact;
+use crate::Error;
 use interp::LoadAndPenetration;
-use interp::{Curve, Elastic, Error, Probe, Quantities, Quantity, System};
+use interp::{Curve, Elastic, Probe, Quantities, Quantity, System};
 use interp::{EvenShape, LARGEST_A_OVER_R};
 
 use crate::bodies::Bodies;
@@ -382,12 +383,13 @@ impl Contact {
 
     /// Makes the error of a question that makes no sense for a flat punch.
     pub(super) fn makes_no_sense(&self, question: &'static str) -> Error {
-        Error::OtherProbe {
+        interp::Error::OtherProbe {
             question,
             probe: self.mechanics.probe(),
             reason: "its contact has one radius, that of the punch; ask for `Contact::pull_off`, \
                      `Contact::stiffness` or the equilibria at a load or penetration",
         }
+        .into()
     }
 
     /// Returns the solid that touches the probe, and the modulus of the probe.

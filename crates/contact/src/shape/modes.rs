@@ -9,7 +9,7 @@ use fearless_simd::{Level, dispatch, f64x4};
 use super::field::{Field, LANES, dot, load};
 use super::legendre::{EVEN, MOST, SIZES, rule};
 use super::polynomial::{POINTS, basis_on, points_on};
-use interp::Error;
+use crate::Error;
 
 /// The largest coefficients that are left out at the end, relative to the first ones, over the
 /// tolerance. The moments of a shape fall with the order, too.

@@ -26,7 +26,8 @@ use super::modes::Modes;
 use super::moments::{Curvature, Integrals};
 use super::polynomial::{POINTS, basis_on, points_on};
 use super::transform::{Knot, Transform};
-use interp::{Curve, Error, Parameter};
+use crate::Error;
+use interp::{Curve, Parameter};
 
 /// The number of parameters of the material.
 const PARAMETERS: usize = 4;
@@ -153,12 +154,13 @@ impl Solved {
         let field = Field::new(Medium::new(curve)?, most)?;
         let begins = transform.knots().first().map_or(0.0, |knot| knot.radius);
         if begins > 0.0 && begins >= field.last {
-            return Err(Error::OutsideTable {
+            return Err(interp::Error::OutsideTable {
                 axis: Parameter::AOverT.name(),
                 value: begins,
                 from: 0.0,
                 to: field.last,
-            });
+            }
+            .into());
         }
         let shape = Arc::new(Outline {
             curvature: Curvature::of(&transform).expect("a sphere is solved by its even powers"),

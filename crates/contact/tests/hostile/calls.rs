@@ -10,7 +10,7 @@ use crate::tables;
 
 /// The results of a function, which must be finite, or an error. Results that may be infinite are
 /// checked where they are computed.
-pub type Results = Result<Vec<f64>, Error>;
+pub type Results = Result<Vec<f64>, contact::Error>;
 
 /// A contact on a film, and one on a half-space.
 pub static CONTACTS: LazyLock<[Contact; 2]> =

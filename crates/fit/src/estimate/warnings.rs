@@ -506,7 +506,7 @@ fn error_of_jkr(range: &AdhesionRange<'_>) -> String {
              computes it with the range",
             1e2 * error
         ),
-        Err(error @ interp::Error::LongZone { .. }) => {
+        Err(error @ contact::Error::LongZone { .. }) => {
             format!("The model does not hold: {error}")
         }
         Err(error) => format!("By how much the model is wrong is not known: {error}"),

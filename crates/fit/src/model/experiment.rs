@@ -310,7 +310,7 @@ impl Experiment {
         &mut self,
         parameter: Parameter,
         value: f64,
-    ) -> Result<(), interp::Error> {
+    ) -> Result<(), contact::Error> {
         match parameter {
             Parameter::WorkOfAdhesion => self.work_of_adhesion = value,
             Parameter::WorkOfAdhesionReceding => self.work_of_adhesion_receding = Some(value),

@@ -221,7 +221,7 @@ impl Experiment {
     }
 
     /// Replaces a value that is there.
-    pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), interp::Error> {
+    pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), contact::Error> {
         let solid = match one {
             Fixed::Parameter(parameter) => return self.replace(parameter, value),
             Fixed::NamedPoissonRatio(name) => {

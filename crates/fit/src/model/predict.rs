@@ -45,7 +45,7 @@ impl Experiment {
         branches: &[Branch],
         order: &[usize],
         parameters: Option<&[Parameter]>,
-    ) -> Result<Predicted, interp::Error> {
+    ) -> Result<Predicted, contact::Error> {
         let points = &self.measurement.points;
         let columns = parameters.unwrap_or_default();
         let width = columns.len();
@@ -96,7 +96,7 @@ impl Experiment {
         branches: &[Branch],
         parameters: Option<&[Parameter]>,
         predicted: &mut Predicted,
-    ) -> Result<(), interp::Error> {
+    ) -> Result<(), contact::Error> {
         let load = self.measurement.kind == Kind::LoadRadius;
         let columns = parameters.unwrap_or_default();
         for branch in [Branch::Advancing, Branch::Receding] {
@@ -147,7 +147,7 @@ impl Experiment {
         turn: Option<&Turn>,
         parameters: Option<&[Parameter]>,
         predicted: &mut Predicted,
-    ) -> Result<(), interp::Error> {
+    ) -> Result<(), contact::Error> {
         let points = &self.measurement.points;
         let w = self.work_of(branch);
         let of_branch = order.iter().filter(|&&i| branches[i] == branch);
@@ -225,7 +225,7 @@ impl Experiment {
         indices: &[usize],
         parameters: Option<&[Parameter]>,
         predicted: &mut Predicted,
-    ) -> Result<(), interp::Error> {
+    ) -> Result<(), contact::Error> {
         let values: Vec<f64> = indices
             .iter()
             .map(|&i| self.imposed(self.measurement.points[i].abscissa))
@@ -267,7 +267,7 @@ impl Experiment {
         indices: &[usize],
         columns: &[Parameter],
         predicted: &mut Predicted,
-    ) -> Result<(), interp::Error> {
+    ) -> Result<(), contact::Error> {
         let control = self.control();
         let a = end.contact_radius;
         let least = imposed(control, end.load, end.penetration);
@@ -308,7 +308,7 @@ impl Experiment {
         contact: &Contact,
         branch: Branch,
         columns: &[Parameter],
-    ) -> Result<Option<BranchEnd>, interp::Error> {
+    ) -> Result<Option<BranchEnd>, contact::Error> {
         let w = self.work_of(branch);
         if w == 0.0 || self.measurement.kind.at_radii() || self.measurement.kind.is_stiffness() {
             return Ok(None);

@@ -25,7 +25,7 @@ impl Experiment {
         branches: &[Branch],
         order: &[usize],
         columns: &[Parameter],
-    ) -> Result<Option<Turn>, interp::Error> {
+    ) -> Result<Option<Turn>, contact::Error> {
         let w = self.work_of_adhesion;
         let is_hysteretic = self
             .work_of_adhesion_receding
@@ -78,7 +78,7 @@ impl Experiment {
         i: usize,
         parameters: Option<&[Parameter]>,
         predicted: &mut Predicted,
-    ) -> Result<(), interp::Error> {
+    ) -> Result<(), contact::Error> {
         let abscissa = self.measurement.points[i].abscissa;
         let (control, a) = (self.control(), turn.state.contact_radius);
         let [load, penetration] = turn.adhesionless;

@@ -5,9 +5,9 @@ use interp::Error;
 /// Returns the commands that help after an error, if there are some.
 pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
     error.chain().find_map(|cause| {
-        let own = cause.downcast_ref::<Error>();
-        let of_table = cause.downcast_ref().and_then(|error| match error {
-            crate::Error::Table(error) => Some(error),
+        let own = cause.downcast_ref::<contact::Error>();
+        let of_program = cause.downcast_ref().and_then(|error| match error {
+            crate::Error::Contact(error) => Some(error),
             _ => None,
         });
         let of_solve = cause.downcast_ref().and_then(|error| match error {
@@ -22,12 +22,21 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
             contact::HistoryError::Contact(error) => Some(error),
             _ => None,
         });
-        let found = own.or(of_table).or(of_solve).or(of_fit).or(of_history);
-        found.and_then(commands)
+        let found = own.or(of_program).or(of_solve).or(of_fit).or(of_history);
+        let of_table = match (found, cause.downcast_ref()) {
+            (Some(contact::Error::LongZone { .. }), _) => {
+                return Some("`tabulate pull-off --interaction-range` solves it");
+            }
+            (Some(contact::Error::Table(error)), _) | (_, Some(crate::Error::Table(error))) => {
+                Some(error)
+            }
+            _ => cause.downcast_ref(),
+        };
+        of_table.and_then(commands)
     })
 }
 
-/// Returns the commands that help after an error of a table or of a contact.
+/// Returns the commands that help after an error of a table.
 fn commands(error: &Error) -> Option<&'static str> {
     match error {
         Error::OutsideTable { .. } | Error::Extrapolation { .. } | Error::Equivalent { .. } => {
@@ -43,7 +52,6 @@ fn commands(error: &Error) -> Option<&'static str> {
         Error::Foreign(_) => Some(
             "`tabulate pack TABLE.h5 -o TABLE.bin` packs a table, and `tabulate generate SCENE.toml -o TABLE.h5` makes one",
         ),
-        Error::LongZone { .. } => Some("`tabulate pull-off --interaction-range` solves it"),
         Error::InFile { error, .. } => commands(error),
         _ => None,
     }

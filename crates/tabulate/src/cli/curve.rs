@@ -255,11 +255,10 @@ impl<'a> States<'a> {
 }
 
 /// Returns a stiffness; NaN where the table does not hold what it needs.
-fn where_held(stiffness: Result<f64, interp::Error>) -> Result<f64, interp::Error> {
+fn where_held(stiffness: Result<f64, contact::Error>) -> Result<f64, contact::Error> {
+    use interp::Error::{BeginsTooLate, MissingQuantity};
     match stiffness {
-        Err(interp::Error::MissingQuantity(_) | interp::Error::BeginsTooLate { .. }) => {
-            Ok(f64::NAN)
-        }
+        Err(contact::Error::Table(MissingQuantity(_) | BeginsTooLate { .. })) => Ok(f64::NAN),
         stiffness => stiffness,
     }
 }

@@ -2,8 +2,8 @@
 
 use anyhow::{anyhow, ensure};
 use clap::{ValueEnum, ValueHint};
+use contact::Error;
 use contact::{Contact, Control, State};
-use interp::Error;
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
@@ -200,7 +200,7 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
         };
         let least = from * system.film_thickness;
         refused = match Contact::new(system, curve)?.pull_off(work_of_adhesion, control) {
-            Err(Error::OutsideRadii { .. } | Error::BeyondSphere { .. })
+            Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
                 if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
             {
                 Some(anyhow!(

@@ -92,7 +92,7 @@ fn pull_off_at(curves: &[Curve; 2], t: f64) -> Result<Option<f64>, Error> {
         let contact = Contact::new(&system(t)?, curve.clone())?;
         match contact.pull_off(WORK_OF_ADHESION, Control::Load) {
             Ok(state) => *load = state.load,
-            Err(interp::Error::OutsideRadii { .. }) => return Ok(None),
+            Err(contact::Error::OutsideRadii { .. }) => return Ok(None),
             Err(error) => return Err(error.into()),
         }
     }

@@ -43,7 +43,7 @@ impl Experiment {
         i: usize,
         measured: f64,
         contact: &Contact,
-    ) -> Result<Place, interp::Error> {
+    ) -> Result<Place, contact::Error> {
         let of = &self.indentation;
         let abscissa = self.measurement.points[i].abscissa;
         let at = |radius| Place { radius, depth: 0.0 };

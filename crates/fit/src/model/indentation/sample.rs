@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use contact::Contact;
-use interp::Error;
+use contact::Error;
 
 use crate::model::differences::ContactOf;
 use crate::{Bodies, Layered};

@@ -217,7 +217,7 @@ impl Arguments {
                 .transpose()?;
             match follow(&contact, rigid.as_ref()) {
                 Err(HistoryError::Contact(
-                    error @ interp::Error::OutsideRadii {
+                    error @ contact::Error::OutsideRadii {
                         at_sphere: false, ..
                     },
                 )) => {
