@@ -5,9 +5,11 @@ use std::fmt;
 use std::io;
 
 use super::column::Role;
-use super::lines::LONGEST;
 use super::unit::Unit;
 use crate::Kind;
+
+/// The longest line, in bytes. A longer one is not a row of a measurement.
+pub const LONGEST: usize = 1 << 16;
 
 /// Data that cannot be read.
 #[derive(Debug, thiserror::Error)]

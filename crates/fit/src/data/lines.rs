@@ -3,10 +3,7 @@
 use std::borrow::Cow;
 use std::io::{BufRead, Chain, Cursor, Read};
 
-use super::failure::Problem;
-
-/// The longest line, in bytes. A longer one is not a row of a measurement.
-pub const LONGEST: usize = 1 << 16;
+use super::failure::{LONGEST, Problem};
 
 /// What files that are not text begin with, and their names in messages.
 const BINARY: [(&[u8], &str); 5] = [

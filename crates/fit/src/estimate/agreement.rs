@@ -6,8 +6,8 @@
 
 use nalgebra::DVector;
 
-use super::problem::Problem;
-use super::warnings::{BEYOND_CHANCE, Warnings, in_order};
+use super::doubts::{BEYOND_CHANCE, Warnings};
+use super::problem::{Assigned, Problem};
 use crate::statistics::{CLIPPED, clipped, excess, likeness_of_neighbours};
 use crate::{Branch, Fit, Loss, WarningKind};
 
@@ -81,4 +81,23 @@ fn beside_neighbours(warnings: &mut Warnings, problem: &Problem<'_>, residuals: 
             );
         }
     }
+}
+
+/// Returns the residuals of a branch by descending imposed value.
+pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+    let mut rows = vec![None; assigned.branches.len()];
+    let counts = assigned
+        .branches
+        .iter()
+        .enumerate()
+        .filter(|(_, branch)| **branch != Branch::LeftOut);
+    for ((i, _), residual) in counts.zip(residuals) {
+        rows[i] = Some(*residual);
+    }
+    assigned
+        .order
+        .iter()
+        .filter(|&&i| assigned.branches[i] == branch)
+        .filter_map(|&i| rows[i])
+        .collect()
 }

@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 use contact::Contact;
 use interp::Probe;
 
+use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
-use super::warnings::{BEYOND_CHANCE, Warnings};
 use crate::model::Bodies;
 use crate::statistics::{normal_of_t, scatter_of_differences};
 use crate::{Branch, Experiment, Kind, WarningKind};

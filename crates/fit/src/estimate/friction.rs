@@ -5,7 +5,7 @@ use contact::Contact;
 use solve::stack::{Interface, Stack};
 use solve::stick::{MOST_OF_PUNCH, Sticking};
 
-use super::warnings::Warnings;
+use super::doubts::Warnings;
 use crate::{Bodies, Estimate, Parameter, WarningKind};
 
 /// The relative tolerance of the two punches.

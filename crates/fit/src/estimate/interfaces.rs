@@ -4,10 +4,10 @@
 use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
 
+use super::doubts::Warnings;
 use super::minima::Minimum;
 use super::profile::with_fixed;
 use super::uncertainty::Uncertainty;
-use super::warnings::Warnings;
 use crate::{Bodies, Parameter, WarningKind};
 
 /// The factor by which a stiffness is changed until the layer is as good as bonded, or slides.

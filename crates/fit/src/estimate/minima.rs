@@ -5,13 +5,13 @@ use std::rc::Rc;
 use interp::Table;
 use levenberg_marquardt::LeastSquaresProblem;
 
+use super::doubts::BEYOND_CHANCE;
 use super::problem::{Assigned, Basin, Ending, Problem};
 use super::search::{COARSE, Data, PATIENCE, hold_back, is_bad, settle, thin};
 use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
-use super::valley::{Bend, bend, doubtful, other_sides};
-use super::warnings::BEYOND_CHANCE;
+use super::valley::{Bend, MARGIN, bend, doubtful, other_sides};
 use crate::{Branch, Error, Experiment, Free, Loss, Parameter};
 
 /// The factors by which the start of a modulus, or of a quantity of a layer, is varied.
@@ -20,9 +20,6 @@ const FACTORS: [f64; 2] = [0.05, 20.0];
 const THICKNESSES: [f64; 2] = [0.1, 1.0];
 /// The most evaluations over the number of parameters + 1 of a fit from another start.
 const FEWER: usize = 12;
-/// The most by which the sum of squares on few points may exceed the smallest one at a start that
-/// is followed to all points.
-pub(super) const MARGIN: f64 = 60.0;
 /// Minima whose values differ by less than this number of standard errors are one.
 const APART: f64 = 3.0;
 

@@ -1,7 +1,7 @@
 //! What a fit of bodies that relax tells beside its parameters, and the doubts about it.
 
+use super::doubts::Warnings;
 use super::problem::Problem;
-use super::warnings::Warnings;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.

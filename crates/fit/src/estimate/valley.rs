@@ -1,12 +1,14 @@
 //! The valley of the sum of squares along one value, away from a minimum.
 
-use super::minima::MARGIN;
 use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use crate::{Bodies, Kind, Prior};
 
+/// The most by which the sum of squares on few points may exceed the smallest one at a start that
+/// is followed to all points.
+pub(super) const MARGIN: f64 = 60.0;
 /// The relative error of a positive value from which on its valley is looked at: below it the
 /// problem is linear as far as the data allow the value to move.
 const DOUBTFUL: f64 = 0.03;

@@ -5,10 +5,10 @@
 
 use nalgebra::DVector;
 
+use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::loss::influence;
 use super::problem::Problem;
 use super::uncertainty::Uncertainty;
-use super::warnings::{BEYOND_CHANCE, Warnings};
 use crate::{Branch, Direction, Loss, Parameter, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left

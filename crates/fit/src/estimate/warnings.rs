@@ -4,6 +4,8 @@ use contact::{AdhesionRange, Validity};
 use interp::Probe;
 use nalgebra::DVector;
 
+use super::agreement::in_order;
+use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
@@ -18,9 +20,6 @@ use crate::{
     Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
 };
 
-/// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
-/// deviations: one fit in 300,000 exceeds it.
-pub(super) const BEYOND_CHANCE: f64 = 4.5;
 /// A contact radius (m) below which there is no continuum.
 const SMALLEST_RADIUS: f64 = 1e-9;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
@@ -73,7 +72,7 @@ pub(super) fn warnings(
     if fit.converged {
         indentation::add(&mut warnings, fit, problem);
     }
-    warnings.0
+    warnings.into_list()
 }
 
 /// Says why an interval has no end on a side, or two.
@@ -101,18 +100,7 @@ pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
             );
         }
     }
-    warnings.0
-}
-
-/// The doubts so far.
-#[derive(Default)]
-pub(super) struct Warnings(Vec<Warning>);
-
-impl Warnings {
-    /// Adds a doubt.
-    pub fn add(&mut self, kind: WarningKind, text: String) {
-        self.0.push(Warning { kind, text });
-    }
+    warnings.into_list()
 }
 
 /// Doubts about the way to the minimum.
@@ -347,25 +335,6 @@ fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residua
             }
         }
     }
-}
-
-/// Returns the residuals of a branch by descending imposed value.
-pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
-    let mut rows = vec![None; assigned.branches.len()];
-    let counts = assigned
-        .branches
-        .iter()
-        .enumerate()
-        .filter(|(_, branch)| **branch != Branch::LeftOut);
-    for ((i, _), residual) in counts.zip(residuals) {
-        rows[i] = Some(*residual);
-    }
-    assigned
-        .order
-        .iter()
-        .filter(|&&i| assigned.branches[i] == branch)
-        .filter_map(|&i| rows[i])
-        .collect()
 }
 
 /// Warns of points that are in contact in the data and clearly not in the fit.

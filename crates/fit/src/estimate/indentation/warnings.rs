@@ -1,7 +1,7 @@
 //! The doubts about a fit of contact stiffness.
 
+use crate::estimate::doubts::Warnings;
 use crate::estimate::problem::{Ending, Problem};
-use crate::estimate::warnings::Warnings;
 use crate::statistics::median;
 use crate::{ContactDepth, Estimate, Fit, Indentation, Kind, Parameter, WarningKind};
 
