@@ -244,7 +244,7 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// [`HistoryError`] says which number of the program is wrong; [`HistoryError::BeginsInContact`] unless
     /// the first value is 0 or less; [`HistoryError::NotOneDisc`] where a dent has not recovered;
     /// [`HistoryError::Unreached`] for a tolerance that takes too many steps;
-    /// [`Error::OutsideRadii`](interp::Error::OutsideRadii) where the curve does not hold the contact
+    /// [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the curve does not hold the contact
     /// radius.
     pub fn at(
         &self,
@@ -290,7 +290,7 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// the largest load; 0 unless [`History::beside`] is told of them.
     ///
     /// # Errors
-    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`Error::OutsideRadii`](interp::Error::OutsideRadii)
+    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii)
     /// where the curve of the rigid bodies does not hold the contact.
     pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
         match (self.rigid, &measured.states[..]) {

@@ -58,7 +58,7 @@ impl Made {
     /// Packs the table to a tolerance, certified at points of another seed than its own.
     ///
     /// # Errors
-    /// Those of [`low_rank`].
+    /// Those of [`low_rank()`].
     pub fn packed(&self, tolerance: f64, observer: &dyn Observer) -> Result<Table, Error> {
         let seed = self.table.description().certificate.seed + 1;
         low_rank(
