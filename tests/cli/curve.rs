@@ -301,3 +301,20 @@ fn the_shape_of_the_probe_is_chosen() {
         &["line 4", "convex"],
     );
 }
+
+/// Without a range the contacts of a small sphere end where the model does.
+#[test]
+fn the_usual_radii_fit_the_sphere() {
+    let workdir = workdir!();
+    let radii = |arguments: &[&str]| {
+        let text = workdir.succeed(&[&["curve", "--points=3"], arguments].concat());
+        let data = Data::parse("curve", &text);
+        let radii: Vec<f64> = data.cases().map(|row| row.get("contact_radius")).collect();
+        [radii[0], radii[2]]
+    };
+    assert_eq!(radii(&["--specimen=paper"]), [1e-6, 1.5e-4]);
+    let [from, to] = radii(&["--specimen=paper", "--sphere-radius=10um"]);
+    assert!((to / 3e-6 - 1.0).abs() < 1e-14 && (from / 2e-8 - 1.0).abs() < 1e-14);
+    let given = ["--specimen=paper", "--sphere-radius=10um", "--to=2um"];
+    assert_eq!(radii(&given), [1e-6, 2e-6]);
+}

@@ -64,13 +64,13 @@ pub struct Arguments {
     attracting: AttractingArguments,
     #[command(flatten)]
     history: HistoryArguments,
-    /// Smallest contact radius, m
-    #[arg(long, default_value = "1e-6", value_parser = length, allow_hyphen_values = true)]
-    from: f64,
+    /// Smallest contact radius, m [default: 1e-6; without --to, 1/150 of the largest]
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
-    /// small beside R: above 0.3 R there is a warning
-    #[arg(long, default_value = "1.5e-4", value_parser = length, allow_hyphen_values = true)]
-    to: f64,
+    /// small beside R: above 0.3 R there is a warning [default: 1.5e-4, or 0.3 R if that is less]
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    to: Option<f64>,
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::MOST_POINTS))]
     points: u32,
@@ -83,24 +83,24 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let Arguments { from, to, .. } = *arguments;
     let given = &arguments.attracting.bodies;
     let table = arguments.table.as_ref().and_then(TableName::path);
     let [stack, profile] = given.files();
     let output = Output::new(arguments.output.as_deref(), [table, stack, profile])?;
+    let bodies = given.read_checked()?;
+    let system = &bodies.system;
+    let [from, to] = arguments.radii(system);
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
         "the contact radii must run from > 0 to more than that: from {from:?} to {to:?} m"
     );
-    let bodies = given.read_checked()?;
-    let system = &bodies.system;
     let mechanics = Mechanics::new(system)?;
     let punch = matches!(system.probe, Probe::FlatPunch { .. });
     if !punch {
         // Refuses too large a radius before any work.
         mechanics.edge_singularity(to, bodies.work_of_adhesion)?;
     }
-    let states = States::new(arguments, &bodies)?;
+    let states = States::new(arguments, &bodies, [from, to])?;
     let rows: Vec<Vec<f64>> = if punch {
         // The only contact radius of a punch.
         vec![states.row(bodies.sphere_radius, &mechanics)?]
@@ -139,6 +139,27 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     output.write(&writer.into_inner()?)
 }
 
+impl Arguments {
+    /// Returns the smallest and the largest contact radius (m): those asked for, or those of the
+    /// paper's lens, reduced for a smaller sphere.
+    fn radii(&self, system: &System) -> [f64; 2] {
+        const USUAL: [f64; 2] = [1e-6, 1.5e-4];
+        let most = match system.probe {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => {
+                Validity::WARNING_A_OVER_R * radius
+            }
+            _ => f64::INFINITY,
+        };
+        let to = self.to.unwrap_or(USUAL[1].min(most));
+        let scale = if self.to.is_none() {
+            to / USUAL[1]
+        } else {
+            1.0
+        };
+        [self.from.unwrap_or(USUAL[0] * scale), to]
+    }
+}
+
 /// What answers for the state at a contact radius.
 enum Source {
     /// A solve for each radius; with adhesion a curve tells the slopes of the quantities.
@@ -158,15 +179,14 @@ struct States<'a> {
 }
 
 impl<'a> States<'a> {
-    fn new(arguments: &Arguments, bodies: &'a Bodies) -> anyhow::Result<Self> {
+    fn new(
+        arguments: &Arguments,
+        bodies: &'a Bodies,
+        [from, to]: [f64; 2],
+    ) -> anyhow::Result<Self> {
         /// The relative tolerance of solves where none is given.
         const TOLERANCE: f64 = 1e-8;
-        let Arguments {
-            from,
-            to,
-            ref attracting,
-            ..
-        } = *arguments;
+        let attracting = &arguments.attracting;
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let mut work_of_adhesion = bodies.work_of_adhesion;

@@ -134,17 +134,17 @@ pub fn numbers(
 }
 
 /// Solves to a tolerance that was `given`, or to a usual one, which yields to rounding.
-fn within<T>(
+pub fn within<T>(
     given: Option<f64>,
     tolerance: f64,
     solve: impl Fn(f64) -> Result<T, Error>,
 ) -> Result<T, Error> {
     match solve(tolerance) {
-        Err(Error::StickNotConverged { reached, .. })
-            if given.is_none() && 2.0 * reached <= LARGEST_ERROR =>
-        {
-            solve(2.0 * reached)
-        }
+        Err(
+            Error::StickNotConverged { reached, .. }
+            | Error::NotConverged { reached, .. }
+            | Error::StackNotConverged { reached, .. },
+        ) if given.is_none() && 2.0 * reached <= LARGEST_ERROR => solve(2.0 * reached),
         result => result,
     }
 }

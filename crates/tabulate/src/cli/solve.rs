@@ -116,7 +116,7 @@ pub struct Arguments {
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
-    /// Relative tolerance on every quantity [default: 1e-10]
+    /// Relative tolerance on every quantity [default: 1e-10; with --friction stick what rounding allows, up to 1e-6]
     #[arg(long, value_parser = plain, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     #[command(flatten)]
@@ -226,12 +226,18 @@ fn solve_film(
     material: &Material,
 ) -> anyhow::Result<(Solution, Vec<PowerLaw>)> {
     let exponents = &arguments.exponents;
-    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
-    Ok(match joined_film(arguments, material)? {
-        None => solve_power_laws(a_over_t, material, exponents, tolerance)?,
+    let joined = joined_film(arguments, material)?;
+    let solve = |tolerance| match &joined {
+        None => solve_power_laws(a_over_t, material, exponents, tolerance),
         Some((stack, sphere)) => {
-            solve_stack_power_laws(a_over_t, &stack, sphere, exponents, tolerance)?
+            solve_stack_power_laws(a_over_t, stack, *sphere, exponents, tolerance)
         }
+    };
+    let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
+    Ok(match arguments.friction.sticks() {
+        // The numbers of friction, which are printed beside, yield to rounding as well.
+        Some(_) => friction::within(arguments.tolerance, tolerance, solve)?,
+        None => solve(tolerance)?,
     })
 }
 
