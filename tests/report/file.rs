@@ -72,26 +72,25 @@ fn the_numbers_in_a_page_are_those_of_the_table() {
         let title = &table.description().title;
         let coarse = coarse(&table).expect("numbers");
         let mut contacts = Contacts::new(2);
-        let mut largest = 0.0;
+        let (mut largest, mut compared) = (0.0, 0);
         for _ in 0..2000 {
             let (x, material) = contacts.point_of(&table);
             let [ours, theirs] = [&table, &coarse.table]
                 .map(|table| table.curve(&material).expect("a material in the box"));
-            let difference = |quantity: Quantity| {
+            // A table of `Gamma` derives the others where it begins accurately enough for its tolerance.
+            let answered = |quantity: &Quantity| ours.answers(*quantity);
+            for quantity in table.answers().into_iter().filter(answered) {
                 let [ours, theirs] =
                     [&ours, &theirs].map(|curve| curve.quantity(quantity, x).expect("answered"));
-                (theirs / ours - 1.0).abs()
-            };
-            largest = table
-                .answers()
-                .into_iter()
-                .map(difference)
-                .fold(largest, larger);
+                largest = larger(largest, (theirs / ours - 1.0).abs());
+                compared += 1;
+            }
         }
+        assert!(compared > 2000, "{title}: {compared}");
         assert!(largest < DIFFERENCE, "{title}: {largest:e}");
-        // The page states about as much.
+        // The page states the largest one of its own points, which differ.
         assert!(coarse.difference < DIFFERENCE, "{title}");
-        assert!(coarse.difference > 0.2 * largest, "{title}: {largest:e}");
+        assert!(coarse.difference > 0.0, "{title}");
     }
 }
 
