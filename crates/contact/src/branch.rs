@@ -29,7 +29,7 @@ impl Equilibria<'_> {
     /// order about ten.
     ///
     /// ```
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, HalfSpace, Probe};
     /// use contact::{Branch, Contact, Control, State};
     ///

@@ -15,7 +15,7 @@ use interp::{Curve, HalfSpace, Mechanics, Quantities, Quantity, System, Table};
 /// solve. A half-space needs no curve. Each function is arithmetic with the values of the curve.
 ///
 /// ```
-/// # fn main() -> Result<(), interp::Error> {
+/// # fn main() -> Result<(), contact::Error> {
 /// use contact::{Contact, Control};
 /// use interp::{Elastic, Probe, System, Table};
 ///
@@ -123,7 +123,7 @@ impl Contact {
     /// every other probe, to rounding.
     ///
     /// ```
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, HalfSpace, Probe};
     /// use contact::{Contact, Control};
     ///

@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-6;
 /// the line is at rest all the time. [`ContactLine::ramp`] changes it in a given time.
 ///
 /// ```
-/// # fn main() -> Result<(), interp::Error> {
+/// # fn main() -> Result<(), contact::Error> {
 /// use interp::{Elastic, HalfSpace, Probe};
 /// use contact::{Contact, Control, Hysteresis};
 ///

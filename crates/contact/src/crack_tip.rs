@@ -102,7 +102,7 @@ impl CrackTip for Hysteresis {
 /// line that advances infinitely fast is that of the contact without adhesion.
 ///
 /// ```
-/// # fn main() -> Result<(), interp::Error> {
+/// # fn main() -> Result<(), contact::Error> {
 /// use contact::{CrackTip, Hysteresis, RateDependent};
 ///
 /// let law = RateDependent::new(0.04, 1e-6, 0.6)?; // J/m^2, m/s

@@ -61,7 +61,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, Probe, System, Table};
     /// use contact::{Control, RateDependent};
     ///

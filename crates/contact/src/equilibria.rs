@@ -108,7 +108,7 @@ impl Contact {
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// # use interp::{Elastic, Probe, System, Table};
     /// # use contact::Control;
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);

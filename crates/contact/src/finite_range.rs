@@ -86,7 +86,7 @@ impl Contact {
     /// --interaction-range`).
     ///
     /// ```
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, HalfSpace, Probe};
     /// use contact::{Contact, Control, FiniteRange};
     ///

@@ -52,7 +52,7 @@ impl Equilibria<'_> {
     /// [`interp::Error::InvalidArgument`] unless `points` is 2 to 1,000,000.
     ///
     /// ```
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, HalfSpace, Probe};
     /// use contact::{Contact, Control};
     ///

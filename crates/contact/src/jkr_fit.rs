@@ -164,7 +164,7 @@ impl Contact {
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]
-    /// # fn main() -> Result<(), interp::Error> {
+    /// # fn main() -> Result<(), contact::Error> {
     /// # use interp::{Elastic, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     /// let bias = |film_thickness| {
