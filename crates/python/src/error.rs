@@ -416,6 +416,7 @@ impl From<tabulate::Error> for Failure {
         let of = |class| Self { class, ..failure };
         match error {
             Error::Table(error) => error.into(),
+            Error::Contact(error) => error.into(),
             Error::Solve(error) => error.into(),
             Error::StackFile { .. } => of("InputError"),
             Error::Read { path, source } | Error::Write { path, source } => {
