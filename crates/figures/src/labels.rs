@@ -5,7 +5,7 @@
 //! its points. A candidate costs more the farther it is from its point, the more it covers, and
 //! where something of another colour or the point of another label is closer than its own point.
 //! Each label in turn takes the cheapest candidate, given the places of the others, until no label
-//! moves.
+//! moves. Of the results that begin with one label each, the cheapest is taken.
 
 use plotters::style::RGBColor;
 
@@ -240,8 +240,6 @@ impl Label {
 
 /// Returns the places of the labels.
 pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<Placed> {
-    /// More rounds than any figure takes.
-    const ROUNDS: usize = 20;
     let candidates: Vec<Vec<Candidate>> = labels
         .iter()
         .map(|label| {
@@ -250,10 +248,24 @@ pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<Placed
             label.candidates(&others.copied().collect::<Vec<_>>(), room, obstacles)
         })
         .collect();
-    let mut placed: Vec<Option<Candidate>> = vec![None; labels.len()];
+    // The label that chooses first has all places to choose from: each in turn is the first.
+    (0..labels.len())
+        .map(|first| settled(&candidates, first))
+        .min_by(|(_, a), (_, b)| a.total_cmp(b))
+        .map_or_else(Vec::new, |(placed, _)| places(&placed))
+}
+
+/// Returns the places that no label leaves, beginning with the label `first`, and their cost.
+fn settled(candidates: &[Vec<Candidate>], first: usize) -> (Vec<Option<Candidate>>, f64) {
+    /// More rounds than any figure takes.
+    const ROUNDS: usize = 20;
+    let count = candidates.len();
+    let mut placed: Vec<Option<Candidate>> = vec![None; count];
+    let mut total = 0.0;
     for _ in 0..ROUNDS {
-        let before: Vec<_> = places(&placed);
-        for (i, candidates) in candidates.iter().enumerate() {
+        let before = places(&placed);
+        total = 0.0;
+        for i in (0..count).map(|k| (first + k) % count) {
             placed[i] = None;
             let cost = |candidate: &Candidate| {
                 let others = placed.iter().flatten();
@@ -261,14 +273,18 @@ pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<Placed
                     others.filter(|other| candidate.rectangle.overlaps(&other.rectangle));
                 candidate.cost + OVERLAP * overlaps.count() as f64
             };
-            let best = candidates.iter().min_by(|a, b| cost(a).total_cmp(&cost(b)));
-            placed[i] = best.copied();
+            let best = candidates[i]
+                .iter()
+                .map(|candidate| (cost(candidate), candidate))
+                .min_by(|(a, _), (b, _)| a.total_cmp(b));
+            total += best.map_or(0.0, |(cost, _)| cost);
+            placed[i] = best.map(|(_, candidate)| *candidate);
         }
         if places(&placed) == before {
             break;
         }
     }
-    places(&placed)
+    (placed, total)
 }
 
 fn places(placed: &[Option<Candidate>]) -> Vec<Placed> {

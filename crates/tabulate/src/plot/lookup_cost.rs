@@ -34,7 +34,7 @@ pub fn figure(rows: &[Row]) -> Result<Figure, Error> {
         times(
             "time (ns); marks that would overlap are shifted apart",
             &in_box,
-            [0.02, 30.0],
+            [0.02, 1000.0],
         ),
         errors("relative error of the load (disc: median, circle: largest)"),
     );
@@ -123,7 +123,7 @@ fn label(row: &Row) -> (&str, End, Side) {
     match (row.form.as_str(), row.what.as_str()) {
         ("packed table", FURTHER) => ("table: further point", End::Disc, Side::BelowRight),
         ("packed table", _) => ("packed: new material", End::Disc, Side::Right),
-        ("dense table", _) => ("dense: new material", End::Circle, Side::Above),
+        ("dense table", _) => ("dense: new material", End::Disc, Side::Right),
         (form, _) => {
             let name = form
                 .split(',')

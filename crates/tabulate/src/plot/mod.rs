@@ -36,6 +36,8 @@ mod tests {
     use figures::chart::Figure;
     use figures::picture::Format;
     use interp::Probe;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
     use solve::stack::Interface;
 
     /// Damages shipped measurements, reads them, and draws every 50th of those that are accepted.
@@ -124,6 +126,55 @@ mod tests {
         assert_clear(
             "interface",
             &interface::figure(&interface::data().expect("within reach")),
+        );
+    }
+
+    /// Asserts that the texts collide with nothing in figures of other times, as another run of the
+    /// measurements would find them: each is multiplied by a number from 0.6 to 1.
+    fn assert_clear_at_other_times<R: Measurement + Clone>(
+        name: &str,
+        times: fn(&mut R) -> Vec<&mut f64>,
+        figure: fn(&[R]) -> Result<Figure, Error>,
+    ) {
+        let shipped = shipped::<R>(&format!("{name}.csv"));
+        let mut random = Pcg64::seed_from_u64(1);
+        for draw in 0..20 {
+            let mut rows = shipped.clone();
+            for time in rows.iter_mut().flat_map(times) {
+                *time *= random.random_range(0.6..1.0);
+            }
+            assert_clear(&format!("{name} {draw}"), &figure(&rows).expect("rows"));
+        }
+    }
+
+    #[test]
+    fn the_texts_collide_with_nothing_if_a_run_measures_other_times() {
+        assert_clear_at_other_times(
+            "lookup",
+            |row: &mut cost::lookup::Row| vec![&mut row.seconds],
+            lookup_cost::figure,
+        );
+        assert_clear_at_other_times(
+            "solve",
+            |row: &mut cost::solve::Row| vec![&mut row.seconds],
+            work_precision::figure,
+        );
+        assert_clear_at_other_times(
+            "table",
+            |row: &mut cost::table::Row| {
+                vec![
+                    &mut row.seconds,
+                    &mut row.pack_seconds,
+                    &mut row.solve_seconds,
+                    &mut row.curve_seconds,
+                ]
+            },
+            |rows| Ok(table_cost::figure(rows)),
+        );
+        assert_clear_at_other_times(
+            "effects",
+            |row: &mut cost::effects::Row| row.saved_seconds.iter_mut().collect(),
+            effects::figure,
         );
     }
 
