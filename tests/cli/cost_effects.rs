@@ -8,7 +8,7 @@ use acceptance::{
 };
 use contact::Contact;
 use cost::clock::{Times, Timing};
-use cost::effects::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, errors, markdown};
+use cost::effects::{A_OVER_R, EXPONENT, Effect, Row, STRENGTHS, TABOR, errors, markdown};
 use cost::to_csv;
 use interp::{Elastic, HalfSpace, Material, Probe};
 use solve::stack::Interface;
@@ -173,6 +173,26 @@ fn a_film_like_its_substrate_can_be_left_out() {
     }
 }
 
+/// Returns the load of a paraboloid on a half-space that relaxes by a power law, at a time of a cycle that turns at 1, over
+/// the elastic load at the turn: `b t^(b - alpha) B(t1/t; b, 1 - alpha)` with `b` = 3/2 (Ting 1966).
+fn relaxing_load(time: f64) -> f64 {
+    const STEPS: u32 = 20_000;
+    let (b, c) = (1.5, 1.0 - EXPONENT);
+    let touched = if time <= 1.0 {
+        time
+    } else {
+        (time - 2.0_f64.powf(1.0 / c) * (time - 1.0)).max(0.0)
+    };
+    // The integral of u^(b-1) (1-u)^(c-1) over v = (1-u)^c, by the midpoint rule.
+    let from = (1.0 - touched / time).powf(c);
+    let step = (1.0 - from) / f64::from(STEPS);
+    let values = (0..STEPS).map(|i| {
+        let v = from + (f64::from(i) + 0.5) * step;
+        (1.0 - v.powf(1.0 / c)).powf(b - 1.0)
+    });
+    b * time.powf(b - EXPONENT) * values.sum::<f64>() * step / c
+}
+
 /// On a thick film alone, the loads are JKR's on a half-space of film, and every error is a closed
 /// form.
 #[test]
@@ -199,6 +219,18 @@ fn a_thick_film_is_a_half_space() {
         // the film and an incompressible sphere.
         let beta = thick.sphere_film_modulus() / thick.film_modulus() * (2.0 / 7.0);
         let friction = 1.0 - beta / beta.atanh();
+        let turn = relaxing_load(1.0);
+        let relaxation = (0..=100)
+            .map(|i| {
+                let time = f64::from(i) / 50.0;
+                let elastic = (1.0 - (time - 1.0).abs()).powf(1.5);
+                if time == 0.0 {
+                    0.0
+                } else {
+                    (relaxing_load(time) / turn - elastic).abs()
+                }
+            })
+            .fold(0.0, f64::max);
         let expected = [
             film,
             sphere,
@@ -210,6 +242,7 @@ fn a_thick_film_is_a_half_space() {
             range,
             0.0,
             friction,
+            relaxation,
         ];
         let found = errors(&Effect::ALL, 1e-6, &thick, strength).expect("solved");
         for ((effect, found), expected) in Effect::ALL.iter().zip(found).zip(expected) {
@@ -357,6 +390,10 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
         (0.01..0.05).contains(&shape.median_error) && shape.worst_error < 0.05,
         "{shape:?}"
     );
+    // A history takes longer than an elastic curve, and needs no table.
+    let relaxation = &rows[11];
+    assert_eq!((relaxation.saved_solves, relaxation.saved_bytes), (0, 0));
+    assert!(relaxation.time_ratio.is_some_and(|ratio| ratio > 0.0));
     let [film, adhesion, penetration] = [&rows[1], &rows[5], &rows[6]];
     assert_eq!(
         (film.axes, film.solves, film.seconds, film.bytes),
@@ -454,7 +491,7 @@ fn effects_that_a_scene_does_not_have_are_named() {
     assert_names(
         &printed,
         &[
-            "Not in this scene: adhesion, penetration, shape, finite range.",
+            "Not in this scene: adhesion, penetration, shape, finite range, relaxation.",
             "| film | JKR on the bare substrate | 1 |",
         ],
     );

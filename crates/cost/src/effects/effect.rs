@@ -30,11 +30,14 @@ pub enum Effect {
     Interface,
     /// Full friction. Without it the surfaces slide freely, as in the table. It is solved directly.
     Friction,
+    /// Relaxation: a modulus that falls in time. Without it the load follows the elastic curve. It
+    /// needs no other table.
+    Relaxation,
 }
 
 impl Effect {
     /// All effects.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Film,
         Self::SphereCompliance,
         Self::SubstrateCompliance,
@@ -45,6 +48,7 @@ impl Effect {
         Self::FiniteRange,
         Self::Interface,
         Self::Friction,
+        Self::Relaxation,
     ];
 
     /// Returns the name in words.
@@ -60,6 +64,7 @@ impl Effect {
             Self::FiniteRange => "finite range",
             Self::Interface => "interface",
             Self::Friction => "friction",
+            Self::Relaxation => "relaxation",
         }
     }
 
@@ -76,6 +81,7 @@ impl Effect {
             Self::FiniteRange => "JKR at a Tabor parameter of 5",
             Self::Interface => "bonded film where it slides",
             Self::Friction => "no friction, in place of full friction",
+            Self::Relaxation => "elastic, where the modulus falls as t^-0.2",
         }
     }
 
@@ -84,7 +90,7 @@ impl Effect {
     pub const fn needs_no_table(self) -> bool {
         matches!(
             self,
-            Self::Shape | Self::FiniteRange | Self::Interface | Self::Friction
+            Self::Shape | Self::FiniteRange | Self::Interface | Self::Friction | Self::Relaxation
         )
     }
 }

@@ -6,6 +6,7 @@ use super::Effect;
 use super::finite_range::error_of_jkr;
 use super::friction::error_without;
 use super::interface::sliding;
+use super::relaxation::error_of_elastic;
 use super::shape::error_of_paraboloid;
 use solve::Error;
 use solve::solve;
@@ -29,7 +30,9 @@ pub const STRENGTHS: [f64; 2] = [0.01, 2.0];
 /// load, relative to itself, under a sphere that pulls off at this contact radius, at Tabor's
 /// parameter [`TABOR`](super::TABOR). For [`Effect::Interface`] it is that of the load of the bonded
 /// film where the film slides, up to `a/t` of 1000. For [`Effect::Friction`] `F` is the
-/// load of a flat punch with full friction, at the same penetration.
+/// load of a flat punch with full friction, at the same penetration. For [`Effect::Relaxation`] it is the
+/// largest one of the elastic load on approach and retract, over the load at the turn at this contact
+/// radius, where all bodies relax by the power law of exponent [`EXPONENT`](super::EXPONENT).
 ///
 /// # Errors
 /// Those of the solve.
@@ -45,6 +48,7 @@ pub fn errors(
             Effect::Shape => return error_of_paraboloid(a_over_t, material, Load::TOLERANCE),
             Effect::FiniteRange => return error_of_jkr(a_over_t, material, Load::TOLERANCE),
             Effect::Friction => return error_without(a_over_t, material),
+            Effect::Relaxation => return error_of_elastic(a_over_t, material),
             Effect::Interface => {
                 // The film of the scene is what is left without the effect.
                 let quantities = sliding(a_over_t, material, Load::TOLERANCE_OF_SLIDING)?;
@@ -124,7 +128,8 @@ impl Load {
             | Effect::Shape
             | Effect::FiniteRange
             | Effect::Interface
-            | Effect::Friction => Ok(self),
+            | Effect::Friction
+            | Effect::Relaxation => Ok(self),
         }
     }
 }

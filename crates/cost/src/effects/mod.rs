@@ -3,13 +3,14 @@
 //! `effect` names the effects, `load` computes the error of the
 //! load, `shape` that of the paraboloid and the time that the sphere itself takes, `finite_range` that
 //! of JKR's pull-off and the time of its correction, `interface` a film that slides, `friction` full
-//! friction, `summary` prints the rows.
+//! friction, `relaxation` a modulus that falls in time, `summary` prints the rows.
 
 mod effect;
 mod finite_range;
 mod friction;
 mod interface;
 mod load;
+mod relaxation;
 mod shape;
 mod summary;
 
@@ -19,6 +20,7 @@ pub use self::effect::Effect;
 pub use self::finite_range::TABOR;
 pub use self::friction::WIDEST;
 pub use self::load::{STRENGTHS, errors};
+pub use self::relaxation::EXPONENT;
 pub use self::shape::A_OVER_R;
 pub use self::summary::markdown;
 use crate::clock::Timing;
@@ -56,7 +58,7 @@ pub struct Row {
     pub worst_error: f64,
     /// Time of what the effect slows down, with it over without it: to make the contact of a new
     /// material for the shape and the interface, to find a pull-off for the finite range, to solve a
-    /// curve for friction. None for the effects that make the table larger instead.
+    /// curve for friction, to follow 1001 points for relaxation. None for the effects that make the table larger instead.
     #[serde(default)]
     pub time_ratio: Option<f64>,
 }
@@ -90,6 +92,7 @@ impl Effect {
             Self::FiniteRange => finite_range::time_ratio,
             Self::Interface => interface::time_ratio,
             Self::Friction => friction::time_ratio,
+            Self::Relaxation => relaxation::time_ratio,
             _ => return Ok(None),
         };
         ratio(timing).map(Some)

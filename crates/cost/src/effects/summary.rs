@@ -1,6 +1,6 @@
 //! The effects summed up as Markdown.
 
-use super::{A_OVER_R, Effect, Row, STRENGTHS, TABOR, WIDEST};
+use super::{A_OVER_R, EXPONENT, Effect, Row, STRENGTHS, TABOR, WIDEST};
 use crate::clock::human;
 use crate::numbers::{grouped, human_bytes};
 
@@ -20,6 +20,7 @@ impl Row {
                     let what = match self.without {
                         Some(Effect::FiniteRange) => "a pull-off",
                         Some(Effect::Friction) => "a directly solved curve",
+                        Some(Effect::Relaxation) => "a curve",
                         _ => "a new material",
                     };
                     format!("{what} takes {ratio:.1} times as long")
@@ -131,6 +132,17 @@ pub fn markdown(rows: &[Row]) -> String {
         text += "The interface needs no table. Its errors are those of the load of a bonded film where the film slides on its \
              substrate, up to a/t of 1000. Its time is that of the curve of a new film that slides, by direct solves to 1e-8 \
              over three decades of a/t, over that in which the embedded table makes the contact of a bonded one.\n";
+    }
+    if rows
+        .iter()
+        .any(|row| row.without == Some(Effect::Relaxation))
+    {
+        text += &format!(
+            "Relaxation needs no other table. Its errors are the largest of the elastic load on approach and retract at equal speeds to \
+             the contact radius, relative to the load at the turn, where all bodies relax by a power law of exponent {EXPONENT}; the \
+             elastic curve has the modulus that gives the load at the turn. Its time is that of a history of 1001 points, over \
+             that of 1001 points of an elastic curve.\n"
+        );
     }
     let missing: Vec<&str> = Effect::ALL
         .into_iter()

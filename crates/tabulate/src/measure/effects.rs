@@ -173,6 +173,8 @@ fn is_in(effect: Effect, scene: &Scene) -> bool {
         Effect::Shape => Quantity::ALL.into_iter().all(held),
         Effect::Interface => true,
         Effect::Friction => true,
+        // The radii of a history come from the penetration.
+        Effect::Relaxation => held(Quantity::Delta0),
     }
 }
 
@@ -201,7 +203,11 @@ fn scene_without(effect: Effect, scene: &Scene) -> Option<Scene> {
         Effect::Penetration => variant
             .quantities
             .retain(|&quantity| quantity != Quantity::Delta0),
-        Effect::Shape | Effect::FiniteRange | Effect::Interface | Effect::Friction => {}
+        Effect::Shape
+        | Effect::FiniteRange
+        | Effect::Interface
+        | Effect::Friction
+        | Effect::Relaxation => {}
     }
     Some(variant)
 }

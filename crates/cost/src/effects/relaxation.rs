@@ -1,0 +1,131 @@
+//! Relaxation: the error of the elastic load where the modulus falls in time, and the cost of a history.
+
+use contact::{Contact, Control, HistoryError, Relaxation};
+use interp::{Elastic, Material, Normalisation, Probe, System, Table};
+
+use crate::clock::{Times, Timing};
+use solve::Error;
+use solve::{A_OVER_T, curve};
+
+/// The exponent of the power law by which all bodies relax.
+pub const EXPONENT: f64 = 0.2;
+
+/// The program: times (s) and parts of the largest penetration.
+const CYCLE: [(f64, f64); 3] = [(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)];
+/// The relative tolerance of the elastic curve and of the loads.
+const TOLERANCE: f64 = 1e-6;
+/// The number of times in a cycle at which loads are compared.
+const COMPARED: u32 = 100;
+/// The number of points of a history that is timed.
+const POINTS: u32 = 1001;
+/// The seconds spent on measuring the time of each curve once.
+const SECONDS: f64 = 0.05;
+/// The number of times that each is measured, in turns with the other. The fastest time counts.
+const ROUNDS: usize = 10;
+
+/// Returns the states of a cycle up to a penetration (m) under a law.
+fn follow(
+    contact: &Contact,
+    law: &Relaxation,
+    penetration: f64,
+    points: u32,
+    tolerance: Option<f64>,
+) -> Result<Vec<f64>, Error> {
+    let program = CYCLE.map(|(time, part)| (time, part * penetration));
+    let end = CYCLE[CYCLE.len() - 1].0;
+    let times: Vec<f64> = (0..points)
+        .map(|i| end * f64::from(i) / f64::from(points - 1))
+        .collect();
+    let course = contact
+        .history(law)
+        .and_then(|history| history.at(Control::Displacement, &program, &times, tolerance));
+    match course {
+        Ok(course) => Ok(course.states.iter().map(|at| at.state.load).collect()),
+        Err(HistoryError::Contact(error)) => Err(error.into()),
+        Err(error) => unreachable!("law and program are those of a history: {error}"),
+    }
+}
+
+/// The law of the bodies, in units of the time of the turn.
+const fn law() -> Relaxation {
+    Relaxation::PowerLaw {
+        exponent: EXPONENT,
+        time: 1.0,
+    }
+}
+
+/// Returns the largest error of the elastic load on approach and retract to a contact radius, over the
+/// load at the turn. The elastic bodies have the modulus that gives this load.
+///
+/// # Errors
+/// Those of [`curve()`].
+pub(super) fn error_of_elastic(a_over_t: f64, material: &Material) -> Result<f64, Error> {
+    // The smallest contact of the curve over the largest: its load does not count.
+    const SMALLEST: f64 = 1e-2;
+    // Films that are thicker beside the contact are half-spaces.
+    let a_over_t = a_over_t.max(A_OVER_T[0] / SMALLEST);
+    let curve = curve(material, [SMALLEST * a_over_t, a_over_t], TOLERANCE)?;
+    let rigid = material.normalisation() == Normalisation::Film;
+    let (young, sphere_modulus) = if rigid {
+        (1.0, f64::INFINITY)
+    } else {
+        (material.e1_over_e2(), 1.0)
+    };
+    let system = System {
+        // The radius does not matter, as long as the contact is smaller.
+        probe: Probe::Paraboloid {
+            radius: 10.0 * a_over_t,
+        },
+        sphere_modulus,
+        film: Elastic::new(young, material.nu1())?,
+        film_thickness: 1.0,
+        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
+    };
+    let contact = Contact::new(&system, curve)?;
+    let (_, penetration) = contact.load_and_penetration(a_over_t, 0.0)?;
+    let elastic = Relaxation::Prony {
+        relaxed: 1.0,
+        terms: Vec::new(),
+    };
+    let [relaxing, elastic] = [law(), elastic].map(|law| {
+        let loads = follow(&contact, &law, penetration, COMPARED + 1, Some(TOLERANCE))?;
+        let turn = loads[loads.len() / 2];
+        Ok::<_, Error>(loads.into_iter().map(move |load| load / turn))
+    });
+    let pairs = relaxing?.zip(elastic?);
+    Ok(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
+}
+
+/// Returns the time of a history of an incompressible film up to `a/t` = 0.6, over that of an elastic curve of
+/// as many points.
+///
+/// # Errors
+/// None for this film.
+pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
+    const LARGEST: f64 = 3e-6;
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: Elastic::new(1e3, 0.5)?,
+        film_thickness: 5e-6,
+        substrate: Elastic::new(f64::INFINITY, 0.25)?,
+    };
+    let contact = Contact::in_table(Table::embedded(), &system)?;
+    let (_, penetration) = contact.load_and_penetration(LARGEST, 0.0)?;
+    let relaxing = || follow(&contact, &law(), penetration, POINTS, None);
+    let elastic = || -> Result<Vec<(f64, f64)>, Error> {
+        let radii = (1..=POINTS).map(|i| LARGEST * f64::from(i) / f64::from(POINTS));
+        Ok(radii
+            .map(|a| contact.load_and_penetration(a, 0.0))
+            .collect::<Result<_, _>>()?)
+    };
+    relaxing()?;
+    elastic()?;
+    let mut times = [Times::default(), Times::default()];
+    for _ in 0..timing.rounds(ROUNDS) {
+        times[0].add(timing.seconds(SECONDS, || relaxing().ok()));
+        times[1].add(timing.seconds(SECONDS, || elastic().ok()));
+    }
+    let [relaxing, elastic] = times.map(|times| times.fastest());
+    Ok(relaxing / elastic)
+}
