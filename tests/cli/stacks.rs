@@ -255,7 +255,7 @@ fn the_report_lists_the_layers() {
     let arguments = ["fit", "data.csv", "--stack", "stack.toml"];
     let report = workdir.succeed(&[&arguments[..], &["--specimen", "paper"]].concat());
     for line in [
-        "  base-modulus              200 GPa, Young's modulus\n",
+        "  substrate-modulus         200 GPa, Young's modulus\n",
         "  primer.modulus            500 kPa, Young's modulus\n",
         "  primer.thickness          2.5 um\n",
         "  layer-2.modulus           3.5 MPa, Young's modulus\n",

@@ -1,4 +1,5 @@
-//! The errors of fits. Each names the measurement, the line or parameter, and the next step.
+//! The errors of fits. Each names the measurement, and the line or the parameter. A program adds the
+//! next step in its own words.
 
 use std::borrow::Cow;
 

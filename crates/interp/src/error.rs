@@ -1,4 +1,5 @@
-//! The errors of this crate. Each message names the value, the values allowed and the next step.
+//! The errors of this crate. Each message names the value and the values allowed. A program adds the
+//! next step in its own words.
 
 use std::borrow::Cow;
 use std::io;

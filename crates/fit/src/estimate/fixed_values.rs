@@ -107,6 +107,8 @@ pub(super) fn effects(
             (Some(above), Some(below)) => (step, Some(0.5 * (above - below))),
             (None, Some(below)) => (-step, Some(below - here)),
             (Some(above), None) => (step, Some(above - here)),
+            // No Poisson ratio is above 0.5.
+            (None, None) if quantity.is_poisson_ratio() && value + step > 0.5 => (-step, None),
             (None, None) => (step, None),
         };
         let changes = match change {

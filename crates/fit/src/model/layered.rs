@@ -135,8 +135,8 @@ impl Reach {
 /// Why a contact on layers cannot be computed.
 pub type Cause = Box<dyn std::error::Error + Send + Sync>;
 
-/// Makes contacts on layers, which this crate cannot: `fit::DirectSolver` by solves,
-/// `tabulate::table::StackTable` by lookups.
+/// Makes contacts on layers: [`DirectSolver`](crate::DirectSolver) by solves,
+/// `tabulate::table::StackTable` by lookups in a table of the stack.
 pub trait LayeredSolver: fmt::Debug + Send + Sync {
     /// Makes the contact of a probe on layers. It needs no derivatives, because those of a fit are
     /// differences of contacts.

@@ -213,10 +213,10 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     }
     let mut parameters = Parameter::ALL.to_vec();
     if let Bodies::Layered(layered) = &experiment.bodies {
-        rows.push(("base-modulus".into(), young(layered.base.young())));
+        rows.push(("substrate-modulus".into(), young(layered.base.young())));
         if layered.base.young() < f64::INFINITY {
             rows.push((
-                "base-poisson-ratio".into(),
+                "substrate-poisson-ratio".into(),
                 text(layered.base.poisson(), "1"),
             ));
         }

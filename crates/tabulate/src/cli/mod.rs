@@ -38,6 +38,8 @@ mod query;
 #[cfg(feature = "figures")]
 mod report;
 mod simulate;
+#[cfg(feature = "figures")]
+mod sized_probe;
 mod solve;
 mod stack_file;
 mod system;

@@ -9,7 +9,6 @@ use clap::{ValueEnum, ValueHint};
 use interp::{Probe, Profile};
 
 use super::quantity::{length, number};
-use super::system::Value;
 
 /// The shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -113,38 +112,6 @@ impl ProbeArguments {
                 Probe::Profile(profile)
             }
         })
-    }
-}
-
-/// The flags of the shape and of its size, for commands that set nothing else of a system.
-#[derive(clap::Args, Clone)]
-#[group(skip)]
-pub struct SizedProbeArguments {
-    #[command(flatten)]
-    pub shape: ProbeArguments,
-    /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m [default:
-    /// 1mm]
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
-    sphere_radius: Option<f64>,
-}
-
-#[cfg(feature = "figures")]
-impl SizedProbeArguments {
-    /// Returns the shape.
-    pub fn probe(&self) -> anyhow::Result<Probe> {
-        self.shape
-            .probe(Value::SphereRadius.or_of_paper(self.sphere_radius)?)
-    }
-
-    /// Lists the values of the paper's system that are not given.
-    pub fn missing(&self) -> Vec<Value> {
-        let is_used = |value: &Value| match value {
-            Value::SphereRadius => self.shape.has_radius() && self.sphere_radius.is_none(),
-            // The films have several thicknesses.
-            Value::FilmThickness => false,
-            _ => true,
-        };
-        Value::ALL.into_iter().filter(is_used).collect()
     }
 }
 

@@ -6,8 +6,8 @@ use anyhow::Context;
 use clap::ValueHint;
 
 use super::output::Output;
-use super::probe::SizedProbeArguments;
 use super::progress::progress_bar;
+use super::sized_probe::SizedProbeArguments;
 use super::table_name::{self, TableName};
 use crate::report::{figures, report, steps};
 
