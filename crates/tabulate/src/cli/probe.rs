@@ -8,7 +8,7 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueEnum, ValueHint};
 use interp::{Probe, Profile};
 
-use super::quantity::{length, number};
+use super::quantity::number;
 
 /// The shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
