@@ -284,6 +284,8 @@ fn mistakes_are_told() {
     refuse(1, &with("both.csv"), &["only one"]);
     workdir.write("untimed.csv", "t,load\n0,0\n");
     refuse(1, &with("untimed.csv"), &["t, load", "named time"]);
+    workdir.write("swapped.csv", "time,penetration\n0,0\n1e-6,1\n0,2\n");
+    refuse(1, &with("swapped.csv"), &["point 3", "0.0 s", "rise"]);
     workdir.write("words.csv", "time,load\n0,0\n1,much\n");
     refuse(1, &with("words.csv"), &["words.csv", "line 3", "much"]);
     refuse(

@@ -102,6 +102,15 @@ fn the_interval_between_points_stands_for_times() {
         &["--relaxation", "power-law"],
         &["no times", "--sample-interval", "--column"],
     );
+    let swapped = text.replacen("penetration,load", "load,penetration", 1);
+    assert_ne!(swapped, text);
+    workdir.write("swapped.csv", swapped);
+    let law = ["--relaxation", "power-law"];
+    let run = workdir.run(&[&["fit", "swapped.csv"][..], &GEL, &law].concat());
+    assert_ne!(run.status, 0);
+    assert_names(&run.stderr, &["swapped.csv", "begin in contact", "columns"]);
+    let run = workdir.run(&[&["fit", "none.csv"][..], &GEL, &law].concat());
+    assert_names(&run.stderr, &["none.csv", "No such file"]);
     fails(&["--relaxation", "power"], &["power-law", "prony:M", "sls"]);
     fails(&["--relaxation", "prony:0"], &["prony:0", "prony:2"]);
     fails(
@@ -109,6 +118,14 @@ fn the_interval_between_points_stands_for_times() {
         &["--relaxed-fraction", "relaxation-exponent"],
     );
     fails(&["--relaxation-exponent", "0.3"], &["--relaxation"]);
+    fails(
+        &["--relaxation", "power-law", "--relaxation-exponent", "1.2"],
+        &["relaxation exponent = 1.2", "below 1"],
+    );
+    fails(
+        &["--relaxation", "sls", "--relaxed-fraction", "1.3"],
+        &["relaxed fraction = 1.3", "from 0 to 1"],
+    );
     fails(
         &[&by_interval[..], &["--free", "film-modulus"]].concat(),
         &["relaxation-exponent", "--value relaxation-exponent="],

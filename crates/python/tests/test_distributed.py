@@ -11,6 +11,7 @@ from coated_contact import _fit as fitting
 from conftest import ROOT
 from test_fit import WANTED, lens
 from test_generate import SCENE, StoppedHereError
+from test_relaxing import FREE, plan
 from test_stack_fit import lens as lens_on
 from test_stack_table import scene as stack_scene
 
@@ -42,7 +43,8 @@ def small_blocks(monkeypatch):
 
 
 def assert_equal(found, expected):
-    for name in WANTED:
+    assert list(found.params) == list(expected.params)
+    for name in found.params:
         assert np.array_equal(found.params[name], expected.params[name], equal_nan=True)
         assert np.array_equal(found.stderr[name], expected.stderr[name], equal_nan=True)
     assert np.array_equal(found.covariance, expected.covariance, equal_nan=True)
@@ -92,6 +94,13 @@ def test_curves_on_a_stack(client, stack):
     curves = [simulate(lens_on(stack), noise=2e-6, seed=seed) for seed in range(3)]
     found = fit_map(curves, WANTED, client=client)
     assert_equal(found, fit_map(curves, WANTED))
+
+
+def test_curves_that_relax(client):
+    curves = [simulate(plan(), noise=1e-10, seed=seed) for seed in range(3)]
+    found = fit_map(curves, FREE, client=client)
+    assert "relaxation_exponent" in found.params
+    assert_equal(found, fit_map(curves, FREE))
 
 
 def test_a_table_of_ones_own_goes_to_the_workers(client, small_blocks):

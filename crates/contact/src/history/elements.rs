@@ -10,12 +10,14 @@
 //! ```
 //!
 //! A step of the time sets `psi = max(psi_free, delta - delta0(s))` with the `psi_free` at which
-//! `N = 0`. The error falls with the square of the steps of time and radius.
+//! `N = 0`. Under a penetration the error falls with the square of the distance of the radii, and hardly depends on the
+//! steps of the time; under a load or a spring it falls with the square of both.
 
 use super::elastic::Node;
 use super::exponentials::Exponentials;
-use super::moments::mean;
+use super::memory::{Memory, Step};
 use super::program::Program;
+use super::recovery::Recovery;
 use super::{HistoryError, Phase, TimedContact};
 use crate::{Control, State};
 
@@ -25,16 +27,6 @@ pub(super) struct Elements<'a> {
     pub nodes: &'a [Node],
     pub law: &'a Exponentials,
     pub control: Control,
-}
-
-/// The elements at one time.
-struct Memory {
-    /// `psi` of each element, m.
-    psi: Vec<f64>,
-    /// The memories `int exp(-rate (t-t')) d psi`, all elements of one rate after another.
-    memories: Vec<f64>,
-    /// `psi` at which the element would be free, m.
-    free: Vec<f64>,
 }
 
 /// The largest part of the largest stress that a ring outside the contact may have from rounding.
@@ -53,15 +45,21 @@ impl Elements<'_> {
         refined: usize,
     ) -> Result<(Vec<TimedContact>, f64), HistoryError> {
         let all = program.with(asked);
-        let (k, m) = (self.nodes.len(), self.law.len());
+        let recovery = Recovery::new(self.law);
+        let k = self.nodes.len();
+        let slots = self.law.len().max(recovery.rates.len());
+        let mut now = self.at_rest(all[0].time, all[0].value);
         let mut memory = Memory {
+            penetration: now.state.penetration,
+            touching: 0,
+            used: 0,
             psi: vec![0.0; k],
-            memories: vec![0.0; k * m],
+            stress: vec![0.0; k],
+            memories: vec![0.0; k * slots],
             free: vec![0.0; k],
         };
         let mut wanted = asked.iter().copied().peekable();
         let mut states: Vec<TimedContact> = Vec::with_capacity(asked.len());
-        let mut now = self.at_rest(all[0].time, all[0].value);
         let mut largest: f64 = 0.0;
         while wanted.next_if_eq(&now.time).is_some() {
             states.push(now);
@@ -74,17 +72,7 @@ impl Elements<'_> {
                 .ceil()
                 .max(1.0) as usize
                 * refined;
-            let h = whole / parts as f64;
-            let factors: Vec<[f64; 2]> = self
-                .law
-                .rates
-                .iter()
-                .map(|rate| [(-rate * h).exp(), mean(rate * h)])
-                .collect();
-            let terms = self.law.weights.iter().zip(&factors);
-            let w = self.law.constant
-                + self.law.impulse / h
-                + terms.map(|(weight, [_, mean])| weight * mean).sum::<f64>();
+            let step = Step::new(self.law, &recovery, whole / parts as f64);
             for part in 1..=parts {
                 let x = part as f64 / parts as f64;
                 let value = from.value + (at.value - from.value) * x;
@@ -94,7 +82,7 @@ impl Elements<'_> {
                     from.time + whole * x
                 };
                 let before = now.state.contact_radius;
-                now = self.step(&mut memory, time, value, w, &factors, now.state.penetration)?;
+                now = self.take(&mut memory, &step, time, value)?;
                 let radius = now.state.contact_radius;
                 largest = largest.max(radius);
                 now.phase = match () {
@@ -122,54 +110,45 @@ impl Elements<'_> {
     }
 
     /// Takes a step to a time.
-    fn step(
+    fn take(
         &self,
         memory: &mut Memory,
+        step: &Step<'_>,
         time: f64,
         value: f64,
-        w: f64,
-        factors: &[[f64; 2]],
-        guess: f64,
     ) -> Result<TimedContact, HistoryError> {
-        let k = self.nodes.len();
-        for (free, psi) in memory.free.iter_mut().zip(&memory.psi) {
-            *free = self.law.constant * psi;
+        let (k, n, used) = (self.nodes.len(), memory.touching, memory.used);
+        let mut left = vec![0.0; n];
+        for (left, psi) in left.iter_mut().zip(&memory.psi) {
+            *left = self.law.constant * psi;
         }
-        for ((weight, [e, _]), own) in self
-            .law
-            .weights
-            .iter()
-            .zip(factors)
-            .zip(memory.memories.chunks_exact_mut(k))
-        {
-            for (memory, free) in own.iter_mut().zip(&mut memory.free) {
-                *memory *= e;
-                *free += weight * *memory;
+        let terms = self.law.weights.iter().zip(&step.factors);
+        for ((weight, [e, _]), own) in terms.zip(memory.memories.chunks_exact(k)) {
+            let factor = weight * e;
+            for (left, memory) in left.iter_mut().zip(own) {
+                *left += factor * memory;
             }
         }
-        for (free, psi) in memory.free.iter_mut().zip(&memory.psi) {
-            *free = psi - *free / w;
+        for ((free, psi), left) in memory.free.iter_mut().zip(&memory.psi).zip(&left) {
+            *free = psi - left / step.w;
+        }
+        memory.free[n..used].copy_from_slice(&memory.psi[n..used]);
+        for (decay, own) in step.decays.iter().zip(memory.memories.chunks_exact(k)) {
+            for (free, amplitude) in memory.free[n..used].iter_mut().zip(&own[n..used]) {
+                *free += (decay - 1.0) * amplitude;
+            }
         }
         let penetration = match self.control {
             Control::Displacement => value,
-            Control::Load => self.balance(&memory.free, w, guess, |load, _| (load - value, 0.0))?,
-            Control::Spring { stiffness } => {
-                self.balance(&memory.free, w, guess, |load, penetration| {
-                    (penetration + load / stiffness - value, 1.0)
-                })?
-            }
+            Control::Load => self.balance(memory, step, |load, _| (load - value, 0.0))?,
+            Control::Spring { stiffness } => self.balance(memory, step, |load, penetration| {
+                (penetration + load / stiffness - value, 1.0)
+            })?,
         };
-        let (load, _, contact_radius) = self.load(&memory.free, w, penetration);
+        let (load, _, contact_radius) = self.load(memory, step, penetration);
         let touch = memory.free[0] + self.nodes[0].penetration;
-        self.check_disc(&memory.free, w, penetration, contact_radius, time)?;
-        for i in 0..k {
-            let psi = memory.free[i].max(penetration - self.nodes[i].penetration);
-            let change = psi - memory.psi[i];
-            memory.psi[i] = psi;
-            for ([_, mean], own) in factors.iter().zip(memory.memories.chunks_exact_mut(k)) {
-                own[i] += mean * change;
-            }
-        }
+        self.check_disc(memory, step, penetration, contact_radius, time)?;
+        self.remember(memory, step, penetration);
         let load = match self.control {
             Control::Load if value > 0.0 => value,
             Control::Load => 0.0,
@@ -191,44 +170,18 @@ impl Elements<'_> {
         })
     }
 
-    /// Returns load (N), stiffness `w S(a)` (N/m) and contact radius (m) at a penetration (m).
-    fn load(&self, free: &[f64], w: f64, penetration: f64) -> (f64, f64, f64) {
-        let force = |i: usize| w * (penetration - self.nodes[i].penetration - free[i]);
-        let mut here = force(0);
-        if here <= 0.0 {
-            return (0.0, 0.0, 0.0);
-        }
-        // Below the radius of a flat end all elements are one.
-        let mut load = here * self.nodes[0].stiffness;
-        for (i, pair) in self.nodes.windows(2).enumerate() {
-            let next = force(i + 1);
-            let rise = pair[1].stiffness - pair[0].stiffness;
-            if next <= 0.0 {
-                let part = here / (here - next);
-                load += 0.5 * here * part * rise;
-                let radius = pair[0].radius + part * (pair[1].radius - pair[0].radius);
-                return (load, w * (pair[0].stiffness + part * rise), radius);
-            }
-            load += 0.5 * (here + next) * rise;
-            here = next;
-        }
-        let last = self.nodes[self.nodes.len() - 1];
-        (load, w * last.stiffness, last.radius)
-    }
-
     /// Finds the penetration at which a rising function of load and penetration is 0. The function
     /// returns its value, and its slope with the penetration at a fixed load; its slope with the
     /// load is that of `imposed`.
     fn balance(
         &self,
-        free: &[f64],
-        w: f64,
-        guess: f64,
+        memory: &Memory,
+        step: &Step<'_>,
         f: impl Fn(f64, f64) -> (f64, f64),
     ) -> Result<f64, HistoryError> {
-        let touch = free[0] + self.nodes[0].penetration;
+        let touch = memory.free[0] + self.nodes[0].penetration;
         let of = |x: f64| {
-            let (load, stiffness, _) = self.load(free, w, x);
+            let (load, stiffness, _) = self.load(memory, step, x);
             let (value, direct) = f(load, x);
             (value, direct + stiffness * self.control.imposed(1.0, 0.0))
         };
@@ -240,7 +193,7 @@ impl Elements<'_> {
         // The load is a convex function of the penetration.
         let mut low = touch;
         let mut high = f64::INFINITY;
-        let mut x = guess.max(touch);
+        let mut x = memory.penetration.max(touch);
         for _ in 0..NEWTON {
             let (value, slope) = of(x);
             if value == 0.0 {
@@ -270,20 +223,17 @@ impl Elements<'_> {
     /// Refuses a ring in contact outside the contact.
     fn check_disc(
         &self,
-        free: &[f64],
-        w: f64,
+        memory: &Memory,
+        step: &Step<'_>,
         penetration: f64,
         radius: f64,
         time: f64,
     ) -> Result<(), HistoryError> {
         let largest = self.nodes[self.nodes.len() - 1].penetration;
-        let outside = self
-            .nodes
-            .iter()
-            .zip(free)
-            .filter(|(node, _)| node.radius > radius);
-        for (node, free) in outside {
-            if w * (penetration - node.penetration - free) > RING * w * largest {
+        for (i, node) in self.nodes.iter().enumerate() {
+            if node.radius > radius
+                && self.stress(memory, step, i, penetration) > RING * step.w * largest
+            {
                 return Err(HistoryError::NotOneDisc {
                     time,
                     radius: node.radius,
@@ -291,5 +241,75 @@ impl Elements<'_> {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::history::elastic::evenly;
+    use crate::{Contact, Relaxation};
+    use interp::{Elastic, HalfSpace, Probe};
+
+    /// Halved distances of the radii, and under a load halved steps, leave a quarter of the error.
+    #[test]
+    fn the_error_is_of_second_order() {
+        let system = HalfSpace {
+            probe: Probe::Paraboloid { radius: 1.0 },
+            sphere_modulus: f64::INFINITY,
+            solid: Elastic::new(1.0, 0.5).expect("a solid"),
+        };
+        let contact = Contact::half_space(&system).expect("a contact");
+        let law = Relaxation::Prony {
+            relaxed: 0.3,
+            terms: vec![[0.7, 0.6]],
+        };
+        let times: Vec<f64> = (1..30).map(|i| 0.1 * f64::from(i)).collect();
+        let programs = [
+            (
+                Control::Displacement,
+                vec![(0.0, 0.0), (1.0, 1e-2), (3.0, 0.0)],
+            ),
+            (Control::Load, vec![(0.0, 0.0), (1.0, 1e-4), (3.0, 2e-4)]),
+        ];
+        for (control, points) in programs {
+            let history = contact.history(&law).expect("a law");
+            let exact = history
+                .at(control, &points, &times, Some(1e-10))
+                .expect("within reach")
+                .states;
+            let largest =
+                |of: fn(&State) -> f64| exact.iter().map(|at| of(&at.state)).fold(0.0, f64::max);
+            let program = Program::new(&points, &times).expect("a program");
+            let sum = Exponentials::new(&law, [0.1, 3.0], 1e-10);
+            let errors = [1, 2, 4, 8].map(|refined| {
+                let most = 1.1 * largest(|state| state.contact_radius);
+                let nodes = evenly(&contact, most, 50 * refined).expect("within reach");
+                let elements = Elements {
+                    nodes: &nodes,
+                    law: &sum,
+                    control,
+                };
+                let (states, _) = elements
+                    .follow(&program, &times, 0.02, refined)
+                    .expect("a course");
+                let error = |of: fn(&State) -> f64| {
+                    let pairs = states.iter().zip(&exact);
+                    pairs
+                        .map(|(a, b)| (of(&a.state) - of(&b.state)).abs())
+                        .fold(0.0, f64::max)
+                        / largest(of)
+                };
+                match control {
+                    Control::Load => error(|state| state.penetration),
+                    _ => error(|state| state.load),
+                }
+            });
+            println!("{control:?}: {errors:?}");
+            for pair in errors.windows(2) {
+                assert!(pair[0] > 3.0 * pair[1], "{control:?}: {errors:?}");
+            }
+            assert!(errors[3] < 1e-5, "{control:?}: {errors:?}");
+        }
     }
 }

@@ -119,8 +119,8 @@ pub enum HistoryError {
     MeasuredLoad,
     /// A tolerance that is not reached.
     #[error(
-        "the tolerance {tolerance:?} is not reached: the error is about {reached:.1e} of the largest \
-         load with the most steps that are taken; give a larger tolerance"
+        "the tolerance {tolerance:?} is not reached: with the most elements and steps that are taken the error is about {reached:.1e} of \
+         the largest load and contact radius; give a tolerance above that"
     )]
     Unreached {
         /// The tolerance asked for.

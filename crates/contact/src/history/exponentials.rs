@@ -25,6 +25,8 @@ pub(super) struct Exponentials {
     pub error: f64,
 }
 
+/// The weight of a term that cannot be told from 0, in parts of all.
+const NEGLIGIBLE: f64 = 1e-16;
 /// The number of times at which the sum is compared with the law.
 const COMPARISONS: i32 = 16;
 
@@ -85,6 +87,15 @@ impl Exponentials {
             second_impulse: 0.0,
             error: 0.0,
         }
+    }
+
+    /// Leaves out the terms that cannot be told from 0.
+    pub fn without_negligible(mut self) -> Self {
+        let least = NEGLIGIBLE * self.weights.iter().sum::<f64>();
+        let keep = |pair: &(f64, f64)| pair.0 > least;
+        let terms = self.weights.into_iter().zip(self.rates);
+        (self.weights, self.rates) = terms.filter(keep).unzip();
+        self
     }
 
     /// Returns the number of exponentials.

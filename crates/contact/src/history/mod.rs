@@ -4,7 +4,7 @@
 //! is any number of turning points: the contact is arithmetic on the elastic curve. `relaxation`
 //! holds the laws, `exponentials` writes them as sums of exponentials, `elastic` is the elastic
 //! curve, `program` what is imposed. `one_turn` (with `retract`) and `growing_load` have many digits,
-//! `elements` serves any history, `run` chooses among them and refines. `density` and `variation` hold the
+//! `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses among them and refines. `density` and `variation` hold the
 //! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
 //! them `measured`, in the steps of `approach` and `return_steps`, follows measured points and
 //! differentiates their loads. `moments` and `gamma` are functions for them.
@@ -21,12 +21,15 @@ mod law_parameter;
 mod measured;
 #[cfg(test)]
 mod measured_tests;
+mod memory;
 mod moments;
 mod one_turn;
 mod program;
+mod recovery;
 mod relaxation;
 mod retract;
 mod return_steps;
+mod rim;
 mod run;
 mod variation;
 

@@ -85,8 +85,18 @@ impl Relaxation {
                 "from 1e-50 to 1e50",
             )
         };
+        let part = |relaxed: f64| {
+            unless(
+                (0.0..=1.0).contains(&relaxed),
+                "relaxed fraction",
+                relaxed,
+                "from 0 to 1",
+            )
+        };
         let (relaxed, exponent, time) = match self {
             Self::Prony { relaxed, terms } => {
+                // Before the weights, of which one may be what the others and the fraction leave.
+                part(*relaxed)?;
                 for &[weight, time] in terms {
                     positive("relaxation weight", weight)?;
                     positive("relaxation time", time)?;
@@ -121,12 +131,7 @@ impl Relaxation {
                 (*relaxed, *exponent, *time)
             }
         };
-        unless(
-            (0.0..=1.0).contains(&relaxed),
-            "relaxed fraction",
-            relaxed,
-            "from 0 to 1",
-        )?;
+        part(relaxed)?;
         let allowed = "from 1e-9 to below 1: a larger exponent is that of no solid, and its contact line would jump at every turn";
         unless(
             (1e-9..1.0).contains(&exponent),

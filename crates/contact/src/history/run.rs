@@ -156,7 +156,9 @@ impl<L: CrackTip> Run<'_, L> {
     /// Follows the program by elements up to a contact radius (m).
     fn elements(&self, most: f64) -> Result<Course, HistoryError> {
         let contact = self.history.contact;
-        let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
+        let law = self
+            .exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS))
+            .without_negligible();
         let tolerance = self.tolerance.unwrap_or(BY_ELEMENTS);
         let mut most = most;
         let mut earlier: Option<Vec<TimedContact>> = None;
@@ -166,7 +168,12 @@ impl<L: CrackTip> Run<'_, L> {
         for level in 0..REFINEMENTS {
             let refined = 1 << level;
             let elements = ELEMENTS * refined;
-            let steps = (1.0 / LONGEST + instants) * refined as f64;
+            // Between the points of a penetration the elements need no steps, but for the moment at which one touches.
+            let parts = match self.control {
+                Control::Displacement => 1 << (level / 2),
+                _ => refined,
+            };
+            let steps = (1.0 / LONGEST + instants) * parts as f64;
             if level > 2 && steps * (elements * (1 + law.len())) as f64 > MOST_WORK {
                 break;
             }
@@ -176,7 +183,7 @@ impl<L: CrackTip> Run<'_, L> {
                 law: &law,
                 control: self.control,
             };
-            let (states, grown) = own.follow(self.program, self.times, LONGEST, refined)?;
+            let (states, grown) = own.follow(self.program, self.times, LONGEST, parts)?;
             if level == 0 && grown > 0.0 {
                 // Elements beyond the largest contact would do nothing.
                 most = most.min(WIDER * grown);

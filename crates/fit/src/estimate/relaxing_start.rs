@@ -121,7 +121,7 @@ fn begins_in_contact(experiment: &Experiment) -> Error {
         experiment: experiment.measurement.name.clone(),
         reason: Cow::Borrowed(
             "its points begin in contact: the history before the first point is not known, and the \
-             forces depend on it; keep points from before the contact",
+             forces depend on it; keep points from before the contact, and check that no two columns are swapped",
         ),
     }
 }

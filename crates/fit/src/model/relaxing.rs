@@ -190,7 +190,7 @@ impl Experiment {
             return Err(why_not(
                 "its penetrations or heights go back and forth by more than a tenth of their range, and one \
                  approach, which may be held, and one retract are followed: keep the points of one cycle that \
-                 begins before the contact",
+                 begins before the contact, and check that no two columns are swapped",
             ));
         }
         if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
