@@ -129,7 +129,7 @@ impl Slab {
         y: Minors<S>,
         z: Minors<S>,
     ) -> [Minors<S>; 2] {
-        let [y, z] = [y, z].map(|minors| self.in_unit::<S>(minors));
+        let (y, z) = (self.in_unit::<S>(y), self.in_unit::<S>(z));
         self.joint.pass(simd, k, y, z)
     }
 

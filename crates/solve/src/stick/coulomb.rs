@@ -10,20 +10,20 @@
 //!
 //! For `eps = 0` these are Legendre polynomials and spherical Bessel functions: `p_n` is 0 for odd
 //! `n` and `q_n` for even `n`. With `eta = -+eps`, `R_n^2 = 1 + (eps/n)^2` and
-//! `F_n(eta, z)/z = e^{-pi eta/2} c0 R_1 .. R_n g_n`, `c0^2 = pi eps/sinh(pi eps)`, the recurrence of
-//! DLMF 33.4 is
+//! `F_n(eta, z)/z = e^{-pi eta/2} c0 R_1 .. R_n rho_n g_n`, `c0^2 = pi eps/sinh(pi eps)`,
+//! `rho_0 = rho_1 = 1`, `rho_n = rho_{n-2}/R_n^2`, the recurrence of DLMF 33.4 is
 //!
 //! ```text
-//! g_{n-1} = (2n+1) (1/z + eta/(n(n+1))) g_n - R_{n+1}^2 g_{n+1}
+//! g_{n-1} = (2n+1) (rho_n/rho_{n-1}) (1/z + eta/(n(n+1))) g_n - g_{n+1}
 //! ```
 //!
 //! It is run downwards (Miller), and scaled by the expansion of `e^{-izs}` at `s = 0`,
-//! `sum_n (2n+1) r_n g_n = 1` with `r_0 = 1`, `r_1 = -eta`, `r_n = ((n-1)^2 + eps^2)/(n(n-1)) r_{n-2}`:
-//! no sines and cosines are needed. Where all orders are below 0.8 `z` it is run upwards, from the
+//! `sum_n (2n+1) r_n rho_n g_n = 1` with `r_0 = 1`, `r_1 = -eta`, `r_n = ((n-1)^2 + eps^2)/(n(n-1)) r_{n-2}`:
+//! no sines and cosines are needed. Where all orders are below 0.95 `z` it is run upwards, from the
 //! asymptotic series of `F_0` and `F_1` (DLMF 33.11).
 //!
-//! One pass over the arguments writes the transforms of all modes and sums the products with the
-//! first two of them, up to twice the number of modes: `lattice.rs` makes the matrix of them.
+//! One pass over the arguments keeps the `g_n` of all modes and sums the products with the first two
+//! of them, up to twice the number of modes: `lattice.rs` makes the matrix of them.
 
 use std::f64::consts::PI;
 
@@ -46,62 +46,60 @@ pub struct Coulomb {
     pub modes: usize,
     /// The recurrence and the scaling sum, order by order.
     pub steps: Vec<Step>,
-    /// `s+_n sqrt(2n+1) c0 R_1 .. R_n/2`.
+    /// `s+_n sqrt(2n+1) c0 R_1 .. R_n rho_n/2`.
     pub scale: Vec<f64>,
-    /// `arg Gamma(1 + i |eps|)`.
+    /// `arg Gamma(1 + i eps)`.
     phase: f64,
-    /// `e^{pi eta/2}/c0` for the negative and the positive `eta`.
+    /// `e^{pi eta/2}/c0` for `eta = -eps` and `eta = eps`.
     amplitude: [f64; 2],
 }
 
 /// The coefficients at order `n`, for `eta = eps`. `eps` changes its sign with `eta`.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
-    /// `2n+1`.
+    /// `(2n+1) rho_n/rho_{n-1}`.
     pub per_z: f64,
-    /// `(2n+1) eps/(n(n+1))`, 0 at `n = 0`.
+    /// The same times `eps/(n(n+1))`; 0 at `n = 0`.
     pub charge: f64,
-    /// `R_{n+1}^2`.
-    pub next: f64,
-    /// `(2n+1) r_n`.
+    /// `(2n+1) r_n rho_n`.
     weight: f64,
+}
+
+/// The factors of the products, at all arguments.
+#[derive(Clone, Copy, Debug)]
+pub struct Factors<'a> {
+    /// Of two normal, a normal and a tangential, and two tangential transforms.
+    pub products: [&'a [f64]; 3],
+    /// For `eps = 0`, two factors each of a single even and of a single odd `g_n`.
+    pub single: [[&'a [f64]; 2]; 2],
 }
 
 /// The transforms at many arguments, and their products with the first two.
 #[derive(Clone, Debug)]
 pub struct Transforms {
-    /// The columns of `p_n`, by [`column`], of `rows` values each.
-    pub p: Vec<f64>,
-    /// The columns of `q_n`; for `eps = 0` those of odd `n` only.
-    pub q: Vec<f64>,
-    /// The number of arguments.
-    pub rows: usize,
+    /// For every group of arguments, `g_n` of all orders below the number of modes, first of
+    /// `eta = -eps` and then, unless it is the same, of `eta = eps`.
+    functions: Vec<[f64; LANES]>,
     /// The sums of products: for every order, those of `lattice.rs`.
     pub sums: Vec<Sums>,
 }
 
-/// The sums of the products of one order with the first two.
+/// The sums of one order. For `eps = 0`, the products with the first two functions, then those with
+/// [`Factors::single`]; else the products with the first two of both signs of `eta`.
 pub type Sums = [f64; 8];
 
-impl Transforms {
-    /// Returns `sum c_n p_n` and `sum c_n q_n` at all arguments.
-    pub fn sum(&self, c: &[f64]) -> [Vec<f64>; 2] {
-        let mut ordered = vec![0.0; c.len()];
-        for (n, value) in c.iter().enumerate() {
-            ordered[column(n, c.len())] = *value;
-        }
-        let of_p = &ordered[..self.p.len() / self.rows];
-        let of_q = &ordered[c.len() - self.q.len() / self.rows..];
-        [(&self.p, of_p), (&self.q, of_q)].map(
-            |(columns, c)| dispatch!(Level::new(), simd => combined(simd, columns, c, self.rows)),
-        )
-    }
-}
+/// `g_n` at a group of arguments for `N` signs of `eta`: first `-eps`, then `eps`.
+type Functions<S, const N: usize> = [f64x8<S>; N];
 
-/// Returns the place of order `n` among `orders` (an even number): even orders come first.
-pub const fn column(n: usize, orders: usize) -> usize {
-    n / 2 + (n % 2) * (orders / 2)
-}
+/// `M` factors of each of `N` functions, of even and of odd order.
+type Beside<S, const N: usize, const M: usize> = [[[f64x8<S>; M]; N]; 2];
+
+/// The sign of `eta/eps` of each of the [`Functions`].
+const SIGNS: [f64; 2] = [-1.0, 1.0];
+
+/// The number of groups of arguments whose products are summed at once, so that sums are seldom
+/// loaded and stored.
+const AT_ONCE: usize = 4;
 
 impl Coulomb {
     /// Prepares an even number of `modes` for arguments up to `largest`.
@@ -109,65 +107,73 @@ impl Coulomb {
         debug_assert!(modes >= 2 && modes.is_multiple_of(2));
         let count = top(largest).max(2 * modes) + 2;
         let square = |n: usize| 1.0 + (eps / n as f64).powi(2);
-        let mut r = [1.0, -eps];
+        let (mut r, mut rho) = ([1.0, -eps], [1.0; 2]);
         let step = |n: usize| {
             let m = n as f64;
             if n >= 2 {
                 r[n % 2] *= ((m - 1.0).powi(2) + eps * eps) / (m * (m - 1.0));
+                rho[n % 2] /= square(n);
             }
             let odd = 2.0 * m + 1.0;
+            let per_z = odd * rho[n % 2] / rho[(n + 1) % 2];
             Step {
-                per_z: odd,
+                per_z,
                 charge: if n == 0 {
                     0.0
                 } else {
-                    odd * eps / (m * (m + 1.0))
+                    per_z * eps / (m * (m + 1.0))
                 },
-                next: square(n + 1),
-                weight: odd * r[n % 2],
+                weight: odd * r[n % 2] * rho[n % 2],
             }
         };
         let steps = (0..count).map(step).collect();
-        let mut product = 0.5 * c0(eps);
+        // The products `R_1 .. R_n rho_n` of even and odd orders.
+        let (mut products, mut root) = ([0.5 * c0(eps); 2], 1.0);
         let scale = |n: usize| {
             if n > 0 {
-                product *= square(n).sqrt();
+                let next = square(n).sqrt();
+                products[n % 2] *= if n == 1 { next } else { root / next };
+                root = next;
             }
             let sign = if n % 4 < 2 { 1.0 } else { -1.0 };
-            sign * ((2 * n + 1) as f64).sqrt() * product
+            sign * ((2 * n + 1) as f64).sqrt() * products[n % 2]
         };
         Self {
             eps,
             modes,
             steps,
             scale: (0..modes).map(scale).collect(),
-            phase: phase_of_gamma(eps.abs()),
-            amplitude: [-1.0, 1.0].map(|sign| (0.5 * sign * PI * eps.abs()).exp() / c0(eps)),
+            phase: phase_of_gamma(eps),
+            amplitude: SIGNS.map(|sign| (0.5 * sign * PI * eps).exp() / c0(eps)),
         }
     }
 
-    /// Returns the numbers of columns of `p` and of `q`.
-    pub const fn columns(&self) -> [usize; 2] {
-        if self.eps == 0.0 {
-            [self.modes / 2; 2]
-        } else {
-            [self.modes; 2]
-        }
-    }
-
-    /// Returns `p_n` and `q_n` at positive, ascending arguments `z`, a multiple of [`LANES`], and
-    /// the sums of their products with the `factors` of both normal, of mixed and of both tangential
-    /// transforms.
-    pub fn transforms(&self, z: &[f64], factors: [&[f64]; 3]) -> Transforms {
-        let [of_p, of_q] = self.columns();
+    /// Returns the transforms at positive, ascending arguments `z`, a multiple of [`LANES`], and
+    /// the sums of their products.
+    pub fn transforms(&self, z: &[f64], factors: &Factors<'_>) -> Transforms {
+        let signs = if self.eps == 0.0 { 1 } else { 2 };
         let mut transforms = Transforms {
-            p: vec![0.0; of_p * z.len()],
-            q: vec![0.0; of_q * z.len()],
-            rows: z.len(),
+            functions: Vec::with_capacity(signs * self.modes * z.len() / LANES),
             sums: Vec::new(),
         };
-        dispatch!(Level::new(), simd => self.fill(simd, z, factors, &mut transforms));
+        dispatch!(Level::new(), simd => if self.eps == 0.0 {
+            self.fill(simd, z, factors, beside_uncoupled, &mut transforms);
+        } else {
+            self.fill(simd, z, factors, beside_coupled, &mut transforms);
+        });
         transforms
+    }
+
+    /// Returns `sum c_n p_n` and `sum c_n q_n` at all arguments.
+    pub fn fields(&self, transforms: &Transforms, c: &[f64]) -> [Vec<f64>; 2] {
+        let factors: Vec<f64> = c.iter().zip(&self.scale).map(|(c, s)| c * s).collect();
+        let mut fields = [Vec::new(), Vec::new()];
+        dispatch!(Level::new(), simd => if self.eps == 0.0 {
+            add_up::<_, 1>(simd, &transforms.functions, &factors, &mut fields);
+        } else {
+            add_up::<_, 2>(simd, &transforms.functions, &factors, &mut fields);
+        });
+        fields
     }
 
     /// Returns `g_n` of `eta = -eps` at one argument.
@@ -177,154 +183,241 @@ impl Coulomb {
 
     #[inline(always)]
     fn first_lane<S: Simd>(&self, simd: S, z: f64) -> Vec<f64> {
-        let mut functions = vec![f64x8::splat(simd, 0.0); 2 * self.modes];
-        self.functions(simd, &[z; LANES], -1.0, &mut functions);
-        functions.iter().map(|value| value[0]).collect()
+        let mut functions = vec![[[f64x8::splat(simd, 0.0)]]; 2 * self.modes];
+        self.functions(simd, &[z; LANES], &mut functions, 0);
+        functions.iter().map(|[[value]]| value[0]).collect()
     }
 
     #[inline(always)]
-    fn fill<S: Simd>(
+    fn fill<S: Simd, const N: usize, const M: usize>(
         &self,
         simd: S,
         arguments: &[f64],
-        factors: [&[f64]; 3],
+        factors: &Factors<'_>,
+        beside: impl Fn(S, &Factors<'_>, usize, [Functions<S, N>; 2]) -> Beside<S, N, M>,
         target: &mut Transforms,
     ) {
         let zero = f64x8::splat(simd, 0.0);
         let orders = 2 * self.modes;
-        let (mut plus, mut minus) = (vec![zero; orders], vec![zero; orders]);
-        let (mut sums_of_plus, mut sums_of_minus) =
-            (vec![[zero; 4]; orders], vec![[zero; 4]; orders]);
-        let stride = arguments.len();
-        for (group, z) in arguments.as_chunks::<LANES>().0.iter().enumerate() {
-            let at = group * LANES;
-            let normal = f64x8::from_slice(simd, &factors[0][at..][..LANES]);
-            let mixed = f64x8::from_slice(simd, &factors[1][at..][..LANES]);
-            let shear = f64x8::from_slice(simd, &factors[2][at..][..LANES]);
-            self.functions(simd, z, -1.0, &mut plus);
-            if self.eps == 0.0 {
-                for (n, scale) in self.scale.iter().enumerate() {
-                    let values = if n % 2 == 0 {
-                        &mut target.p
-                    } else {
-                        &mut target.q
-                    };
-                    let value = plus[n] * (2.0 * scale);
-                    value.store_slice(&mut values[n / 2 * stride + at..][..LANES]);
+        let mut sums = vec![zero; M * N * orders];
+        let sums = sums.as_chunks_mut::<M>().0.as_chunks_mut::<N>().0;
+        let mut g = vec![zero; N * AT_ONCE * orders];
+        let g = g.as_chunks_mut::<N>().0.as_chunks_mut::<AT_ONCE>().0;
+        let mut of_groups = [[[[zero; M]; N]; 2]; AT_ONCE];
+        for (i, arguments) in arguments.chunks(AT_ONCE * LANES).enumerate() {
+            let groups = arguments.as_chunks::<LANES>().0;
+            // Places without a group add nothing.
+            of_groups[groups.len()..].fill([[[zero; M]; N]; 2]);
+            for (j, z) in groups.iter().enumerate() {
+                self.functions(simd, z, g, j);
+                of_groups[j] = beside(simd, factors, (i * AT_ONCE + j) * LANES, [g[0][j], g[1][j]]);
+                for i in 0..N {
+                    let values = g[..self.modes]
+                        .iter()
+                        .map(|g| <[f64; LANES]>::from(g[j][i]));
+                    target.functions.extend(values);
                 }
-                let [of_p, of_q] = [plus[0], plus[1]];
-                let even = [of_p * normal, of_q * mixed, of_p * shear];
-                let odd = [of_p * mixed, of_q * normal, of_q * shear];
-                add_products(&mut sums_of_plus, &plus, [even, odd]);
-                continue;
             }
-            self.functions(simd, z, 1.0, &mut minus);
-            for (n, scale) in self.scale.iter().enumerate() {
-                let place = column(n, self.modes) * stride + at;
-                let plus = plus[n] * *scale;
-                let minus = minus[n] * if n % 2 == 0 { *scale } else { -scale };
-                (plus + minus).store_slice(&mut target.p[place..][..LANES]);
-                (plus - minus).store_slice(&mut target.q[place..][..LANES]);
+            for (n, (sums, g)) in sums.iter_mut().zip(&*g).enumerate() {
+                for (k, sums) in sums.iter_mut().enumerate() {
+                    let mut sum = *sums;
+                    for (g, beside) in g.iter().zip(&of_groups) {
+                        for (sum, beside) in sum.iter_mut().zip(&beside[n % 2][k]) {
+                            *sum = g[k].mul_add(*beside, *sum);
+                        }
+                    }
+                    *sums = sum;
+                }
             }
-            let (sum, unlike) = (normal + shear, normal - shear);
-            let [of_plus, of_minus] = [mixed.mul_add(2.0, sum), mixed.mul_add(-2.0, sum)];
-            let beside = [
-                plus[0] * of_plus,
-                plus[1] * of_plus,
-                minus[0] * unlike,
-                minus[1] * unlike,
-            ];
-            add_products(&mut sums_of_plus, &plus, [beside; 2]);
-            let beside = [
-                minus[0] * of_minus,
-                minus[1] * of_minus,
-                plus[0] * unlike,
-                plus[1] * unlike,
-            ];
-            add_products(&mut sums_of_minus, &minus, [beside; 2]);
         }
-        let reduce = |(plus, minus): (&[f64x8<S>; 4], &[f64x8<S>; 4])| -> Sums {
-            std::array::from_fn(|i| {
-                let lanes = if i < 4 { plus[i] } else { minus[i - 4] };
-                lanes.iter().sum()
-            })
+        let reduce = |sums: &[[f64x8<S>; M]; N]| -> Sums {
+            let mut reduced = [0.0; 8];
+            for (reduced, lanes) in reduced.iter_mut().zip(sums.as_flattened()) {
+                *reduced = lanes.iter().sum();
+            }
+            reduced
         };
-        target.sums = sums_of_plus
-            .iter()
-            .zip(&sums_of_minus)
-            .map(reduce)
-            .collect();
+        target.sums = sums.iter().map(reduce).collect();
     }
 
-    /// Writes `g_n` of `eta = sign * eps`.
+    /// Writes `g_n` of each sign of `eta`, as the group number `at` of each order.
     #[inline(always)]
-    fn functions<S: Simd>(&self, simd: S, z: &[f64; LANES], sign: f64, g: &mut [f64x8<S>]) {
-        let arguments = f64x8::simd_from(simd, *z);
-        let inverse = f64x8::splat(simd, 1.0) / arguments;
-        if z[0] >= ASYMPTOTIC.max(2.5 * self.modes as f64) {
-            [g[0], g[1]] = self.first_two(simd, z, sign * self.eps);
-            for n in 1..g.len() - 1 {
-                let step = self.steps[n];
-                let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
-                let share = 1.0 / step.next;
-                g[n + 1] = (factor * share).mul_sub(g[n], g[n - 1] * share);
+    fn functions<S: Simd, const N: usize, const GROUPS: usize>(
+        &self,
+        simd: S,
+        z: &[f64; LANES],
+        g: &mut [[Functions<S, N>; GROUPS]],
+        at: usize,
+    ) {
+        let zero = f64x8::splat(simd, 0.0);
+        let inverse = f64x8::splat(simd, 1.0) / f64x8::simd_from(simd, *z);
+        let factor = |step: &Step, i: usize| {
+            inverse.mul_add(step.per_z, f64x8::splat(simd, SIGNS[i] * step.charge))
+        };
+        if z[0] >= ASYMPTOTIC.max(2.1 * self.modes as f64) {
+            let [mut before, mut now] = self.first_two(simd, z);
+            [g[0][at], g[1][at]] = [before, now];
+            for (g, step) in g[2..].iter_mut().zip(&self.steps[1..]) {
+                for i in 0..N {
+                    let after = factor(step, i).mul_sub(now[i], before[i]);
+                    (before[i], now[i]) = (now[i], after);
+                }
+                g[at] = now;
             }
             return;
         }
         let top = top(z[LANES - 1]);
-        let zero = f64x8::splat(simd, 0.0);
         // Nothing overflows from here: the spread of a group makes its smallest argument grow by
         // less than 1e300.
-        let (mut after, mut now, mut sum) = (zero, f64x8::splat(simd, 1e-200), zero);
-        for value in g.iter_mut().skip(top + 1) {
-            *value = zero;
+        let mut after = [zero; N];
+        let mut now = [f64x8::splat(simd, 1e-200); N];
+        let mut sum = [zero; N];
+        for g in g.iter_mut().skip(top + 1) {
+            g[at] = [zero; N];
         }
         for n in (1..=top).rev() {
             if n < g.len() {
-                g[n] = now;
+                g[n][at] = now;
             }
-            let step = self.steps[n];
-            // The weights of odd orders have the sign of `-eta`.
-            let weight = if n % 2 == 1 {
-                sign * step.weight
-            } else {
-                step.weight
-            };
-            sum = now.mul_add(weight, sum);
-            let factor = inverse.mul_add(step.per_z, f64x8::splat(simd, sign * step.charge));
-            let before = factor.mul_sub(now, after * step.next);
-            (after, now) = (now, before);
+            let step = &self.steps[n];
+            for i in 0..N {
+                // The weights of odd orders have the sign of `-eta`.
+                let weight = if n % 2 == 1 {
+                    SIGNS[i] * step.weight
+                } else {
+                    step.weight
+                };
+                sum[i] = now[i].mul_add(weight, sum[i]);
+                let before = factor(step, i).mul_sub(now[i], after[i]);
+                (after[i], now[i]) = (now[i], before);
+            }
         }
-        g[0] = now;
-        let factor = f64x8::splat(simd, 1.0) / (sum + now);
-        for value in g.iter_mut().take(top + 1) {
-            *value *= factor;
+        g[0][at] = now;
+        for i in 0..N {
+            let factor = f64x8::splat(simd, 1.0) / (sum[i] + now[i]);
+            for g in g.iter_mut().take(top + 1) {
+                g[at][i] *= factor;
+            }
         }
     }
 
-    /// Returns `g_0` and `g_1` by their asymptotic series, which ends at once for `eta = 0`.
+    /// Returns `g_0` and `g_1` by their asymptotic series, which ends at once for `eps = 0`.
     #[inline(always)]
-    fn first_two<S: Simd>(&self, simd: S, z: &[f64; LANES], eta: f64) -> [f64x8<S>; 2] {
-        let phase = if eta < 0.0 { -self.phase } else { self.phase };
+    fn first_two<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        z: &[f64; LANES],
+    ) -> [Functions<S, N>; 2] {
         let (mut sine, mut cosine) = ([0.0; LANES], [0.0; LANES]);
+        let (mut sine_of_phase, mut cosine_of_phase) = ([0.0; LANES], [1.0; LANES]);
         for (l, z) in z.iter().enumerate() {
             (sine[l], cosine[l]) = z.sin_cos();
-            if eta != 0.0 {
-                let (s, c) = (phase - eta * (2.0 * z).ln()).sin_cos();
-                let [sin, cos] = [sine[l], cosine[l]];
-                (sine[l], cosine[l]) = (sin * c + cos * s, cos * c - sin * s);
+            if self.eps != 0.0 {
+                (sine_of_phase[l], cosine_of_phase[l]) =
+                    (self.phase - self.eps * (2.0 * z).ln()).sin_cos();
             }
         }
-        let (sin, cos) = (f64x8::simd_from(simd, sine), f64x8::simd_from(simd, cosine));
+        let [sin, cos, s, c] =
+            [sine, cosine, sine_of_phase, cosine_of_phase].map(|v| f64x8::simd_from(simd, v));
         let inverse = f64x8::splat(simd, 1.0) / f64x8::simd_from(simd, *z);
-        let factor = inverse * self.amplitude[usize::from(eta > 0.0)];
-        // The phase of `F_1` is larger by `atan(eta) - pi/2`, and `g_1` has a factor `1/R_1`.
-        let square = 1.0 / (1.0 + eta * eta);
-        let (sin_1, cos_1) = ((sin * eta - cos) * square, (cos * eta + sin) * square);
+        let mut functions = [[inverse; N]; 2];
+        for i in 0..N {
+            let eta = SIGNS[i] * self.eps;
+            let factor = inverse * self.amplitude[i];
+            let s = s * SIGNS[i];
+            let (sin, cos) = (sin * c + cos * s, cos * c - sin * s);
+            // The phase of `F_1` is larger by `atan(eta) - pi/2`, and `g_1` has a factor `1/R_1`.
+            let square = 1.0 / (1.0 + eta * eta);
+            let (sin_1, cos_1) = ((sin * eta - cos) * square, (cos * eta + sin) * square);
+            functions[0][i] = factor * asymptotic(simd, inverse, 0.0, eta, [sin, cos]);
+            functions[1][i] = factor * asymptotic(simd, inverse, 1.0, eta, [sin_1, cos_1]);
+        }
+        functions
+    }
+}
+
+/// Returns the factors of even and odd functions for `eps = 0`, where an even one is normal and an
+/// odd one is tangential.
+#[inline(always)]
+fn beside_uncoupled<S: Simd>(
+    simd: S,
+    factors: &Factors<'_>,
+    at: usize,
+    [[even], [odd]]: [Functions<S, 1>; 2],
+) -> Beside<S, 1, 5> {
+    let load = |values: &[f64]| f64x8::from_slice(simd, &values[at..][..LANES]);
+    let [normal, mixed, shear] = factors.products.map(load);
+    let [of_even, of_odd] = factors.single.map(|pair| pair.map(load));
+    [
+        [[
+            even * normal,
+            odd * mixed,
+            even * shear,
+            of_even[0],
+            of_even[1],
+        ]],
+        [[
+            even * mixed,
+            odd * normal,
+            odd * shear,
+            of_odd[0],
+            of_odd[1],
+        ]],
+    ]
+}
+
+/// Returns the factors of the functions of both signs of `eta`.
+#[inline(always)]
+fn beside_coupled<S: Simd>(
+    simd: S,
+    factors: &Factors<'_>,
+    at: usize,
+    [zeroth, first]: [Functions<S, 2>; 2],
+) -> Beside<S, 2, 4> {
+    let load = |values: &[f64]| f64x8::from_slice(simd, &values[at..][..LANES]);
+    let [normal, mixed, shear] = factors.products.map(load);
+    let (sum, unlike) = (normal + shear, normal - shear);
+    let like = [mixed.mul_add(2.0, sum), mixed.mul_add(-2.0, sum)];
+    let of = |own: usize| {
+        let other = 1 - own;
         [
-            factor * asymptotic(simd, inverse, 0.0, eta, [sin, cos]),
-            factor * asymptotic(simd, inverse, 1.0, eta, [sin_1, cos_1]),
+            zeroth[own] * like[own],
+            first[own] * like[own],
+            zeroth[other] * unlike,
+            first[other] * unlike,
         ]
+    };
+    [[of(0), of(1)]; 2]
+}
+
+/// Extends the `fields` by the sums of `p_n` and `q_n`, with the `factors` of their `functions`.
+#[inline(always)]
+fn add_up<S: Simd, const N: usize>(
+    simd: S,
+    functions: &[[f64; LANES]],
+    factors: &[f64],
+    [p, q]: &mut [Vec<f64>; 2],
+) {
+    let zero = f64x8::splat(simd, 0.0);
+    for group in functions.chunks_exact(N * factors.len()) {
+        let mut sums = [[zero; 2]; N];
+        for (sums, functions) in sums.iter_mut().zip(group.chunks_exact(factors.len())) {
+            let pairs = functions
+                .as_chunks::<2>()
+                .0
+                .iter()
+                .zip(factors.as_chunks::<2>().0);
+            for (values, factors) in pairs {
+                for i in 0..2 {
+                    sums[i] = f64x8::simd_from(simd, values[i]).mul_add(factors[i], sums[i]);
+                }
+            }
+        }
+        // For `eps = 0` both signs of `eta` are one function.
+        let ([even, odd], [even_of_minus, odd_of_minus]) = (sums[0], sums[N - 1]);
+        let (plus, minus) = (even + odd, even_of_minus - odd_of_minus);
+        p.extend_from_slice((plus + minus).as_slice());
+        q.extend_from_slice((plus - minus).as_slice());
     }
 }
 
@@ -353,42 +446,6 @@ fn asymptotic<S: Simd>(
         }
     }
     sum_g * cos + sum_f * sin
-}
-
-/// Returns the sum of `columns` of `rows` values, each times its factor.
-#[inline(always)]
-fn combined<S: Simd>(simd: S, columns: &[f64], factors: &[f64], rows: usize) -> Vec<f64> {
-    let mut sums = vec![0.0; rows];
-    for (i, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
-        let mut sum = f64x8::splat(simd, 0.0);
-        for (column, factor) in columns.chunks_exact(rows).zip(factors) {
-            let values = f64x8::from_slice(simd, &column[i * LANES..][..LANES]);
-            sum = values.mul_add(*factor, sum);
-        }
-        sum.store_slice(sums);
-    }
-    sums
-}
-
-/// Adds the products of the functions `g` with the values `beside` even and odd orders.
-#[inline(always)]
-fn add_products<S: Simd, const N: usize>(
-    sums: &mut [[f64x8<S>; 4]],
-    g: &[f64x8<S>],
-    beside: [[f64x8<S>; N]; 2],
-) {
-    let [even, odd] = beside;
-    for (sums, g) in sums
-        .as_chunks_mut::<2>()
-        .0
-        .iter_mut()
-        .zip(g.as_chunks::<2>().0)
-    {
-        for i in 0..N {
-            sums[0][i] = g[0].mul_add(even[i], sums[0][i]);
-            sums[1][i] = g[1].mul_add(odd[i], sums[1][i]);
-        }
-    }
 }
 
 /// Returns `(pi eps/sinh(pi eps))^{1/2}`.
@@ -432,26 +489,31 @@ mod tests {
     use super::*;
     use crate::estimate::larger;
 
+    impl Transforms {
+        /// Returns `p_n` and `q_n` at all arguments.
+        pub fn mode(&self, coulomb: &Coulomb, n: usize) -> [Vec<f64>; 2] {
+            let mut c = vec![0.0; coulomb.modes];
+            c[n] = 1.0;
+            coulomb.fields(self, &c)
+        }
+    }
+
     /// Returns `p_n` and `q_n` of all orders at one argument.
     fn values(eps: f64, orders: usize, z: f64) -> [Vec<f64>; 2] {
         let coulomb = Coulomb::new(eps, orders, z);
-        let nothing = [0.0; LANES];
-        let Transforms { p, q, .. } = coulomb.transforms(&[z; LANES], [&nothing; 3]);
-        let first = orders - coulomb.columns()[1];
-        let at = |values: &[f64], place: Option<usize>| {
-            place
-                .and_then(|place| values.get(place * LANES))
-                .copied()
-                .unwrap_or(0.0)
+        let nothing = [0.0; LANES].as_slice();
+        let factors = Factors {
+            products: [nothing; 3],
+            single: [[nothing; 2]; 2],
         };
-        [
-            (0..orders)
-                .map(|n| at(&p, Some(column(n, orders))))
-                .collect(),
-            (0..orders)
-                .map(|n| at(&q, column(n, orders).checked_sub(first)))
-                .collect(),
-        ]
+        let transforms = coulomb.transforms(&[z; LANES], &factors);
+        let mut values = [vec![0.0; orders], vec![0.0; orders]];
+        for n in 0..orders {
+            for (values, all) in values.iter_mut().zip(transforms.mode(&coulomb, n)) {
+                values[n] = all[0];
+            }
+        }
+        values
     }
 
     /// Legendre polynomials: `p_n` and `q_n` are spherical Bessel functions of even and odd order.

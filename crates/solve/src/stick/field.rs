@@ -33,10 +33,9 @@ use crate::abscissae::Abscissae;
 use crate::estimate::larger;
 use crate::operator::{ROUNDING, TRUNCATION_SAFETY, quadrature_errors};
 use crate::quadrature::Panels;
-use crate::slope::dot;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
-use crate::stick::coulomb::{ASYMPTOTIC, Coulomb};
+use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Factors};
 use crate::stick::lattice::{beyond, matrix};
 use crate::surface::SurfaceCompliance;
 
@@ -161,9 +160,32 @@ impl<'a> Waves<'a> {
         let [y11, y12, y22] = &self.excess;
         let [x11, x22] = &self.whole;
         let [of_normal, of_shear] = if wide { [x11, x22] } else { [y11, y22] };
-        let factors = [of_normal, y12, of_shear].map(|factor| weighted(factor));
-        let [of_normal, mixed, of_shear] = &factors;
-        let transforms = coulomb.transforms(&z, [of_normal, mixed, of_shear]);
+        let products = [of_normal, y12, of_shear].map(|factor| weighted(factor));
+        let uncoupled = self.bodies.eps == 0.0;
+        let [sines, cosines] = if uncoupled {
+            waves_at(&z)
+        } else {
+            [Vec::new(), Vec::new()]
+        };
+        // Without coupling, even modes are normal and odd ones tangential. The edge asks for both
+        // stresses there.
+        let at_edge = |factor: &[f64], waves: &[f64]| -> Vec<f64> {
+            let pairs = factor.iter().zip(waves).zip(&weights);
+            pairs.map(|((factor, wave), w)| factor * wave * w).collect()
+        };
+        let single = [
+            [at_edge(y11, &cosines), at_edge(y12, &sines)],
+            [at_edge(y12, &cosines), at_edge(y22, &sines)],
+        ];
+        let transforms = coulomb.transforms(
+            &z,
+            &Factors {
+                products: products.each_ref().map(Vec::as_slice),
+                single: single
+                    .each_ref()
+                    .map(|pair| pair.each_ref().map(Vec::as_slice)),
+            },
+        );
         let rest = wide.then(|| {
             beyond(&coulomb, end).map(|row| row.iter().map(|r| self.bodies.film * r).collect())
         });
@@ -196,40 +218,12 @@ impl<'a> Waves<'a> {
         .ok()?;
 
         let c0 = self.bodies.c0();
-        let uncoupled = self.bodies.eps == 0.0;
-        let [sines, cosines] = if uncoupled {
-            waves_at(&z)
-        } else {
-            [Vec::new(), Vec::new()]
-        };
         let mut solutions = Mat::<f64>::zeros(modes, if uncoupled { 3 } else { 1 });
         solutions[(0, 0)] = c0;
         if uncoupled {
-            // Without coupling, even modes are normal and odd ones tangential. The edge asks for both
-            // stresses there.
-            let at_edge = [
-                (y11, &cosines),
-                (y12, &cosines),
-                (y12, &sines),
-                (y22, &sines),
-            ];
-            let at_edge = at_edge.map(|(factor, waves)| {
-                let mut values = weighted(factor);
-                values
-                    .iter_mut()
-                    .zip(waves)
-                    .for_each(|(value, wave)| *value *= wave);
-                values
-            });
-            for n in 0..modes {
-                let values = if n % 2 == 0 {
-                    &transforms.p
-                } else {
-                    &transforms.q
-                };
-                let values = &values[n / 2 * rows..][..rows];
-                solutions[(n, 1)] = dot(values, &at_edge[n % 2]);
-                solutions[(n, 2)] = dot(values, &at_edge[2 + n % 2]);
+            for (n, (scale, sums)) in coulomb.scale.iter().zip(&transforms.sums).enumerate() {
+                solutions[(n, 1)] = 2.0 * scale * sums[3];
+                solutions[(n, 2)] = 2.0 * scale * sums[4];
             }
         }
         solve_lower_triangular_in_place(matrix.as_ref(), solutions.as_mut(), Par::Seq);
@@ -252,7 +246,7 @@ impl<'a> Waves<'a> {
         solve_upper_triangular_in_place(matrix.transpose(), asked, Par::Seq);
 
         let c = solutions.col_as_slice(0);
-        let [p_hat, q_hat] = transforms.sum(c);
+        let [p_hat, q_hat] = coulomb.fields(&transforms, c);
         let eeq = c0 * c[0];
         // The terms of the quadratic form of the matrix. Of a wide contact all are positive; elsewhere
         // the unit matrix is one of two that may cancel. Those of the slopes are up to three times
@@ -297,7 +291,7 @@ impl<'a> Waves<'a> {
         // Beyond the panels, the coupling at the edge is that of `cos^2 z/z`.
         let cut = y12[rows - 1].abs() / (2.0 * PI * self.end) * end.powi(2).min(1.0);
         let answer = with_answer.then(|| {
-            let [p_hat, q_hat] = transforms.sum(solutions.col_as_slice(1));
+            let [p_hat, q_hat] = coulomb.fields(&transforms, solutions.col_as_slice(1));
             (0..rows)
                 .map(|k| y11[k] * (cosines[k] - p_hat[k]) - y12[k] * q_hat[k])
                 .collect()

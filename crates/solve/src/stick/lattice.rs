@@ -4,7 +4,7 @@
 //! `I_mn = int Y g_m g_n dz` of functions `g` of `coulomb.rs` obey one with any factor `Y(z)`,
 //!
 //! ```text
-//! [I_{m-1,n} + R_{m+1}^2 I_{m+1,n}]/(2m+1) - eta/(m(m+1)) I_mn = [I_{m,n-1} + R_{n+1}^2 I_{m,n+1}]/(2n+1) - eta'/(n(n+1)) I_mn
+//! [I_{m-1,n} + I_{m+1,n}]/a_m - eta/(m(m+1)) I_mn = [I_{m,n-1} + I_{m,n+1}]/a_n - eta'/(n(n+1)) I_mn,        a_n = (2n+1) rho_n/rho_{n-1}
 //! ```
 //!
 //! From the rows `m = 0` and 1, up to twice the number of modes, it is run to larger `m <= n`, where
@@ -26,6 +26,7 @@
 use std::f64::consts::FRAC_2_PI;
 
 use faer::Mat;
+use fearless_simd::{Level, dispatch};
 
 use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Sums};
 
@@ -66,34 +67,46 @@ pub fn matrix(coulomb: &Coulomb, sums: &[Sums], rest: Option<Rows>) -> Mat<f64> 
         }
         return matrix;
     }
-    let like = [
-        products(coulomb, [row(0), row(1)], [-1.0; 2]),
+    let mut matrix = products(coulomb, [row(0), row(1)], [-1.0; 2]);
+    let others = [
         products(coulomb, [row(4), row(5)], [1.0; 2]),
-    ];
-    let unlike = [
         products(coulomb, [row(6), row(7)], [-1.0, 1.0]),
         products(coulomb, [row(2), row(3)], [1.0, -1.0]),
     ];
-    let sign = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
-    Mat::from_fn(modes, modes, |n, m| {
-        let at = (n, m);
-        let sum = like[0][at]
-            + sign(m + n) * like[1][at]
-            + sign(n) * unlike[0][at]
-            + sign(m) * unlike[1][at];
-        scale[m] * scale[n] * sum
-    })
+    // `(-1)^n` times the scale.
+    let alternating: Vec<f64> = scale
+        .iter()
+        .enumerate()
+        .map(|(n, scale)| if n % 2 == 0 { *scale } else { -scale })
+        .collect();
+    for m in 0..modes {
+        let [like, unlike, mirrored] = others.each_ref().map(|other| &other.col_as_slice(m)[m..]);
+        let column = &mut matrix.col_as_slice_mut(m)[m..];
+        for (i, value) in column.iter_mut().enumerate() {
+            let [n_th, n_alternating] = [scale[m + i], alternating[m + i]];
+            *value = scale[m] * (n_th * *value + n_alternating * unlike[i])
+                + alternating[m] * (n_alternating * like[i] + n_th * mirrored[i]);
+        }
+    }
+    matrix
 }
 
 /// Runs the recurrence from the first two rows. Column `m` of the lower triangle is row `m`. The
 /// functions of both factors have `eta = sign * eps` with the two `signs`.
-fn products(coulomb: &Coulomb, [mut before, mut now]: Rows, signs: [f64; 2]) -> Mat<f64> {
+fn products(coulomb: &Coulomb, rows: Rows, signs: [f64; 2]) -> Mat<f64> {
+    dispatch!(Level::new(), _ => recurrence(coulomb, rows, signs))
+}
+
+#[inline(always)]
+fn recurrence(coulomb: &Coulomb, [mut before, mut now]: Rows, signs: [f64; 2]) -> Mat<f64> {
     let modes = coulomb.modes;
     let steps = &coulomb.steps[..2 * modes];
-    let per = |value: fn(&crate::stick::coulomb::Step) -> f64| -> Vec<f64> {
-        steps.iter().map(|step| value(step) / step.per_z).collect()
-    };
-    let (one, next, charge) = (per(|_| 1.0), per(|step| step.next), per(|step| step.charge));
+    let per_a: Vec<f64> = steps.iter().map(|step| 1.0 / step.per_z).collect();
+    let charge: Vec<f64> = steps
+        .iter()
+        .zip(&per_a)
+        .map(|(step, per_a)| step.charge * per_a)
+        .collect();
     let mut products = Mat::zeros(modes, modes);
     products
         .col_as_slice_mut(0)
@@ -101,19 +114,19 @@ fn products(coulomb: &Coulomb, [mut before, mut now]: Rows, signs: [f64; 2]) -> 
     products.col_as_slice_mut(1)[1..].copy_from_slice(&now[1..modes]);
     for m in 1..modes - 1 {
         // Each row needs its two neighbours in the row before.
-        let range = m + 1..2 * modes - 1 - m;
-        let (factor, inverse) = (steps[m].per_z, 1.0 / steps[m].next);
+        let count = 2 * modes - 2 - 2 * m;
+        let factor = steps[m].per_z;
         let own = signs[0] * charge[m];
-        let below = &mut before[range.clone()];
-        let values = below
+        let values = before[m + 1..][..count]
             .iter_mut()
-            .zip(now[m..].windows(3))
-            .zip(&one[range.clone()])
-            .zip(&next[range.clone()])
-            .zip(&charge[range]);
-        for ((((value, near), one), next), charge) in values {
-            let sum = near[0] * one + near[2] * next + (own - signs[1] * charge) * near[1];
-            *value = (factor * sum - *value) * inverse;
+            .zip(&now[m..][..count])
+            .zip(&now[m + 1..][..count])
+            .zip(&now[m + 2..][..count])
+            .zip(&per_a[m + 1..][..count])
+            .zip(&charge[m + 1..][..count]);
+        for (((((value, left), middle), right), per_a), charge) in values {
+            let sum = (left + right) * per_a + (own - signs[1] * charge) * middle;
+            *value = factor * sum - *value;
         }
         std::mem::swap(&mut before, &mut now);
         products.col_as_slice_mut(m + 1)[m + 1..].copy_from_slice(&now[m + 1..modes]);
@@ -162,7 +175,7 @@ pub fn beyond(coulomb: &Coulomb, z: f64) -> Rows {
 mod tests {
     use super::*;
     use crate::estimate::larger;
-    use crate::stick::coulomb::{LANES, Transforms, column};
+    use crate::stick::coulomb::{Factors, LANES};
 
     /// The elements are the sums over products of the transforms, for every `eps`.
     #[test]
@@ -183,26 +196,21 @@ mod tests {
                 let factors = [0.0, 1.0, 2.0].map(factor);
                 let [normal, mixed, shear] = &factors;
                 let coulomb = Coulomb::new(eps, modes, longest);
-                let Transforms { p, q, sums, .. } = coulomb.transforms(&z, [normal, mixed, shear]);
-                let first = modes - coulomb.columns()[1];
-                let value = |values: &[f64], place: Option<usize>, k: usize| {
-                    place
-                        .and_then(|place| values.get(place * rows + k))
-                        .copied()
-                        .unwrap_or(0.0)
+                let factors = Factors {
+                    products: [normal, mixed, shear],
+                    single: [[normal; 2]; 2],
                 };
-                let found = matrix(&coulomb, &sums, None);
+                let transforms = coulomb.transforms(&z, &factors);
+                let found = matrix(&coulomb, &transforms.sums, None);
+                let fields: Vec<_> = (0..modes).map(|n| transforms.mode(&coulomb, n)).collect();
                 for m in 0..modes {
                     for n in m..modes {
+                        let ([p_m, q_m], [p_n, q_n]) = (&fields[m], &fields[n]);
                         let exact: f64 = (0..rows)
                             .map(|k| {
-                                let [p_m, p_n] =
-                                    [m, n].map(|n| value(&p, Some(column(n, modes)), k));
-                                let [q_m, q_n] = [m, n]
-                                    .map(|n| value(&q, column(n, modes).checked_sub(first), k));
-                                normal[k] * p_m * p_n
-                                    + mixed[k] * (p_m * q_n + q_m * p_n)
-                                    + shear[k] * q_m * q_n
+                                normal[k] * p_m[k] * p_n[k]
+                                    + mixed[k] * (p_m[k] * q_n[k] + q_m[k] * p_n[k])
+                                    + shear[k] * q_m[k] * q_n[k]
                             })
                             .sum();
                         worst = larger(worst, (found[(n, m)] - exact).abs());
@@ -231,7 +239,11 @@ mod tests {
             .collect();
         let nothing = vec![0.0; z.len()];
         let coulomb = Coulomb::new(0.0, modes, end);
-        let transforms = coulomb.transforms(&z, [&weights, &nothing, &weights]);
+        let factors = Factors {
+            products: [&weights, &nothing, &weights],
+            single: [[&nothing; 2]; 2],
+        };
+        let transforms = coulomb.transforms(&z, &factors);
         let unit = matrix(&coulomb, &transforms.sums, Some(beyond(&coulomb, end)));
         let mut worst: f64 = 0.0;
         for m in 0..modes {
