@@ -198,7 +198,7 @@ impl AdhesionRange<'_> {
 impl Contact {
     /// Compares a contact of radius `a` (m) with the assumptions of the model.
     ///
-    /// The size of friction takes two solves and is told by `solve::stick::Sticking::stiffening`.
+    /// The size of friction takes two solves of a flat punch, which `solve::stick::Sticking::stiffening` makes.
     ///
     /// # Errors
     /// [`interp::Error::BeyondSphere`] for an `a` that is not below the radius of the sphere;

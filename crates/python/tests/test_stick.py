@@ -7,11 +7,14 @@ import numpy as np
 import pytest
 
 from coated_contact import (
+    Contact,
     ContactError,
     Elastic,
+    HalfSpace,
     InputError,
     Paraboloid,
     SolvedCurve,
+    SolveError,
     Sphere,
     System,
     solve,
@@ -63,8 +66,27 @@ def test_the_stiffness_is_that_of_the_stuck_punch(gel):
     assert stiffness > 1.36 * solve(2.0, 0.0, 0.5, inf).eeq
 
 
+def test_validity_tells_the_size_of_friction(gel):
+    """Stiffness with friction over that without, by another program: 1.086 and 1.366."""
+    contact = SolvedCurve(a_over_t=(1e-3, 20.0)).contact(gel)
+    size = contact.validity([1e-4, 1e-3, 2e-3]).friction()
+    assert size == pytest.approx([0.0, 0.086, 0.366], abs=6e-4)
+    assert size[1:] == pytest.approx(
+        solve_stick_punch([1.0, 2.0], 0.0, 0.5, inf).eeq_s / solve([1.0, 2.0], 0.0, 0.5, inf).eeq
+        - 1,
+        rel=1e-5,
+    )
+    assert CURVE.contact(gel).validity(2e-3).friction() == pytest.approx(size[2])
+    too_wide = contact.validity([1e-3, 0.9])
+    with pytest.raises(SolveError, match="a_over_t = 900"):
+        too_wide.friction()
+    assert np.isnan(too_wide.friction(errors="nan")).tolist() == [False, True]
+    glass = HalfSpace(sphere_radius=1.0, sphere_modulus=inf, solid=gel.film)
+    assert Contact.half_space(glass).validity(1e-3).friction() is None
+
+
 def test_what_is_not_solved_is_refused(gel):
-    with pytest.raises(InputError, match="artanh"):
+    with pytest.raises(InputError, match=r"artanh\(beta\)/beta = 1\.0"):
         CURVE.contact(replace(gel, film=Elastic(young_modulus=1.0, poisson_ratio=0.49)))
     with pytest.raises(InputError, match="paraboloid"):
         CURVE.contact(replace(gel, probe=Sphere(radius=1.0)))

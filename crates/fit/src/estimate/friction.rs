@@ -3,7 +3,7 @@
 
 use contact::Contact;
 use solve::stack::{Interface, Stack};
-use solve::stick::{MOST_OF_PUNCH, Sticking};
+use solve::stick::Sticking;
 
 use super::doubts::Warnings;
 use crate::{Bodies, Estimate, Parameter, WarningKind};
@@ -80,9 +80,7 @@ fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
         Bodies::HalfSpace(_) => return None,
     };
     let stack = stack.ok()?;
-    let most = MOST_OF_PUNCH * stack.shape().top * stack.thickness();
     let sticking = Sticking::on_stack(&stack, sphere_modulus, nu2).ok()?;
-    sticking
-        .stiffening(a.min(most) / stack.thickness(), TOLERANCE)
-        .ok()
+    let a_over_t = (a / stack.thickness()).min(sticking.most_of_punch());
+    sticking.stiffening(a_over_t, TOLERANCE).ok()
 }

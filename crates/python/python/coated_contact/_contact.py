@@ -432,7 +432,7 @@ class Contact(Remade):
     def validity(self, a: ArrayLike, *, errors: Errors = "raise") -> Validity:
         """Compare contacts of given radii with the assumptions of the model.
 
-        The size of friction takes two solves and is a function of its own: ``stick_stiffening``.
+        The size of friction takes two solves for each radius, which ``Validity.friction`` makes.
 
         Parameters
         ----------
@@ -458,7 +458,7 @@ class Contact(Remade):
         (0.065, False, True)
         """
         found = evaluate(self._native.validity, errors, contact_radius=a)
-        return validity(found, film=not isinstance(self.system, HalfSpace))
+        return validity(found, self, a, errors)
 
     def adhesion_range(
         self, w: ArrayLike, *, interaction_range: ArrayLike = 3e-10, errors: Errors = "raise"

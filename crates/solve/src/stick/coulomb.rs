@@ -105,7 +105,8 @@ impl Coulomb {
     /// Prepares an even number of `modes` for arguments up to `largest`.
     pub fn new(eps: f64, modes: usize, largest: f64) -> Self {
         debug_assert!(modes >= 2 && modes.is_multiple_of(2));
-        let count = top(largest).max(2 * modes) + 2;
+        // A group of arguments that begins below `upwards` ends below twice that.
+        let count = top(largest.min(2.0 * upwards(modes))).max(2 * modes) + 2;
         let square = |n: usize| 1.0 + (eps / n as f64).powi(2);
         let (mut r, mut rho) = ([1.0, -eps], [1.0; 2]);
         let step = |n: usize| {
@@ -254,7 +255,7 @@ impl Coulomb {
         let factor = |step: &Step, i: usize| {
             inverse.mul_add(step.per_z, f64x8::splat(simd, SIGNS[i] * step.charge))
         };
-        if z[0] >= ASYMPTOTIC.max(2.1 * self.modes as f64) {
+        if z[0] >= upwards(self.modes) {
             let [mut before, mut now] = self.first_two(simd, z);
             [g[0][at], g[1][at]] = [before, now];
             for (g, step) in g[2..].iter_mut().zip(&self.steps[1..]) {
@@ -471,6 +472,11 @@ fn phase_of_gamma(eps: f64) -> f64 {
     0.5 * eps * square.ln() + (n - 0.5) * angle - eps + inverse(1) / 12.0 - inverse(3) / 360.0
         + inverse(5) / 1260.0
         - below
+}
+
+/// Returns the argument from which on the recurrence is run upwards, to twice the number of `modes`.
+fn upwards(modes: usize) -> f64 {
+    ASYMPTOTIC.max(2.1 * modes as f64)
 }
 
 /// Returns the order at which the downward recurrence begins for arguments up to `z`.

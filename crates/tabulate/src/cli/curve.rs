@@ -8,7 +8,7 @@ use contact::{Contact, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
-use super::friction::HistoryArguments;
+use super::friction::{self, HistoryArguments};
 use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
@@ -37,7 +37,8 @@ use solve::{curve as adaptive, solve};
 /// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
 /// is a column outer_radius (m): the radius within which it acts.
 ///
-/// With --friction stick, surfaces that have touched never slide. The rows are those of a contact that
+/// The surfaces slide freely. Where full friction would stiffen the largest contact by more than 5 %, a
+/// note on standard error says so. With --friction stick, surfaces that have touched never slide. The rows are those of a contact that
 /// has grown from radius 0 with --work-of-adhesion. With --work-of-adhesion-receding they are those of
 /// the same contact while it recedes. Spheres are solved where Dundurs' beta of sphere and film is 0.
 ///
@@ -119,6 +120,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
     if paraboloid && to > Validity::WARNING_A_OVER_R * bodies.sphere_radius {
         note(LARGE_CONTACT);
+    }
+    if arguments.history.sticks()?.is_none() {
+        friction::note_size(&bodies, if punch { bodies.sphere_radius } else { to });
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let columns = [

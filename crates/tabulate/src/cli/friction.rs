@@ -7,6 +7,7 @@ use solve::Error;
 use solve::stick::{MOST_OF_TIP, PUNCH_TOLERANCE, StickCurves, Sticking, TIP_TOLERANCE};
 
 use super::bodies::Bodies;
+use super::note;
 use super::quantity::{force_per_length, number};
 
 /// The flags of friction of a solve.
@@ -216,10 +217,37 @@ pub fn sticking(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
         "--friction stick takes --probe paraboloid only; `tabulate solve --friction stick` answers for \
          a flat punch (eeq_s, gamma_eff)"
     );
+    with_any_probe(bodies, nu2)
+}
+
+/// Returns the bodies that stick, as flat punches of any radius have them.
+fn with_any_probe(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
     Ok(match &bodies.stack {
         Some(layers) => Sticking::on_stack(layers.stack(), bodies.system.sphere_modulus, nu2)?,
         None => Sticking::on_film(&bodies.system.material()?, nu2)?,
     })
+}
+
+/// Notes on standard error by how much full friction would stiffen a contact of `bodies` without
+/// friction, of radius `a` (m), where that is much. It says nothing where the punch is not solved.
+pub fn note_size(bodies: &Bodies, a: f64) {
+    /// The part of the stiffness that is worth a note. Half of it, the part of the load under a narrow
+    /// sphere, is as much as a paraboloid in place of a wide sphere changes.
+    const MUCH: f64 = 0.05;
+    const TOLERANCE: f64 = 1e-4;
+    let ratio = with_any_probe(bodies, USUAL_POISSON_RATIO).and_then(|sticking| {
+        let a_over_t = (a / bodies.system.film_thickness).min(sticking.most_of_punch());
+        Ok(sticking.stiffening(a_over_t, TOLERANCE)?)
+    });
+    if let Ok(ratio) = ratio
+        && ratio > 1.0 + MUCH
+    {
+        note(&format!(
+            "The model takes the surfaces to slide freely. With full friction, a flat punch of the contact \
+             radius {a:.3e} m would be stiffer by {:.0} %.",
+            1e2 * (ratio - 1.0)
+        ));
+    }
 }
 
 /// Returns the largest contact radius (m) up to which a contact of `bodies` that sticks is solved.

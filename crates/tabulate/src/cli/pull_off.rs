@@ -22,7 +22,8 @@ use solve::{A_OVER_T, curve};
 /// range (Dugdale's law), from DMT to JKR. Under a long range and an imposed displacement the last
 /// stable state may have no contact: its contact radius is 0.
 ///
-/// With --friction stick, surfaces that have touched never slide. The contact has grown from radius 0
+/// The surfaces slide freely. Where full friction would stiffen the contact by more than 5 %, a note on
+/// standard error says so. With --friction stick, surfaces that have touched never slide. The contact has grown from radius 0
 /// with --work-of-adhesion, and recedes with --work-of-adhesion-receding, or with the same.
 ///
 /// Values of the bodies that are not given are those of the paper, and a comment line on standard
@@ -112,6 +113,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .collect()
     };
     attracting.bodies.name_example();
+    if sticks.is_none() && state.contact_radius > 0.0 {
+        friction::note_size(&bodies, state.contact_radius);
+    }
     print(text.as_bytes())
 }
 
