@@ -77,13 +77,14 @@ pub struct Equilibrium {
 /// `a`, because a slightly larger contact at an unchanged `v` has `G > w`, and shrinks back.
 ///
 /// The turning points of `v` are found by the change of sign of its exact slope on a grid of
-/// `ln a`, at most 0.05 apart, which contains the radii where the shape bends and points between
-/// them; and then refined to rounding. Where the slope comes nearer to 0 at a point of the grid than
-/// at both of its neighbours without a change of sign, its extremum is searched, too. Two turning
-/// points are missed only between two neighbouring points of the grid at which the slope does not
-/// show its extremum; their hysteresis is too small to matter. Where lower bounds of the slopes show
-/// that `v` grows from some radius to the end of the range, these radii are left out of the search:
-/// under a cone, for instance, from about ten times the radius of the last turning point on.
+/// `ln a`, at most 0.2 apart under a paraboloid or a sphere and 0.05 under other shapes, which contains
+/// the radii where the shape bends and points between them; and then refined to rounding. Where the
+/// slope comes nearer to 0 at a point of the grid than at both of its neighbours without a change
+/// of sign, its extremum is searched, too. Two turning points are missed only between two
+/// neighbouring points of the grid at which the slope does not show its extremum; their hysteresis
+/// is too small to matter. Where lower bounds of the slopes show that `v` grows from some radius to
+/// the end of the range, these radii are left out of the search: under a cone, for instance, from
+/// about ten times the radius of the last turning point on.
 ///
 /// JKR has one turning point, a minimum, and so has a contact that is smaller than the curve's
 /// nodes, under a shape that does not bend there. Films and bends can cause more turning points, and
