@@ -27,6 +27,7 @@ pub fn finite_input(name: &'static str, value: f64) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::Unphysical`] for another value.
+#[inline]
 pub fn work_of_adhesion(w: f64) -> Result<(), Error> {
     let holds = (0.0..f64::INFINITY).contains(&w);
     Error::unless(holds, "work of adhesion", w, ">= 0 and finite")
@@ -50,7 +51,14 @@ pub fn number_of_points(points: usize) -> Result<(), Error> {
 ///
 /// # Errors
 /// [`Error::Unphysical`] for a result that is not finite.
+#[inline]
 pub fn finite_result(a: f64, result: f64) -> Result<f64, Error> {
-    let allowed = "such that load, penetration and stresses do not overflow an f64";
-    Error::unless(result.is_finite(), "contact radius", a, allowed).map(|()| result)
+    if result.is_finite() {
+        return Ok(result);
+    }
+    Err(Error::Unphysical {
+        name: "contact radius",
+        value: a,
+        allowed: "such that load, penetration and stresses do not overflow an f64",
+    })
 }

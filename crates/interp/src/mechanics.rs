@@ -29,6 +29,15 @@ impl LoadAndPenetration {
             penetration: self.penetration * factor,
         }
     }
+
+    /// Returns the sums with another pair.
+    #[must_use]
+    pub const fn plus(self, other: Self) -> Self {
+        Self {
+            load: self.load + other.load,
+            penetration: self.penetration + other.penetration,
+        }
+    }
 }
 
 /// The arithmetic of eqs. 2 to 9 for one system, from given values of the four quantities at the
@@ -192,6 +201,7 @@ impl Mechanics {
     /// [`Error::BeyondProbe`] for one that another shape does not have; [`Error::Unphysical`] for an
     /// `a` that is not positive, a negative `w`, infinity, NaN, or an amplitude that overflows an
     /// f64.
+    #[inline]
     pub fn edge_singularity(&self, a: f64, w: f64) -> Result<f64, Error> {
         self.check_radius(a)?;
         work_of_adhesion(w)?;

@@ -1,9 +1,9 @@
 //! Derivatives of load and penetration with respect to all their inputs.
 //!
-//! `terms` holds the terms of load and penetration and their derivatives, `logarithms` the
-//! derivatives of the factors of which the terms are products.
+//! `terms` holds the terms of load and penetration and their derivatives, `elastic` those with respect
+//! to the elastic constants.
 
-mod logarithms;
+mod elastic;
 mod terms;
 
 use crate::Contact;

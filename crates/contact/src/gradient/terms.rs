@@ -1,13 +1,11 @@
 //! The terms of load and penetration at one contact radius, and their derivatives.
 
-use super::logarithms::{LogDerivatives, coated_derivatives, half_space_derivatives};
-use super::{Derivatives, Input};
+use super::{Derivatives, Input, elastic};
 use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
 use crate::shape::Shape;
-use interp::LoadAndPenetration;
-use interp::{Quantities, QuantityGradient};
+use interp::{Curve, LoadAndPenetration, Quantities, QuantityGradient};
 
 impl Contact {
     /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from
@@ -72,22 +70,28 @@ impl Terms<'_> {
     /// Returns the derivatives with respect to one input; `None` if they are not known.
     #[inline(always)]
     pub(crate) fn by(&self, input: Input) -> Option<Derivatives> {
-        let logarithms = self.logarithms(input)?;
-        let LogDerivatives {
-            contact_radius,
-            work_of_adhesion,
-            modulus,
-            es,
-            quantities: [_, eeq, gamma, _],
-            ..
-        } = logarithms;
-        // That of `g = sqrt(pi a w Es* / 2)`.
-        let edge = 0.5 * (contact_radius + work_of_adhesion + modulus + es);
-        let (without, lowered) = (self.without_adhesion(input, &logarithms)?, self.lowered);
-        Some(Derivatives {
-            load: without.load - lowered.load * (contact_radius + edge + eeq - gamma),
-            penetration: without.penetration - lowered.penetration * (edge - modulus - gamma),
-        })
+        let LoadAndPenetration { load, penetration } = match input {
+            Input::ContactRadius if self.contact.is_punch() => None,
+            Input::SphereRadius if self.contact.is_punch() => self.by_contact_radius(),
+            Input::ContactRadius => self.by_contact_radius(),
+            Input::SphereRadius => self.by_sphere_radius(),
+            // Below the normal numbers `1 / w` may overflow.
+            Input::WorkOfAdhesion => {
+                (self.w.is_normal()).then(|| self.lowered.times(-0.5 / self.w))
+            }
+            Input::FilmThickness => self.by_thickness(),
+            _ => {
+                // The edge singularity grows like the root of the modulus.
+                let by_modulus = LoadAndPenetration {
+                    load: self.without.load - 0.5 * self.lowered.load,
+                    penetration: 0.5 * self.lowered.penetration,
+                };
+                self.by_elastic_constant(input, by_modulus, |parameter| {
+                    self.by_parameter(parameter)
+                })
+            }
+        }?;
+        Some(Derivatives { load, penetration })
     }
 
     /// Returns the stiffness of the contact, N/m.
@@ -95,173 +99,185 @@ impl Terms<'_> {
         self.stiffness
     }
 
-    /// Returns the derivative of the logarithm of the stiffness with respect to one input; `None` if
-    /// it is not known.
+    /// Returns the derivative of the logarithm of the stiffness under a flat punch with respect to one
+    /// input; `None` if it is not known.
     pub(crate) fn stiffness_by(&self, input: Input) -> Option<f64> {
-        if input == Input::WorkOfAdhesion {
-            return Some(0.0);
+        let [_, by_a_over_t, ..] = self.by_a_over_t;
+        match input {
+            Input::WorkOfAdhesion => Some(0.0),
+            Input::ContactRadius => None,
+            Input::SphereRadius => Some((1.0 + by_a_over_t) / self.a),
+            Input::FilmThickness => Some(-by_a_over_t / self.thickness()?),
+            _ => {
+                let stiffness = |load| LoadAndPenetration {
+                    load,
+                    ..LoadAndPenetration::ZERO
+                };
+                let by = |parameter| {
+                    let [_, eeq, ..] = self.gradient.as_ref()?.relative(parameter)?;
+                    Some(stiffness(eeq))
+                };
+                Some(self.by_elastic_constant(input, stiffness(1.0), by)?.load)
+            }
         }
-        let by = self.logarithms(input)?;
-        let [_, eeq, ..] = by.quantities;
-        Some(by.contact_radius + by.modulus + eeq)
     }
 
-    /// Returns the derivatives of load and penetration without adhesion with respect to one input;
-    /// `None` if they are not known.
+    /// Returns the derivatives with respect to an elastic constant from those with respect to the
+    /// logarithm of the modulus that normalises and to a parameter of the material by number.
     #[inline(always)]
-    fn without_adhesion(&self, input: Input, by: &LogDerivatives) -> Option<LoadAndPenetration> {
-        let LoadAndPenetration { load, penetration } = self.without;
-        match &self.contact.shape {
-            Shape::Paraboloid {
-                curve: Some(curve), ..
-            } if matches!(input, Input::SphereRadius | Input::FilmThickness) => {
-                let Bodies::Coated { system, .. } = &self.contact.bodies else {
-                    return None;
-                };
-                let by_size = curve.by_size(self.a / system.film_thickness).ok()?;
-                // The penetration is a length, and the load a modulus times its square. So their
-                // logarithms have derivatives with respect to those of the thickness, of the
-                // contact radius and of the size of the shape whose sums are 1 and 2.
-                let logarithms = match input {
-                    Input::SphereRadius => by_size.map(|size| size * by.sphere_radius),
-                    _ => {
-                        let [pi0, _, _, delta0] = by.quantities;
-                        let t = system.film_thickness;
-                        [
-                            pi0 - (1.0 + by_size[0]) / t,
-                            delta0 - (1.0 + by_size[1]) / t,
-                        ]
-                    }
-                };
-                Some(LoadAndPenetration {
-                    load: load * logarithms[0],
-                    penetration: penetration * logarithms[1],
-                })
-            }
-            Shape::Paraboloid { .. } => {
-                let [pi0, _, _, delta0] = by.quantities;
-                Some(LoadAndPenetration {
-                    load: load * (3.0 * by.contact_radius + by.modulus + pi0 - by.sphere_radius),
-                    penetration: penetration
-                        * (2.0 * by.contact_radius + delta0 - by.sphere_radius),
-                })
-            }
-            Shape::HalfSpace(transform) => Some(match input {
-                Input::ContactRadius => {
-                    let b = transform.slope(self.a);
-                    LoadAndPenetration {
-                        load: self.stiffness * b,
-                        penetration: b,
-                    }
-                }
-                // `b(s; R)` is `R` times a function of `s/R`: its derivative is `(b - s b')/R`.
-                Input::SphereRadius => {
-                    let own = self.a * transform.slope(self.a);
-                    let stiffness = self.stiffness;
-                    LoadAndPenetration {
-                        load: by.sphere_radius * (2.0 * load - stiffness * own),
-                        penetration: by.sphere_radius * (penetration - own),
-                    }
-                }
-                _ => LoadAndPenetration {
-                    load: load * by.modulus,
-                    penetration: 0.0,
-                },
-            }),
-            Shape::Punch => Some(LoadAndPenetration::ZERO),
-            Shape::Solved(..) => self.without_adhesion_on_film(input, by).ok(),
-        }
-    }
-
-    /// Returns the derivatives of load and penetration without adhesion under a shape that is solved
-    /// on a film.
-    fn without_adhesion_on_film(
+    fn by_elastic_constant(
         &self,
         input: Input,
-        by: &LogDerivatives,
-    ) -> Result<LoadAndPenetration, Error> {
-        let (contact, a) = (self.contact, self.a);
-        let LoadAndPenetration { load, penetration } = self.without;
-        Ok(match input {
-            Input::ContactRadius => {
-                let (_, slopes) = contact.adhesionless_and_slopes(a)?;
-                slopes.times(1.0 / a)
+        by_modulus: LoadAndPenetration,
+        by_parameter: impl Fn(usize) -> Option<LoadAndPenetration>,
+    ) -> Option<LoadAndPenetration> {
+        match &self.contact.bodies {
+            Bodies::Coated { system, .. } => {
+                let material = self.gradient.as_ref()?.material();
+                elastic::of_coated(system, material, input, by_modulus, by_parameter)
             }
-            Input::SphereRadius => contact.by_size(a)?.times(by.sphere_radius),
-            // The penetration is a length, and the load a modulus times its square.
-            Input::FilmThickness => {
-                let (_, slopes) = contact.adhesionless_and_slopes(a)?;
-                let size = contact.by_size(a)?;
-                let t = contact.system().map_or(1.0, |system| system.film_thickness);
+            Bodies::HalfSpace(system) => {
+                let compound = self.contact.mechanics.sphere_film_modulus();
+                elastic::of_half_space(system, compound, input, by_modulus)
+            }
+        }
+    }
+
+    /// Returns the derivatives with respect to the contact radius, under a flat punch that of the
+    /// punch.
+    #[inline(always)]
+    fn by_contact_radius(&self) -> Option<LoadAndPenetration> {
+        let (a, lowered) = (self.a, self.lowered);
+        let [pi0, eeq, gamma, delta0] = self.by_a_over_t;
+        let without = match &self.contact.shape {
+            Shape::Paraboloid { .. } => LoadAndPenetration {
+                load: self.without.load * (3.0 + pi0),
+                penetration: self.without.penetration * (2.0 + delta0),
+            },
+            Shape::HalfSpace(transform) => {
+                let penetration = a * transform.slope(a);
+                LoadAndPenetration {
+                    load: self.stiffness * penetration,
+                    penetration,
+                }
+            }
+            Shape::Punch => LoadAndPenetration::ZERO,
+            Shape::Solved(_) => self.contact.adhesionless_and_slopes(a).ok()?.1,
+        };
+        // The edge singularity `g = sqrt(pi a w Es* / 2)` grows like the root of the radius.
+        let sum = LoadAndPenetration {
+            load: without.load - lowered.load * (1.5 + eeq - gamma),
+            penetration: without.penetration - lowered.penetration * (0.5 - gamma),
+        };
+        Some(sum.times(1.0 / a))
+    }
+
+    /// Returns the derivatives with respect to the radius of a probe that is not a flat punch.
+    #[inline(always)]
+    fn by_sphere_radius(&self) -> Option<LoadAndPenetration> {
+        let LoadAndPenetration { load, penetration } = self.without;
+        let by_size = match &self.contact.shape {
+            Shape::Paraboloid {
+                curve: Some(curve), ..
+            } => {
+                let [of_load, of_penetration] = self.by_size(curve)?;
+                LoadAndPenetration {
+                    load: load * of_load,
+                    penetration: penetration * of_penetration,
+                }
+            }
+            Shape::Paraboloid { .. } => self.without.times(-1.0),
+            // `b(s; R)` is `R` times a function of `s/R`: its derivative is `(b - s b')/R`.
+            Shape::HalfSpace(transform) => {
+                let own = self.a * transform.slope(self.a);
+                LoadAndPenetration {
+                    load: 2.0 * load - self.stiffness * own,
+                    penetration: penetration - own,
+                }
+            }
+            Shape::Punch => LoadAndPenetration::ZERO,
+            Shape::Solved(_) => self.contact.by_size(self.a).ok()?,
+        };
+        Some(by_size.times(1.0 / self.contact.probe().radius()?))
+    }
+
+    /// Returns the derivatives with respect to the thickness of the film.
+    #[inline(always)]
+    fn by_thickness(&self) -> Option<LoadAndPenetration> {
+        let t = self.thickness()?;
+        let LoadAndPenetration { load, penetration } = self.without;
+        let [pi0, eeq, gamma, delta0] = self.by_a_over_t;
+        // The penetration is a length, and the load a modulus times its square. So their logarithms
+        // have derivatives with respect to those of the thickness, of the contact radius and of the
+        // size of the shape whose sums are 1 and 2.
+        let without = match &self.contact.shape {
+            Shape::Paraboloid {
+                curve: Some(curve), ..
+            } => {
+                let [of_load, of_penetration] = self.by_size(curve)?;
+                LoadAndPenetration {
+                    load: -load * (pi0 + 1.0 + of_load),
+                    penetration: -penetration * (delta0 + 1.0 + of_penetration),
+                }
+            }
+            Shape::Paraboloid { .. } => LoadAndPenetration {
+                load: -load * pi0,
+                penetration: -penetration * delta0,
+            },
+            Shape::Solved(_) => {
+                let (_, slopes) = self.contact.adhesionless_and_slopes(self.a).ok()?;
+                let size = self.contact.by_size(self.a).ok()?;
                 LoadAndPenetration {
                     load: 2.0 * load - slopes.load - size.load,
                     penetration: penetration - slopes.penetration - size.penetration,
                 }
-                .times(1.0 / t)
             }
-            _ => {
-                let mut sum = LoadAndPenetration {
-                    load: load * (by.modulus + by.es),
-                    penetration: 0.0,
-                };
-                let changes = by.parameters.iter().enumerate();
-                for (parameter, &factor) in changes.filter(|(_, factor)| **factor != 0.0) {
-                    let own = contact.by_parameter(parameter, a)?.times(factor);
-                    sum.load += own.load;
-                    sum.penetration += own.penetration;
+            Shape::HalfSpace(_) | Shape::Punch => LoadAndPenetration::ZERO,
+        };
+        let sum = LoadAndPenetration {
+            load: without.load + self.lowered.load * (eeq - gamma),
+            penetration: without.penetration - self.lowered.penetration * gamma,
+        };
+        Some(sum.times(1.0 / t))
+    }
+
+    /// Returns the derivatives with respect to a parameter of the material by number, at a fixed
+    /// modulus that normalises.
+    #[inline(always)]
+    fn by_parameter(&self, parameter: usize) -> Option<LoadAndPenetration> {
+        let gradient = self.gradient.as_ref()?;
+        let [pi0, eeq, gamma, delta0] = gradient.relative(parameter)?;
+        let es = gradient.scale(parameter);
+        let LoadAndPenetration { load, penetration } = self.without;
+        let without = match &self.contact.shape {
+            Shape::Paraboloid { .. } => LoadAndPenetration {
+                load: load * pi0,
+                penetration: penetration * delta0,
+            },
+            Shape::Solved(_) => {
+                let own = self.contact.by_parameter(parameter, self.a).ok()?;
+                LoadAndPenetration {
+                    load: load * es + own.load,
+                    ..own
                 }
-                sum
             }
+            Shape::HalfSpace(_) | Shape::Punch => LoadAndPenetration::ZERO,
+        };
+        let edge = 0.5 * es - gamma;
+        Some(LoadAndPenetration {
+            load: without.load - self.lowered.load * (edge + eeq),
+            penetration: without.penetration - self.lowered.penetration * edge,
         })
     }
-    /// Returns the derivatives of the logarithms of the factors with respect to one input.
-    #[inline(always)]
-    fn logarithms(&self, input: Input) -> Option<LogDerivatives> {
-        match input {
-            Input::ContactRadius if self.contact.is_punch() => None,
-            Input::SphereRadius if self.contact.is_punch() => Some(self.by_contact_radius()),
-            Input::SphereRadius => Some(LogDerivatives {
-                sphere_radius: 1.0 / self.contact.probe().radius()?,
-                ..LogDerivatives::default()
-            }),
-            Input::ContactRadius => Some(self.by_contact_radius()),
-            // Below the normal numbers `1 / w` may overflow.
-            Input::WorkOfAdhesion => self.w.is_normal().then(|| LogDerivatives {
-                work_of_adhesion: 1.0 / self.w,
-                ..LogDerivatives::default()
-            }),
-            _ => self.by_body(input),
-        }
+
+    /// Returns the derivatives of the logarithms of load and penetration without adhesion with respect
+    /// to that of all lengths of a shape of even powers, which has its own `curve`.
+    fn by_size(&self, curve: &Curve) -> Option<[f64; 2]> {
+        curve.by_size(self.a / self.thickness()?).ok()
     }
 
-    /// Returns the derivatives of the logarithms of the factors with respect to the contact radius.
-    #[inline(always)]
-    fn by_contact_radius(&self) -> LogDerivatives {
-        LogDerivatives {
-            contact_radius: 1.0 / self.a,
-            quantities: self.by_a_over_t.map(|slope| slope / self.a),
-            ..LogDerivatives::default()
-        }
-    }
-
-    /// Returns the derivatives of the logarithms of the factors that depend on the bodies.
-    #[inline(always)]
-    fn by_body(&self, input: Input) -> Option<LogDerivatives> {
-        match (&self.contact.bodies, &self.gradient) {
-            (Bodies::Coated { system, .. }, Some(gradient)) => {
-                if input == Input::FilmThickness {
-                    let t = system.film_thickness;
-                    return Some(LogDerivatives {
-                        quantities: self.by_a_over_t.map(|slope| -slope / t),
-                        ..LogDerivatives::default()
-                    });
-                }
-                coated_derivatives(system, gradient, input)
-            }
-            (Bodies::HalfSpace(system), _) => {
-                half_space_derivatives(system, self.contact.mechanics.sphere_film_modulus(), input)
-            }
-            (Bodies::Coated { .. }, None) => None,
-        }
+    /// Returns the thickness of the film, m.
+    fn thickness(&self) -> Option<f64> {
+        Some(self.contact.system()?.film_thickness)
     }
 }

@@ -1,0 +1,63 @@
+//! Derivatives with respect to an elastic constant of a body, from those with respect to the modulus
+//! that normalises the contact and to the parameters of its material.
+
+use super::Input;
+use interp::{HalfSpace, LoadAndPenetration, Material, Normalisation, System};
+
+/// Returns the derivatives of a contact with a half-space, of which the `compound` modulus `E*` is
+/// the unit; `None` for an input that it does not have. `by_modulus` holds those with respect to
+/// `ln E*`.
+pub(super) fn of_half_space(
+    system: &HalfSpace,
+    compound: f64,
+    input: Input,
+    by_modulus: LoadAndPenetration,
+) -> Option<LoadAndPenetration> {
+    let (young, nu0) = (system.solid.young(), system.solid.poisson());
+    let share = compound / system.solid.reduced();
+    let factor = match input {
+        Input::SphereModulus => compound / system.sphere_modulus / system.sphere_modulus,
+        Input::SubstrateModulus => share / young,
+        Input::SubstratePoisson => share * logarithmic_slope(nu0),
+        _ => return None,
+    };
+    Some(by_modulus.times(factor))
+}
+
+/// Returns the derivatives of a coated contact of a `material`; `None` if they are not known.
+/// `by_modulus` holds those with respect to the logarithm of the modulus that normalises, and `by`
+/// returns those with respect to a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
+#[inline(always)]
+pub(super) fn of_coated(
+    system: &System,
+    material: &Material,
+    input: Input,
+    by_modulus: LoadAndPenetration,
+    by: impl Fn(usize) -> Option<LoadAndPenetration>,
+) -> Option<LoadAndPenetration> {
+    let (film, substrate) = (system.film.young(), system.substrate.young());
+    Some(match (input, material.normalisation()) {
+        (Input::SphereModulus, Normalisation::Sphere) => {
+            let others = by(0)?.plus(by(2)?).times(-1.0);
+            by_modulus.plus(others).times(1.0 / system.sphere_modulus)
+        }
+        (Input::FilmModulus, Normalisation::Sphere) => by(0)?.times(1.0 / film),
+        (Input::FilmModulus, Normalisation::Film) => {
+            by_modulus.plus(by(2)?.times(-1.0)).times(1.0 / film)
+        }
+        (Input::FilmPoisson, Normalisation::Sphere) => by(1)?,
+        (Input::FilmPoisson, Normalisation::Film) => {
+            let own = by_modulus.times(logarithmic_slope(material.nu1()));
+            own.plus(by(1)?)
+        }
+        (Input::SubstrateModulus, _) => by(2)?.times(1.0 / substrate),
+        (Input::SubstratePoisson, _) => by(3)?,
+        // The modulus of a rigid sphere.
+        _ => LoadAndPenetration::ZERO,
+    })
+}
+
+/// Returns the derivative of `ln(1/(1 - nu^2))`, that of the reduced modulus, without cancellation.
+fn logarithmic_slope(nu: f64) -> f64 {
+    2.0 * nu / ((1.0 - nu) * (1.0 + nu))
+}
