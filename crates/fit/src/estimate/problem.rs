@@ -292,14 +292,15 @@ impl<'a> Problem<'a> {
     /// those of the priors.
     pub fn plain_residuals(&self) -> Option<DVector<f64>> {
         let predicted = self.predicted.as_ref()?;
-        let mut residuals: Vec<f64> = self
-            .rows()
-            .map(|(e, i)| {
-                let assigned = &self.assigned[e];
-                let compared = assigned.experiment.compared(i);
-                (predicted[e].values[i] - compared) / assigned.deviation(i)
-            })
-            .collect();
+        let mut residuals = Vec::with_capacity(self.rows().count() + self.slots.len());
+        for (assigned, predicted) in self.assigned.iter().zip(predicted) {
+            for (i, branch) in assigned.branches.iter().enumerate() {
+                if *branch != Branch::LeftOut {
+                    let difference = predicted.values[i] - assigned.experiment.compared(i);
+                    residuals.push(difference / assigned.deviation(i));
+                }
+            }
+        }
         residuals.extend(self.slots.iter().enumerate().filter_map(|(slot, of)| {
             let prior = of.prior?;
             Some((self.value(slot) - prior.mean) / prior.width)

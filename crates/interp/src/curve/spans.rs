@@ -158,35 +158,11 @@ impl Spans {
         group: usize,
         coefficients: &[f64],
     ) -> Series<Lanes<S>, LOGARITHM> {
-        let span = &self.spans[group];
-        let weights = &self.weights[span.start..][..span.count];
-        let mut own = [&coefficients[..0]; LANES];
-        let mut common = [0.0; LANES];
-        for lane in 0..LANES {
-            own[lane] = &coefficients[span.first[lane]..][..span.count];
-            common[lane] = own[lane][span.count / 2];
-        }
-        // The pieces side by side, because a sum must wait for the addition before.
         let mut rows = [f64x8::splat(simd, 0.0); LANES];
-        for (i, weights) in weights.iter().enumerate() {
-            for lane in 0..LANES {
-                let coefficient = f64x8::splat(simd, own[lane][i] - common[lane]);
-                let weights = f64x8::from_slice(simd, &weights[lane]);
-                rows[lane] = coefficient.mul_add(weights, rows[lane]);
-            }
+        for (lane, row) in rows.iter_mut().enumerate() {
+            *row = self.logarithm(simd, LANES * group + lane, coefficients);
         }
-        for lane in 0..LANES {
-            let [from, to] = span.rest[lane];
-            let coefficients = &coefficients[span.first[lane] + span.count..];
-            for (weights, coefficient) in self.rest[from..to].iter().zip(coefficients) {
-                let coefficient = f64x8::splat(simd, coefficient - common[lane]);
-                let weights = f64x8::from_slice(simd, weights);
-                rows[lane] = coefficient.mul_add(weights, rows[lane]);
-            }
-        }
-        let mut logarithms = transposed_lanes(rows);
-        logarithms[0] += Lanes::simd_from(simd, common);
-        logarithms
+        transposed_lanes(rows)
     }
 
     /// Returns the polynomial of the logarithm of a single quantity on a piece.
@@ -198,15 +174,21 @@ impl Spans {
         coefficients: &[f64],
     ) -> f64x8<S> {
         let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
-        let coefficients = &coefficients[span.first[lane]..];
+        let (first, further) = coefficients[span.first[lane]..].split_at(span.count);
         // As in `logarithms`.
-        let common = coefficients[span.count / 2];
+        let common = f64x8::splat(simd, first[span.count / 2]);
+        let [from, to] = span.rest[lane];
         let mut logarithm = f64x8::splat(simd, 0.0);
-        for (weights, coefficient) in self.weights_on(piece).zip(coefficients) {
-            let coefficient = f64x8::splat(simd, coefficient - common);
+        for (weights, &coefficient) in self.weights[span.start..].iter().zip(first) {
+            let coefficient = f64x8::splat(simd, coefficient) - common;
+            let weights = f64x8::from_slice(simd, &weights[lane]);
+            logarithm = coefficient.mul_add(weights, logarithm);
+        }
+        for (weights, &coefficient) in self.rest[from..to].iter().zip(further) {
+            let coefficient = f64x8::splat(simd, coefficient) - common;
             logarithm = coefficient.mul_add(f64x8::from_slice(simd, weights), logarithm);
         }
-        logarithm[0] += common;
+        logarithm[0] += common[0];
         logarithm
     }
 }
