@@ -29,7 +29,7 @@ pub(super) struct Elements<'a> {
     pub control: Control,
 }
 
-/// The largest part of the largest stress that a ring outside the contact may have from rounding.
+/// The part of the largest penetration by which a ring outside the contact may be too deep from rounding.
 const RING: f64 = 1e-6;
 /// The most steps of Newton's method for a load or a spring.
 const NEWTON: usize = 60;
@@ -147,7 +147,7 @@ impl Elements<'_> {
         };
         let (load, _, contact_radius) = self.load(memory, step, penetration);
         let touch = memory.free[0] + self.nodes[0].penetration;
-        self.check_disc(memory, step, penetration, contact_radius, time)?;
+        self.check_disc(memory, penetration, contact_radius, time)?;
         self.remember(memory, step, penetration);
         let load = match self.control {
             Control::Load if value > 0.0 => value,
@@ -224,16 +224,14 @@ impl Elements<'_> {
     fn check_disc(
         &self,
         memory: &Memory,
-        step: &Step<'_>,
         penetration: f64,
         radius: f64,
         time: f64,
     ) -> Result<(), HistoryError> {
         let largest = self.nodes[self.nodes.len() - 1].penetration;
-        for (i, node) in self.nodes.iter().enumerate() {
-            if node.radius > radius
-                && self.stress(memory, step, i, penetration) > RING * step.w * largest
-            {
+        for (node, free) in self.nodes.iter().zip(&memory.free) {
+            let excess = penetration - node.penetration - free;
+            if node.radius > radius && excess > RING * largest {
                 return Err(HistoryError::NotOneDisc {
                     time,
                     radius: node.radius,

@@ -24,6 +24,8 @@ const LONGEST: f64 = 0.02;
 const REFINEMENTS: usize = 7;
 /// The largest number of elements, steps and exponentials of one run.
 const MOST_WORK: f64 = 2e10;
+/// The parts of a step from which on a ring in contact outside the contact is taken to be one.
+const MOST_PARTS: usize = 64;
 /// The radius of the last element over that of the largest contact of the first run.
 const WIDER: f64 = 1.05;
 /// One question about a history.
@@ -169,7 +171,7 @@ impl<L: CrackTip> Run<'_, L> {
             let refined = 1 << level;
             let elements = ELEMENTS * refined;
             // Between the points of a penetration the elements need no steps, but for the moment at which one touches.
-            let parts = match self.control {
+            let mut parts = match self.control {
                 Control::Displacement => 1 << (level / 2),
                 _ => refined,
             };
@@ -183,7 +185,13 @@ impl<L: CrackTip> Run<'_, L> {
                 law: &law,
                 control: self.control,
             };
-            let (states, grown) = own.follow(self.program, self.times, LONGEST, parts)?;
+            let (states, grown) = loop {
+                match own.follow(self.program, self.times, LONGEST, parts) {
+                    // An element that touches and is released within one step may look like a ring.
+                    Err(HistoryError::NotOneDisc { .. }) if parts < MOST_PARTS => parts *= 4,
+                    found => break found?,
+                }
+            };
             if level == 0 && grown > 0.0 {
                 // Elements beyond the largest contact would do nothing.
                 most = most.min(WIDER * grown);
