@@ -403,6 +403,60 @@ fn elements_agree_with_the_integrals() {
     }
 }
 
+/// Cuts each straight line of a program in two.
+fn cut(program: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut cut = vec![program[0]];
+    for pair in program.windows(2) {
+        let [(t0, v0), (t1, v1)] = [pair[0], pair[1]];
+        cut.extend([(t0 + 0.3 * (t1 - t0), v0 + 0.3 * (v1 - v0)), (t1, v1)]);
+    }
+    cut
+}
+
+/// An element that touches and is released within one straight line is no ring outside the contact: both programs are
+/// answered, and the same.
+#[test]
+fn an_element_that_touches_within_a_step_is_no_ring() {
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: Elastic::new(1e3, 0.5).expect("a solid"),
+        film_thickness: 5e-6,
+        substrate: Elastic::new(f64::INFINITY, 0.25).expect("a solid"),
+    };
+    let material = system.material().expect("a material");
+    let curve = solve::curve(&material, [1e-4, 8.0], 1e-8).expect("a curve");
+    let contact = Contact::new(&system, curve).expect("a contact");
+    let law = Relaxation::PowerLaw {
+        exponent: 0.8712366898122368,
+        time: 1.0,
+    };
+    let program = [
+        (0.0, 0.0),
+        (0.07753188060455914, -3.302387599303665e-07),
+        (0.13780841206216754, 1.9889986174639647e-07),
+        (1.1639676597099524, -3.618665514663257e-07),
+        (1.2558288227859544, 4.4762828830413774e-07),
+        (1.2712708215669881, 4.2457568664236546e-07),
+        (2.62537464831824, -4.518779770727694e-07),
+        (2.895347899462901, 7.111341715619417e-07),
+        (2.913901690908775, 6.801921414092479e-07),
+    ];
+    let history = contact.history(&law).expect("a law");
+    let times: Vec<f64> = program[1..].iter().map(|(time, _)| *time).collect();
+    let of = |program: &[(f64, f64)]| {
+        let course = history.at(Control::Displacement, program, &times, Some(1e-2));
+        course.expect("one disc").states
+    };
+    let (whole, parts) = (of(&program), of(&cut(&program)));
+    let largest = whole.iter().map(|at| at.state.load).fold(0.0, f64::max);
+    assert!(largest > 0.0);
+    for (whole, parts) in whole.iter().zip(&parts) {
+        let error = (whole.state.load - parts.state.load).abs() / largest;
+        assert!(error < 2e-2, "at {}: {error:.1e}", whole.time);
+    }
+}
+
 /// A history cut in two by a point on its straight lines is the same history.
 #[test]
 fn a_history_cut_in_two() {
@@ -420,12 +474,7 @@ fn a_history_cut_in_two() {
         (&power_law(0.7), twice, 1e-5, 2e-5),
     ] {
         let history = contact.history(law).expect("a law");
-        let mut cut = Vec::new();
-        for pair in program.windows(2) {
-            let [(t0, v0), (t1, v1)] = [pair[0], pair[1]];
-            cut.extend([(t0, v0), (t0 + 0.3 * (t1 - t0), v0 + 0.3 * (v1 - v0))]);
-        }
-        cut.push(program[program.len() - 1]);
+        let cut = cut(program);
         let of = |program: &[(f64, f64)]| {
             history
                 .at(Control::Displacement, program, &times, Some(tolerance))
