@@ -48,6 +48,23 @@ fn a_film_much_thicker_than_the_sphere_is_solved() {
     }
 }
 
+/// On this film rounding does not let the widest contacts be solved to 1e-9.
+#[test]
+fn an_incompressible_film_between_rigid_bodies_is_solved() {
+    let workdir = workdir!();
+    let bodies = "--sphere-radius 10um --sphere-modulus inf --film-modulus 5kPa --film-poisson-ratio 0.5 \
+                  --substrate-modulus inf --work-of-adhesion 50uJ/m^2 --film-thickness";
+    for thickness in ["20um", "1um"] {
+        let load = |command: &[&str]| {
+            let bodies: Vec<&str> = bodies.split_whitespace().collect();
+            let text = workdir.succeed(&[command, &bodies, &[thickness]].concat());
+            value(&text, "load")
+        };
+        let error = load(&["pull-off"]) / load(&["pull-off", "embedded"]) - 1.0;
+        assert!(error.abs() < 2e-6, "{thickness}: {error:e}");
+    }
+}
+
 /// A flat end that is narrower than the smallest contact of the first curve that is solved.
 #[test]
 fn a_flat_end_far_narrower_than_the_film_is_thick_is_solved() {

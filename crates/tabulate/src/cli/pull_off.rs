@@ -176,9 +176,11 @@ fn sticking(
 /// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii
 /// that grows until the pull-off is inside.
 fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::Result<State> {
-    /// The ranges of `a/t` that are solved, one after the other, and the relative tolerance.
+    /// The ranges of `a/t` that are solved, one after the other.
     const RANGES: [[f64; 2]; 3] = [[1e-3, 1e3], [A_OVER_T[0], 1e3], A_OVER_T];
+    /// The relative tolerance, and that where rounding does not let a solve reach it: on confined incompressible films.
     const TOLERANCE: f64 = 1e-9;
+    const OF_CONFINED: f64 = 1e-7;
     /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
     /// contacts take much longer.
     const OVER_TOP: f64 = 300.0;
@@ -188,14 +190,20 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
     let system = &bodies.system;
     let mut refused = None;
     for [from, to] in RANGES {
-        let curve = match &bodies.stack {
+        let curve_to = |tolerance| match &bodies.stack {
             Some(layers) => {
                 let stack = layers.stack();
                 let top = stack.top().thickness / stack.thickness();
                 let range = [from.min(OVER_TOP * top * 1e-3), to.min(OVER_TOP * top)];
-                layers.curve(system.sphere_modulus, range, TOLERANCE)
+                layers.curve(system.sphere_modulus, range, tolerance)
             }
-            None => curve(&system.material()?, [from, to], TOLERANCE).map_err(Into::into),
+            None => Ok(curve(&system.material()?, [from, to], tolerance)?),
+        };
+        let curve = match curve_to(TOLERANCE) {
+            Err(crate::Error::Solve(
+                solve::Error::NotConverged { .. } | solve::Error::StackNotConverged { .. },
+            )) => curve_to(OF_CONFINED),
+            curve => curve,
         };
         // A wider range may be out of reach where a narrower one is not.
         let curve = match (curve, refused) {
