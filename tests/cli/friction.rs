@@ -229,7 +229,16 @@ fn what_is_not_solved_is_refused_with_the_reason() {
         "--noise",
         "2uN",
     ];
-    for command in [&["curve"][..], &["pull-off"], &SIMULATE] {
+    workdir.write(
+        "data.csv",
+        "contact_radius,load\n5e-6,1e-7\n6e-6,2e-7\n7e-6,3e-7\n8e-6,4e-7\n",
+    );
+    for command in [
+        &["curve"][..],
+        &["pull-off"],
+        &SIMULATE,
+        &["fit", "data.csv"],
+    ] {
         let with = |further: &[&'static str]| [command, &stick, further].concat();
         refused(
             &with(&["--film-poisson-ratio", "0.49"]),
