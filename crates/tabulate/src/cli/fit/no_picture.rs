@@ -9,6 +9,10 @@ use clap::Args;
 #[derive(Args)]
 pub struct PictureArguments {}
 
+#[expect(
+    clippy::unused_self,
+    reason = "the methods are called as those of the arguments with a picture"
+)]
 impl PictureArguments {
     /// Returns no file.
     pub const fn path(&self) -> Option<&Path> {
