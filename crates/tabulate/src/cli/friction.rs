@@ -235,11 +235,13 @@ pub fn note_size(bodies: &Bodies, a: f64) {
     /// sphere, is as much as a paraboloid in place of a wide sphere changes.
     const MUCH: f64 = 0.05;
     const TOLERANCE: f64 = 1e-4;
-    let ratio = with_any_probe(bodies, USUAL_POISSON_RATIO).and_then(|sticking| {
+    let found = with_any_probe(bodies, USUAL_POISSON_RATIO).and_then(|sticking| {
+        // Of a wider contact than is solved, the widest that is.
         let a_over_t = (a / bodies.system.film_thickness).min(sticking.most_of_punch());
-        Ok(sticking.stiffening(a_over_t, TOLERANCE)?)
+        let ratio = sticking.stiffening(a_over_t, TOLERANCE)?;
+        Ok((a_over_t * bodies.system.film_thickness, ratio))
     });
-    if let Ok(ratio) = ratio
+    if let Ok((a, ratio)) = found
         && ratio > 1.0 + MUCH
     {
         note(&format!(
