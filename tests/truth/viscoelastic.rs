@@ -453,7 +453,7 @@ fn an_element_that_touches_within_a_step_is_no_ring() {
     assert!(largest > 0.0);
     for (whole, parts) in whole.iter().zip(&parts) {
         let error = (whole.state.load - parts.state.load).abs() / largest;
-        assert!(error < 2e-2, "at {}: {error:.1e}", whole.time);
+        assert!(error < 1e-4, "at {}: {error:.1e}", whole.time);
     }
 }
 

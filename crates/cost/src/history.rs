@@ -76,11 +76,11 @@ fn laws() -> [(&'static str, Relaxation); 3] {
     ]
 }
 
-/// Measures all rows, of an incompressible film under a rigid probe up to a/t = 0.6.
+/// Returns the contact of a rigid probe of 10 um on an incompressible film of 5 um, whose histories are timed.
 ///
 /// # Errors
-/// None for these contacts.
-pub fn measure(timing: Timing) -> Result<Vec<Row>, HistoryError> {
+/// None for this film.
+pub(crate) fn contact_on_gel() -> Result<Contact, contact::Error> {
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-5 },
         sphere_modulus: f64::INFINITY,
@@ -88,7 +88,15 @@ pub fn measure(timing: Timing) -> Result<Vec<Row>, HistoryError> {
         film_thickness: 5e-6,
         substrate: Elastic::new(f64::INFINITY, 0.25)?,
     };
-    let contact = Contact::in_table(Table::embedded(), &system)?;
+    Contact::in_table(Table::embedded(), &system)
+}
+
+/// Measures all rows, of an incompressible film under a rigid probe up to a/t = 0.6.
+///
+/// # Errors
+/// None for these contacts.
+pub fn measure(timing: Timing) -> Result<Vec<Row>, HistoryError> {
+    let contact = contact_on_gel()?;
     let once = |t: f64| 1e-6 * (1.0 - (t - 1.0).abs());
     let twice = |t: f64| 1e-6 * (1.0 - (t % 1.0 - 0.5).abs() * 2.2);
     type Program<'a> = (&'a dyn Fn(f64) -> f64, [f64; 3], Option<f64>);

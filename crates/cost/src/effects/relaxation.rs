@@ -1,9 +1,10 @@
 //! Relaxation: the error of the elastic load where the modulus falls in time, and the cost of a history.
 
 use contact::{Contact, Control, HistoryError, Relaxation};
-use interp::{Elastic, Material, Normalisation, Probe, System, Table};
+use interp::{Elastic, Material, Normalisation, Probe, System};
 
 use crate::clock::{Times, Timing};
+use crate::history::contact_on_gel;
 use solve::Error;
 use solve::{A_OVER_T, curve};
 
@@ -23,7 +24,7 @@ const SECONDS: f64 = 0.05;
 /// The number of times that each is measured, in turns with the other. The fastest time counts.
 const ROUNDS: usize = 10;
 
-/// Returns the states of a cycle up to a penetration (m) under a law.
+/// Returns the loads (N) in a cycle up to a penetration (m) under a law.
 fn follow(
     contact: &Contact,
     law: &Relaxation,
@@ -103,14 +104,7 @@ pub(super) fn error_of_elastic(a_over_t: f64, material: &Material) -> Result<f64
 /// None for this film.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const LARGEST: f64 = 3e-6;
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e-5 },
-        sphere_modulus: f64::INFINITY,
-        film: Elastic::new(1e3, 0.5)?,
-        film_thickness: 5e-6,
-        substrate: Elastic::new(f64::INFINITY, 0.25)?,
-    };
-    let contact = Contact::in_table(Table::embedded(), &system)?;
+    let contact = contact_on_gel()?;
     let (_, penetration) = contact.load_and_penetration(LARGEST, 0.0)?;
     let relaxing = || follow(&contact, &law(), penetration, POINTS, None);
     let elastic = || -> Result<Vec<(f64, f64)>, Error> {

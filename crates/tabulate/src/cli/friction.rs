@@ -246,7 +246,7 @@ pub fn note_size(bodies: &Bodies, a: f64) {
     {
         note(&format!(
             "The model takes the surfaces to slide freely. With full friction, a flat punch of the contact \
-             radius {a:.3e} m would be stiffer by {:.0} %.",
+             radius {a:.3e} m would be stiffer by {:.0} %. --friction stick solves contacts with full friction.",
             1e2 * (ratio - 1.0)
         ));
     }
