@@ -1,8 +1,9 @@
 //! The columns beside abscissa and ordinate: the time; and those that a contact stiffness has, the load
 //! at a depth, and the phase or the loss part of the stiffness.
 
-use super::assignment::{Columns, Failure, Source};
 use super::column::Role;
+use super::failure::Failure;
+use super::source::{Columns, Source};
 use crate::{Direction, Kind};
 
 /// What stands beside a point.
@@ -72,8 +73,8 @@ impl Columns<'_> {
 pub(super) fn beside(
     sources: &[Source],
     storage: f64,
-    mut value: impl FnMut(&Source) -> Result<Option<f64>, super::rows::Failure>,
-) -> Result<Option<Beside>, super::rows::Failure> {
+    mut value: impl FnMut(&Source) -> Result<Option<f64>, Failure>,
+) -> Result<Option<Beside>, Failure> {
     let mut found = Beside {
         load: f64::NAN,
         phase: f64::NAN,

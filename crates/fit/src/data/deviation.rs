@@ -1,8 +1,8 @@
 //! Columns of standard deviations.
 
-use super::assignment::{Columns, Failure, Source};
-use super::failure::Problem;
+use super::failure::{Failure, Problem};
 use super::heading::Heading;
+use super::source::{Columns, Source};
 use super::unit::Unit;
 use crate::Direction;
 
@@ -59,7 +59,7 @@ impl Columns<'_> {
                     ([one], _) | (_, [one]) => Some((*one, self.headings[*one].unit)),
                     ([first, second, ..], _) => {
                         let numbers = [first + 1, second + 1];
-                        return Err((None, Problem::Duplicate { role, numbers }));
+                        return Err(Problem::Duplicate { role, numbers }.into());
                     }
                 }
             }

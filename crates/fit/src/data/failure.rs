@@ -43,6 +43,24 @@ impl fmt::Display for Place<'_> {
     }
 }
 
+/// A problem with its place.
+#[derive(Debug)]
+pub struct Failure {
+    pub line: Option<u64>,
+    pub column: Option<(usize, String)>,
+    pub problem: Problem,
+}
+
+impl From<Problem> for Failure {
+    fn from(problem: Problem) -> Self {
+        Self {
+            line: None,
+            column: None,
+            problem,
+        }
+    }
+}
+
 /// A column of a file, as far as its heading tells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {

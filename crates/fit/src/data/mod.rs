@@ -19,9 +19,10 @@
 //!
 //! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
 //! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading,
-//! `quantity` reads a number with a unit, and `assignment` decides which column holds what, with
-//! `deviation` those of standard deviations and `beside` those of a contact stiffness. `segment` finds the directions, and `remedy` what a user
-//! can give where a file is not read.
+//! `quantity` reads a number with a unit. `source` finds the column of a quantity, `deviation` that of
+//! its standard deviations and `beside` those of a contact stiffness, and `assignment` decides by them
+//! what is measured. `rows` reads the rows, `segment` finds their directions, `points` joins and checks
+//! their points, and `remedy` tells what a user can give where a file is not read.
 
 mod assignment;
 mod beside;
@@ -35,11 +36,13 @@ mod layout;
 mod lines;
 mod names;
 mod number;
+mod points;
 mod quantity;
 mod remedy;
 mod rows;
 mod segment;
 mod sign;
+mod source;
 mod unit;
 
 use std::fmt;
@@ -47,13 +50,14 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-pub use assignment::{Source, roles};
+pub use assignment::roles;
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
 pub use quantity::{Quantity, QuantityError};
 pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
+pub use source::Source;
 pub use unit::{Dimension, Unit, prefix};
 
 use crate::{Direction, Kind, Measurement, PointErrors};

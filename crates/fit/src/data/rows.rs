@@ -2,43 +2,24 @@
 
 use std::io::BufRead;
 
-use super::assignment::{Assignment, Pair, Source, assign, roles};
-use super::beside::{Beside, beside};
+use super::assignment::{Assignment, assign, roles};
+use super::beside::beside;
 use super::cells::{Delimiter, comment};
 use super::column::Role;
-use super::failure::Problem;
+use super::failure::{Failure, Problem};
 use super::head::Head;
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles, is_words, titles};
 use super::lines::Lines;
 use super::number::{Cell, DecimalMark};
-use super::segment::{Segment, split};
-use super::{Format, Notes, Reading, Segments, sign};
-use crate::{Direction, Kind, Measurement, Point, PointErrors};
-
-/// The rounding of a number in its unit.
-const ROUNDING: f64 = 1e-12;
+use super::points::{Block, join};
+use super::segment::Segment;
+use super::source::Source;
+use super::{Format, Notes, Reading, Segments};
+use crate::{Direction, Kind, Point};
 
 /// The number of lines that may stand before the rows of numbers.
 const LONGEST_HEAD: usize = 10_000;
-
-/// A problem with its place.
-#[derive(Debug)]
-pub struct Failure {
-    pub line: Option<u64>,
-    pub column: Option<(usize, String)>,
-    pub problem: Problem,
-}
-
-impl From<Problem> for Failure {
-    fn from(problem: Problem) -> Self {
-        Self {
-            line: None,
-            column: None,
-            problem,
-        }
-    }
-}
 
 /// Reads all rows.
 pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading, Failure> {
@@ -64,13 +45,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         delimiter: layout.delimiter,
         format: &format,
         head,
-        columns: vec![Columns {
-            headings: titles.headings,
-            points: vec![Vec::new(); assignment.pairs.len()],
-            errors: vec![PointErrors::default(); assignment.pairs.len()],
-            beside: vec![Vec::new(); assignment.pairs.len()],
-            assignment,
-        }],
+        blocks: vec![Block::new(titles.headings, assignment)],
         waiting: Waiting::default(),
         mark: DecimalMark::default(),
         segment: None,
@@ -78,7 +53,6 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         count: 0,
         missing: 0,
         pauses: 0,
-        other_segments: 0,
     };
     if let Some(row) = &titles.row {
         rows.add(titles.head as u64, row)?;
@@ -125,7 +99,7 @@ fn choose(
     let candidates = layout.titles.iter().chain(numbered.then_some(&unnamed));
     let mut first = None;
     for titles in candidates {
-        match assigned(titles, format, uncalibrated) {
+        match assign(&titles.headings, format, uncalibrated) {
             Ok(assignment) => return Ok((titles.clone(), assignment)),
             Err(failure) => {
                 first.get_or_insert(failure);
@@ -143,31 +117,6 @@ fn choose(
             },
         }
     }))
-}
-
-/// Assigns the columns of headings.
-fn assigned(
-    titles: &Titles,
-    format: &Format,
-    uncalibrated: Option<u64>,
-) -> Result<Assignment, Failure> {
-    assign(&titles.headings, format, uncalibrated).map_err(|(index, problem)| Failure {
-        line: None,
-        column: index.map(|index| (index + 1, titles.headings[index].text.clone())),
-        problem,
-    })
-}
-
-/// The columns of the rows up to the next headings, and their points.
-struct Columns {
-    headings: Vec<Heading>,
-    assignment: Assignment,
-    /// The points of each pair of columns.
-    points: Vec<Vec<Point>>,
-    /// Their standard deviations.
-    errors: Vec<PointErrors>,
-    /// What stands beside them: of a contact stiffness, or the time.
-    beside: Vec<Vec<Beside>>,
 }
 
 /// Lines below the first rows that may be the head of further rows.
@@ -199,7 +148,7 @@ struct Rows<'a> {
     format: &'a Format,
     head: Head,
     /// One for each line of headings with rows below it.
-    columns: Vec<Columns>,
+    blocks: Vec<Block>,
     waiting: Waiting,
     mark: DecimalMark,
     /// The segment that a comment line has begun, or that of the last row that names one.
@@ -209,7 +158,6 @@ struct Rows<'a> {
     count: u64,
     missing: u64,
     pauses: u64,
-    other_segments: u64,
 }
 
 impl Rows<'_> {
@@ -251,20 +199,14 @@ impl Rows<'_> {
             return Ok(false);
         }
         let format = Format {
-            kind: Some(self.columns[0].assignment.kind),
+            kind: Some(self.blocks[0].assignment.kind),
             cantilever: self.head.complete(self.format.cantilever),
             ..self.format.clone()
         };
         for titles in titles(&self.waiting.lines, self.delimiter, cells..=cells) {
-            match assigned(&titles, &format, self.head.uncalibrated) {
+            match assign(&titles.headings, &format, self.head.uncalibrated) {
                 Ok(assignment) => {
-                    self.columns.push(Columns {
-                        headings: titles.headings,
-                        points: vec![Vec::new(); assignment.pairs.len()],
-                        errors: vec![PointErrors::default(); assignment.pairs.len()],
-                        beside: vec![Vec::new(); assignment.pairs.len()],
-                        assignment,
-                    });
+                    self.blocks.push(Block::new(titles.headings, assignment));
                     self.waiting = Waiting::default();
                     return Ok(true);
                 }
@@ -283,10 +225,10 @@ impl Rows<'_> {
 
     /// Tells whether a comment has begun a pause.
     fn is_pause(&self) -> bool {
-        let columns = self.columns.last();
+        let block = self.blocks.last();
         !self.format.keep_pauses
             && self.segment == Some(Segment::Pause)
-            && columns.is_none_or(|columns| columns.assignment.segment.is_none())
+            && block.is_none_or(|block| block.assignment.segment.is_none())
     }
 
     /// Adds the points of a row.
@@ -296,16 +238,11 @@ impl Rows<'_> {
             self.pauses += 1;
             return Ok(());
         }
-        let Columns {
+        let Block {
             headings,
             assignment,
             points,
-            errors,
-            beside: all_beside,
-        } = self
-            .columns
-            .last_mut()
-            .expect("there are the first columns");
+        } = self.blocks.last_mut().expect("there is the first block");
         let expected = headings.len();
         let extra = cells.iter().skip(expected);
         if cells.len() < expected || !extra.clone().all(|cell| cell.is_empty()) {
@@ -401,16 +338,11 @@ impl Rows<'_> {
             found.push(Some((point, deviations, beside)));
         }
         self.count += 1;
-        let lists = points.iter_mut().zip(errors).zip(all_beside);
-        for (((points, errors), all_beside), point) in lists.zip(found) {
-            match point {
-                Some((point, [of_abscissa, of_ordinate], beside)) => {
-                    if assignment.kind.is_stiffness() || !beside.time.is_nan() {
-                        all_beside.push(beside);
-                    }
-                    points.push(point);
-                    errors.abscissa.extend(of_abscissa);
-                    errors.ordinate.extend(of_ordinate);
+        for (points, found) in points.iter_mut().zip(found) {
+            match found {
+                Some((point, deviations, beside)) => {
+                    let is_known = assignment.kind.is_stiffness() || !beside.time.is_nan();
+                    points.push(point, deviations, is_known.then_some(beside));
                 }
                 None => self.missing += 1,
             }
@@ -418,118 +350,20 @@ impl Rows<'_> {
         Ok(())
     }
 
-    /// Joins the points, finds their directions and checks them.
-    fn finish(mut self, name: &str) -> Result<Reading, Failure> {
+    /// Joins the points.
+    fn finish(self, name: &str) -> Result<Reading, Failure> {
         if let Some(failure) = self.waiting.failure {
             return Err(failure);
         }
         self.check_head()?;
-        let kind = self.columns[0].assignment.kind;
-        let pair = self.columns[0].assignment.pairs[0].clone();
-        let blocks = self.columns.len() as u64;
-        let mut lists = self.columns.iter_mut().flat_map(|one| &mut one.points);
-        let mut points = lists.next().map(std::mem::take).unwrap_or_default();
-        for more in lists {
-            points.append(more);
-        }
-        let mut errors = PointErrors::default();
-        for more in self.columns.iter_mut().flat_map(|one| &mut one.errors) {
-            errors.abscissa.append(&mut more.abscissa);
-            errors.ordinate.append(&mut more.ordinate);
-        }
-        let lists = self.columns.iter_mut().flat_map(|one| &mut one.beside);
-        let mut beside: Vec<Beside> = lists.flat_map(std::mem::take).collect();
-        if beside.len() != points.len() && !kind.is_stiffness() {
-            // Times that are not those of all points tell nothing.
-            beside.clear();
-        }
-        for (list, source) in [
-            (&errors.abscissa, &pair.abscissa),
-            (&errors.ordinate, &pair.ordinate),
-        ] {
-            if !list.is_empty() && list.len() != points.len() {
-                return Err(Problem::SomeDeviations(source.role).into());
-            }
-        }
-        let known = points.iter().any(|point| point.direction.is_some());
-        let split_now = match self.format.segments {
-            Segments::Auto => kind == Kind::ForceHeight && !known,
-            Segments::File => false,
-            Segments::Split => true,
-        };
-        if split_now {
-            split(&mut points);
-        }
-        // While a sample is unloaded its load and its depth do not tell the contact radius.
-        let is_of_loading = matches!(kind, Kind::StiffnessLoad | Kind::StiffnessDepth)
-            && points.iter().any(|point| point.direction.is_some());
-        let only = self
-            .format
-            .only
-            .or(is_of_loading.then_some(Direction::Approach));
-        let mut keep = |is_kept: &dyn Fn(&Point) -> bool| {
-            let kept: Vec<bool> = points.iter().map(is_kept).collect();
-            retain(&mut points, &kept);
-            retain(&mut errors.abscissa, &kept);
-            retain(&mut errors.ordinate, &kept);
-            retain(&mut beside, &kept);
-            kept.iter().filter(|kept| !**kept).count() as u64
-        };
-        if let Some(only) = only {
-            self.other_segments += keep(&|point| point.direction == Some(only));
-        }
-        let outside = self.format.between.map_or(0, |[least, most]| {
-            // Numbers in another unit than those of the ends are rounded.
-            let slack = ROUNDING * least.abs().max(most.abs());
-            keep(&|point| (least - slack..=most + slack).contains(&point.abscissa))
-        });
-        if points.is_empty() {
-            return Err(Problem::NoPoints(self.count).into());
-        }
-        check_constant(&points, &pair)?;
-        let mut columns: Vec<Source> = Vec::new();
-        for pair in self.columns.iter().flat_map(|one| &one.assignment.pairs) {
-            let errors = pair.errors.iter().flatten().chain(&pair.beside);
-            for source in [&pair.abscissa, &pair.ordinate].into_iter().chain(errors) {
-                if !columns.contains(source) {
-                    columns.push(source.clone());
-                }
-            }
-        }
         let notes = Notes {
-            columns,
             missing: self.missing,
             pauses: self.pauses,
-            other_segments: self.other_segments,
-            outside,
-            blocks,
-            split: split_now,
             cantilever: self.format.cantilever,
             head: self.head,
-            doubt: sign::doubt(kind, &points, &pair),
+            ..Notes::default()
         };
-        let measurement = Measurement {
-            name: name.to_owned(),
-            kind,
-            points,
-        };
-        let loads = beside
-            .iter()
-            .map(|one| one.load)
-            .filter(|load| !load.is_nan());
-        let phases = beside.iter().map(|one| one.phase);
-        let times = beside
-            .iter()
-            .map(|one| one.time)
-            .filter(|time| !time.is_nan());
-        Ok(Reading {
-            measurement,
-            errors,
-            loads: loads.collect(),
-            phases: phases.filter(|phase| !phase.is_nan()).collect(),
-            times: times.collect(),
-            notes,
-        })
+        join(self.blocks, self.count, self.format, name, notes)
     }
 
     /// Refuses heads that differ in a value that was used.
@@ -562,12 +396,6 @@ impl Failure {
     }
 }
 
-/// Retains the items of a list that belong to kept points. An empty list stays empty.
-fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
-    let mut kept = kept.iter();
-    list.retain(|_| kept.next().is_some_and(|kept| *kept));
-}
-
 /// Returns the value of a cell in SI units; none if it is missing.
 fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f64>, Problem> {
     Err(match mark.read(text) {
@@ -578,29 +406,4 @@ fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f
         Cell::Thousands => Problem::Thousands(text.to_owned()),
         Cell::Text => Problem::NotANumber(text.to_owned()),
     })
-}
-
-/// Refuses a column that holds one value only.
-fn check_constant(points: &[Point], pair: &Pair) -> Result<(), Failure> {
-    for (source, value) in [
-        (
-            &pair.abscissa,
-            (|point| point.abscissa) as fn(&Point) -> f64,
-        ),
-        (&pair.ordinate, |point| point.ordinate),
-    ] {
-        let first = value(&points[0]);
-        if points.len() > 1 && points.iter().all(|point| value(point) == first) {
-            return Err(Failure {
-                line: None,
-                column: Some((source.index + 1, source.heading.clone())),
-                problem: Problem::Constant {
-                    role: source.role,
-                    points: points.len(),
-                    value: first,
-                },
-            });
-        }
-    }
-    Ok(())
 }

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::assignment::{Pair, Source};
+use super::assignment::Pair;
+use super::source::Source;
 use crate::{Kind, Point};
 
 /// The part of the range of the abscissa that is taken for the deepest.

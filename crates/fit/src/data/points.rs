@@ -1,0 +1,184 @@
+//! The points of a file: those of the rows below each line of headings, joined, selected and checked.
+
+use super::assignment::{Assignment, Pair};
+use super::beside::Beside;
+use super::failure::{Failure, Problem};
+use super::heading::Heading;
+use super::segment::split;
+use super::source::Source;
+use super::{Format, Notes, Reading, Segments, sign};
+use crate::{Direction, Kind, Measurement, Point, PointErrors};
+
+/// The rounding of a number in its unit.
+const ROUNDING: f64 = 1e-12;
+
+/// The columns of the rows up to the next headings, and their points.
+pub struct Block {
+    pub headings: Vec<Heading>,
+    pub assignment: Assignment,
+    /// The points of each pair of columns.
+    pub points: Vec<Points>,
+}
+
+impl Block {
+    pub fn new(headings: Vec<Heading>, assignment: Assignment) -> Self {
+        Self {
+            headings,
+            points: vec![Points::default(); assignment.pairs.len()],
+            assignment,
+        }
+    }
+
+    /// Returns the columns of every pair.
+    fn sources(&self) -> impl Iterator<Item = &Source> {
+        self.assignment.pairs.iter().flat_map(|pair| {
+            let errors = pair.errors.iter().flatten().chain(&pair.beside);
+            [&pair.abscissa, &pair.ordinate].into_iter().chain(errors)
+        })
+    }
+}
+
+/// Points, their standard deviations, and what stands beside them: of a contact stiffness, or the
+/// time. A list of these is empty where the file does not have them.
+#[derive(Clone, Default)]
+pub struct Points {
+    points: Vec<Point>,
+    errors: PointErrors,
+    beside: Vec<Beside>,
+}
+
+impl Points {
+    /// Adds a point with the standard deviations of abscissa and ordinate.
+    pub fn push(&mut self, point: Point, deviations: [Option<f64>; 2], beside: Option<Beside>) {
+        self.points.push(point);
+        self.errors.abscissa.extend(deviations[0]);
+        self.errors.ordinate.extend(deviations[1]);
+        self.beside.extend(beside);
+    }
+
+    fn append(&mut self, mut more: Self) {
+        self.points.append(&mut more.points);
+        self.errors.abscissa.append(&mut more.errors.abscissa);
+        self.errors.ordinate.append(&mut more.errors.ordinate);
+        self.beside.append(&mut more.beside);
+    }
+
+    /// Keeps some points and what belongs to them. Returns the number of the others.
+    fn keep(&mut self, is_kept: impl Fn(&Point) -> bool) -> u64 {
+        let kept: Vec<bool> = self.points.iter().map(is_kept).collect();
+        retain(&mut self.points, &kept);
+        retain(&mut self.errors.abscissa, &kept);
+        retain(&mut self.errors.ordinate, &kept);
+        retain(&mut self.beside, &kept);
+        kept.iter().filter(|kept| !**kept).count() as u64
+    }
+}
+
+/// Joins the points of all blocks, finds their directions, selects those asked for and checks them.
+/// There were `rows` rows; `notes` tell what is known of them.
+pub fn join(
+    blocks: Vec<Block>,
+    rows: u64,
+    format: &Format,
+    name: &str,
+    mut notes: Notes,
+) -> Result<Reading, Failure> {
+    let first = &blocks[0].assignment;
+    let (kind, pair) = (first.kind, first.pairs[0].clone());
+    notes.blocks = blocks.len() as u64;
+    for source in blocks.iter().flat_map(Block::sources) {
+        if !notes.columns.contains(source) {
+            notes.columns.push(source.clone());
+        }
+    }
+    let mut lists = blocks.into_iter().flat_map(|block| block.points);
+    let mut all = lists.next().unwrap_or_default();
+    for more in lists {
+        all.append(more);
+    }
+    if all.beside.len() != all.points.len() && !kind.is_stiffness() {
+        // Times that are not those of all points tell nothing.
+        all.beside.clear();
+    }
+    for (list, source) in [
+        (&all.errors.abscissa, &pair.abscissa),
+        (&all.errors.ordinate, &pair.ordinate),
+    ] {
+        if !list.is_empty() && list.len() != all.points.len() {
+            return Err(Problem::SomeDeviations(source.role).into());
+        }
+    }
+    let known = all.points.iter().any(|point| point.direction.is_some());
+    notes.split = match format.segments {
+        Segments::Auto => kind == Kind::ForceHeight && !known,
+        Segments::File => false,
+        Segments::Split => true,
+    };
+    if notes.split {
+        split(&mut all.points);
+    }
+    // While a sample is unloaded its load and its depth do not tell the contact radius.
+    let is_of_loading = matches!(kind, Kind::StiffnessLoad | Kind::StiffnessDepth)
+        && all.points.iter().any(|point| point.direction.is_some());
+    let only = is_of_loading.then_some(Direction::Approach);
+    if let Some(only) = format.only.or(only) {
+        notes.other_segments = all.keep(|point| point.direction == Some(only));
+    }
+    if let Some([least, most]) = format.between {
+        // Numbers in another unit than those of the ends are rounded.
+        let slack = ROUNDING * least.abs().max(most.abs());
+        notes.outside = all.keep(|point| (least - slack..=most + slack).contains(&point.abscissa));
+    }
+    if all.points.is_empty() {
+        return Err(Problem::NoPoints(rows).into());
+    }
+    check_constant(&all.points, &pair)?;
+    notes.doubt = sign::doubt(kind, &all.points, &pair);
+    let known = |value: fn(&Beside) -> f64| {
+        let values = all.beside.iter().map(value);
+        values.filter(|value| !value.is_nan()).collect()
+    };
+    Ok(Reading {
+        loads: known(|one| one.load),
+        phases: known(|one| one.phase),
+        times: known(|one| one.time),
+        measurement: Measurement {
+            name: name.to_owned(),
+            kind,
+            points: all.points,
+        },
+        errors: all.errors,
+        notes,
+    })
+}
+
+/// Retains the items of a list that belong to kept points. An empty list stays empty.
+fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
+    let mut kept = kept.iter();
+    list.retain(|_| kept.next().is_some_and(|kept| *kept));
+}
+
+/// Refuses a column that holds one value only.
+fn check_constant(points: &[Point], pair: &Pair) -> Result<(), Failure> {
+    for (source, value) in [
+        (
+            &pair.abscissa,
+            (|point| point.abscissa) as fn(&Point) -> f64,
+        ),
+        (&pair.ordinate, |point| point.ordinate),
+    ] {
+        let first = value(&points[0]);
+        if points.len() > 1 && points.iter().all(|point| value(point) == first) {
+            return Err(Failure {
+                line: None,
+                column: Some((source.index + 1, source.heading.clone())),
+                problem: Problem::Constant {
+                    role: source.role,
+                    points: points.len(),
+                    value: first,
+                },
+            });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,245 @@
+//! The column of a file that holds a quantity: the one that the user names, or the one that its heading
+//! tells.
+
+use super::column::{Column, Role};
+use super::failure::{Failure, Found, Problem};
+use super::heading::Heading;
+use super::unit::{Dimension, Unit};
+use super::{Cantilever, Format};
+use crate::Direction;
+
+/// Where a quantity comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Source {
+    /// What the column holds.
+    pub role: Role,
+    /// The number of the column, from 0.
+    pub index: usize,
+    /// The unit.
+    pub unit: Unit,
+    /// The factor to SI units, with the sign.
+    pub factor: f64,
+    /// The heading.
+    pub heading: String,
+    /// Whether the column has no unit and is taken to be in SI units.
+    pub assumed_si: bool,
+}
+
+/// The headings, and what the user says about them.
+pub(super) struct Columns<'a> {
+    pub headings: &'a [Heading],
+    pub format: &'a Format,
+    /// A line that says that the cantilever is not calibrated.
+    pub uncalibrated: Option<u64>,
+}
+
+impl Columns<'_> {
+    /// Returns the column that the user names, or the one that is recognised.
+    pub(super) fn find(
+        &self,
+        role: Role,
+        direction: Option<Direction>,
+    ) -> Result<Option<Source>, Failure> {
+        let unique = |indices: &[usize]| match indices {
+            [] => Ok(None),
+            [index] => Ok(Some(*index)),
+            [first, second, ..] => Err(Failure::from(Problem::Duplicate {
+                role,
+                numbers: [first + 1, second + 1],
+            })),
+        };
+        let columns = self.format.columns.iter();
+        let named: Vec<Named> = columns
+            .filter(|column| column.role == role)
+            .map(|column| self.named(column))
+            .collect::<Result<_, _>>()?;
+        if !named.is_empty() {
+            let has = |one: &&Named| role == Role::Segment || one.direction == direction;
+            let of: Vec<&Named> = named.iter().filter(has).collect();
+            let indices: Vec<usize> = of.iter().map(|one| one.index).collect();
+            return unique(&indices)?
+                .map(|index| self.source(role, index, of[0].unit, of[0].negative))
+                .transpose();
+        }
+        for name in names(role) {
+            let matches =
+                |heading: &Heading| heading.direction == direction && is_named(heading, role, name);
+            if let Some(index) = unique(&self.positions(matches))? {
+                let others = |name: &str| self.headings.iter().any(|other| other.name == name);
+                let inverted = role.is_inverted(name.0, others);
+                return self
+                    .source(role, index, self.headings[index].unit, inverted)
+                    .map(Some);
+            }
+        }
+        Ok(None)
+    }
+
+    pub(super) fn positions(&self, matches: impl Fn(&Heading) -> bool) -> Vec<usize> {
+        let headings = self.headings.iter().enumerate();
+        headings
+            .filter(|(_, heading)| matches(heading))
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// Returns the column that the user names.
+    pub(super) fn named(&self, column: &Column) -> Result<Named, Failure> {
+        let wanted = Heading::parse(&column.heading);
+        let index = match self.places(column, &wanted)[..] {
+            [index] => index,
+            [] => {
+                let problem = Problem::UnknownHeading {
+                    role: column.role,
+                    wanted: column.heading.clone(),
+                    columns: self.found(),
+                };
+                return Err(problem.into());
+            }
+            [first, second, ..] => {
+                let problem = Problem::Duplicate {
+                    role: column.role,
+                    numbers: [first + 1, second + 1],
+                };
+                return Err(problem.into());
+            }
+        };
+        let heading = &self.headings[index];
+        Ok(Named {
+            index,
+            unit: wanted.unit.or(heading.unit),
+            direction: wanted.direction.or(heading.direction),
+            negative: column.negative,
+        })
+    }
+
+    /// Returns the columns that the user can mean: those with this heading, else those with this
+    /// name, else the one with this number.
+    fn places(&self, column: &Column, wanted: &Heading) -> Vec<usize> {
+        let exact = self.positions(|heading| heading.text == column.heading);
+        if !exact.is_empty() {
+            return exact;
+        }
+        let alike = self.positions(|heading| {
+            heading.name == wanted.name
+                && heading.direction == wanted.direction
+                && (heading.unit.is_none() || wanted.unit.is_none() || heading.unit == wanted.unit)
+        });
+        if !alike.is_empty() {
+            return alike;
+        }
+        let number = wanted.name.parse().unwrap_or(0);
+        let is_there = (1..=self.headings.len()).contains(&number);
+        is_there.then(|| number - 1).into_iter().collect()
+    }
+
+    /// Returns the source of a role in a column, with its factor to SI units.
+    pub(super) fn source(
+        &self,
+        role: Role,
+        index: usize,
+        unit: Option<Unit>,
+        negative: bool,
+    ) -> Result<Source, Failure> {
+        let heading = self.headings[index].text.clone();
+        let at = |problem| Failure {
+            line: None,
+            column: Some((index + 1, heading.clone())),
+            problem,
+        };
+        let assumed_si = role != Role::Segment && unit.is_none();
+        let unit = match unit {
+            Some(unit) if role.accepts(unit) => unit,
+            Some(_) => return Err(Problem::WrongUnit { role, heading }.into()),
+            None if role == Role::Segment || role.is_si(&heading) => Unit::si(role.dimension()),
+            None => {
+                let heading = match &heading[..] {
+                    "" => (index + 1).to_string(),
+                    text => text.to_owned(),
+                };
+                return Err(at(Problem::NoUnit { role, heading }));
+            }
+        };
+        let Cantilever {
+            stiffness,
+            sensitivity,
+        } = self.format.cantilever;
+        let mut factor = if negative { -unit.size } else { unit.size };
+        if role == Role::Deflection {
+            let volts = unit.dimension == Dimension::Voltage;
+            let (Some(stiffness), Some(sensitivity)) =
+                (stiffness, if volts { sensitivity } else { Some(1.0) })
+            else {
+                return Err(at(Problem::NoCantilever {
+                    volts,
+                    uncalibrated: self.uncalibrated,
+                }));
+            };
+            let is_sound = stiffness > 0.0 && sensitivity != 0.0;
+            factor *= stiffness * sensitivity;
+            if !is_sound || !factor.is_finite() || factor == 0.0 {
+                return Err(at(Problem::NoForce {
+                    stiffness,
+                    sensitivity: volts.then_some(sensitivity),
+                }));
+            }
+        }
+        Ok(Source {
+            role,
+            index,
+            unit,
+            factor,
+            heading,
+            assumed_si,
+        })
+    }
+
+    /// Returns the columns, as far as their headings and the user tell.
+    pub(super) fn found(&self) -> Vec<Found> {
+        let is_given = |index: usize, role: Role| {
+            self.format.columns.iter().any(|column| {
+                column.role == role
+                    && self.places(column, &Heading::parse(&column.heading)) == [index]
+            })
+        };
+        let role = |(index, heading): (usize, &Heading)| {
+            let mut roles = Role::ALL.into_iter();
+            roles.find(|&role| {
+                is_given(index, role) || names(role).any(|name| is_named(heading, role, name))
+            })
+        };
+        let headings = self.headings.iter().enumerate();
+        headings
+            .map(|column| Found {
+                heading: column.1.text.clone(),
+                unit: column.1.unit,
+                role: role(column),
+            })
+            .collect()
+    }
+}
+
+/// Returns the names under which a role is recognised, and whether a name needs a unit: a
+/// deflection in newtons is a load.
+fn names(role: Role) -> impl Iterator<Item = (&'static str, bool)> {
+    let forces = (role == Role::Load).then(|| Role::Deflection.headings());
+    let own = role.headings().iter().map(|name| (*name, false));
+    own.chain(forces.into_iter().flatten().map(|name| (*name, true)))
+}
+
+/// Tells whether a heading is recognised as a role by one of its names.
+fn is_named(heading: &Heading, role: Role, (name, needs_unit): (&str, bool)) -> bool {
+    heading.name == name
+        && match heading.unit {
+            Some(unit) => role.accepts(unit),
+            None => !needs_unit,
+        }
+}
+
+/// A column that the user names.
+pub(super) struct Named {
+    pub index: usize,
+    pub unit: Option<Unit>,
+    direction: Option<Direction>,
+    negative: bool,
+}
