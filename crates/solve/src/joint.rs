@@ -28,7 +28,7 @@
 
 use fearless_simd::prelude::*;
 
-use crate::slab::{Minors, scaled, sum};
+use crate::minors::{Minors, scaled, sum};
 use crate::stack::Interface;
 
 /// What joins a layer to what lies below it.

@@ -17,7 +17,8 @@ use interp::Material;
 
 use crate::excess::{largest_excess, shear};
 use crate::joint::Joint;
-use crate::slab::{Minors, Samples, Slab, scaled, sum};
+use crate::minors::{Minors, scaled, sum};
+use crate::slab::{Samples, Slab};
 use crate::stack::Stack;
 use crate::surface::{
     AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,

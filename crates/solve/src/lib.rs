@@ -1,11 +1,11 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
 //! `compliance` is the film on its substrate, `layered` a stack of layers on its base (with `slab`,
-//! one layer, `joint`, its lower interface, `exponential`, `excess`, a bound, and `sampled`, its
+//! one layer, `joint`, its lower interface, `minors`, `exponential`, `excess`, a bound, and `sampled`, its
 //! interpolation); `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
 //! `quadrature`, `bessel`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
-//! (with `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
+//! (with `path`, `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
 //! `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
 //! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
@@ -52,9 +52,11 @@ mod krylov;
 mod layered;
 mod matrix;
 mod method;
+mod minors;
 mod moment;
 mod operator;
 pub mod parallel;
+mod path;
 mod power_law;
 mod quadrature;
 mod read_out;

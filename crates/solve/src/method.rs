@@ -2,8 +2,8 @@
 
 use interp::Quantities;
 
-use crate::contour::Path;
 use crate::estimate::Estimate;
+use crate::path::Path;
 use crate::power_law::PowerLaw;
 use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;

@@ -66,12 +66,10 @@ use fearless_simd::prelude::*;
 use crate::compliance::hyperbolic_rests;
 use crate::exponential::exponential;
 use crate::joint::Joint;
+use crate::minors::{Minors, sum};
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.
 pub const SWITCH: f64 = 1.0;
-
-/// The minors `(d, c11, c12, c22, D)` at several wave numbers, or their derivatives.
-pub type Minors<S> = [<S as Simd>::f64s; 5];
 
 /// The numbers of one layer.
 #[derive(Clone, Copy, Debug)]
@@ -312,22 +310,4 @@ impl Slab {
             fall * 4.0,
         ]
     }
-}
-
-/// Returns `a + factor b`.
-#[inline(always)]
-pub fn sum<S: Simd>(mut a: Minors<S>, factor: S::f64s, b: Minors<S>) -> Minors<S> {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a = factor.mul_add(b, *a);
-    }
-    a
-}
-
-/// Returns `factor a`.
-#[inline(always)]
-pub fn scaled<S: Simd>(factor: S::f64s, mut a: Minors<S>) -> Minors<S> {
-    for a in &mut a {
-        *a *= factor;
-    }
-    a
 }

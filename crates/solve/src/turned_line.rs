@@ -15,8 +15,8 @@
 
 use num_complex::Complex64;
 
-use crate::contour::{Logarithm, Path, RAY, influence};
 use crate::matrix::Matrix;
+use crate::path::{Logarithm, Path, RAY, influence};
 use crate::quadrature::GaussLegendre;
 use crate::symbol::Symbol;
 

@@ -79,9 +79,10 @@
 use num_complex::Complex64;
 
 use crate::compliance::{FLAT, SINE_OF_FREE_ANGLE};
-use crate::contour::{Contour, LEVELS, Path};
+use crate::contour::{Contour, LEVELS};
 use crate::estimate::{Estimate, larger};
 use crate::krylov;
+use crate::path::Path;
 use crate::read_out::Fields;
 use crate::symbol::Symbol;
 

@@ -26,7 +26,8 @@ use fearless_simd::{Level, dispatch};
 
 use crate::exponential::exponential;
 use crate::layered::LayeredCompliance;
-use crate::slab::{Minors, SWITCH, Slab};
+use crate::minors::Minors;
+use crate::slab::{SWITCH, Slab};
 
 /// `X11 - 1`, `X12 - b` and `X22 - 1`, or their slopes `q d/dq`, in this order.
 pub type Three<T> = [T; 3];

@@ -35,8 +35,9 @@ use crate::operator::{ROUNDING, TRUNCATION_SAFETY, quadrature_errors};
 use crate::quadrature::Panels;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
-use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Factors};
+use crate::stick::coulomb::{ASYMPTOTIC, Coulomb};
 use crate::stick::lattice::{beyond, matrix};
+use crate::stick::transforms::{Factors, Transforms};
 use crate::surface::SurfaceCompliance;
 
 /// The bodies at the wave numbers of the integrals, for punches up to some radius.
@@ -177,7 +178,8 @@ impl<'a> Waves<'a> {
             [at_edge(y11, &cosines), at_edge(y12, &sines)],
             [at_edge(y12, &cosines), at_edge(y22, &sines)],
         ];
-        let transforms = coulomb.transforms(
+        let transforms = Transforms::new(
+            &coulomb,
             &z,
             &Factors {
                 products: products.each_ref().map(Vec::as_slice),
@@ -246,7 +248,7 @@ impl<'a> Waves<'a> {
         solve_upper_triangular_in_place(matrix.transpose(), asked, Par::Seq);
 
         let c = solutions.col_as_slice(0);
-        let [p_hat, q_hat] = coulomb.fields(&transforms, c);
+        let [p_hat, q_hat] = transforms.fields(&coulomb, c);
         let eeq = c0 * c[0];
         // The terms of the quadratic form of the matrix. Of a wide contact all are positive; elsewhere
         // the unit matrix is one of two that may cancel. Those of the slopes are up to three times
@@ -291,7 +293,7 @@ impl<'a> Waves<'a> {
         // Beyond the panels, the coupling at the edge is that of `cos^2 z/z`.
         let cut = y12[rows - 1].abs() / (2.0 * PI * self.end) * end.powi(2).min(1.0);
         let answer = with_answer.then(|| {
-            let [p_hat, q_hat] = coulomb.fields(&transforms, solutions.col_as_slice(1));
+            let [p_hat, q_hat] = transforms.fields(&coulomb, solutions.col_as_slice(1));
             (0..rows)
                 .map(|k| y11[k] * (cosines[k] - p_hat[k]) - y12[k] * q_hat[k])
                 .collect()

@@ -28,7 +28,8 @@ use std::f64::consts::FRAC_2_PI;
 use faer::Mat;
 use fearless_simd::{Level, dispatch};
 
-use crate::stick::coulomb::{ASYMPTOTIC, Coulomb, Sums};
+use crate::stick::coulomb::{ASYMPTOTIC, Coulomb};
+use crate::stick::transforms::Sums;
 
 /// The rows `m = 0` and 1 of products.
 type Rows = [Vec<f64>; 2];
@@ -175,7 +176,8 @@ pub fn beyond(coulomb: &Coulomb, z: f64) -> Rows {
 mod tests {
     use super::*;
     use crate::estimate::larger;
-    use crate::stick::coulomb::{Factors, LANES};
+    use crate::stick::coulomb::LANES;
+    use crate::stick::transforms::{Factors, Transforms};
 
     /// The elements are the sums over products of the transforms, for every `eps`.
     #[test]
@@ -200,7 +202,7 @@ mod tests {
                     products: [normal, mixed, shear],
                     single: [[normal; 2]; 2],
                 };
-                let transforms = coulomb.transforms(&z, &factors);
+                let transforms = Transforms::new(&coulomb, &z, &factors);
                 let found = matrix(&coulomb, &transforms.sums, None);
                 let fields: Vec<_> = (0..modes).map(|n| transforms.mode(&coulomb, n)).collect();
                 for m in 0..modes {
@@ -243,7 +245,7 @@ mod tests {
             products: [&weights, &nothing, &weights],
             single: [[&nothing; 2]; 2],
         };
-        let transforms = coulomb.transforms(&z, &factors);
+        let transforms = Transforms::new(&coulomb, &z, &factors);
         let unit = matrix(&coulomb, &transforms.sums, Some(beyond(&coulomb, end)));
         let mut worst: f64 = 0.0;
         for m in 0..modes {

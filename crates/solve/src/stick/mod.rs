@@ -2,8 +2,8 @@
 //!
 //! The model without friction lets the surfaces slide freely; this is the other end of all laws of
 //! friction. `compliances` has the three surface compliances of a film or a stack of layers,
-//! `bodies` adds the sphere, and `coulomb` has the transforms in which the fields are expanded
-//! (`lattice` makes the matrix of their products). `field` solves one flat punch, for every Poisson ratio. A sphere needs
+//! `bodies` adds the sphere, and `transforms` has those of the functions in which the fields are expanded,
+//! made of the wave functions of `coulomb`; `lattice` makes the matrix of their products. `field` solves one flat punch, for every Poisson ratio. A sphere needs
 //! the punches of all smaller radii: `growth` is the Volterra equation along them, with the
 //! quadrature of `integration`, where Dundurs' beta of sphere and film is 0. `sticking` solves both
 //! to a tolerance, and `curve` makes the curves that a `contact::Contact` takes.
@@ -45,6 +45,7 @@ mod growth;
 mod integration;
 mod lattice;
 mod sticking;
+mod transforms;
 
 pub use curve::StickCurves;
 pub use growth::Grown;
