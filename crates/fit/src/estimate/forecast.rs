@@ -6,8 +6,8 @@ use nalgebra::DVector;
 use super::problem::{Assigned, Problem};
 use super::search::{ends, hold_back, near_the_end};
 use super::slot::slots;
-use super::solve::{estimates, slot_names};
-use super::uncertainty::Uncertainty;
+use super::solve::slot_names;
+use super::uncertainty::{Uncertainty, estimates};
 use crate::{Branch, Error, Experiment, Forecast, Free, Loss, Parameter};
 
 /// The rounds in which points near the end of a branch are left out.

@@ -6,13 +6,13 @@ use super::minima::{Minimum, minimum};
 use super::problem::{Assigned, Ending, Problem};
 use super::search::Data;
 use super::slot::{Slot, slots};
-use super::uncertainty::Uncertainty;
+use super::uncertainty::{Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::deviations;
 use crate::{
-    Bodies, Branch, Error, Estimate, Experiment, Fit, FittedExperiment, FittedPoint,
-    FittedRelaxation, Free, LeftOut, LossAngle, Options, Parameter,
+    Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, FittedRelaxation, Free,
+    LeftOut, LossAngle, Options, Parameter,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -229,20 +229,6 @@ fn accept(options: &Options) -> Result<(), Error> {
         });
     }
     Ok(())
-}
-
-/// Returns the values found, with their standard errors.
-pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>) -> Vec<Estimate> {
-    let estimate = |(i, slot): (usize, &Slot)| Estimate {
-        parameter: slot.parameter,
-        experiment: slot.experiment,
-        value: problem.value(i),
-        standard_error: uncertainty.map_or(f64::NAN, |uncertainty| {
-            uncertainty.relative_error(i) * uncertainty.sizes[i]
-        }),
-        profile: None,
-    };
-    problem.slots.iter().enumerate().map(estimate).collect()
 }
 
 /// Returns the names of the values to be found.

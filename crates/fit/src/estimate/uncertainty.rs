@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::loss::influence;
 use super::problem::Problem;
-use crate::{Combination, Loss};
+use super::slot::Slot;
+use crate::{Combination, Estimate, Loss};
 
 /// The standard error, relative to the value (for offsets, to the range of the data), above which a
 /// parameter or a combination of parameters counts as not determined.
@@ -151,4 +152,18 @@ fn scatter(loss: Loss, residuals: &DVector<f64>, parameters: usize) -> (f64, f64
     let variance = slopes_squared / n - mean * mean;
     let correction = 1.0 + p / n * variance / (mean * mean);
     (correction * (squares / (n - p)).sqrt() / mean, mean)
+}
+
+/// Returns the values found, with their standard errors.
+pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>) -> Vec<Estimate> {
+    let estimate = |(i, slot): (usize, &Slot)| Estimate {
+        parameter: slot.parameter,
+        experiment: slot.experiment,
+        value: problem.value(i),
+        standard_error: uncertainty.map_or(f64::NAN, |uncertainty| {
+            uncertainty.relative_error(i) * uncertainty.sizes[i]
+        }),
+        profile: None,
+    };
+    problem.slots.iter().enumerate().map(estimate).collect()
 }

@@ -5,9 +5,8 @@ use interp::{HalfSpace, Table};
 use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
 use super::slot::Slot;
-use super::solve::estimates;
 use super::start::{self, Variation};
-use super::uncertainty::Uncertainty;
+use super::uncertainty::{Uncertainty, estimates};
 use crate::{Bodies, Branch, Free, Loss, ModulusBias, Parameter, WithoutFilm};
 
 /// The most evaluations over the number of parameters + 1.

@@ -8,7 +8,7 @@
 
 use contact::Contact;
 
-use super::predict::{BranchEnd, Predicted};
+use super::predicted::{BranchEnd, Predicted};
 use super::{Bodies, Branch, Experiment, Parameter};
 use crate::Error;
 

@@ -4,6 +4,7 @@
 use contact::{Contact, Derivatives, Equilibria, Input, State};
 use interp::Probe;
 
+use super::predicted::{BranchEnd, Predicted};
 use super::readings::imposed;
 use super::turn::Turn;
 use super::{Branch, Direction, Experiment, Kind, Parameter};
@@ -11,30 +12,6 @@ use super::{Branch, Direction, Experiment, Kind, Parameter};
 /// Contacts whose radius is within this factor of that at the end of the branch give the slope by
 /// which a branch is continued beyond its end.
 const NEAR_END: f64 = 1.1;
-
-/// The predictions for all points of an experiment.
-#[derive(Clone, Debug)]
-pub(crate) struct Predicted {
-    /// The ordinates; those of points that are left out mean nothing.
-    pub values: Vec<f64>,
-    /// The contact radii, m; 0 without a contact.
-    pub radii: Vec<f64>,
-    /// The points beyond the end of their branch.
-    pub beyond: Vec<bool>,
-    /// The points in the contact of the turn, whose line does not move.
-    pub pinned: Vec<bool>,
-    /// The derivatives with respect to each of the parameters asked for, point after point.
-    pub derivatives: Vec<f64>,
-}
-
-/// The end of a stable branch.
-#[derive(Clone, Debug)]
-pub(crate) struct BranchEnd {
-    /// The abscissa at which it ends.
-    pub abscissa: f64,
-    /// The derivatives of this abscissa with respect to the parameters asked for.
-    pub derivatives: Vec<f64>,
-}
 
 impl Experiment {
     /// Predicts all points that are not left out. `order` lists the points by descending imposed

@@ -6,7 +6,7 @@ use contact::{Contact, HistoryInputs, Input, LawParameter, Relaxation};
 use interp::{Elastic, Table};
 
 use super::differences::ContactOf;
-use super::predict::Predicted;
+use super::predicted::Predicted;
 use super::{Bodies, Branch, Experiment, Kind, Parameter};
 use crate::Error;
 

@@ -2,7 +2,7 @@
 
 use contact::{Contact, Derivatives, Input, State};
 
-use super::predict::Predicted;
+use super::predicted::Predicted;
 use super::readings::imposed;
 use super::{Branch, Experiment, Parameter};
 

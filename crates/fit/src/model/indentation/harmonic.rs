@@ -8,7 +8,7 @@
 
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
-use crate::model::predict::Predicted;
+use crate::model::predicted::Predicted;
 use crate::{Bodies, Branch, Error, Experiment, Parameter};
 
 /// The step of `ln E1` by which the derivatives of `ln S` are found, from five moduli.

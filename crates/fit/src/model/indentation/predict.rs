@@ -5,7 +5,7 @@
 
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
-use crate::model::predict::Predicted;
+use crate::model::predicted::Predicted;
 use crate::{Branch, Error, Experiment, Kind, PointErrors};
 
 /// The change of the logarithm of a stiffness by which the part of its noise that is in the contact

@@ -1,0 +1,25 @@
+//! What the model predicts for the points of an experiment.
+
+/// The predictions for all points of an experiment.
+#[derive(Clone, Debug)]
+pub(crate) struct Predicted {
+    /// The ordinates; those of points that are left out mean nothing.
+    pub values: Vec<f64>,
+    /// The contact radii, m; 0 without a contact.
+    pub radii: Vec<f64>,
+    /// The points beyond the end of their branch.
+    pub beyond: Vec<bool>,
+    /// The points in the contact of the turn, whose line does not move.
+    pub pinned: Vec<bool>,
+    /// The derivatives with respect to each of the parameters asked for, point after point.
+    pub derivatives: Vec<f64>,
+}
+
+/// The end of a stable branch.
+#[derive(Clone, Debug)]
+pub(crate) struct BranchEnd {
+    /// The abscissa at which it ends.
+    pub abscissa: f64,
+    /// The derivatives of this abscissa with respect to the parameters asked for.
+    pub derivatives: Vec<f64>,
+}
