@@ -88,7 +88,7 @@ pub enum Error {
     #[error(
         "the table would have {} nodes and {values} values, where at most {} nodes on an axis and {most} values are allowed; ask for a larger \
          tolerance, a smaller box or fewer nodes",
-        shape.map(|nodes| nodes.to_string()).join(" x "), crate::table::scene::MOST_NODES
+        shape.map(|nodes| nodes.to_string()).join(" x "), crate::table::extent::MOST_NODES
     )]
     TooLarge {
         /// The nodes on each axis.

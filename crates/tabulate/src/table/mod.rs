@@ -1,7 +1,7 @@
 //! From a scene to the file of its certified table.
 //!
-//! A `scene` states the box of parameters (`scene_text` has its keys, `stack_scene` those of a
-//! stack of layers). `plan` places the nodes of each axis by a rule of
+//! A `scene` states the box of parameters (`extent`; `scene_text` has its keys,
+//! `stack_scene` those of a stack of layers). `plan` places the nodes of each axis by a rule of
 //! `placement`, with as few nodes as the splines on `lines` through the box need. `sweep` solves
 //! the nodes, into the `journal`, from which an interrupted run goes on. `certify` measures the
 //! certificate: the largest error at sampled points. `file` writes the file, packed or by
@@ -14,6 +14,7 @@ mod budget;
 mod build;
 mod certify;
 mod compress;
+pub(crate) mod extent;
 mod file;
 mod generate;
 mod journal;
@@ -34,6 +35,7 @@ pub use certify::{
     Sample, certificate, certify, default_points, errors_by_quantity, measure, points_for, sample,
 };
 pub use compress::{compress, low_rank};
+pub use extent::Extent;
 pub use generate::{
     Generated, Here, Keep, Observer, Options, Solver, generate, generate_with, journal_of,
 };
@@ -41,5 +43,6 @@ pub use lines::{lines, logarithms};
 pub use of_stack::StackTable;
 pub use placement::{EVENNESS, Placement, places};
 pub use plan::Plan;
-pub use scene::{DEFAULT_NU0, Extent, Scene, random_points};
+pub use scene::{Scene, random_points};
+pub use scene_text::DEFAULT_NU0;
 pub use sweep::{Sweep, Values, solve_tolerance, sweep};

@@ -9,9 +9,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::Error;
 use crate::table::budget::Budget;
+use crate::table::extent::{Extent, MOST_NODES};
 use crate::table::lines::Lines;
 use crate::table::placement::{EVENNESS, Placement};
-use crate::table::scene::{Extent, MOST_NODES, Scene};
+use crate::table::scene::Scene;
 
 /// The nodes of a table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

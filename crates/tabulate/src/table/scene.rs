@@ -15,42 +15,10 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::stack::NamedStack;
+use crate::table::extent::{Bounds, Extent};
 use crate::table::scene_text::{Text, checked, within};
 use crate::table::stack_scene;
 use crate::{Error, input};
-
-/// The values of one parameter in a checked scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Extent {
-    /// One number. The parameter is held fixed and adds no cost.
-    Fixed(f64),
-    /// A range. The planner chooses its nodes.
-    Range {
-        /// The smallest value.
-        from: f64,
-        /// The largest value.
-        to: f64,
-    },
-    /// A range with a stated number of nodes, evenly spaced in the parameter's coordinate.
-    Even {
-        /// The smallest value.
-        from: f64,
-        /// The largest value.
-        to: f64,
-        /// The number of nodes, two or more.
-        nodes: usize,
-    },
-}
-
-impl Extent {
-    /// Returns the smallest and the largest value.
-    pub const fn ends(&self) -> [f64; 2] {
-        match *self {
-            Self::Fixed(value) => [value; 2],
-            Self::Range { from, to } | Self::Even { from, to, .. } => [from, to],
-        }
-    }
-}
 
 /// A checked scene.
 #[derive(Clone, Debug)]
@@ -74,66 +42,49 @@ pub struct Scene {
     pub text: String,
 }
 
-/// The box of a scene, and what it is of.
-pub(super) struct Bounds {
-    pub(super) parameters: [Parameter; 4],
-    pub(super) extents: [Extent; 4],
-    pub(super) nu0: SubstratePoissonRatio,
-    pub(super) stack: Option<NamedStack>,
-}
-
-impl Bounds {
-    /// Returns the box of films on substrates.
-    fn of_films(scene: &Text) -> Result<Self, String> {
-        let (parameters, [film, substrate]) = match (
-            [&scene.e1_over_e2, &scene.e0_over_e2],
-            [&scene.e1s_over_einfs, &scene.e0s_over_e2s],
-        ) {
-            ([Some(film), Some(substrate)], [None, None]) => (Parameter::ALL, [film, substrate]),
-            ([None, None], [Some(film), Some(substrate)]) => {
-                (Parameter::REDUCED, [film, substrate])
-            }
-            _ => {
-                return Err(
-                    "the moduli must be given by e1_over_e2 and e0_over_e2 (Young's moduli over \
-                     E2*), or by e1s_over_einfs and e0s_over_e2s (ratios of reduced moduli)"
-                        .into(),
-                );
-            }
-        };
-        let Some(nu1) = &scene.nu1 else {
-            return Err("nu1 is missing: give a number or a range in (-1, 0.5]".into());
-        };
-        let mut extents = [Extent::Fixed(0.0); 4];
-        let given = [&scene.a_over_t, film, nu1, substrate];
-        for ((extent, parameter), values) in extents.iter_mut().zip(parameters).zip(given) {
-            *extent = checked(parameter, values)?;
-        }
-        let nu0 = scene.nu0.clone().unwrap_or_default().into();
-        // The pairs of Poisson ratios are those of film and substrate with 0 to 0.5.
-        if nu0 == SubstratePoissonRatio::Paired && extents[2].ends()[0] < 0.0 {
-            return Err(format!(
-                "nu1 = {:?} has no pair: with nu0 = \"paired\", nu1 must be in 0 to 0.5",
-                extents[2].ends()[0]
-            ));
-        }
-        Ok(Self {
-            parameters,
-            extents,
-            nu0,
-            stack: None,
-        })
-    }
-}
-
-/// The Poisson ratio of the substrate where none is stated.
-pub const DEFAULT_NU0: f64 = 0.25;
 /// The smallest and the largest tolerance of a table.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
 /// The largest number of bytes of a scene file. A larger one is taken for a mistake.
 const LONGEST: u64 = 1 << 20;
-/// The largest number of nodes on an axis. A larger one is taken for a mistake.
-pub(crate) const MOST_NODES: usize = 10_000;
+/// Returns the box of films on substrates.
+fn box_of_films(scene: &Text) -> Result<Bounds, String> {
+    let (parameters, [film, substrate]) = match (
+        [&scene.e1_over_e2, &scene.e0_over_e2],
+        [&scene.e1s_over_einfs, &scene.e0s_over_e2s],
+    ) {
+        ([Some(film), Some(substrate)], [None, None]) => (Parameter::ALL, [film, substrate]),
+        ([None, None], [Some(film), Some(substrate)]) => (Parameter::REDUCED, [film, substrate]),
+        _ => {
+            return Err(
+                "the moduli must be given by e1_over_e2 and e0_over_e2 (Young's moduli over \
+                 E2*), or by e1s_over_einfs and e0s_over_e2s (ratios of reduced moduli)"
+                    .into(),
+            );
+        }
+    };
+    let Some(nu1) = &scene.nu1 else {
+        return Err("nu1 is missing: give a number or a range in (-1, 0.5]".into());
+    };
+    let mut extents = [Extent::Fixed(0.0); 4];
+    let given = [&scene.a_over_t, film, nu1, substrate];
+    for ((extent, parameter), values) in extents.iter_mut().zip(parameters).zip(given) {
+        *extent = checked(parameter, values)?;
+    }
+    let nu0 = scene.nu0.clone().unwrap_or_default().into();
+    // The pairs of Poisson ratios are those of film and substrate with 0 to 0.5.
+    if nu0 == SubstratePoissonRatio::Paired && extents[2].ends()[0] < 0.0 {
+        return Err(format!(
+            "nu1 = {:?} has no pair: with nu0 = \"paired\", nu1 must be in 0 to 0.5",
+            extents[2].ends()[0]
+        ));
+    }
+    Ok(Bounds {
+        parameters,
+        extents,
+        nu0,
+        stack: None,
+    })
+}
 
 impl Scene {
     /// Reads a scene file. `tolerance` replaces the scene's own.
@@ -182,7 +133,7 @@ impl Scene {
             stack,
         } = match scene.stack.clone() {
             Some(stack) => stack_scene::bounds(&scene, stack)?,
-            None => Bounds::of_films(&scene)?,
+            None => box_of_films(&scene)?,
         };
         let scene = Self {
             title: scene.title,

@@ -7,9 +7,11 @@ use serde::de::{Error as _, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use crate::stack;
-use crate::table::scene::{DEFAULT_NU0, Extent, MOST_NODES};
+use crate::table::extent::{Extent, MOST_NODES};
 use solve::A_OVER_T;
 
+/// The Poisson ratio of the substrate where none is stated.
+pub const DEFAULT_NU0: f64 = 0.25;
 /// The ratios of moduli of a table, besides 0 and infinity.
 const MODULI: [f64; 2] = [1e-30, 1e30];
 

@@ -3,7 +3,7 @@
 use interp::{Parameter, SubstratePoissonRatio};
 
 use crate::stack;
-use crate::table::scene::{Bounds, Extent};
+use crate::table::extent::{Bounds, Extent};
 use crate::table::scene_text::{Text, checked};
 use solve::check_reach;
 use solve::stack::Stack;
