@@ -129,3 +129,8 @@ impl Points {
         Ok(results.map(|result| PyArray1::from_vec(py, result)))
     }
 }
+
+/// Returns the columns of rows as arrays.
+pub fn columns<'py, const N: usize>(py: Python<'py>, rows: &[[f64; N]]) -> [Output<'py>; N] {
+    std::array::from_fn(|i| PyArray1::from_iter(py, rows.iter().map(|row| row[i])))
+}

@@ -5,13 +5,13 @@
 use std::path::PathBuf;
 
 use ::solve::stack::{Interface, Layer, Stack};
+use ::solve::stick::Sticking;
 use interp::{Elastic, Error, HalfSpace, Probe, System};
 use numpy::PyReadonlyArray1;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use tabulate::stack::NamedStack;
 
-use crate::error::OrRaise as _;
+use crate::error::{OrRaise as _, unknown};
 
 /// Young's modulus and Poisson ratio.
 pub type Solid = (f64, f64);
@@ -42,6 +42,39 @@ pub struct NativeStackSystem {
     pub system: System,
 }
 
+/// Bodies with a film or layers.
+#[derive(FromPyObject)]
+pub enum Coated<'py> {
+    #[pyo3(transparent)]
+    Film(Bound<'py, NativeSystem>),
+    #[pyo3(transparent)]
+    Layers(Bound<'py, NativeStackSystem>),
+}
+
+/// A system, and the layers if there are some.
+pub type Parts<'a> = (&'a System, Option<&'a NamedStack>);
+
+impl Coated<'_> {
+    /// Returns the bodies in Rust.
+    pub fn get(&self) -> Parts<'_> {
+        match self {
+            Self::Film(film) => (&film.get().0, None),
+            Self::Layers(layers) => {
+                let NativeStackSystem { named, system } = layers.get();
+                (system, Some(named))
+            }
+        }
+    }
+}
+
+/// Returns the bodies of a sphere of the Poisson ratio `nu2` that sticks.
+pub fn sticking((system, named): Parts<'_>, nu2: f64) -> Result<Sticking, ::solve::Error> {
+    match named {
+        None => Sticking::on_film(&system.material()?, nu2),
+        Some(named) => Sticking::on_stack(&named.stack, system.sphere_modulus, nu2),
+    }
+}
+
 /// Makes a solid.
 fn solid((young, poisson): Solid) -> Result<Elastic, Error> {
     Elastic::new(young, poisson)
@@ -52,7 +85,7 @@ impl NativeProbe {
     #[new]
     fn new(py: Python<'_>, name: &str, numbers: PyReadonlyArray1<'_, f64>) -> PyResult<Self> {
         let made = Probe::of_numbers(name, numbers.as_slice()?);
-        let made = made.ok_or_else(|| PyValueError::new_err(format!("{name:?} is not a probe")))?;
+        let made = made.ok_or_else(|| unknown("probe", name))?;
         let made = made.and_then(|probe| {
             // A half-space accepts a probe alone.
             let touched = HalfSpace {

@@ -7,23 +7,14 @@ use interp::Probe;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::arrays::{Input, Output, Points};
-use crate::bodies::{NativeStackSystem, NativeSystem};
+use crate::arrays::{Input, Output, Points, columns};
+use crate::bodies::Coated;
 use crate::contact::{Imposed, control};
 use crate::error::OrRaise as _;
 
 /// A probe with an attraction of finite range.
 #[pyclass(frozen, module = "coated_contact._core")]
 pub struct Cohesive(cohesive::Cohesive);
-
-/// The bodies under a probe.
-#[derive(FromPyObject)]
-pub enum Bodies<'py> {
-    #[pyo3(transparent)]
-    Film(Bound<'py, NativeSystem>),
-    #[pyo3(transparent)]
-    Layers(Bound<'py, NativeStackSystem>),
-}
 
 /// Contact radius, outer radius, load and penetration.
 pub type CohesiveNumbers = [f64; 4];
@@ -38,23 +29,23 @@ pub fn numbers(state: CohesiveState) -> CohesiveNumbers {
     ]
 }
 
-impl Bodies<'_> {
-    /// Adds an attraction.
-    fn with(&self, work_of_adhesion: f64, range: f64) -> Result<cohesive::Cohesive, Error> {
-        match self {
-            Self::Film(film) => cohesive::Cohesive::new(&film.get().0, work_of_adhesion, range),
-            Self::Layers(layers) => {
-                let NativeStackSystem { named, system } = layers.get();
-                let Probe::Paraboloid { radius } = system.probe else {
-                    return Err(Error::OnlyParaboloid {
-                        probe: system.probe.name(),
-                    });
-                };
-                let modulus = system.sphere_modulus;
-                cohesive::Cohesive::on_stack(&named.stack, radius, modulus, work_of_adhesion, range)
-            }
-        }
-    }
+/// Adds an attraction to bodies.
+fn attracting(
+    bodies: &Coated<'_>,
+    work_of_adhesion: f64,
+    range: f64,
+) -> Result<cohesive::Cohesive, Error> {
+    let (system, named) = bodies.get();
+    let Some(named) = named else {
+        return cohesive::Cohesive::new(system, work_of_adhesion, range);
+    };
+    let Probe::Paraboloid { radius } = system.probe else {
+        return Err(Error::OnlyParaboloid {
+            probe: system.probe.name(),
+        });
+    };
+    let modulus = system.sphere_modulus;
+    cohesive::Cohesive::on_stack(&named.stack, radius, modulus, work_of_adhesion, range)
 }
 
 impl Cohesive {
@@ -71,8 +62,8 @@ impl Cohesive {
 #[pymethods]
 impl Cohesive {
     #[new]
-    fn new(py: Python<'_>, bodies: Bodies<'_>, w: f64, range: f64) -> PyResult<Self> {
-        let made = bodies.with(w, range);
+    fn new(py: Python<'_>, bodies: Coated<'_>, w: f64, range: f64) -> PyResult<Self> {
+        let made = attracting(&bodies, w, range);
         made.map(Self).or_raise(py)
     }
 
@@ -115,7 +106,7 @@ impl Cohesive {
             .detach(|| self.0.branch(contact_radii, count))
             .or_raise(py)?;
         let rows: Vec<_> = states.into_iter().map(numbers).collect();
-        Ok([0, 1, 2, 3].map(|i| PyArray1::from_iter(py, rows.iter().map(|row| row[i]))))
+        Ok(columns(py, &rows))
     }
 
     fn pull_off(&self, py: Python<'_>, imposed: Imposed<'_>) -> PyResult<CohesiveNumbers> {

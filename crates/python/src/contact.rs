@@ -4,15 +4,15 @@ use std::sync::OnceLock;
 
 use ::contact::Error;
 use ::contact::{Branch, Control, ForceDisplacement, Input as Parameter, Neglected, State};
-use ::solve::stick::{StickCurves, Sticking};
+use ::solve::stick::StickCurves;
 use interp::{Curve, System};
-use numpy::PyArray1;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::{Input, Output, Points};
-use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
-use crate::error::OrRaise as _;
+use crate::arrays::{Input, Output, Points, columns};
+use crate::bodies::{
+    Coated, NativeHalfSpace, NativeStack, NativeStackSystem, NativeSystem, sticking,
+};
+use crate::error::{OrRaise as _, other_stack, unknown};
 use crate::table::Table;
 
 /// A contact, with the table that makes its derivatives when they are first asked for.
@@ -37,15 +37,6 @@ type CurveNumbers<'py> = (
 );
 
 impl Contact {
-    /// Takes the contact of a system on a table.
-    pub fn coated(table: Table, system: System, contact: ::contact::Contact) -> Self {
-        Self {
-            contact,
-            origin: Some((table, system)),
-            with_gradient: OnceLock::new(),
-        }
-    }
-
     /// Takes a contact that no table can make again.
     fn alone(contact: ::contact::Contact) -> Self {
         Self {
@@ -56,7 +47,7 @@ impl Contact {
     }
 
     /// Makes the contact of a system on a curve of its own.
-    pub fn of_curve(
+    fn of_curve(
         py: Python<'_>,
         system: &System,
         curve: impl FnOnce() -> Result<Curve, tabulate::Error> + Send,
@@ -85,7 +76,7 @@ pub fn control((name, stiffness): Imposed<'_>) -> PyResult<Control> {
         "load" => Ok(Control::Load),
         "displacement" => Ok(Control::Displacement),
         "spring" => Ok(Control::Spring { stiffness }),
-        other => Err(PyValueError::new_err(format!("{other:?} is not a control"))),
+        other => Err(unknown("control", other)),
     }
 }
 
@@ -94,7 +85,7 @@ fn branch(name: &str) -> PyResult<Branch> {
     match name {
         "loading" => Ok(Branch::Loading),
         "unloading" => Ok(Branch::Unloading),
-        other => Err(PyValueError::new_err(format!("{other:?} is not a branch"))),
+        other => Err(unknown("branch", other)),
     }
 }
 
@@ -105,7 +96,8 @@ pub fn numbers(state: State) -> StateNumbers {
 
 /// Returns the states of a branch as three arrays.
 fn arrays<'py>(py: Python<'py>, states: &[State]) -> StateArrays<'py> {
-    [0, 1, 2].map(|i| PyArray1::from_iter(py, states.iter().map(|&state| numbers(state)[i])))
+    let rows: Vec<_> = states.iter().copied().map(numbers).collect();
+    columns(py, &rows)
 }
 
 #[pymethods]
@@ -117,71 +109,76 @@ impl Contact {
             .or_raise(py)
     }
 
-    /// Solves the contact of a system along `a/t`.
+    /// Looks up the contact of a film.
+    #[staticmethod]
+    fn in_table(
+        py: Python<'_>,
+        table: &Bound<'_, Table>,
+        system: &Bound<'_, NativeSystem>,
+    ) -> PyResult<Self> {
+        let (table, system) = (table.get(), &system.get().0);
+        py.detach(|| ::contact::Contact::in_table(table.get(), system))
+            .map(|contact| Self {
+                origin: Some((table.clone(), system.clone())),
+                ..Self::alone(contact)
+            })
+            .or_raise(py)
+    }
+
+    /// Looks up the contact of a stack, which is that of the table, `own`.
+    #[staticmethod]
+    fn in_stack_table(
+        py: Python<'_>,
+        table: &Bound<'_, Table>,
+        system: &Bound<'_, NativeStackSystem>,
+        own: Option<&Bound<'_, NativeStack>>,
+    ) -> PyResult<Self> {
+        let NativeStackSystem { named, system } = system.get();
+        let stack = &named.stack;
+        if own.is_some_and(|own| own.get().0.stack != *stack) {
+            return Err(other_stack().raise(py));
+        }
+        let table = table.get().get();
+        Self::of_curve(py, system, || {
+            let e1_over_e2 = stack.material(system.sphere_modulus)?.e1_over_e2();
+            Ok(table.stack_curve(e1_over_e2, stack.shape())?)
+        })
+    }
+
+    /// Solves the contact of bodies along `a/t`.
     #[staticmethod]
     fn solved(
         py: Python<'_>,
-        system: &Bound<'_, NativeSystem>,
+        bodies: Coated<'_>,
         a_over_t: [f64; 2],
         tolerance: f64,
     ) -> PyResult<Self> {
-        let system = &system.get().0;
+        let (system, named) = bodies.get();
         Self::of_curve(py, system, || {
-            Ok(::solve::curve(&system.material()?, a_over_t, tolerance)?)
+            Ok(match named {
+                None => ::solve::curve(&system.material()?, a_over_t, tolerance),
+                Some(named) => {
+                    let modulus = system.sphere_modulus;
+                    ::solve::stack_curve(&named.stack, modulus, a_over_t, tolerance)
+                }
+            }?)
         })
     }
 
-    /// Solves the contact of a stack of layers along `a/t`.
-    #[staticmethod]
-    fn solved_on_stack(
-        py: Python<'_>,
-        system: &Bound<'_, NativeStackSystem>,
-        a_over_t: [f64; 2],
-        tolerance: f64,
-    ) -> PyResult<Self> {
-        let NativeStackSystem { named, system } = system.get();
-        Self::of_curve(py, system, || {
-            let sphere_modulus = system.sphere_modulus;
-            Ok(::solve::stack_curve(
-                &named.stack,
-                sphere_modulus,
-                a_over_t,
-                tolerance,
-            )?)
-        })
-    }
-
-    /// Solves the contact of a system that sticks along `a/t`, under a sphere of the Poisson ratio
+    /// Solves the contact of bodies that stick along `a/t`, under a sphere of the Poisson ratio
     /// `nu2`. It has grown with the part `ratio` of the work of adhesion with which it recedes.
     #[staticmethod]
     fn stuck(
         py: Python<'_>,
-        system: &Bound<'_, NativeSystem>,
+        bodies: Coated<'_>,
         a_over_t: [f64; 2],
         tolerance: f64,
         nu2: f64,
         ratio: f64,
     ) -> PyResult<Self> {
-        let system = &system.get().0;
-        Self::of_curve(py, system, || {
-            let sticking = Sticking::on_film(&system.material()?, nu2)?;
-            Ok(StickCurves::new(&sticking, a_over_t, tolerance)?.receding(ratio)?)
-        })
-    }
-
-    /// Solves the contact of a sphere that sticks to a stack of layers, as [`Self::stuck`].
-    #[staticmethod]
-    fn stuck_on_stack(
-        py: Python<'_>,
-        system: &Bound<'_, NativeStackSystem>,
-        a_over_t: [f64; 2],
-        tolerance: f64,
-        nu2: f64,
-        ratio: f64,
-    ) -> PyResult<Self> {
-        let NativeStackSystem { named, system } = system.get();
-        Self::of_curve(py, system, || {
-            let sticking = Sticking::on_stack(&named.stack, system.sphere_modulus, nu2)?;
+        let bodies = bodies.get();
+        Self::of_curve(py, bodies.0, || {
+            let sticking = sticking(bodies, nu2)?;
             Ok(StickCurves::new(&sticking, a_over_t, tolerance)?.receding(ratio)?)
         })
     }

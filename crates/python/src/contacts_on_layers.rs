@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use fit::{Interruptible, LayeredSolver, StickSolver};
 use pyo3::prelude::*;
 
-use crate::fit::unknown;
+use crate::error::unknown;
 
 /// Returns what makes contacts with a word for friction; `None` without friction.
 pub fn stick(

@@ -1,97 +1,24 @@
 //! Fits of measured contacts: one fit of one or several experiments, and a map of separate fits.
 
-use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use ::solve::parallel;
-use ::solve::stack::Layer;
 use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
-    Bodies, Direction, Estimate, Experiment, Fit, Fixed, Free, Kind, Known, Layered, LayeredSolver,
-    Loss, Magnitude, Measurement, NamedLayer, Options, Parameter, Point, PointErrors, Reach,
-    Relaxing, Scope, WithoutFilm,
+    Direction, Estimate, Experiment, Fit, Free, Known, Loss, Magnitude, Options, WithoutFilm,
 };
-use interp::System;
-use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::PyValueError;
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
-use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
-use crate::contacts_on_layers::{Solvers, stick};
-use crate::error::{Failure, OrRaise as _};
-use crate::history::{LawNumbers, law};
-use crate::indentation::{GivenIndentation, loss};
+use crate::contacts_on_layers::Solvers;
+use crate::error::{Failure, OrRaise as _, unknown};
+use crate::experiment::{Given, all};
+use crate::indentation::loss;
 use crate::interruption::interruptible;
+use crate::parameter::{GivenFree, fixed, fixed_name, frees, name};
 use crate::table::Table;
-
-/// An experiment, as the attributes of the Python class.
-#[derive(FromPyObject)]
-pub struct Given<'py> {
-    name: String,
-    kind: String,
-    bodies: GivenBodies<'py>,
-    abscissa: PyReadonlyArray1<'py, f64>,
-    ordinate: PyReadonlyArray1<'py, f64>,
-    retract: Option<PyReadonlyArray1<'py, bool>>,
-    work_of_adhesion: f64,
-    work_of_adhesion_receding: Option<f64>,
-    load_offset: f64,
-    contact_point: f64,
-    baseline: f64,
-    baseline_slope: f64,
-    stiffness: Option<f64>,
-    noise: Option<GivenNoise<'py>>,
-    abscissa_noise: GivenNoise<'py>,
-    indentation: Option<GivenIndentation>,
-    friction: String,
-    sphere_poisson_ratio: f64,
-    advancing: f64,
-    time: Option<PyReadonlyArray1<'py, f64>>,
-    law: Option<LawNumbers>,
-    all_relax: bool,
-}
-
-/// A standard deviation, or one for each point.
-#[derive(FromPyObject)]
-enum GivenNoise<'py> {
-    #[pyo3(transparent)]
-    One(f64),
-    #[pyo3(transparent)]
-    Each(PyReadonlyArray1<'py, f64>),
-}
-
-impl GivenNoise<'_> {
-    /// Returns the number, or the list of those of the points.
-    fn read(&self) -> PyResult<(Option<f64>, Vec<f64>)> {
-        Ok(match self {
-            Self::One(noise) => (Some(*noise), Vec::new()),
-            Self::Each(noises) => (None, noises.as_slice()?.to_vec()),
-        })
-    }
-}
-
-/// The bodies of an experiment.
-#[derive(FromPyObject)]
-enum GivenBodies<'py> {
-    #[pyo3(transparent)]
-    Coated(Bound<'py, NativeSystem>),
-    #[pyo3(transparent)]
-    HalfSpace(Bound<'py, NativeHalfSpace>),
-    #[pyo3(transparent)]
-    Layered(Bound<'py, NativeStackSystem>),
-}
-
-/// A free parameter, as the attributes of the Python class.
-#[derive(FromPyObject)]
-pub struct GivenFree {
-    parameter: String,
-    start: Option<f64>,
-    bounds: Option<[f64; 2]>,
-    prior: Option<[f64; 2]>,
-    own: Option<bool>,
-}
 
 /// Loss, level of profiles, range of the attraction, whether any magnitude is allowed, and whether
 /// points may be left out.
@@ -125,10 +52,7 @@ pub fn fit_together<'py>(
     };
     let table = table.get();
     let solvers = Solvers::new(table.layered_solver(py)?);
-    let experiments = experiments
-        .iter()
-        .map(|given| experiment(py, given, &solvers));
-    let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
+    let experiments = all(py, &experiments, &solvers)?;
     let free = frees(py, free)?;
     let found = interruptible(py, &solvers.interrupted, || {
         checked_fit(table.get(), &experiments, &free, &options, allow_magnitudes)
@@ -178,8 +102,7 @@ pub fn fit_map<'py>(
     let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {
-        let curves = curves.iter().map(|given| experiment(py, given, &solvers));
-        let curves: Vec<Experiment> = curves.collect::<PyResult<_>>()?;
+        let curves = all(py, curves, &solvers)?;
         let one = |curve: &Experiment| {
             let goes_on = !solvers.interrupted.load(Ordering::Relaxed);
             let curve = std::slice::from_ref(curve);
@@ -223,148 +146,6 @@ fn checked_fit(
     Ok(found)
 }
 
-/// Makes an experiment; one of the `solvers` makes its contacts if they are on layers or stick.
-pub fn experiment(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Experiment> {
-    let kind = match given.kind.as_str() {
-        "load-radius" => Kind::LoadRadius,
-        "penetration-radius" => Kind::PenetrationRadius,
-        "load-penetration" => Kind::LoadPenetration,
-        "force-height" => Kind::ForceHeight,
-        "stiffness-radius" => Kind::StiffnessRadius,
-        "stiffness-load" => Kind::StiffnessLoad,
-        "stiffness-depth" => Kind::StiffnessDepth,
-        other => return Err(unknown("kind", other)),
-    };
-    let (x, y) = (given.abscissa.as_slice()?, given.ordinate.as_slice()?);
-    let retract = given.retract.as_ref().map(|retract| retract.as_slice());
-    let retract = retract.transpose()?;
-    let directions = x.iter().enumerate().map(|(i, _)| {
-        retract.and_then(|retract| retract.get(i)).map(|&retract| {
-            if retract {
-                Direction::Retract
-            } else {
-                Direction::Approach
-            }
-        })
-    });
-    let points = x.iter().zip(y).zip(directions).enumerate();
-    let points = points.map(|(i, ((&abscissa, &ordinate), direction))| Point {
-        // Points are counted from 0, as the items of an array are.
-        line: i as u64,
-        abscissa,
-        ordinate,
-        direction,
-    });
-    let measurement = Measurement {
-        name: given.name.clone(),
-        kind,
-        points: points.collect(),
-    };
-    let stick = stick(&given.friction, given.sphere_poisson_ratio, given.advancing)?;
-    let solver = solvers.of(stick);
-    let bodies = match &given.bodies {
-        GivenBodies::Coated(system) if stick.is_some() => {
-            Bodies::Layered(of_film(&system.get().0, &measurement, solver))
-        }
-        GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
-        GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
-        GivenBodies::Layered(layers) => {
-            Bodies::Layered(layered(layers.get(), &measurement, solver).or_raise(py)?)
-        }
-    };
-    let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
-    let (noise, of_ordinates) = given_noise.unwrap_or_default();
-    let (abscissa_noise, of_abscissae) = given.abscissa_noise.read()?;
-    let mut made = Experiment {
-        work_of_adhesion: given.work_of_adhesion,
-        work_of_adhesion_receding: given.work_of_adhesion_receding,
-        load_offset: given.load_offset,
-        contact_point: given.contact_point,
-        baseline: given.baseline,
-        baseline_slope: given.baseline_slope,
-        stiffness: given.stiffness,
-        noise,
-        abscissa_noise: abscissa_noise.unwrap_or(0.0),
-        errors: PointErrors {
-            abscissa: of_abscissae,
-            ordinate: of_ordinates,
-        },
-        ..Experiment::new(measurement, bodies)
-    };
-    if let Some(time) = &given.time {
-        made.times = time.as_slice()?.to_vec();
-    }
-    if let Some(numbers) = &given.law {
-        made.relaxing = Some(Relaxing {
-            law: law(numbers.clone())?,
-            all_bodies: given.all_relax,
-        });
-    }
-    if let Some(indentation) = &given.indentation {
-        indentation.complete(py, &mut made)?;
-    }
-    Ok(made)
-}
-
-/// Makes the film of an experiment a single layer without a name, whose contacts a solver makes.
-fn of_film(system: &System, measurement: &Measurement, solver: Arc<dyn LayeredSolver>) -> Layered {
-    Layered {
-        reach: Reach::of(measurement, &system.probe),
-        probe: system.probe.clone(),
-        sphere_modulus: system.sphere_modulus,
-        base: system.substrate,
-        layers: vec![NamedLayer {
-            name: None,
-            layer: Layer::bonded(system.film, system.film_thickness),
-        }],
-        solver,
-    }
-}
-
-/// Makes the layers of an experiment.
-fn layered(
-    NativeStackSystem { named, system }: &NativeStackSystem,
-    measurement: &Measurement,
-    solver: Arc<dyn LayeredSolver>,
-) -> Result<Layered, fit::Error> {
-    let layers = named.stack.layers().iter().zip(&named.names);
-    let layers = layers.map(|(layer, name)| {
-        Ok(NamedLayer {
-            name: name.as_deref().map(str::parse).transpose()?,
-            layer: *layer,
-        })
-    });
-    Ok(Layered {
-        reach: Reach::of(measurement, &system.probe),
-        probe: system.probe.clone(),
-        sphere_modulus: system.sphere_modulus,
-        base: system.substrate,
-        layers: layers.collect::<Result<_, fit::Error>>()?,
-        solver,
-    })
-}
-
-/// Makes the free parameters.
-pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
-    let one = |given: GivenFree| {
-        let parameter = parameter(&given.parameter)?;
-        let mut free = Free {
-            start: given.start,
-            bounds: given.bounds,
-            ..Free::new(parameter)
-        };
-        if let Some([mean, width]) = given.prior {
-            free = free.with_prior(mean, width);
-        }
-        if let Some(own) = given.own {
-            free = free.with_scope(if own { Scope::Own } else { Scope::Shared });
-        }
-        Ok(free)
-    };
-    let all: Result<_, fit::Error> = given.into_iter().map(one).collect();
-    all.or_raise(py)
-}
-
 /// Makes the options, and tells whether any magnitude is allowed.
 fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
     let (loss, profile_level, interaction_range, allow_magnitudes, allow_left_out) = given;
@@ -382,59 +163,6 @@ fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
         ..Options::default()
     };
     Ok((options, allow_magnitudes))
-}
-
-/// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.
-fn fixed(name: &str) -> Result<Fixed, fit::Error> {
-    let plain = Fixed::parse(&name.replace('_', "-")).or_else(|| Fixed::parse(name));
-    plain.map_or_else(|| parameter(name).map(Fixed::Parameter), Ok)
-}
-
-/// Returns the name in Python of a value taken as given.
-fn fixed_name(quantity: Fixed) -> String {
-    match quantity {
-        Fixed::Parameter(parameter) => name(parameter),
-        _ => quantity.name().replace('-', "_"),
-    }
-}
-
-/// Returns the exception of a word that the Python layer should have refused.
-pub fn unknown(name: &str, word: &str) -> PyErr {
-    PyValueError::new_err(format!("{word:?} is not a {name}"))
-}
-
-/// The end of the name of the stiffness of an interface in Python.
-const INTERFACE: &str = ".interface_stiffness";
-
-/// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
-pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
-    let plain = name.replace('_', "-").parse();
-    if matches!(plain, Ok(parameter) if !is_of_layer(parameter)) {
-        return plain;
-    }
-    match name.strip_suffix(INTERFACE) {
-        Some(layer) => Ok(Parameter::LayerInterfaceStiffness(layer.parse()?)),
-        None => name.parse(),
-    }
-}
-
-/// Returns the name of a parameter in Python.
-pub fn name(parameter: Parameter) -> String {
-    match parameter {
-        Parameter::LayerInterfaceStiffness(layer) => format!("{layer}{INTERFACE}"),
-        _ if is_of_layer(parameter) => parameter.name().into_owned(),
-        _ => parameter.name().replace('-', "_"),
-    }
-}
-
-/// Tells whether a parameter is that of a layer of a stack.
-fn is_of_layer(parameter: Parameter) -> bool {
-    matches!(
-        parameter,
-        Parameter::LayerModulus(_)
-            | Parameter::LayerThickness(_)
-            | Parameter::LayerInterfaceStiffness(_)
-    )
 }
 
 /// Returns parameter, experiment, value, standard error and profile of each estimate.

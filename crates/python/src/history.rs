@@ -2,12 +2,11 @@
 
 use ::contact::{Course, History, HistoryError, Hysteresis, Relaxation};
 use numpy::PyArray1;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::Output;
-use crate::contact::{Contact, Imposed, control};
-use crate::error::{Failure, OrRaise as _};
+use crate::arrays::{Output, columns};
+use crate::contact::{Contact, Imposed, control, numbers};
+use crate::error::{Failure, OrRaise as _, unknown};
 
 /// A law: its name, relaxed fraction, exponent, times (s) and weights.
 pub type LawNumbers = (String, f64, f64, Vec<f64>, Vec<f64>);
@@ -34,7 +33,7 @@ pub fn law((name, relaxed, exponent, times, weights): LawNumbers) -> PyResult<Re
             exponent,
             time,
         },
-        other => return Err(PyValueError::new_err(format!("{other:?} is not a law"))),
+        other => return Err(unknown("law", other)),
     })
 }
 
@@ -87,7 +86,7 @@ pub fn relaxation_values<'py>(
 /// Follows a program. Returns the states, their phases, their error, and the bound of the error by
 /// bodies that do not relax.
 #[pyfunction]
-#[pyo3(signature = (contact, numbers, imposed, *, time, value, at, receding, rigid, tolerance))]
+#[pyo3(signature = (contact, law_numbers, imposed, *, time, value, at, receding, rigid, tolerance))]
 #[expect(
     clippy::too_many_arguments,
     reason = "the arguments of a call from Python"
@@ -95,7 +94,7 @@ pub fn relaxation_values<'py>(
 pub fn history<'py>(
     py: Python<'py>,
     contact: &Bound<'py, Contact>,
-    numbers: LawNumbers,
+    law_numbers: LawNumbers,
     imposed: Imposed<'_>,
     time: Vec<f64>,
     value: Vec<f64>,
@@ -104,7 +103,7 @@ pub fn history<'py>(
     rigid: Option<&Bound<'py, Contact>>,
     tolerance: Option<f64>,
 ) -> PyResult<(TimedArrays<'py>, Vec<&'static str>, f64, f64)> {
-    let (law, control) = (law(numbers)?, control(imposed)?);
+    let (law, control) = (law(law_numbers)?, control(imposed)?);
     let contact = &contact.get().contact;
     let rigid = rigid.map(|rigid| &rigid.get().contact);
     let program: Vec<(f64, f64)> = time.into_iter().zip(value).collect();
@@ -121,15 +120,16 @@ pub fn history<'py>(
             .at(control, &program, &at, tolerance)
     };
     let course = py.detach(follow).or_raise(py)?;
-    let of = |value: fn(&::contact::TimedContact) -> f64| {
-        PyArray1::from_iter(py, course.states.iter().map(value))
-    };
-    let columns = [
-        of(|at| at.time),
-        of(|at| at.state.contact_radius),
-        of(|at| at.state.load),
-        of(|at| at.state.penetration),
-    ];
+    let rows = course.states.iter().map(|at| {
+        let [a, load, penetration] = numbers(at.state);
+        [at.time, a, load, penetration]
+    });
+    let rows: Vec<_> = rows.collect();
     let phases = course.states.iter().map(|at| at.phase.name()).collect();
-    Ok((columns, phases, course.error, course.unlike_bodies))
+    Ok((
+        columns(py, &rows),
+        phases,
+        course.error,
+        course.unlike_bodies,
+    ))
 }

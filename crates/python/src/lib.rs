@@ -3,9 +3,10 @@
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
-//! `interruption`; `indentation`, `likelihood`, `line`, `history`, `short_range`, `read`, `fit`, `model`,
-//! `generate`, `solve` and `cohesive` stand beside them; `error` makes Python's exceptions of all
-//! of them.
+//! `interruption`; `likelihood`, `line`, `history`, `short_range`, `read`, `fit`, `model`, `generate`, `solve` and
+//! `cohesive` stand beside them. `experiment`, with its `indentation` and what makes its
+//! `contacts_on_layers`, and `parameter` hold what fits are given. `error` makes Python's exceptions
+//! of all of them.
 
 #![forbid(unsafe_code)]
 
@@ -15,6 +16,7 @@ mod cohesive;
 mod contact;
 mod contacts_on_layers;
 mod error;
+mod experiment;
 mod fit;
 mod generate;
 mod history;
@@ -23,6 +25,7 @@ mod interruption;
 mod likelihood;
 mod line;
 mod model;
+mod parameter;
 mod read;
 mod short_range;
 mod solve;

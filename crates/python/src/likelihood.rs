@@ -1,14 +1,15 @@
 //! The likelihood of parameters, for samplers.
 
-use fit::{Experiment, Likelihood};
+use fit::Likelihood;
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::arrays::Output;
 use crate::contacts_on_layers::Solvers;
 use crate::error::OrRaise as _;
-use crate::fit::{Given, GivenFree, experiment, frees, name};
+use crate::experiment::{Given, all};
 use crate::model::of_names;
+use crate::parameter::{GivenFree, frees, name};
 use crate::table::Table;
 
 /// A likelihood with its table.
@@ -30,10 +31,7 @@ impl NativeLikelihood {
     ) -> PyResult<Self> {
         let table = table.get().clone();
         let solvers = Solvers::new(table.layered_solver(py)?);
-        let experiments = experiments
-            .iter()
-            .map(|given| experiment(py, given, &solvers));
-        let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
+        let experiments = all(py, &experiments, &solvers)?;
         let free = frees(py, free)?;
         let branches = branches.map(|all| all.iter().map(|names| of_names(names)).collect());
         let branches: Option<Vec<_>> = branches.transpose()?;

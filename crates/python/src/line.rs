@@ -5,10 +5,9 @@
 
 use ::contact::Error;
 use ::contact::{CrackTip, Hysteresis, RateDependent, State};
-use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::arrays::Output;
+use crate::arrays::{Output, columns};
 use crate::contact::{Contact, Imposed, StateNumbers, control, numbers};
 use crate::error::OrRaise as _;
 
@@ -118,7 +117,5 @@ pub fn ramp<'py>(
         [one.time, a, load, penetration, one.energy_release_rate]
     });
     let rows: Vec<_> = rows.collect();
-    let columns = [0, 1, 2, 3, 4];
-    let columns = columns.map(|i| PyArray1::from_iter(py, rows.iter().map(|row| row[i])));
-    Ok((columns, last.map(numbers)))
+    Ok((columns(py, &rows), last.map(numbers)))
 }

@@ -4,15 +4,17 @@
 use std::sync::Arc;
 
 use fit::DirectSolver;
-use fit::{Branch, Error, Experiment};
+use fit::{Branch, Error};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Output;
 use crate::contacts_on_layers::Solvers;
-use crate::error::OrRaise as _;
-use crate::fit::{Given, GivenFree, estimates, experiment, frees, parameter, unknown};
+use crate::error::{OrRaise as _, unknown};
+use crate::experiment::{Given, all, one};
+use crate::fit::estimates;
+use crate::parameter::{GivenFree, frees, parameter};
 use crate::table::Table;
 
 /// All branches.
@@ -46,7 +48,7 @@ pub fn branches(
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
     // No contact is made.
-    let experiment = experiment(py, &given, &Solvers::new(Arc::new(DirectSolver)))?;
+    let experiment = one(py, &given, &Solvers::new(Arc::new(DirectSolver)))?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
     let free = free.or_raise(py)?;
     let branches = experiment.branches(&free).or_raise(py)?;
@@ -64,7 +66,7 @@ pub fn predict<'py>(
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiment = experiment(py, &given, &Solvers::new(table.layered_solver(py)?))?;
+    let experiment = one(py, &given, &Solvers::new(table.layered_solver(py)?))?;
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = parameters.or_raise(py)?;
     let branches = branches.map(|names| of_names(&names)).transpose()?;
@@ -94,7 +96,7 @@ pub fn simulate<'py>(
     seed: u64,
 ) -> PyResult<[Output<'py>; 3]> {
     let table = table.get();
-    let experiment = experiment(py, &given, &Solvers::new(table.layered_solver(py)?))?;
+    let experiment = one(py, &given, &Solvers::new(table.layered_solver(py)?))?;
     let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
     let made = made.or_raise(py)?;
     let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
@@ -116,10 +118,7 @@ pub fn forecast<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
     let solvers = Solvers::new(table.layered_solver(py)?);
-    let experiments = experiments
-        .iter()
-        .map(|given| experiment(py, given, &solvers));
-    let experiments: Vec<Experiment> = experiments.collect::<PyResult<_>>()?;
+    let experiments = all(py, &experiments, &solvers)?;
     let free = frees(py, free)?;
     let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));
     let found = found.or_raise(py)?;

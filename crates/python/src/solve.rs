@@ -6,7 +6,7 @@ use interp::Material;
 use pyo3::prelude::*;
 
 use crate::arrays::{Input, Output, Points};
-use crate::bodies::{NativeStack, NativeStackSystem, NativeSystem};
+use crate::bodies::{Coated, NativeStack, sticking};
 
 /// Solves every point: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`, `tolerance`. Returns
 /// `pi0`, `eeq`, `gamma`, `delta0` and the estimated error.
@@ -61,39 +61,21 @@ pub fn solve_stick_punch<'py>(
     points.evaluate_on_all_cores(py, inputs.each_ref(), one)
 }
 
-/// Bodies with a film or layers.
-#[derive(FromPyObject)]
-pub enum Bodies<'py> {
-    #[pyo3(transparent)]
-    Film(Bound<'py, NativeSystem>),
-    #[pyo3(transparent)]
-    Stack(Bound<'py, NativeStackSystem>),
-}
-
 /// Returns the stiffness with full friction over that without, of flat punches of the contact radii
 /// `a`, of the Poisson ratio `nu2`, to a `tolerance`.
 #[pyfunction]
 pub fn stick_stiffening<'py>(
     py: Python<'py>,
-    bodies: Bodies<'py>,
+    bodies: Coated<'py>,
     points: Points,
     a: Input<'_>,
     nu2: Input<'_>,
     tolerance: Input<'_>,
 ) -> PyResult<[Output<'py>; 1]> {
-    let (system, stack) = match &bodies {
-        Bodies::Film(system) => (&system.get().0, None),
-        Bodies::Stack(layers) => {
-            let NativeStackSystem { named, system } = layers.get();
-            (system, Some(&named.stack))
-        }
-    };
+    let bodies = bodies.get();
+    let film_thickness = bodies.0.film_thickness;
     let one = |[a, nu2, tolerance]: [f64; 3]| {
-        let sticking = match stack {
-            Some(stack) => Sticking::on_stack(stack, system.sphere_modulus, nu2)?,
-            None => Sticking::on_film(&system.material()?, nu2)?,
-        };
-        let ratio = sticking.stiffening(a / system.film_thickness, tolerance)?;
+        let ratio = sticking(bodies, nu2)?.stiffening(a / film_thickness, tolerance)?;
         Ok::<_, ::solve::Error>([ratio])
     };
     points.evaluate_on_all_cores(py, [&a, &nu2, &tolerance], one)

@@ -12,9 +12,8 @@ use pyo3::types::{PyBytes, PyDict};
 use tabulate::table::StackTable;
 
 use crate::arrays::{Input, Output, Points};
-use crate::bodies::{GivenLayer, NativeStack, NativeStackSystem, NativeSystem, Solid, parts};
-use crate::contact::Contact;
-use crate::error::{OrRaise as _, other_stack};
+use crate::bodies::{GivenLayer, Solid, parts};
+use crate::error::OrRaise as _;
 
 /// A table, shared with the contacts made from it.
 #[pyclass(frozen, module = "coated_contact._core")]
@@ -177,14 +176,6 @@ impl Table {
         points.evaluate_on_all_cores(py, inputs.each_ref(), one)
     }
 
-    /// Makes the contact of a system.
-    fn contact(&self, py: Python<'_>, system: &Bound<'_, NativeSystem>) -> PyResult<Contact> {
-        let system = &system.get().0;
-        py.detach(|| ::contact::Contact::in_table(self.get(), system))
-            .map(|contact| Contact::coated(self.clone(), system.clone(), contact))
-            .or_raise(py)
-    }
-
     /// Returns the base and the layers of the stack that the table is of, if it is of one.
     fn stack(&self, py: Python<'_>) -> PyResult<Option<(Solid, Vec<GivenLayer>)>> {
         let table = self.get();
@@ -193,23 +184,5 @@ impl Table {
         }
         let found = StackTable::new(table).or_raise(py)?;
         Ok(Some(parts(found.named_stack())))
-    }
-
-    /// Makes the contact of a system with the stack of the table, `own`.
-    fn contact_on_stack(
-        &self,
-        py: Python<'_>,
-        system: &Bound<'_, NativeStackSystem>,
-        own: Option<&Bound<'_, NativeStack>>,
-    ) -> PyResult<Contact> {
-        let NativeStackSystem { named, system } = system.get();
-        let stack = &named.stack;
-        if own.is_some_and(|own| own.get().0.stack != *stack) {
-            return Err(other_stack().raise(py));
-        }
-        Contact::of_curve(py, system, || {
-            let e1_over_e2 = stack.material(system.sphere_modulus)?.e1_over_e2();
-            Ok(self.get().stack_curve(e1_over_e2, stack.shape())?)
-        })
     }
 }

@@ -600,28 +600,17 @@ def _native(system: object, table: object) -> Any:
     native: Any = getattr(table, "_native", None)
     if isinstance(native, _core.Table):
         if isinstance(system, System):
-            return native.contact(system._native)
+            return _core.Contact.in_table(native, system._native)
         if isinstance(system, StackSystem):
             own: Any = getattr(table, "stack", None)
-            return native.contact_on_stack(system._native, own and own._native)
+            return _core.Contact.in_stack_table(native, system._native, own and own._native)
     if isinstance(system, HalfSpace) and table is None:
         return _core.Contact.half_space(system._native)
-    if isinstance(table, SolvedCurve) and table.friction == "stick":
-        settings = (
-            table.a_over_t,
-            table.tolerance,
-            table.sphere_poisson_ratio,
-            table.advancing,
-        )
-        if isinstance(system, System):
-            return _core.Contact.stuck(system._native, *settings)
-        if isinstance(system, StackSystem):
-            return _core.Contact.stuck_on_stack(system._native, *settings)
-    if isinstance(table, SolvedCurve):
-        if isinstance(system, System):
-            return _core.Contact.solved(system._native, table.a_over_t, table.tolerance)
-        if isinstance(system, StackSystem):
-            return _core.Contact.solved_on_stack(system._native, table.a_over_t, table.tolerance)
+    if isinstance(table, SolvedCurve) and isinstance(system, (System, StackSystem)):
+        settings = (system._native, table.a_over_t, table.tolerance)
+        if table.friction == "stick":
+            return _core.Contact.stuck(*settings, table.sphere_poisson_ratio, table.advancing)
+        return _core.Contact.solved(*settings)
     raise TypeError(
         "a contact needs a System or a StackSystem and a Table or SolvedCurve, "
         "or a HalfSpace and no table"

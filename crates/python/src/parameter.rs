@@ -1,0 +1,85 @@
+//! The parameters of fits and what is known of them, by their names in Python.
+
+use fit::{Fixed, Free, Parameter, Scope};
+use pyo3::prelude::*;
+
+use crate::error::OrRaise as _;
+
+/// A free parameter, as the attributes of the Python class.
+#[derive(FromPyObject)]
+pub struct GivenFree {
+    parameter: String,
+    start: Option<f64>,
+    bounds: Option<[f64; 2]>,
+    prior: Option<[f64; 2]>,
+    own: Option<bool>,
+}
+
+/// Makes the free parameters.
+pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
+    let one = |given: GivenFree| {
+        let parameter = parameter(&given.parameter)?;
+        let mut free = Free {
+            start: given.start,
+            bounds: given.bounds,
+            ..Free::new(parameter)
+        };
+        if let Some([mean, width]) = given.prior {
+            free = free.with_prior(mean, width);
+        }
+        if let Some(own) = given.own {
+            free = free.with_scope(if own { Scope::Own } else { Scope::Shared });
+        }
+        Ok(free)
+    };
+    let all: Result<_, fit::Error> = given.into_iter().map(one).collect();
+    all.or_raise(py)
+}
+
+/// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.
+pub fn fixed(name: &str) -> Result<Fixed, fit::Error> {
+    let plain = Fixed::parse(&name.replace('_', "-")).or_else(|| Fixed::parse(name));
+    plain.map_or_else(|| parameter(name).map(Fixed::Parameter), Ok)
+}
+
+/// Returns the name in Python of a value taken as given.
+pub fn fixed_name(quantity: Fixed) -> String {
+    match quantity {
+        Fixed::Parameter(parameter) => name(parameter),
+        _ => quantity.name().replace('-', "_"),
+    }
+}
+
+/// The end of the name of the stiffness of an interface in Python.
+const INTERFACE: &str = ".interface_stiffness";
+
+/// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
+pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
+    let plain = name.replace('_', "-").parse();
+    if matches!(plain, Ok(parameter) if !is_of_layer(parameter)) {
+        return plain;
+    }
+    match name.strip_suffix(INTERFACE) {
+        Some(layer) => Ok(Parameter::LayerInterfaceStiffness(layer.parse()?)),
+        None => name.parse(),
+    }
+}
+
+/// Returns the name of a parameter in Python.
+pub fn name(parameter: Parameter) -> String {
+    match parameter {
+        Parameter::LayerInterfaceStiffness(layer) => format!("{layer}{INTERFACE}"),
+        _ if is_of_layer(parameter) => parameter.name().into_owned(),
+        _ => parameter.name().replace('-', "_"),
+    }
+}
+
+/// Tells whether a parameter is that of a layer of a stack.
+fn is_of_layer(parameter: Parameter) -> bool {
+    matches!(
+        parameter,
+        Parameter::LayerModulus(_)
+            | Parameter::LayerThickness(_)
+            | Parameter::LayerInterfaceStiffness(_)
+    )
+}
