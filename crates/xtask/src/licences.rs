@@ -202,13 +202,14 @@ fn crates(args: &[&str]) -> Result<Crates, String> {
         "--locked",
         "--prefix",
         "none",
-        "--no-dedupe",
         "--format",
         "{p}|{l}",
     ];
     let own = format!("({}", workspace::root().display());
     let mut crates = Crates::new();
     for line in cargo(&[&all, args].concat())?.lines() {
+        // So cargo marks a crate that it has listed before.
+        let line = line.strip_suffix(" (*)").unwrap_or(line);
         let Some((package, licence)) = line.split_once('|') else {
             continue;
         };
