@@ -4,23 +4,27 @@ use std::hint::black_box;
 use std::thread;
 use std::time::{Duration, Instant};
 
+use contact::Relaxation;
 use criterion::{Criterion, criterion_group, criterion_main};
 use fit::{
-    Bodies, Direction, Experiment, Free, Kind, Measurement, Options, Parameter, Point, fit,
-    simulate,
+    Bodies, Direction, Experiment, Free, Kind, Measurement, Options, Parameter, Point, Relaxing,
+    fit, simulate,
 };
 use interp::{Elastic, Probe, System, Table};
 
 /// The number of points of a curve.
-const POINTS: usize = 300;
+const POINTS: u32 = 300;
 /// The number of curves of a map.
 const CURVES: u64 = 10_000;
+/// The number of points of an approach and a retract in time, and of such curves of a map.
+const POINTS_IN_TIME: u32 = 400;
+const CURVES_IN_TIME: u64 = 1_000;
 
 /// Makes data of `POINTS` points between two abscissae.
 fn measured(experiment: Experiment, kind: Kind, [from, to]: [f64; 2], noise: f64) -> Experiment {
-    let point = |i: usize| Point {
-        line: i as u64 + 1,
-        abscissa: from + (to - from) * i as f64 / (POINTS - 1) as f64,
+    let point = |i: u32| Point {
+        line: u64::from(i) + 1,
+        abscissa: from + (to - from) * f64::from(i) / f64::from(POINTS - 1),
         ordinate: 0.0,
         direction: Some(Direction::Retract),
     };
@@ -91,14 +95,66 @@ fn probe() -> (Experiment, Vec<Free>) {
     (experiment, free.map(Free::new).to_vec())
 }
 
+/// A rigid probe on a gel that relaxes by a power law: loads in time at penetrations that grow from
+/// before the contact, and fall.
+fn gel() -> (Experiment, Vec<Free>) {
+    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let system = System {
+        probe: Probe::Paraboloid { radius: 2e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(2e3, 0.5),
+        film_thickness: 1e-5,
+        substrate: solid(f64::INFINITY, 0.25),
+    };
+    let mut plan = Experiment::new(nothing(), Bodies::Coated(system));
+    let times = (0..POINTS_IN_TIME).map(|i| 2.0 * f64::from(i) / f64::from(POINTS_IN_TIME - 1));
+    plan.times = times.collect();
+    let point = |(line, &t): (u64, &f64)| Point {
+        line,
+        abscissa: 6e-7 * (1.0 - 1.2 * (t - 1.0).abs()),
+        ordinate: 0.0,
+        direction: Some(if t <= 1.0 {
+            Direction::Approach
+        } else {
+            Direction::Retract
+        }),
+    };
+    plan.measurement = Measurement {
+        name: "gel".into(),
+        kind: Kind::LoadPenetration,
+        points: (1..).zip(&plan.times).map(point).collect(),
+    };
+    let law = |exponent| {
+        Some(Relaxing::new(Relaxation::PowerLaw {
+            exponent,
+            time: 1.0,
+        }))
+    };
+    plan.relaxing = law(0.2);
+    let noise = 1e-11;
+    plan.noise = Some(noise);
+    let measurement = simulate(Table::embedded(), &plan, noise, 1).expect("in the table");
+    let experiment = Experiment {
+        measurement,
+        relaxing: law(0.33),
+        ..plan
+    };
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::RelaxationExponent,
+        Parameter::ContactPoint,
+    ];
+    (experiment, free.map(Free::new).to_vec())
+}
+
 /// Fits a map of curves on all cores, and returns the time.
-fn map((experiment, free): &(Experiment, Vec<Free>)) -> Duration {
+fn map((experiment, free): &(Experiment, Vec<Free>), curves: u64) -> Duration {
     let threads = thread::available_parallelism().map_or(1, usize::from) as u64;
     let start = Instant::now();
     thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
-                for _ in 0..CURVES / threads {
+                for _ in 0..curves / threads {
                     one(experiment, free);
                 }
             });
@@ -118,15 +174,22 @@ fn one(experiment: &Experiment, free: &[Free]) {
 }
 
 fn fits(criterion: &mut Criterion) {
-    let cases = [("loads at radii", lens()), ("forces at heights", probe())];
-    for (name, case) in &cases {
-        criterion.bench_function(&format!("{POINTS} points, 3 parameters, {name}"), |b| {
-            b.iter(|| one(&case.0, &case.1));
-        });
+    let points = |count: u32, kind: &str| format!("{count} points, 3 parameters, {kind}");
+    let cases = [
+        (points(POINTS, "loads at radii"), CURVES, lens()),
+        (points(POINTS, "forces at heights"), CURVES, probe()),
+        (
+            points(POINTS_IN_TIME, "loads in time on a gel that relaxes"),
+            CURVES_IN_TIME,
+            gel(),
+        ),
+    ];
+    for (name, _, case) in &cases {
+        criterion.bench_function(name, |b| b.iter(|| one(&case.0, &case.1)));
     }
-    for (name, case) in &cases {
-        let time = map(case).as_secs_f64();
-        println!("{CURVES} curves on all cores, {name}: {time:.1} s");
+    for (name, curves, case) in &cases {
+        let time = map(case, *curves).as_secs_f64();
+        println!("{curves} curves on all cores, {name}: {time:.1} s");
     }
 }
 
