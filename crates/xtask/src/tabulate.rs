@@ -1,25 +1,51 @@
 //! The program of this workspace, built optimised.
 
 use std::env;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use crate::hdf5;
+use crate::{hdf5, succeed, workspace};
 
 /// The name of its package.
 pub const PACKAGE: &str = "coated-contact-tabulate";
 
+/// The build of the program. It selects the whole workspace, and one of the targets that need what
+/// only tests need: so all dependencies have the features that they have in the tests, for which
+/// nothing is then compiled again.
+const BUILD: [&str; 8] = [
+    "build",
+    "--quiet",
+    "--release",
+    "--workspace",
+    "--bin",
+    "tabulate",
+    "--example",
+    "force",
+];
+
 /// Returns the command that runs `tabulate` with these arguments: the program that the environment
 /// variable `TABULATE` names, or else the one that cargo builds first.
 pub fn command(args: &[&str]) -> Result<Command, String> {
-    if let Some(program) = env::var_os("TABULATE") {
-        let mut command = Command::new(program);
-        command.args(args);
-        return Ok(command);
+    let program = match env::var_os("TABULATE") {
+        Some(program) => program.into(),
+        None => built()?,
+    };
+    let mut command = Command::new(program);
+    command.args(args);
+    Ok(command)
+}
+
+/// Builds the program, and returns its path.
+fn built() -> Result<PathBuf, String> {
+    let name = format!("release/tabulate{}", env::consts::EXE_SUFFIX);
+    let program = workspace::target()?.join(name);
+    if !program.exists() {
+        eprintln!("xtask: building the program tabulate, which takes minutes at the first time");
     }
-    let run = ["run", "--quiet", "--release", "-p", PACKAGE, "--"];
-    hdf5::cargo(&[&run, args].concat())
+    succeed(&mut hdf5::cargo(&BUILD)?)?;
+    Ok(program)
 }
 
 /// Runs `tabulate` and returns the text that it prints.
