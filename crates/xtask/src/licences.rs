@@ -198,12 +198,7 @@ pub fn tree(package: &str, features: &str, target: &str) -> Result<Crates, Strin
 /// Returns the crates that `cargo tree` lists, without those of this workspace.
 fn crates(args: &[&str]) -> Result<Crates, String> {
     let all = [
-        "tree",
-        "--locked",
-        "--prefix",
-        "none",
-        "--format",
-        "{p}|{l}",
+        "tree", "--locked", "--prefix", "none", "--format", "{p}|{l}",
     ];
     let own = format!("({}", workspace::root().display());
     let mut crates = Crates::new();

@@ -3,7 +3,7 @@
 use std::env;
 use std::process::Command;
 
-use crate::{python, python_tests, succeed, venv, workspace};
+use crate::{hdf5, python, python_tests, succeed, venv, workspace};
 
 /// Sphinx, its reader of Markdown, its theme, and the formulas.
 const PACKAGES: [&str; 4] = [
@@ -13,9 +13,12 @@ const PACKAGES: [&str; 4] = [
     "latex2mathml==3.81.1",
 ];
 
-/// Makes the site in `site` of the target directory. A dead link between its pages, an image that is
-/// missing, a docstring that cannot be read, and a notebook that fails are errors.
+/// Makes the site in `site` of the target directory, with the documentation of the crates. A dead
+/// link between its pages, an image that is missing, a docstring that cannot be read, a warning of
+/// rustdoc, and a notebook that fails are errors.
 pub fn site() -> Result<(), String> {
+    let mut crates = hdf5::cargo(&["doc", "--release", "--workspace", "--no-deps"])?;
+    succeed(crates.env("RUSTDOCFLAGS", "-D warnings"))?;
     let out = workspace::target()?.join("site");
     let modules = [python::packages(&PACKAGES)?, python_tests::package()?];
     let modules = env::join_paths(modules).map_err(|e| format!("a folder with a colon: {e}"))?;
@@ -36,6 +39,7 @@ pub fn site() -> Result<(), String> {
             .arg(&root)
             .arg(&out)
             .env("PYTHONPATH", modules)
+            .env("RUST_DOCUMENTATION", workspace::target()?.join("doc"))
             .env("PYTHONDONTWRITEBYTECODE", "1"),
     )?;
     println!("xtask: the site is in {}", out.display());
