@@ -6,13 +6,16 @@ to each other by their paths there.
 
 from __future__ import annotations
 
+import os
 import re
+import shutil
 import sys
 from pathlib import Path
 
 from docutils import nodes
 from latex2mathml.converter import convert
 from sphinx.application import Sphinx
+from sphinx.errors import ExtensionError
 from sphinx.writers.html5 import HTML5Translator
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -42,6 +45,8 @@ include_patterns = [
 ]
 source_suffix = {".md": "markdown", ".py": "markdown"}
 myst_heading_anchors = 4
+# `rust:interp` is the documentation of a crate, seen from the first page.
+myst_url_schemes = {"http": None, "https": None, "rust": "../../rust/{{path}}/index.html"}
 # A program without a lexer is shown without colours.
 suppress_warnings = ["misc.highlighting_failure"]
 autodoc_typehints = "none"
@@ -92,9 +97,25 @@ def first_page(app: Sphinx, error: Exception | None) -> None:
         (app.outdir / "index.html").write_text(page, encoding="utf-8")
 
 
+def crates(app: Sphinx, error: Exception | None) -> None:
+    """Adds the documentation of the crates, and accepts the links to it."""
+    if error is not None:
+        return
+    folder = app.outdir / "rust"
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(os.environ["RUST_DOCUMENTATION"], folder)
+    page = (app.outdir / f"{root_doc}.html").read_text(encoding="utf-8")
+    linked = re.findall(r'href="\.\./\.\./rust/([^"]+)"', page)
+    dead = [path for path in linked if not (folder / path).exists()]
+    if dead or not linked:
+        message = f"the first page links to {dead or 'none'} of the crates' documentation in {folder}"
+        raise ExtensionError(message)
+
+
 def setup(app: Sphinx) -> None:
     """Adds the links, the notebooks, the formulas, which a browser draws without a script, and the first page."""
     app.connect("build-finished", first_page)
+    app.connect("build-finished", crates)
     app.connect("source-read", pages_of_folders)
     app.connect("source-read", run_notebooks)
     app.add_html_math_renderer("mathml", (inline_math, None), (display_math, None))
