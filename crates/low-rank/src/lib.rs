@@ -8,7 +8,7 @@
 //!
 #![cfg_attr(feature = "compress", doc = "```")]
 #![cfg_attr(not(feature = "compress"), doc = "```ignore")]
-//! use low_rank::bspline::Basis;
+//! use piecewise::bspline::Basis;
 //! use low_rank::{PreparedTrain, compress};
 //!
 //! // A function on a grid of 12 nodes along each of its four variables.
@@ -55,13 +55,12 @@
 //! * [`PreparedTrain`]: evaluation. It drops what is far below a tolerance. [`Needs`] says before what
 //!   memory and work it takes.
 //! * `compress` (feature `compress`): the train of values on a grid.
-//! * [`bspline`], [`chebyshev`]: splines through nodes, and polynomials of a box.
+//! * [`chebyshev`]: the polynomials of a box.
 //! * [`once`]: values that are made at their first use, also in the child of a fork.
 
 #![forbid(unsafe_code)]
 
 mod blocks;
-pub mod bspline;
 pub mod chebyshev;
 mod coarser;
 #[cfg(feature = "compress")]

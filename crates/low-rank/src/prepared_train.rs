@@ -19,13 +19,13 @@ use std::f64::consts::PI;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
-use crate::bspline::Basis;
 use crate::chebyshev::polynomials;
 use crate::integer_train::IntegerTrain;
 use crate::mixed_precision::{Contraction, MixedPrecision, RowWeights};
 use crate::once::Once;
 use crate::vectors::{BLOCK, Vectors, WeightedSum};
 use crate::weighted_sum::add_rows;
+use piecewise::bspline::Basis;
 
 /// The largest norm of a block that is dropped, relative to the tolerance.
 ///

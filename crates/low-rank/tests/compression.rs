@@ -1,8 +1,8 @@
 //! Compressed functions that are known in closed form: their values, their slopes and their size.
 
-use low_rank::bspline::Basis;
 use low_rank::compress::{Axis, NotReached, compress};
 use low_rank::{IntegerTrain, PreparedTrain, coarser};
+use piecewise::bspline::Basis;
 
 const COUNT: usize = 12;
 

@@ -6,7 +6,7 @@
 //! the solve. Trial splines through values of that spline are compared with it.
 
 use interp::Parameter;
-use low_rank::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
+use piecewise::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use rayon::prelude::*;
 use tabulate::table::{EVENNESS, Scene, lines, logarithms, places};
 

@@ -10,8 +10,8 @@ use interp::{
     Certificate, Curve, Elastic, Error, HalfSpace, Material, Mechanics, Parameter, Probe,
     Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
 };
-use low_rank::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 use low_rank::{IntegerTrain, Malformed};
+use piecewise::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 
 use crate::calls::{
     GRADIENTS, Results, controls, curve, each, gradients, loads, material, moduli, numbers,

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use contact::{Contact, Control, FiniteRange};
 use interp::Parameter;
 use interp::{Curve, Elastic, Material, Probe, Quantity, System, Table};
-use low_rank::bspline::{Basis, TABLE_DEGREE};
+use piecewise::bspline::{Basis, TABLE_DEGREE};
 use proptest::prelude::*;
 
 use crate::{config, tables};

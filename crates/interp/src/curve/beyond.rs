@@ -27,14 +27,14 @@ impl Curve {
     /// Returns whether the curve continues to `a/t` of 0: whether the expansion below the nodes is
     /// accurate enough next to them, where it is least accurate.
     pub fn goes_on_to_zero(&self) -> bool {
-        self.expanded(self.range[0] * (1.0 - 2.0 * ROUNDING))
+        self.expanded(self.range()[0] * (1.0 - 2.0 * ROUNDING))
             .is_ok()
     }
 
     /// Evaluates the expansion beyond the nodes, if it is accurate enough.
     #[cold]
     pub(super) fn expanded(&self, x: f64) -> Result<Expansion, Error> {
-        let [from, to] = self.range;
+        let [from, to] = self.range();
         let known = self.accuracy.filter(|accuracy| accuracy.error.is_finite());
         let is_expandable = x > 0.0 && x < f64::INFINITY && self.stack.is_none();
         let (Some(Accuracy { error, tolerance }), true) = (known, is_expandable) else {
@@ -86,7 +86,7 @@ impl Curve {
         at_first: &QuantityGradient,
     ) -> Result<QuantityGradient, Error> {
         let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
-        let first = self.range[0];
+        let first = self.range()[0];
         let delta0 = self.even.as_ref().map(|even| {
             let change = even.on_half_space(a_over_t) / even.on_half_space(first);
             [even.share_below(a_over_t), change]

@@ -2,16 +2,12 @@
 
 use std::sync::Arc;
 
-use fearless_simd::{Level, dispatch};
+use piecewise::{Piecewise, VALUE};
 
 use crate::curve::asymptotics::Expansion;
 use crate::curve::even_powers::EvenPowers;
-use crate::curve::grid::Grid;
 use crate::curve::nodes::REASONABLE;
-use crate::curve::piecewise::{
-    Values, evaluate, evaluate_all, evaluate_derivatives, evaluate_fused, first_piece_outside,
-};
-use crate::curve::resampler::{Pieces, Resampler};
+use crate::curve::quantity_resampler::{Pieces, QuantityResampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
 use crate::curve::thick_film::fifth_order;
 use crate::material::ROUNDING;
@@ -39,10 +35,8 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// `tests/table/beyond.rs`, with 300 random boxes that end anywhere and 18,096 contacts.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    pub(super) grid: Arc<Grid>,
-    pub(super) pieces: Arc<[Values]>,
-    /// The first and the last node in `a/t`.
-    pub(super) range: [f64; 2],
+    /// The quantities over `a/t`, in the order of [`Quantity::ALL`].
+    pub(super) functions: Piecewise<VALUE>,
     pub(super) material: Material,
     /// Whether each quantity is held or derived, in the order of [`Quantity::ALL`].
     pub(super) known: [bool; 4],
@@ -81,19 +75,17 @@ impl Curve {
     /// Makes the curve of splines over `ln(a/t)`; `coefficients` holds a group of `quantities` for
     /// each B-spline.
     pub(crate) fn of_splines(
-        resampler: &Resampler,
-        range: [f64; 2],
+        resampler: &QuantityResampler,
         coefficients: &[f64],
         material: Material,
     ) -> Self {
         let pieces = resampler.values(coefficients, material.sphere_film_modulus());
-        Self::of_pieces(resampler, range, pieces, material)
+        Self::of_pieces(resampler, pieces, material)
     }
 
     /// Makes the curve of its polynomials on the pieces of `resampler`.
     pub(crate) fn of_pieces(
-        resampler: &Resampler,
-        range: [f64; 2],
+        resampler: &QuantityResampler,
         pieces: Pieces,
         material: Material,
     ) -> Self {
@@ -101,14 +93,12 @@ impl Curve {
             values,
             start_error,
         } = pieces;
-        let known = Quantity::ALL.map(|quantity| resampler.held.contains(&quantity));
+        let [first, _] = values.grid().range();
         Self {
-            grid: resampler.grid.clone(),
-            pieces: values,
-            range,
+            functions: values,
             material,
-            known,
-            start_error: start_error.map(|error| error + fifth_order(&material, range[0])),
+            known: resampler.held(),
+            start_error: start_error.map(|error| error + fifth_order(&material, first)),
             sensitivities: None,
             even: None,
             accuracy: None,
@@ -120,8 +110,8 @@ impl Curve {
     /// Returns a known quantity that may leave `[1e-30, 1e30]` on a piece, with its value in the
     /// middle of that piece.
     pub(crate) fn unreasonable(&self) -> Option<(Quantity, f64)> {
-        let outside = first_piece_outside(&REASONABLE, &self.pieces, self.known);
-        outside.map(|(piece, quantity)| (quantity, piece[0][quantity as usize]))
+        let leaving = self.functions.leaving(&REASONABLE, self.known);
+        leaving.map(|(quantity, value)| (Quantity::ALL[quantity], value))
     }
 
     /// Adds the derivatives with respect to the material.
@@ -193,8 +183,9 @@ impl Curve {
     }
 
     /// Returns the smallest and the largest `a/t` of the nodes.
+    #[inline]
     pub fn range(&self) -> [f64; 2] {
-        self.range
+        self.functions.grid().range()
     }
 
     /// Returns whether [`Curve::quantity`] answers `quantity`: the table holds it, or it follows from
@@ -214,14 +205,7 @@ impl Curve {
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
         match self.inside(a_over_t) {
-            Some(x) => {
-                let position = self.grid.locate(x);
-                Ok(evaluate(
-                    &self.pieces[position.piece],
-                    position,
-                    quantity as usize,
-                ))
-            }
+            Some(x) => Ok(self.functions.value(quantity as usize, x)),
             None => Ok(self.expanded(a_over_t)?.values.get(quantity)),
         }
     }
@@ -241,18 +225,9 @@ impl Curve {
     ) -> Result<(), Error> {
         Error::same_length(a_over_t, values)?;
         self.require(quantity)?;
-        let (grid, pieces, [from, to]) = (&*self.grid, &*self.pieces, self.range);
-        dispatch!(Level::new(), simd => {
-            for (value, &x) in values.iter_mut().zip(a_over_t) {
-                *value = if x >= from && x <= to {
-                    let position = grid.locate(x);
-                    evaluate_fused(simd, &pieces[position.piece], position, quantity as usize)
-                } else {
-                    self.quantity(quantity, x)?
-                };
-            }
-            Ok(())
-        })
+        let outside = |x: f64| self.quantity(quantity, x);
+        self.functions
+            .value_at_all(quantity as usize, a_over_t, values, outside)
     }
 
     /// Returns the logarithmic slope `x dQ/dx` of `quantity` at `x = a_over_t`, the derivative of
@@ -277,13 +252,7 @@ impl Curve {
     pub fn quantities(&self, a_over_t: f64) -> Result<Quantities, Error> {
         self.require_all()?;
         match self.inside(a_over_t) {
-            Some(x) => {
-                let position = self.grid.locate(x);
-                Ok(Quantities::from_array(evaluate_all(
-                    &self.pieces[position.piece],
-                    position,
-                )))
-            }
+            Some(x) => Ok(Quantities::from_array(self.functions.values(x))),
             None => Ok(self.expanded(a_over_t)?.values),
         }
     }
@@ -338,11 +307,13 @@ impl Curve {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         let at = |x: f64| {
             let (values, slopes) = self.values_and_slopes(x)?;
-            Ok(sensitivities.gradient(self.grid.locate(x), values, slopes))
+            Ok(sensitivities.gradient(self.functions.grid().locate(x), values, slopes))
         };
         match self.inside(a_over_t) {
             Some(x) => at(x),
-            None if a_over_t < self.range[0] => self.gradient_below(a_over_t, &at(self.range[0])?),
+            None if a_over_t < self.range()[0] => {
+                self.gradient_below(a_over_t, &at(self.range()[0])?)
+            }
             None => Err(self.outside(a_over_t)),
         }
     }
@@ -366,10 +337,7 @@ impl Curve {
             .into_iter()
             .try_for_each(|quantity| self.require(quantity))?;
         let [pi0, eeq, gamma, _] = match self.inside(a_over_t) {
-            Some(x) => {
-                let position = self.grid.locate(x);
-                evaluate_all(&self.pieces[position.piece], position)
-            }
+            Some(x) => self.functions.values(x),
             None => self.expanded(a_over_t)?.values.to_array(),
         };
         Ok((pi0, eeq / gamma))
@@ -391,7 +359,7 @@ impl Curve {
         match (self.start_error, &self.accuracy) {
             (Some(estimate), Some(Accuracy { tolerance, .. })) => Error::BeginsTooLate {
                 quantity: quantity.name(),
-                from: self.range[0],
+                from: self.range()[0],
                 estimate,
                 tolerance: *tolerance,
             },
@@ -411,7 +379,7 @@ impl Curve {
     /// rounding of a ratio; `None` otherwise.
     #[inline]
     pub(super) fn inside(&self, a_over_t: f64) -> Option<f64> {
-        let [from, to] = self.range;
+        let [from, to] = self.range();
         if a_over_t >= from && a_over_t <= to {
             return Some(a_over_t);
         }
@@ -435,19 +403,16 @@ impl Curve {
             let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
             return Ok((values, slopes));
         };
-        let position = self.grid.locate(x);
-        let piece = &self.pieces[position.piece];
-        let speed = self.grid.logarithmic_speed(x);
-        let slopes = evaluate_derivatives(piece, position).map(|derivative| speed * derivative);
+        let [values, slopes] = self.functions.values_and_slopes(x);
         Ok((
-            Quantities::from_array(evaluate_all(piece, position)),
+            Quantities::from_array(values),
             Quantities::from_array(slopes),
         ))
     }
 
     /// The error of an `a/t` outside the curve.
     pub(super) fn outside(&self, value: f64) -> Error {
-        let [from, to] = self.range;
+        let [from, to] = self.range();
         Error::OutsideTable {
             axis: Parameter::AOverT.name(),
             value,
@@ -465,7 +430,7 @@ mod tests {
     #[test]
     fn the_slope_is_the_derivative_of_the_curve() {
         let curve = curve(&even(600));
-        let [from, to] = curve.range;
+        let [from, to] = curve.range();
         for i in 0..=1000 {
             let x = (from * (to / from).powf(f64::from(i) / 1000.0)).clamp(from, to);
             let step = 1e-5;
@@ -524,6 +489,9 @@ mod tests {
         fn shared<T: Send + Sync + Clone>(_: &T) {}
         let curve = curve(&even(60));
         shared(&curve);
-        assert!(Arc::ptr_eq(&curve.pieces, &curve.clone().pieces));
+        assert!(Arc::ptr_eq(
+            curve.functions.pieces(),
+            curve.clone().functions.pieces()
+        ));
     }
 }

@@ -40,10 +40,10 @@
 //! # The integrals on a piece
 //!
 //! On a piece `x` is a linear function of `t`, and `ln(Gamma/es)` a polynomial in `t`. The squares,
-//! the quotients and the integrals are [series](crate::curve::series) in `t` to its 11th power. The
+//! the quotients and the integrals are [series](piecewise::series) in `t` to its 11th power. The
 //! divisions by `x` are recurrences of two terms. The last two terms of each result are
 //! [economised]. The operations are those of [several pieces](LANES) side by side; then the constants
-//! of integration go on from piece to piece. [`Resampler::fitting`] chooses the pieces such that this
+//! of integration go on from piece to piece. [`QuantityResampler::fitting`] chooses the pieces such that this
 //! adds less than a tenth of the table's tolerance. The constants at the first `a/t`
 //! are those of a [thick film](crate::curve::thick_film).
 //!
@@ -60,16 +60,16 @@
 //!
 //! They are integrated in the same way and divided by the integrals.
 //!
-//! [`Resampler::fitting`]: crate::curve::resampler::Resampler::fitting
+//! [`QuantityResampler::fitting`]: crate::curve::quantity_resampler::QuantityResampler::fitting
 
 use fearless_simd::prelude::*;
 
-use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{LOGARITHM, Logarithms, VALUE, Values};
-use crate::curve::series::{
-    LANES, Lanes, Series, constants_of_integration, difference, economised, ends, exp, exponential,
-    first_terms, integral, product, quotient, rows_of_lanes, sum,
+use piecewise::series::{
+    LANES, Lanes, Series, constants_of_integration, difference, divided_by_powers, economised, exp,
+    exponential, first_terms, integral, limits, product, quotient, scale, sum, write_by_piece,
 };
+use piecewise::{Grid, LOGARITHM, Polynomials, Position, VALUE};
+
 use crate::curve::thick_film::{LARGEST, MULTIPLES};
 
 /// The number of coefficients of the integrals on a piece.
@@ -118,13 +118,14 @@ impl Derivation {
         range[0] <= LARGEST && MULTIPLES[2] * range[0] <= range[1]
     }
 
-    /// Returns what the integrals need for the pieces of `grid` over `range`; none if the range
-    /// does not contain the points at which they begin, or begins with too thin a film.
-    pub(crate) fn new(grid: &Grid, range: [f64; 2]) -> Option<Self> {
+    /// Returns what the integrals need for the pieces of `grid`; none if its range does not contain the
+    /// points at which they begin, or begins with too thin a film.
+    pub(crate) fn new(grid: &Grid) -> Option<Self> {
+        let range = grid.range();
         if !Self::begins(range) {
             return None;
         }
-        let mut ends: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
+        let mut ends: Vec<[f64; 2]> = grid.pieces().map(|(_, ends)| ends).collect();
         let last = *ends.last()?;
         ends.resize(ends.len().next_multiple_of(LANES), last);
         let groups = ends.as_chunks::<LANES>().0.iter().map(|group| Group {
@@ -133,7 +134,7 @@ impl Derivation {
         });
         Some(Self {
             groups: groups.collect(),
-            first: range[0] * grid.factor,
+            first: range[0] * grid.factor(),
             starts: MULTIPLES.map(|multiple| grid.locate(multiple * range[0])),
         })
     }
@@ -163,15 +164,8 @@ impl Derivation {
         constants: &mut Constants<'_>,
         order: usize,
     ) {
-        let [mut from, to] = ends(integral);
-        if group == 0 {
-            let Position { t, .. } = self.starts[0];
-            from[0] = integral
-                .iter()
-                .rev()
-                .fold(0.0, |sum, term| sum * t + term[0]);
-        }
-        integral[0] = constants.on_group(simd, order, group, from, to);
+        let start = (group == 0).then_some(self.starts[0].t);
+        integral[0] = constants.on_group(simd, order, group, limits(start, integral));
     }
 
     /// Integrates on a group of pieces, where `logarithms` are the polynomials of `ln(Gamma/es)`.
@@ -213,7 +207,7 @@ impl Derivation {
         logarithms: &Series<Lanes<S>, LOGARITHM>,
         integrals: Integrals<S>,
         es: f64,
-        pieces: &mut [Values; LANES],
+        pieces: &mut [Polynomials<VALUE>; LANES],
     ) {
         let Group {
             half_lengths,
@@ -224,9 +218,12 @@ impl Derivation {
         let ratio = Lanes::simd_from(simd, half_lengths) * inverse;
         let [eeq, delta0, pi0] = divided_by_powers(integrals.integrals, ratio);
         let (square, es) = (inverse * inverse, Lanes::splat(simd, es));
-        let pi0 = scaled(&economised(simd, &pi0), square * inverse * es * 8.0);
-        let eeq = scaled(&economised(simd, &eeq), inverse * es);
-        let delta0 = scaled(&economised(simd, &delta0), square * 2.0);
+        let mut pi0 = economised(simd, &pi0);
+        scale(&mut pi0, square * inverse * es * 8.0);
+        let mut eeq = economised(simd, &eeq);
+        scale(&mut eeq, inverse * es);
+        let mut delta0 = economised(simd, &delta0);
+        scale(&mut delta0, square * 2.0);
         let gamma: Series<_, TERMS> = exponential(simd, integrals.middle * es, 1.0, logarithms);
         write_by_piece([&pi0, &eeq, &economised(simd, &gamma), &delta0], pieces);
     }
@@ -242,7 +239,7 @@ impl Derivation {
         integrals: &Integrals<S>,
         gamma: &Series<Lanes<S>, LOGARITHM>,
         constants: &mut Constants<'_>,
-        pieces: &mut [Logarithms; LANES],
+        pieces: &mut [Polynomials<LOGARITHM>; LANES],
     ) {
         let square = first_terms(&integrals.square);
         let inverse = first_terms(&integrals.inverse);
@@ -280,20 +277,19 @@ pub(crate) enum Constants<'a> {
 
 impl Constants<'_> {
     /// Returns the constants of the integral of order `order` on the pieces of a group, from its
-    /// values without them at the beginnings and at the ends of the pieces.
+    /// [limits] without them.
     #[inline(always)]
     fn on_group<S: Simd>(
         &mut self,
         simd: S,
         order: usize,
         group: usize,
-        from: Lanes<S>,
-        to: Lanes<S>,
+        limits: [Lanes<S>; 2],
     ) -> Lanes<S> {
         match self {
-            Self::Running(at) => constants_of_integration(simd, &mut at[order], from, to),
+            Self::Running(at) => constants_of_integration(simd, &mut at[order], limits),
             Self::Given(beginnings) => {
-                let mut constants = -from;
+                let mut constants = -limits[0];
                 for lane in 0..LANES {
                     let piece = (LANES * group + lane).min(beginnings.len() - 1);
                     constants[lane] += beginnings[piece][order];
@@ -304,38 +300,6 @@ impl Constants<'_> {
     }
 }
 
-/// Divides three series by `1 + ratio t` to the powers 1, 2 and 3.
-///
-/// A term of a quotient waits for the one before it. Therefore all divisions are made term by term
-/// together.
-#[inline(always)]
-pub(super) fn divided_by_powers<S: Simd, const N: usize>(
-    [mut first, mut second, mut third]: [Series<Lanes<S>, N>; 3],
-    ratio: Lanes<S>,
-) -> [Series<Lanes<S>, N>; 3] {
-    let minus = -ratio;
-    let (mut of_second, mut of_third) = (second[0], [third[0]; 2]);
-    for k in 1..N {
-        first[k] = minus.mul_add(first[k - 1], first[k]);
-        of_second = minus.mul_add(of_second, second[k]);
-        second[k] = minus.mul_add(second[k - 1], of_second);
-        of_third[0] = minus.mul_add(of_third[0], third[k]);
-        of_third[1] = minus.mul_add(of_third[1], of_third[0]);
-        third[k] = minus.mul_add(third[k - 1], of_third[1]);
-    }
-    [first, second, third]
-}
-
-/// Multiplies a series by a number.
-#[inline(always)]
-fn scaled<S: Simd>(series: &Series<Lanes<S>, VALUE>, factor: Lanes<S>) -> Series<Lanes<S>, VALUE> {
-    let mut scaled = *series;
-    for term in &mut scaled {
-        *term *= factor;
-    }
-    scaled
-}
-
 /// Returns the series of a derivative over its value.
 #[inline(always)]
 fn relative<S: Simd>(
@@ -344,18 +308,4 @@ fn relative<S: Simd>(
     value: &Series<Lanes<S>, RELATIVE_TERMS>,
 ) -> Series<Lanes<S>, LOGARITHM> {
     economised(simd, &quotient(simd, derivative, value))
-}
-
-/// Writes the coefficients of the quantities, each of them on a group of pieces, to the `pieces`.
-#[inline(always)]
-fn write_by_piece<S: Simd, const N: usize>(
-    [pi0, eeq, gamma, delta0]: [&Series<Lanes<S>, N>; 4],
-    pieces: &mut [[[f64; 4]; N]; LANES],
-) {
-    for k in 0..N {
-        let rows = rows_of_lanes([pi0[k], eeq[k], gamma[k], delta0[k]]);
-        for (piece, row) in pieces.iter_mut().zip(rows) {
-            row.store_slice(&mut piece[k]);
-        }
-    }
 }

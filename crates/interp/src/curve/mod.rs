@@ -1,13 +1,10 @@
 //! The quantities of one material as functions of `a/t`.
 //!
-//! A table, or a solve, gives values at `nodes`. The splines of `low_rank::bspline`
-//! interpolate them.
-//! `resampler` turns the splines into polynomials on the pieces of a `grid`, which finds a piece
-//! without a search; `spans` holds the B-splines of each piece. `fitting` chooses the pieces,
-//! `piecewise` evaluates the polynomials. From `Gamma` alone, `derived` integrates the other
-//! quantities as `series` on the pieces, beginning with those of a `thick_film`. [`Curve`] holds
-//! the pieces; `through` makes one from values at nodes, and `exchange` converts one for the crate
-//! `splines`.
+//! A table, or a solve, gives values at `nodes`. The crate [`piecewise`] interpolates them by splines, and
+//! turns these into polynomials on pieces that are found without a search. `quantity_resampler` does
+//! this for the quantities; from `Gamma` alone, `derived` integrates the others on the pieces,
+//! beginning with those of a `thick_film`. `fitting` chooses the pieces. [`Curve`] holds them;
+//! `through` makes one from values at nodes, and `exchange` converts one for the crate `splines`.
 //!
 //! `even_powers` turns the curve into that of a sphere or of an even power of the radius; `shaped` holds the
 //! functions of [`Curve`] for that. `asymptotics` continues a curve `beyond` its nodes;
@@ -20,14 +17,10 @@ pub(crate) mod derived;
 mod even_powers;
 mod exchange;
 mod fitting;
-mod grid;
 pub(crate) mod nodes;
-mod piecewise;
-pub(crate) mod resampler;
+pub(crate) mod quantity_resampler;
 pub(crate) mod sensitivity;
-mod series;
 mod shaped;
-mod spans;
 #[cfg(test)]
 mod test_curve;
 mod thick_film;

@@ -1,9 +1,7 @@
 //! The derivatives of the quantities with respect to the parameters of the material.
 
-use std::sync::Arc;
+use piecewise::{LOGARITHM, Piecewise, Position};
 
-use crate::curve::grid::Position;
-use crate::curve::piecewise::{Logarithms, evaluate_all, evaluate_derivatives};
 use crate::material::equivalence::Jacobian;
 use crate::material::one_minus_square;
 use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
@@ -13,7 +11,7 @@ use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
 pub(crate) struct Sensitivities {
     /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1` and `ln e0_over_e2`
     /// of the table.
-    by_table: [Arc<[Logarithms]>; 3],
+    by_table: [Piecewise<LOGARITHM>; 3],
     /// Whether each of them is known. The derivative with respect to a parameter that the table
     /// fixes to a finite value is unknown.
     known: [bool; 3],
@@ -31,7 +29,7 @@ impl Sensitivities {
     /// Takes the derivatives on the pieces, whether each is known, the material asked for, and the
     /// derivatives of its equivalent with respect to it.
     pub(crate) fn new(
-        by_table: [Arc<[Logarithms]>; 3],
+        by_table: [Piecewise<LOGARITHM>; 3],
         known: [bool; 3],
         material: Material,
         jacobian: Jacobian,
@@ -73,9 +71,8 @@ impl Sensitivities {
             if !self.known[i] {
                 return None;
             }
-            let piece = &by_table[position.piece];
-            let [pi0, eeq, gamma, _] = evaluate_all(piece, position);
-            let slope = evaluate_derivatives(piece, position)[Quantity::Gamma as usize];
+            let [pi0, eeq, gamma, _] = by_table.values_at(position);
+            let slope = by_table.derivatives_at(position)[Quantity::Gamma as usize];
             for (sum, by) in sums.iter_mut().zip([pi0, eeq, gamma, slope]) {
                 *sum += factor * by;
             }
@@ -87,10 +84,10 @@ impl Sensitivities {
     /// this one.
     pub(crate) fn of_other(
         &self,
-        mut other: impl FnMut(&[Logarithms]) -> Arc<[Logarithms]>,
+        other: impl FnMut(&Piecewise<LOGARITHM>) -> Piecewise<LOGARITHM>,
     ) -> Self {
         Self {
-            by_table: self.by_table.each_ref().map(|by| other(by)),
+            by_table: self.by_table.each_ref().map(other),
             ..self.clone()
         }
     }
@@ -104,8 +101,8 @@ impl Sensitivities {
     ) -> QuantityGradient {
         // Those of `es`, which is no factor of `Delta0`.
         let mut relative = self.scale.map(|scale| [scale, scale, scale, 0.0]);
-        for (pieces, factors) in self.by_table.iter().zip(&self.jacobian) {
-            let by_table = evaluate_all(&pieces[position.piece], position);
+        for (by_table, factors) in self.by_table.iter().zip(&self.jacobian) {
+            let by_table = by_table.values_at(position);
             for (relative, factor) in relative.iter_mut().zip(factors) {
                 for (sum, derivative) in relative.iter_mut().zip(by_table) {
                     *sum += factor * derivative;

@@ -18,16 +18,19 @@ impl Curve {
     pub fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
         self.accept_integrals("the contact of this probe")?;
         let source = self.source();
-        let (pieces, even) = source.of_shape(shape);
+        let (functions, even) = source.of_shape(shape);
         let (sensitivities, even) = match &self.sensitivities {
             None => (None, even),
             Some(own) => {
-                let own = own.of_other(|by| source.by_parameter(shape, &pieces, by));
-                (Some(Arc::new(own)), source.with_derivatives(&pieces, even))
+                let own = own.of_other(|by| source.by_parameter(shape, &functions, by));
+                (
+                    Some(Arc::new(own)),
+                    source.with_derivatives(&functions, even),
+                )
             }
         };
         Ok(Self {
-            pieces,
+            functions,
             sensitivities,
             even: Some(Arc::new(even)),
             ..self.clone()
@@ -48,7 +51,7 @@ impl Curve {
             return Err(Error::StackProbe);
         }
         let (from, tolerance) = (
-            self.range[0],
+            self.range()[0],
             self.accuracy
                 .map_or(TOLERANCE, |accuracy| accuracy.tolerance),
         );
@@ -77,16 +80,8 @@ impl Curve {
     /// on a curve that knows `Gamma`.
     #[inline]
     pub fn gamma_and_rate(&self, a_over_t: f64) -> [f64; 2] {
-        let position = self.grid.locate(a_over_t);
-        let piece = &self.pieces[position.piece];
-        let terms = piece.iter().rev().map(|row| row[Quantity::Gamma as usize]);
-        let [value, rate] = terms.fold([0.0; 2], |[value, rate], term| {
-            [value * position.t + term, rate * position.t + value]
-        });
-        [
-            value,
-            rate * self.grid.logarithmic_speed(a_over_t) / a_over_t,
-        ]
+        self.functions
+            .value_and_rate(Quantity::Gamma as usize, a_over_t)
     }
 
     /// Returns the derivatives, with respect to a parameter by number as in
@@ -100,9 +95,10 @@ impl Curve {
         let x = self
             .inside(a_over_t)
             .ok_or_else(|| self.outside(a_over_t))?;
-        let by = sensitivities.over_es(self.grid.locate(x), parameter);
+        let grid = self.functions.grid();
+        let by = sensitivities.over_es(grid.locate(x), parameter);
         let [pi0, eeq, gamma, slope] = by.ok_or(Error::FixedParameter("the material"))?;
-        Ok([pi0, eeq, gamma, slope * self.grid.logarithmic_speed(x) / x])
+        Ok([pi0, eeq, gamma, slope * grid.logarithmic_speed(x) / x])
     }
 
     /// Returns the derivatives of the logarithms of load and penetration without adhesion with
@@ -112,16 +108,13 @@ impl Curve {
     /// [`Error::NoGradient`] on another curve, or on one without derivatives.
     pub fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
         let even = self.even.as_ref().ok_or(Error::NoGradient)?;
-        let position = self.inside(a_over_t).map(|x| self.grid.locate(x));
-        even.by_size(a_over_t, position)
+        even.by_size(a_over_t, self.inside(a_over_t))
     }
 
     /// Returns the pieces, from which those of other shapes follow.
     pub(super) fn source(&self) -> Source<'_> {
         Source {
-            grid: &self.grid,
-            pieces: &self.pieces,
-            range: self.range,
+            functions: &self.functions,
             es: self.material.sphere_film_modulus(),
         }
     }

@@ -1,9 +1,9 @@
 //! Makes the curve through quantities at nodes, from elsewhere than a table.
 
-use low_rank::bspline::Basis;
+use piecewise::bspline::Basis;
 
 use crate::curve::nodes::{REASONABLE, too_close};
-use crate::curve::resampler::Resampler;
+use crate::curve::quantity_resampler::QuantityResampler;
 use crate::{Curve, Error, Material, Parameter, Quantities, Quantity};
 
 impl Curve {
@@ -85,10 +85,11 @@ impl Curve {
         });
         let range = [a_over_t[0], a_over_t[a_over_t.len() - 1]];
         let of_curve = |i: usize| &coefficients[i];
-        let resampler = Resampler::fitting(&basis, range, &Quantity::ALL, N, of_curve, ERROR);
+        let resampler =
+            QuantityResampler::fitting(&basis, range, &Quantity::ALL, N, of_curve, ERROR);
         let curves = coefficients
             .each_ref()
-            .map(|coefficients| Self::of_splines(&resampler, range, coefficients, material));
+            .map(|coefficients| Self::of_splines(&resampler, coefficients, material));
         match curves.iter().find_map(Self::unreasonable) {
             None => Ok(curves),
             Some((quantity, value)) => Err(Error::InvalidArgument {

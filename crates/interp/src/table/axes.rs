@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use low_rank::bspline::Basis;
+use piecewise::bspline::Basis;
 
 use crate::curve::nodes::{REASONABLE, too_close};
 use crate::material::equivalence::Invariants;

@@ -1,8 +1,8 @@
 //! What the first lookup in a low-rank table needs, and how much of it the parts may ask for.
 
 use low_rank::Needs;
+use piecewise::Fitting;
 
-use crate::curve::resampler::Resampler;
 use crate::{Error, Tile};
 
 /// The number of parts into which the materials with which the pieces are tested divide each axis.
@@ -22,7 +22,7 @@ const ALWAYS_ALLOWED: [u64; 2] = [1_000_000, 100_000_000];
 
 /// What the first lookup in a low-rank table needs: [what its trains need](Needs), and the curves of
 /// 125 materials at most, on which the pieces of a curve are tested, each up to [six
-/// times](Resampler::ROUNDS). The comparison of these curves with the pieces does not depend on the
+/// times](Fitting::ROUNDS). The comparison of these curves with the pieces does not depend on the
 /// size of the trains, and has its own limit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Demand(Needs);
@@ -34,7 +34,7 @@ impl Demand {
         let [n_a, of_material @ ..] = shape;
         let free = of_material.into_iter().filter(|&nodes| nodes > 1);
         let materials = free.fold(1, |materials, _| materials * (PARTS + 1));
-        let curves = (materials * Resampler::ROUNDS) as u64;
+        let curves = (materials * Fitting::ROUNDS) as u64;
         let each = tiles.iter().map(|tile| Needs::of(&tile.form, n_a));
         let mut all = each.fold(Needs::default(), |all, needs| Needs {
             integers: all.integers.saturating_add(needs.integers),

@@ -1,7 +1,7 @@
 //! The lookup of the curve of one material: the preparation, once for a table, and the sums for
 //! each material.
 
-use crate::curve::resampler::{Pieces, Resampler};
+use crate::curve::quantity_resampler::{Pieces, QuantityResampler};
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
@@ -16,8 +16,7 @@ use crate::{
 #[derive(Clone, Debug)]
 pub(crate) struct Lookup {
     spline: TensorSpline,
-    resampler: Resampler,
-    range: [f64; 2],
+    resampler: QuantityResampler,
 }
 
 impl Lookup {
@@ -37,21 +36,20 @@ impl Lookup {
         spline: TensorSpline,
         pieces: Option<&[u32]>,
     ) -> Self {
-        let range = axes.ends(Parameter::AOverT);
         let resampler = match pieces {
-            Some(pieces) => Resampler::new(&spline.a_over_t_basis, range, &quantities, pieces),
+            Some(pieces) => {
+                let range = axes.ends(Parameter::AOverT);
+                let held: Vec<usize> = quantities.iter().map(|&held| held as usize).collect();
+                QuantityResampler::new(&spline.a_over_t_basis, range, &held, pieces)
+            }
             None => Self::fitting(axes, &quantities, tolerance, &spline),
         };
-        Self {
-            spline,
-            resampler,
-            range,
-        }
+        Self { spline, resampler }
     }
 
     /// Returns the binary logarithm of the number of pieces in each octave of `a/t`.
     pub(crate) fn pieces_of_octaves(&self) -> &[u32] {
-        &self.resampler.bits
+        self.resampler.splines.bits()
     }
 
     /// Chooses the pieces by the curves of materials all over the table.
@@ -60,7 +58,7 @@ impl Lookup {
         quantities: &[Quantity],
         tolerance: f64,
         spline: &TensorSpline,
-    ) -> Resampler {
+    ) -> QuantityResampler {
         let range = axes.ends(Parameter::AOverT);
         let [e1, nu1, e0] = axes.of_material().map(|parameter| {
             let [from, to] = axes
@@ -81,7 +79,7 @@ impl Lookup {
             .collect();
         let curve = |i: usize| spline.coefficients(materials[i]);
         let error = (Self::SHARE * tolerance).max(Self::LEAST_ERROR);
-        Resampler::fitting(
+        QuantityResampler::fitting(
             &spline.a_over_t_basis,
             range,
             quantities,
@@ -181,7 +179,7 @@ impl Lookup {
         equivalent: Material,
         stack: Option<StackShape>,
     ) -> Result<Curve, Error> {
-        let curve = Curve::of_pieces(&self.resampler, self.range, pieces, equivalent);
+        let curve = Curve::of_pieces(&self.resampler, pieces, equivalent);
         let curve = match stack {
             Some(stack) => curve.of_stack(stack),
             None => curve,

@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use low_rank::once::Once;
+use piecewise::Fitting;
 
 use crate::curve::derived::Derivation;
 use crate::curve::nodes::REASONABLE;
-use crate::curve::resampler::Resampler;
 use crate::table::axes::Axes;
 use crate::table::lookup::Lookup;
 use crate::table::stored_tiles::StoredTiles;
@@ -158,7 +158,7 @@ impl Table {
     /// [`Error::Malformed`] for lengths that no choice of pieces has.
     pub(crate) fn with_pieces(mut self, pieces: Vec<u32>) -> Result<Self, Error> {
         let range = self.axes.ends(Parameter::AOverT);
-        if !Resampler::may_have(range, &pieces) {
+        if !Fitting::may_choose(range, &pieces) {
             return Err(Error::Malformed(format!(
                 "its curves have {pieces:?} as the binary logarithms of the numbers of pieces in the \
                  octaves of a_over_t from {:?} to {:?}, which no table has",

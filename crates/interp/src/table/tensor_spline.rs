@@ -4,9 +4,9 @@
 use std::array;
 use std::sync::Arc;
 
-use low_rank::bspline::{Basis, LARGEST_DEGREE, Weights};
 use low_rank::once::Once;
 use low_rank::{PreparedTrain, Vectors, WeightedSum, add_rows};
+use piecewise::bspline::{Basis, LARGEST_DEGREE, Weights};
 
 use crate::Parameter;
 use crate::table::axes::Axes;

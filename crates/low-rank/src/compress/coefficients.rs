@@ -7,8 +7,8 @@
 use faer::{Mat, MatRef};
 
 use super::matrices::{larger, row_major, singular_vectors};
-use crate::bspline::Basis;
 use crate::chebyshev::{points, transform};
+use piecewise::bspline::Basis;
 
 /// The first number of points for each node of a box, and the number of further ones.
 const POINTS: [f64; 2] = [1.25, 12.0];

@@ -5,7 +5,7 @@
 //! everywhere.
 
 use interp::{Material, Parameter, Quantities};
-use low_rank::bspline::Basis;
+use piecewise::bspline::Basis;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;

@@ -91,7 +91,15 @@ mod tests {
                 .iter()
                 .position(|one| *one == format!("coated-contact-{name}"))
         };
-        let chain = ["low-rank", "interp", "contact", "fit", "tabulate"].map(place);
+        let chain = [
+            "piecewise",
+            "low-rank",
+            "interp",
+            "contact",
+            "fit",
+            "tabulate",
+        ]
+        .map(place);
         assert!(
             chain.iter().all(Option::is_some) && chain.is_sorted(),
             "{names:?}"

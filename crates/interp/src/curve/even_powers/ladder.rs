@@ -2,15 +2,14 @@
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
+use piecewise::series::{
+    LANES, Lanes, Series, continued, divided_by_powers, economised, integral, lanes_of_rows,
+    pairs_by_lane, product, quotient, scale, times_linear,
+};
+use piecewise::{Polynomials, VALUE};
 
 use super::beginning::Kernel;
 use super::weights::{MOST_TERMS, Weights};
-use crate::curve::derived::divided_by_powers;
-use crate::curve::piecewise::{VALUE, Values};
-use crate::curve::series::{
-    LANES, Lanes, Series, constants_of_integration, economised, ends, integral, lanes_of_rows,
-    pairs_by_lane, product, quotient,
-};
 
 /// The number of coefficients of a series on a piece.
 const TERMS: usize = 12;
@@ -59,7 +58,7 @@ pub(super) struct Group<'a> {
     /// Their ends, in units of the grid.
     pub(super) ends: [[f64; 2]; LANES],
     pub(super) weights: [Weights; LANES],
-    pub(super) pieces: [&'a Values; LANES],
+    pub(super) pieces: [&'a Polynomials<VALUE>; LANES],
     /// The place of the first node on the first piece, in the first group.
     pub(super) start: Option<f64>,
     pub(super) number: usize,
@@ -79,7 +78,7 @@ impl Group<'_> {
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
         let zero = Lanes::splat(simd, 0.0);
-        let [mut stiffness, mut gamma, mut penetration] = [[zero; TERMS]; 3];
+        let [mut stiffness, mut gamma, mut penetration]: [Series<_, TERMS>; 3] = [[zero; TERMS]; 3];
         let inverse_es = Lanes::splat(simd, 1.0 / es);
         for k in 0..VALUE {
             let mut rows = [f64x4::splat(simd, 0.0); LANES];
@@ -144,25 +143,6 @@ impl Group<'_> {
     }
 }
 
-/// Adds the constants with which an integral goes on from piece to piece, from `at` on. In the
-/// first group the first node is at the place `start` on the first piece.
-#[inline(always)]
-pub(in crate::curve) fn continued<S: Simd, const N: usize>(
-    simd: S,
-    start: Option<f64>,
-    integral: &mut Series<Lanes<S>, N>,
-    at: &mut f64,
-) {
-    let [mut from, to] = ends(integral);
-    if let Some(t) = start {
-        from[0] = integral
-            .iter()
-            .rev()
-            .fold(0.0, |sum, term| sum * t + term[0]);
-    }
-    integral[0] = constants_of_integration(simd, at, from, to);
-}
-
 /// Returns the coefficients of a term on the pieces.
 #[inline(always)]
 fn lanes_of(weights: &[Weights; LANES], k: usize) -> [f64; LANES] {
@@ -171,28 +151,4 @@ fn lanes_of(weights: &[Weights; LANES], k: usize) -> [f64; LANES] {
         *lane = weights.beta[k];
     }
     lanes
-}
-
-/// Multiplies a series by `middle + half t`.
-#[inline(always)]
-pub(in crate::curve) fn times_linear<S: Simd>(
-    series: &mut Series<Lanes<S>, TERMS>,
-    middle: Lanes<S>,
-    half: Lanes<S>,
-) {
-    for k in (1..TERMS).rev() {
-        series[k] = half.mul_add(series[k - 1], middle * series[k]);
-    }
-    series[0] *= middle;
-}
-
-/// Multiplies a series by a number.
-#[inline(always)]
-pub(in crate::curve) fn scale<S: Simd, const N: usize>(
-    series: &mut Series<Lanes<S>, N>,
-    factor: Lanes<S>,
-) {
-    for term in series {
-        *term *= factor;
-    }
 }

@@ -50,13 +50,12 @@ use std::sync::Arc;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
+use piecewise::series::{LANES, economised, product, quotient};
+use piecewise::{Piecewise, Polynomials, VALUE};
 
 use self::beginning::{Beginning, Kernel};
 use self::ladder::{Group, Running};
 use self::weights::{Weights, dilated};
-use crate::curve::grid::{Grid, Position};
-use crate::curve::piecewise::{VALUE, Values, evaluate_all};
-use crate::curve::series::{LANES, economised, product, quotient};
 use crate::{Error, Quantities, Quantity};
 
 pub use self::weights::{EvenShape, LARGEST_A_OVER_R};
@@ -73,7 +72,7 @@ pub(crate) struct EvenPowers {
     /// The derivatives of the logarithms of load and penetration with respect to that of all lengths
     /// of the shape, at a fixed contact radius, in the places of `Pi0` and `Delta0`; none without
     /// derivatives.
-    by_size: Option<Arc<[Values]>>,
+    by_size: Option<Piecewise<VALUE>>,
 }
 
 impl EvenPowers {
@@ -122,11 +121,12 @@ impl EvenPowers {
     }
 
     /// Returns the derivatives of the logarithms of load and penetration with respect to that of all
-    /// lengths of the shape, at a fixed contact radius.
-    pub fn by_size(&self, x: f64, position: Option<Position>) -> Result<[f64; 2], Error> {
-        let pieces = self.by_size.as_ref().ok_or(Error::NoGradient)?;
-        if let Some(position) = position {
-            let [load, _, _, penetration] = evaluate_all(&pieces[position.piece], position);
+    /// lengths of the shape, at a fixed contact radius. `inside` is the `a/t` between the nodes, if it is
+    /// there.
+    pub fn by_size(&self, x: f64, inside: Option<f64>) -> Result<[f64; 2], Error> {
+        let by_size = self.by_size.as_ref().ok_or(Error::NoGradient)?;
+        if let Some(x) = inside {
+            let [load, _, _, penetration] = by_size.values(x);
             return Ok([load, penetration]);
         }
         let y = x * self.unit;
@@ -140,10 +140,7 @@ impl EvenPowers {
 /// The pieces of a curve, from which those of other shapes follow.
 #[derive(Clone, Copy)]
 pub(crate) struct Source<'a> {
-    pub(crate) grid: &'a Grid,
-    pub(crate) pieces: &'a [Values],
-    /// The first and the last node in `a/t`.
-    pub(crate) range: [f64; 2],
+    pub(crate) functions: &'a Piecewise<VALUE>,
     /// The sphere-film modulus in the unit of the quantities.
     pub(crate) es: f64,
 }
@@ -151,25 +148,30 @@ pub(crate) struct Source<'a> {
 impl Source<'_> {
     /// Returns the pieces of the curve of a shape, with `Pi0` and `Delta0` of the shape, and what
     /// else its curve has.
-    pub(crate) fn of_shape(&self, shape: EvenShape) -> (Arc<[Values]>, EvenPowers) {
+    pub(crate) fn of_shape(&self, shape: EvenShape) -> (Piecewise<VALUE>, EvenPowers) {
         let beginning = self.beginning();
-        let pieces = self.integrated(shape, &beginning, |weights| weights);
+        let functions = self.integrated(shape, &beginning, |weights| weights);
         let even = EvenPowers {
             shape,
-            unit: self.grid.factor,
+            unit: self.functions.grid().factor(),
             beginning,
             es: self.es,
             by_size: None,
         };
-        (pieces, even)
+        (functions, even)
     }
 
     /// Adds the derivatives with respect to the size of the shape.
-    pub(crate) fn with_derivatives(&self, of_shape: &[Values], even: EvenPowers) -> EvenPowers {
+    pub(crate) fn with_derivatives(
+        &self,
+        of_shape: &Piecewise<VALUE>,
+        even: EvenPowers,
+    ) -> EvenPowers {
         let by_size = self.integrated(even.shape, &even.beginning, dilated);
-        let relative = by_size.iter().zip(of_shape).map(|(by, of)| ratio(by, of));
+        let pairs = by_size.pieces().iter().zip(&**of_shape.pieces());
+        let relative = pairs.map(|(by, of)| ratio(by, of)).collect();
         EvenPowers {
-            by_size: Some(relative.collect()),
+            by_size: Some(self.on_grid(relative)),
             ..even
         }
     }
@@ -180,30 +182,27 @@ impl Source<'_> {
     pub(crate) fn by_parameter<const N: usize>(
         &self,
         shape: EvenShape,
-        of_shape: &[Values],
-        by: &[[[f64; 4]; N]],
-    ) -> Arc<[[[f64; 4]; N]]> {
+        of_shape: &Piecewise<VALUE>,
+        by: &Piecewise<N>,
+    ) -> Piecewise<N> {
         /// The step of the differences. Their error is of the order of its square.
         const STEP: f64 = 1e-4;
         let [more, less] = [STEP, -STEP].map(|step| {
-            let changed: Vec<Values> = self
-                .pieces
-                .iter()
-                .zip(by)
-                .map(|(piece, by)| scaled(piece, by, step))
-                .collect();
+            let pairs = self.functions.pieces().iter().zip(&**by.pieces());
+            let changed = pairs.map(|(piece, by)| scaled(piece, by, step)).collect();
             let changed = Source {
-                pieces: &changed,
+                functions: &self.on_grid(changed),
                 ..*self
             };
             changed.integrated(shape, &changed.beginning(), |weights| weights)
         });
-        let mut relative: Vec<[[f64; 4]; N]> = by.to_vec();
-        for (i, relative) in relative.iter_mut().enumerate() {
-            let difference: Values = std::array::from_fn(|k| {
+        let [more, less] = [more.pieces(), less.pieces()];
+        let mut relative = by.pieces().clone();
+        for (i, relative) in Arc::make_mut(&mut relative).iter_mut().enumerate() {
+            let difference: Polynomials<VALUE> = std::array::from_fn(|k| {
                 std::array::from_fn(|q| (more[i][k][q] - less[i][k][q]) / (2.0 * STEP))
             });
-            let quotient = ratio(&difference, &of_shape[i]);
+            let quotient = ratio(&difference, &of_shape.pieces()[i]);
             let quotient: [[f64; 4]; N] = dispatch!(Level::new(), simd => {
                 let series = quotient.map(|row| f64x4::simd_from(simd, row));
                 economised::<_, _, VALUE, N>(simd, &series).map(|row| *row.as_array())
@@ -214,17 +213,20 @@ impl Source<'_> {
                 }
             }
         }
-        relative.into()
+        self.on_grid(relative)
+    }
+
+    /// Returns polynomials on the pieces of the curve.
+    fn on_grid<const N: usize>(&self, pieces: Arc<[Polynomials<N>]>) -> Piecewise<N> {
+        Piecewise::new(self.functions.grid().clone(), pieces)
     }
 
     /// Returns the thick film with which the ladder begins.
     pub(super) fn beginning(&self) -> Beginning {
-        let position = self.grid.locate(self.range[0]);
-        let [pi0, eeq, ..] = evaluate_all(&self.pieces[position.piece], position);
-        Beginning::new(
-            [pi0 / self.es, eeq / self.es],
-            self.range[0] * self.grid.factor,
-        )
+        let grid = self.functions.grid();
+        let [first, _] = grid.range();
+        let [pi0, eeq, ..] = self.functions.values(first);
+        Beginning::new([pi0 / self.es, eeq / self.es], first * grid.factor())
     }
 
     /// Integrates the ladder of a shape, with changed weights, and returns the pieces. Those beyond
@@ -234,16 +236,16 @@ impl Source<'_> {
         shape: EvenShape,
         beginning: &Beginning,
         change: impl Fn(Weights) -> Weights,
-    ) -> Arc<[Values]> {
-        let unit = self.grid.factor;
+    ) -> Piecewise<VALUE> {
+        let grid = self.functions.grid();
+        let unit = grid.factor();
         let most = shape.largest() * unit;
-        let ends: Vec<[f64; 2]> = self
-            .grid
-            .pieces(self.range[1])
+        let ends: Vec<[f64; 2]> = grid
+            .pieces()
             .map(|(_, ends)| ends)
             .take_while(|[from, _]| *from < most)
             .collect();
-        let mut pieces: Arc<[Values]> = self.pieces.into();
+        let mut pieces = self.functions.pieces().clone();
         let own = Arc::make_mut(&mut pieces);
         let first = change(shape.weights(beginning.first, unit));
         let mut running = Running::new(&beginning.at(beginning.first), &first);
@@ -253,8 +255,8 @@ impl Source<'_> {
             let group = Group {
                 ends: lanes.map(|lane: usize| ends[lane]),
                 weights: lanes.map(|lane| change(shape.weights(ends[lane][1], unit))),
-                pieces: lanes.map(|lane| &self.pieces[LANES * group + lane]),
-                start: (group == 0).then(|| self.grid.locate(self.range[0]).t),
+                pieces: lanes.map(|lane| &self.functions.pieces()[LANES * group + lane]),
+                start: (group == 0).then(|| grid.locate(grid.range()[0]).t),
                 number: group,
             };
             let new = dispatch!(Level::new(), simd => {
@@ -268,20 +270,24 @@ impl Source<'_> {
                 }
             }
         }
-        pieces
+        self.on_grid(pieces)
     }
 }
 
 /// Returns the quotients of the quantities, as polynomials on a piece.
-pub(super) fn ratio(numerator: &Values, denominator: &Values) -> Values {
+fn ratio(numerator: &Polynomials<VALUE>, denominator: &Polynomials<VALUE>) -> Polynomials<VALUE> {
     dispatch!(Level::new(), simd => {
-        let series = |piece: &Values| piece.map(|row| f64x4::simd_from(simd, row));
+        let series = |piece: &Polynomials<VALUE>| piece.map(|row| f64x4::simd_from(simd, row));
         quotient(simd, &series(numerator), &series(denominator)).map(|row| *row.as_array())
     })
 }
 
 /// Returns the quantities times `1 + step by`, as polynomials on a piece.
-pub(super) fn scaled<const N: usize>(piece: &Values, by: &[[f64; 4]; N], step: f64) -> Values {
+fn scaled<const N: usize>(
+    piece: &Polynomials<VALUE>,
+    by: &Polynomials<N>,
+    step: f64,
+) -> Polynomials<VALUE> {
     dispatch!(Level::new(), simd => {
         let by = by.map(|row| f64x4::simd_from(simd, row));
         let piece = piece.map(|row| f64x4::simd_from(simd, row));

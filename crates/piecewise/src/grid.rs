@@ -1,4 +1,4 @@
-//! The pieces of a curve over `x = a/t`, found by the bits of `x`.
+//! The pieces of a range of `x`, found by the bits of `x`.
 //!
 //! Let `y` be `x` times a constant factor. Every octave of `y` is cut into `2^bits` pieces of equal
 //! length, with `bits` chosen for each octave. The exponent of `y` and the first `bits` of its
@@ -13,16 +13,21 @@ const MANTISSA: u64 = (1 << MANTISSA_BITS) - 1;
 const ONE: u64 = 1.0_f64.to_bits();
 
 /// The pieces of a range of `x`.
+///
+/// An `x` outside the range has no position: its functions panic, or return that of another `x`.
 #[derive(Clone, Debug)]
-pub(crate) struct Grid {
+pub struct Grid {
+    range: [f64; 2],
     /// The factor `y/x`, with which `y` begins between 1 and 2.
     ///
     /// It is chosen such that the range covers as much as possible of the first and the last piece:
     /// a polynomial on a piece that extends far out of the range has large coefficients, and large
     /// rounding.
-    pub(crate) factor: f64,
+    factor: f64,
     /// The octaves of `y`: from 1 to 2, from 2 to 4, ...
     octaves: Vec<Octave>,
+    /// The number of pieces of the range.
+    count: usize,
 }
 
 /// The pieces of an octave.
@@ -36,23 +41,26 @@ struct Octave {
 
 /// A position on a piece.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Position {
+pub struct Position {
     /// The number of the piece.
-    pub(crate) piece: usize,
+    pub piece: usize,
     /// The position on the piece, from -1 to 1.
-    pub(crate) t: f64,
+    pub t: f64,
 }
 
 impl Grid {
     /// Returns the largest number of octaves that a range may need; it need not cover the whole of
     /// the first and the last.
-    pub(crate) fn most_octaves([from, to]: [f64; 2]) -> usize {
+    pub fn most_octaves([from, to]: [f64; 2]) -> usize {
         (to / from).log2() as usize + 2
     }
 
     /// Cuts a range of `x`, between 1e-30 and 1e30, into `2^bits[i]` pieces in octave `i`. The last
     /// octave of `bits` may not be needed.
-    pub(crate) fn over([from, to]: [f64; 2], bits: &[u32]) -> Self {
+    ///
+    /// # Panics
+    /// If `bits` has fewer octaves than the range, as may happen below [`Grid::most_octaves`].
+    pub fn over([from, to]: [f64; 2], bits: &[u32]) -> Self {
         const STEPS: i32 = 16;
         let length = |octave: usize| 0.5_f64.powi(bits[octave] as i32);
         // The first piece begins `before` times its length before the range. A factor with which
@@ -79,15 +87,37 @@ impl Grid {
             first += 1 << bits;
             octave
         });
-        Self {
+        let mut grid = Self {
+            range: [from, to],
             factor,
             octaves: octaves.collect(),
-        }
+            count: 0,
+        };
+        grid.count = grid.pieces().count();
+        grid
     }
 
-    /// Returns the position of `x`, which must be in the range.
+    /// Returns the number of pieces.
     #[inline]
-    pub(crate) fn locate(&self, x: f64) -> Position {
+    pub const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Returns the range of `x`.
+    #[inline]
+    pub const fn range(&self) -> [f64; 2] {
+        self.range
+    }
+
+    /// Returns the factor `y/x`, with which `y` begins between 1 and 2.
+    #[inline]
+    pub const fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// Returns the position of `x`.
+    #[inline]
+    pub fn locate(&self, x: f64) -> Position {
         let y = x * self.factor;
         let Octave { bits, first } = self.octaves[split(y).0];
         let piece = first + ((y.to_bits() & MANTISSA) >> (MANTISSA_BITS - bits)) as usize;
@@ -100,13 +130,13 @@ impl Grid {
 
     /// Returns `x dt/dx`.
     #[inline]
-    pub(crate) fn logarithmic_speed(&self, x: f64) -> f64 {
+    pub fn logarithmic_speed(&self, x: f64) -> f64 {
         let (octave, mantissa) = split(x * self.factor);
         2.0 * mantissa * (1_u64 << self.octaves[octave].bits) as f64
     }
 
-    /// Returns the pieces that do not begin after `x`: their octaves, and their ends in `y`.
-    pub(crate) fn pieces(&self, x: f64) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
+    /// Returns the pieces of the range: their octaves, and their ends in `y`.
+    pub fn pieces(&self) -> impl Iterator<Item = (usize, [f64; 2])> + '_ {
         let pieces = self.octaves.iter().enumerate().flat_map(|(i, octave)| {
             let (start, length) = (
                 2.0_f64.powi(i as i32),
@@ -115,7 +145,8 @@ impl Grid {
             (0..1_u64 << octave.bits)
                 .map(move |piece| (i, [piece, piece + 1].map(|end| start + length * end as f64)))
         });
-        pieces.take_while(move |(_, [start, _])| *start <= x * self.factor)
+        let last = self.range[1] * self.factor;
+        pieces.take_while(move |(_, [start, _])| *start <= last)
     }
 }
 
@@ -147,7 +178,7 @@ mod tests {
                 .map(|octave| bits[octave % bits.len()])
                 .collect();
             let grid = Grid::over(range, &bits);
-            let pieces: Vec<[f64; 2]> = grid.pieces(range[1]).map(|(_, ends)| ends).collect();
+            let pieces: Vec<[f64; 2]> = grid.pieces().map(|(_, ends)| ends).collect();
             let [first, last] = [pieces[0], pieces[pieces.len() - 1]];
             // A piece much longer than the first one cannot be covered better by moving that.
             if range[0] < range[1]

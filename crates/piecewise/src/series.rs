@@ -1,7 +1,21 @@
 //! Truncated power series in the position `t` on a piece, several side by side.
 //!
-//! They are the quantities on one piece, or one quantity on [`LANES`] pieces. Products,
+//! They are several functions on one piece, or one function on [`LANES`] pieces. Products,
 //! exponentials and integrals of truncated series need the terms before a term only.
+//!
+//! ```
+//! use fearless_simd::prelude::*;
+//! use fearless_simd::{Level, dispatch};
+//! use piecewise::series::{Lanes, Series, integral, product};
+//!
+//! // The integral of `(1 + t)^2` from 0, on eight pieces: `t + t^2 + t^3/3`.
+//! let terms = dispatch!(Level::new(), simd => {
+//!     let [zero, one] = [0.0, 1.0].map(|number| Lanes::splat(simd, number));
+//!     let linear: Series<_, 4> = [one, one, zero, zero];
+//!     integral(simd, &product(simd, &linear, &linear)).map(|term| *term.as_array())
+//! });
+//! assert_eq!(terms.map(|term| term[7]), [0.0, 1.0, 1.0, 1.0 / 3.0]);
+//! ```
 //!
 //! Loops, not closures: a closure is compiled without the vector instructions of its function.
 
@@ -14,13 +28,13 @@ use fearless_simd::{f64x4, f64x8};
 ///
 /// A term of a series waits for the terms before it. With eight pieces a processor has enough to do
 /// in the meantime, even one whose vectors hold four numbers.
-pub(crate) const LANES: usize = 8;
+pub const LANES: usize = 8;
 
 /// A number for each of [`LANES`] pieces.
-pub(crate) type Lanes<S> = f64x8<S>;
+pub type Lanes<S> = f64x8<S>;
 
 /// The first `N` coefficients of several series, of `1, t, t^2, ...`
-pub(crate) type Series<V, const N: usize> = [V; N];
+pub type Series<V, const N: usize> = [V; N];
 
 /// The largest number of terms of a series.
 const MOST_TERMS: usize = 12;
@@ -42,12 +56,7 @@ macro_rules! for_each_term {
 /// Returns `constant` times the exponential of `factor` times a series. The constant term of the
 /// series is not used: `constant` includes its exponential.
 #[inline(always)]
-pub(crate) fn exponential<
-    S: Simd,
-    V: SimdFloat<S, Element = f64>,
-    const M: usize,
-    const N: usize,
->(
+pub fn exponential<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const N: usize>(
     simd: S,
     constant: V,
     factor: f64,
@@ -76,7 +85,7 @@ pub(crate) fn exponential<
 
 /// Returns the product of two series.
 #[inline(always)]
-pub(crate) fn product<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const N: usize>(
+pub fn product<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const N: usize>(
     _: S,
     left: &Series<V, M>,
     right: &Series<V, N>,
@@ -94,7 +103,7 @@ pub(crate) fn product<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, c
 
 /// Returns the sum of two series.
 #[inline(always)]
-pub(crate) fn sum<S: Simd, const N: usize>(
+pub fn sum<S: Simd, const N: usize>(
     left: &Series<Lanes<S>, N>,
     right: &Series<Lanes<S>, N>,
 ) -> Series<Lanes<S>, N> {
@@ -107,7 +116,7 @@ pub(crate) fn sum<S: Simd, const N: usize>(
 
 /// Returns the difference of two series.
 #[inline(always)]
-pub(crate) fn difference<S: Simd, const N: usize>(
+pub fn difference<S: Simd, const N: usize>(
     left: &Series<Lanes<S>, N>,
     right: &Series<Lanes<S>, N>,
 ) -> Series<Lanes<S>, N> {
@@ -118,11 +127,52 @@ pub(crate) fn difference<S: Simd, const N: usize>(
     terms
 }
 
+/// Multiplies a series by a number for each piece.
+#[inline(always)]
+pub fn scale<S: Simd, const N: usize>(series: &mut Series<Lanes<S>, N>, factor: Lanes<S>) {
+    for term in series {
+        *term *= factor;
+    }
+}
+
+/// Multiplies a series by `middle + half t`.
+#[inline(always)]
+pub fn times_linear<S: Simd, const N: usize>(
+    series: &mut Series<Lanes<S>, N>,
+    middle: Lanes<S>,
+    half: Lanes<S>,
+) {
+    for k in (1..N).rev() {
+        series[k] = half.mul_add(series[k - 1], middle * series[k]);
+    }
+    series[0] *= middle;
+}
+
+/// Divides three series by `1 + ratio t` to the powers 1, 2 and 3.
+///
+/// A term of a quotient waits for the one before it. Therefore all divisions are made term by term
+/// together.
+#[inline(always)]
+pub fn divided_by_powers<S: Simd, const N: usize>(
+    [mut first, mut second, mut third]: [Series<Lanes<S>, N>; 3],
+    ratio: Lanes<S>,
+) -> [Series<Lanes<S>, N>; 3] {
+    let minus = -ratio;
+    let (mut of_second, mut of_third) = (second[0], [third[0]; 2]);
+    for k in 1..N {
+        first[k] = minus.mul_add(first[k - 1], first[k]);
+        of_second = minus.mul_add(of_second, second[k]);
+        second[k] = minus.mul_add(second[k - 1], of_second);
+        of_third[0] = minus.mul_add(of_third[0], third[k]);
+        of_third[1] = minus.mul_add(of_third[1], of_third[0]);
+        third[k] = minus.mul_add(third[k - 1], of_third[1]);
+    }
+    [first, second, third]
+}
+
 /// Returns the first terms of a series.
 #[inline(always)]
-pub(crate) fn first_terms<V: Copy, const M: usize, const N: usize>(
-    series: &Series<V, M>,
-) -> Series<V, N> {
+pub fn first_terms<V: Copy, const M: usize, const N: usize>(series: &Series<V, M>) -> Series<V, N> {
     let mut terms = [series[0]; N];
     terms.copy_from_slice(&series[..N]);
     terms
@@ -130,7 +180,7 @@ pub(crate) fn first_terms<V: Copy, const M: usize, const N: usize>(
 
 /// Returns the quotient of two series.
 #[inline(always)]
-pub(crate) fn quotient<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
+pub fn quotient<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
     simd: S,
     numerator: &Series<V, N>,
     denominator: &Series<V, N>,
@@ -150,7 +200,7 @@ pub(crate) fn quotient<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
 
 /// Returns the integral of a series from 0.
 #[inline(always)]
-pub(crate) fn integral<S: Simd, const N: usize>(
+pub fn integral<S: Simd, const N: usize>(
     simd: S,
     series: &Series<Lanes<S>, N>,
 ) -> Series<Lanes<S>, N> {
@@ -161,15 +211,55 @@ pub(crate) fn integral<S: Simd, const N: usize>(
     terms
 }
 
-/// Returns the constants with which an integral goes on from piece to piece, and changes `at`, its
-/// value at the beginning of the first piece, to its value at the end of the last one. `from` and
-/// `to` are its values without the constants at the beginnings and at the ends of the pieces.
+/// Returns the values of a series at -1 and at 1.
 #[inline(always)]
-pub(crate) fn constants_of_integration<S: Simd>(
+fn ends<S: Simd, const N: usize>(series: &Series<Lanes<S>, N>) -> [Lanes<S>; 2] {
+    let (mut even, mut odd) = (series[N - 2], series[N - 1]);
+    for k in (0..N / 2 - 1).rev() {
+        even += series[2 * k];
+        odd += series[2 * k + 1];
+    }
+    [even - odd, even + odd]
+}
+
+/// Returns the values of an integral, without its constants, at the beginnings and at the ends of the
+/// pieces. On the first piece it begins at the position `start`, if there is one.
+#[inline(always)]
+pub fn limits<S: Simd, const N: usize>(
+    start: Option<f64>,
+    integral: &Series<Lanes<S>, N>,
+) -> [Lanes<S>; 2] {
+    let [mut from, to] = ends(integral);
+    if let Some(t) = start {
+        from[0] = integral
+            .iter()
+            .rev()
+            .fold(0.0, |sum, term| sum * t + term[0]);
+    }
+    [from, to]
+}
+
+/// Adds the constants with which an integral goes on from piece to piece. `at` is its value where the
+/// first piece begins, or at the position `start` on it, and becomes its value at the end of the last
+/// piece.
+#[inline(always)]
+pub fn continued<S: Simd, const N: usize>(
+    simd: S,
+    start: Option<f64>,
+    integral: &mut Series<Lanes<S>, N>,
+    at: &mut f64,
+) {
+    integral[0] = constants_of_integration(simd, at, limits(start, integral));
+}
+
+/// Returns the constants with which an integral goes on from piece to piece, and changes `at`, its
+/// value at the beginning of the first piece, to its value at the end of the last one. The [`limits`]
+/// are its values without the constants at the beginnings and at the ends of the pieces.
+#[inline(always)]
+pub fn constants_of_integration<S: Simd>(
     simd: S,
     at: &mut f64,
-    from: Lanes<S>,
-    to: Lanes<S>,
+    [from, to]: [Lanes<S>; 2],
 ) -> Lanes<S> {
     let zero = Lanes::splat(simd, 0.0);
     // The sums over the pieces up to each one.
@@ -182,28 +272,12 @@ pub(crate) fn constants_of_integration<S: Simd>(
     constants
 }
 
-/// Returns the values of a series at -1 and at 1.
-#[inline(always)]
-pub(crate) fn ends<S: Simd, const N: usize>(series: &Series<Lanes<S>, N>) -> [Lanes<S>; 2] {
-    let (mut even, mut odd) = (series[N - 2], series[N - 1]);
-    for k in (0..N / 2 - 1).rev() {
-        even += series[2 * k];
-        odd += series[2 * k + 1];
-    }
-    [even - odd, even + odd]
-}
-
 /// Returns the series of lower degree that is nearest to a series between -1 and 1, term by term.
 ///
 /// The highest term `t^n` is replaced by `t^n - T_n(t)/2^(n-1)`, with Chebyshev's polynomial `T_n`.
 /// This changes the sum by `2^(1-n)` of the coefficient, not by all of it as leaving it out does.
 #[inline(always)]
-pub(crate) fn economised<
-    S: Simd,
-    V: SimdFloat<S, Element = f64>,
-    const M: usize,
-    const N: usize,
->(
+pub fn economised<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const N: usize>(
     simd: S,
     series: &Series<V, M>,
 ) -> Series<V, N> {
@@ -242,7 +316,7 @@ const ECONOMY: [[f64; MOST_TERMS]; MOST_TERMS] = {
 /// It is exact to rounding for numbers from -700 to 700. A smaller or larger one gives a result that
 /// is not in `[1e-300, 1e300]`, and NaN gives NaN.
 #[inline(always)]
-pub(crate) fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
+pub fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
     /// The logarithm of 2 as a sum; the first part has few digits, so that its multiples are exact.
     const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
     /// A number whose last digit counts whole numbers.
@@ -292,7 +366,7 @@ pub(crate) fn transposed_lanes<S: Simd>(mut rows: [Lanes<S>; LANES]) -> [Lanes<S
 
 /// Returns the row of four numbers of each piece.
 #[inline(always)]
-pub(crate) fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
+fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
     let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
     let (first, second) = ac.interleave(bd);
     let (third, fourth) = ac_high.interleave(bd_high);
@@ -303,16 +377,30 @@ pub(crate) fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; 
 
 /// Returns four numbers for each piece from a row of them for each piece.
 #[inline(always)]
-pub(crate) fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]) -> [Lanes<S>; 4] {
+pub fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]) -> [Lanes<S>; 4] {
     let (ac, bd) = p.combine(q).deinterleave(r.combine(s));
     let (ac_high, bd_high) = t.combine(u).deinterleave(v.combine(w));
     let ((a, c), (b, d)) = (ac.deinterleave(ac_high), bd.deinterleave(bd_high));
     [a, b, c, d]
 }
 
+/// Writes the coefficients of four series to a row for each piece.
+#[inline(always)]
+pub fn write_by_piece<S: Simd, const N: usize>(
+    [a, b, c, d]: [&Series<Lanes<S>, N>; 4],
+    pieces: &mut [[[f64; 4]; N]; LANES],
+) {
+    for k in 0..N {
+        let rows = rows_of_lanes([a[k], b[k], c[k], d[k]]);
+        for (piece, row) in pieces.iter_mut().zip(rows) {
+            row.store_slice(&mut piece[k]);
+        }
+    }
+}
+
 /// Returns the coefficients of two series on each piece, in pairs.
 #[inline(always)]
-pub(crate) fn pairs_by_lane<S: Simd, const N: usize>(
+pub fn pairs_by_lane<S: Simd, const N: usize>(
     first: &Series<Lanes<S>, N>,
     second: &Series<Lanes<S>, N>,
 ) -> [[[f64; 2]; N]; LANES] {
@@ -377,6 +465,20 @@ mod tests {
                 let exponential: Series<Lanes<_>, N> = exponential(simd, constant, -2.0, &a);
                 assert!(miss(out(exponential), t, |lane| (-2.0 * of_a(lane)).exp()) < 1e-14);
             }
+            let ratio = [0.5, -0.3, 0.2, 0.0, 0.1, -0.5, 0.4, 0.3];
+            let (half, one) = (Lanes::simd_from(simd, ratio), Lanes::splat(simd, 1.0));
+            let mut powers = [a; 3];
+            for (i, power) in powers.iter_mut().enumerate() {
+                (0..=i).for_each(|_| times_linear(power, one, half));
+            }
+            for quotient in divided_by_powers(powers, half).map(out) {
+                for (quotient, expected) in quotient.iter().flatten().zip(left.iter().flatten()) {
+                    assert!((quotient - expected).abs() < 1e-15);
+                }
+            }
+            let mut doubled = a;
+            scale(&mut doubled, one + one);
+            assert_eq!(out(doubled), left.map(|term| term.map(|number| 2.0 * number)));
             let integral = out(integral(simd, &a));
             let expected = |lane| {
                 let terms = (0..N - 1).map(|k| left[k][lane] * 0.5_f64.powi(k as i32 + 1) / (k + 1) as f64);
@@ -387,7 +489,7 @@ mod tests {
             assert!(miss([low], 0.0, |lane| value(&left, lane, -1.0)) < 1e-15);
             assert!(miss([high], 0.0, |lane| value(&left, lane, 1.0)) < 1e-15);
             let mut at = 0.7;
-            let constants = constants_of_integration(simd, &mut at, a[0], b[0]);
+            let constants = constants_of_integration(simd, &mut at, [a[0], b[0]]);
             let mut expected = 0.7;
             for lane in 0..LANES {
                 let constant = constants.as_array()[lane];

@@ -1,20 +1,17 @@
-//! The B-splines on the pieces of a grid: from the coefficients of splines over `ln(a/t)` to the
-//! polynomials of logarithms on the pieces.
+//! The B-splines over `ln x` as polynomials on the pieces of a grid: from the coefficients of splines to
+//! polynomials.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, f64x8};
-use low_rank::bspline::Basis;
 
-use crate::Parameter;
-use crate::curve::grid::Grid;
-use crate::curve::piecewise::LOGARITHM;
-use crate::curve::series::{LANES, Lanes, Series, transposed_lanes};
+use crate::LOGARITHM;
+use crate::bspline::Basis;
+use crate::grid::Grid;
+use crate::series::{LANES, Lanes, Series, transposed_lanes};
 
 /// The B-splines on all pieces of a grid, as polynomials.
 #[derive(Clone, Debug)]
-pub(super) struct Spans {
-    /// The number of pieces.
-    pieces: usize,
+pub(crate) struct Spans {
     /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
     spans: Vec<Span>,
     /// The polynomials of the first B-splines on the pieces: a row for each B-spline of a group.
@@ -41,21 +38,22 @@ impl Spans {
     /// memory.
     const MOST_VANISHING: usize = 4;
 
-    /// Samples the B-splines of `basis` on the pieces of a `grid` over `range`.
-    pub(super) fn new(basis: &Basis, grid: &Grid, range: [f64; 2]) -> Self {
+    /// Samples the B-splines of `basis` on the pieces of a `grid`.
+    pub(crate) fn new(basis: &Basis, grid: &Grid) -> Self {
+        let (range, factor) = (grid.range(), grid.factor());
         let samples = |ends: [f64; 2]| {
-            let samples = chebyshev_points(ends, range.map(|x| x * grid.factor));
-            let x = |y: f64| (y / grid.factor).clamp(range[0], range[1]);
-            let splines = samples.map(|y| basis.weights(Parameter::AOverT.coordinate(x(y))));
+            let samples = chebyshev_points(ends, range.map(|x| x * factor));
+            let x = |y: f64| (y / factor).clamp(range[0], range[1]);
+            let splines = samples.map(|y| basis.weights(x(y).ln()));
             (samples, splines)
         };
         let (mut spans, mut all_weights, mut rest) = (Vec::new(), Vec::new(), Vec::new());
-        let mut all_ends = grid.pieces(range[1]).map(|(_, ends)| ends).peekable();
-        let (mut pieces, mut last) = (0, range);
+        let mut all_ends = grid.pieces().map(|(_, ends)| ends).peekable();
+        let mut last = range;
         while all_ends.peek().is_some() {
             let ends: [[f64; 2]; LANES] = std::array::from_fn(|_| {
                 if let Some(ends) = all_ends.next() {
-                    (pieces, last) = (pieces + 1, ends);
+                    last = ends;
                 }
                 last
             });
@@ -103,16 +101,10 @@ impl Spans {
             spans.push(span);
         }
         Self {
-            pieces,
             spans,
             weights: all_weights,
             rest,
         }
-    }
-
-    /// Returns the number of pieces.
-    pub(super) fn pieces(&self) -> usize {
-        self.pieces
     }
 
     /// Returns the polynomials of the B-splines on a piece, from the first one on.
@@ -124,10 +116,9 @@ impl Spans {
         first.map(move |row| &row[lane]).chain(&self.rest[from..to])
     }
 
-    /// Returns the polynomials of the logarithms on a piece, from the coefficients of their
-    /// splines.
+    /// Returns the polynomials of four splines on a piece, from their coefficients.
     #[inline(always)]
-    pub(super) fn logarithms<S: Simd>(
+    pub(crate) fn on_piece<S: Simd>(
         &self,
         simd: S,
         piece: usize,
@@ -138,21 +129,20 @@ impl Spans {
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
         let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
-        let mut logarithms = [f64x4::splat(simd, 0.0); LOGARITHM];
+        let mut splines = [f64x4::splat(simd, 0.0); LOGARITHM];
         for (weights, coefficients) in self.weights_on(piece).zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
-            for (sum, &weight) in logarithms.iter_mut().zip(weights) {
+            for (sum, &weight) in splines.iter_mut().zip(weights) {
                 *sum = coefficients.mul_add(f64x4::splat(simd, weight), *sum);
             }
         }
-        logarithms[0] += common;
-        logarithms
+        splines[0] += common;
+        splines
     }
 
-    /// Returns the polynomials of the logarithm of a single quantity on a group of pieces, from the
-    /// coefficients of its spline.
+    /// Returns the polynomials of a single spline on a group of pieces, from its coefficients.
     #[inline(always)]
-    pub(super) fn logarithms_on_group<S: Simd>(
+    pub(crate) fn single_on_group<S: Simd>(
         &self,
         simd: S,
         group: usize,
@@ -160,14 +150,14 @@ impl Spans {
     ) -> Series<Lanes<S>, LOGARITHM> {
         let mut rows = [f64x8::splat(simd, 0.0); LANES];
         for (lane, row) in rows.iter_mut().enumerate() {
-            *row = self.logarithm(simd, LANES * group + lane, coefficients);
+            *row = self.single_on_piece(simd, LANES * group + lane, coefficients);
         }
         transposed_lanes(rows)
     }
 
-    /// Returns the polynomial of the logarithm of a single quantity on a piece.
+    /// Returns the polynomial of a single spline on a piece, from its coefficients.
     #[inline(always)]
-    pub(super) fn logarithm<S: Simd>(
+    pub(crate) fn single_on_piece<S: Simd>(
         &self,
         simd: S,
         piece: usize,
@@ -175,28 +165,28 @@ impl Spans {
     ) -> f64x8<S> {
         let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
         let (first, further) = coefficients[span.first[lane]..].split_at(span.count);
-        // As in `logarithms`.
+        // As in `on_piece`.
         let common = f64x8::splat(simd, first[span.count / 2]);
         let [from, to] = span.rest[lane];
-        let mut logarithm = f64x8::splat(simd, 0.0);
+        let mut spline = f64x8::splat(simd, 0.0);
         for (weights, &coefficient) in self.weights[span.start..].iter().zip(first) {
             let coefficient = f64x8::splat(simd, coefficient) - common;
             let weights = f64x8::from_slice(simd, &weights[lane]);
-            logarithm = coefficient.mul_add(weights, logarithm);
+            spline = coefficient.mul_add(weights, spline);
         }
         for (weights, &coefficient) in self.rest[from..to].iter().zip(further) {
             let coefficient = f64x8::splat(simd, coefficient) - common;
-            logarithm = coefficient.mul_add(f64x8::from_slice(simd, weights), logarithm);
+            spline = coefficient.mul_add(f64x8::from_slice(simd, weights), spline);
         }
-        logarithm[0] += common[0];
-        logarithm
+        spline[0] += common[0];
+        spline
     }
 }
 
 /// Returns the Chebyshev points of the second kind on a piece. The points of a piece that extends
 /// out of the range are shifted into it together, because the splines are not sampled beyond the
 /// range.
-pub(super) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
+pub(crate) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
     let length = to - from;
     let from = from.min(range[1] - length).max(range[0]);
     let to = (from + length).min(range[1]);

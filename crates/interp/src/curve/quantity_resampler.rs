@@ -1,0 +1,228 @@
+//! From splines of the quantities that are held, over `ln(a/t)`, to polynomials of all four quantities on
+//! pieces of `a/t`.
+
+use std::sync::Arc;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
+use piecewise::bspline::Basis;
+use piecewise::series::LANES;
+use piecewise::{LOGARITHM, Piecewise, Polynomials, Resampler, VALUE};
+
+use crate::Quantity;
+use crate::curve::derived::{Constants, Derivation};
+use crate::curve::thick_film::ThickFilm;
+
+/// What makes the polynomials of the quantities from splines, made once for a table.
+#[derive(Clone, Debug)]
+pub(crate) struct QuantityResampler {
+    /// Resamples the splines of the quantities held.
+    pub(crate) splines: Resampler,
+    /// What follows from `Gamma`, if it is the only quantity that is held.
+    pub(super) derivation: Option<Derivation>,
+}
+
+/// The polynomials of the quantities on all pieces of a curve.
+#[derive(Clone, Debug)]
+pub(crate) struct Pieces {
+    pub(crate) values: Piecewise<VALUE>,
+    /// The estimated relative error that the quantities derived from `Gamma` have where their
+    /// integrals begin; none if no quantity is derived.
+    pub(crate) start_error: Option<f64>,
+}
+
+/// The derivatives of the derived quantities with respect to one parameter.
+struct ParameterDerivatives<'a> {
+    /// The derivatives of the coefficients.
+    coefficients: &'a [f64],
+    /// The derivatives of the integrals where the next group of pieces begins.
+    constants: Constants<'a>,
+    /// The result on all pieces.
+    all: &'a mut [Polynomials<LOGARITHM>],
+    /// The result on the last group of pieces, if it is not full.
+    last: [Polynomials<LOGARITHM>; LANES],
+}
+
+impl QuantityResampler {
+    /// Samples the B-splines of `basis` for the quantities `held`, by number, on `2^bits[i]` pieces in
+    /// octave `i` of `range`.
+    pub(crate) fn new(basis: &Basis, range: [f64; 2], held: &[usize], bits: &[u32]) -> Self {
+        Self::of(Resampler::new(basis, range, held, bits))
+    }
+
+    /// Adds what follows from `Gamma`, if it is the only quantity that is held.
+    pub(super) fn of(splines: Resampler) -> Self {
+        let derivation = holds_gamma_alone(&splines).then(|| Derivation::new(splines.grid()));
+        Self {
+            splines,
+            derivation: derivation.flatten(),
+        }
+    }
+
+    /// Returns whether each quantity is held.
+    pub(crate) fn held(&self) -> [bool; 4] {
+        Quantity::ALL.map(|quantity| self.splines.functions().contains(&(quantity as usize)))
+    }
+
+    /// Returns the values of the spline of a single quantity where the integrals of the derived
+    /// quantities begin.
+    #[inline(always)]
+    fn at_starts<S: Simd>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+    ) -> [f64; 3] {
+        let mut values = [0.0; 3];
+        for (value, &start) in values.iter_mut().zip(&derivation.starts) {
+            *value = self.splines.spline_at(simd, start, coefficients);
+        }
+        values
+    }
+
+    /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
+    /// their [scales](Quantity::scale).
+    pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
+        let (pieces, []) = self.values_and_derivatives(coefficients, [], es);
+        pieces
+    }
+
+    /// Returns the polynomials of the quantities, and those of the derivatives of their logarithms
+    /// with respect to `N` parameters, from the coefficients and their derivatives.
+    pub(crate) fn values_and_derivatives<const N: usize>(
+        &self,
+        coefficients: &[f64],
+        derivatives: [&[f64]; N],
+        es: f64,
+    ) -> (Pieces, [Piecewise<LOGARITHM>; N]) {
+        let Some(derivation) = &self.derivation else {
+            let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
+            let begins_nowhere = holds_gamma_alone(&self.splines);
+            let pieces = Pieces {
+                values: self.splines.exponentials(coefficients, scales),
+                start_error: begins_nowhere.then_some(f64::INFINITY),
+            };
+            return (pieces, derivatives.map(|by| self.splines.splines(by)));
+        };
+        let mut of_derivatives = [(); N].map(|()| self.splines.zeros());
+        let all = of_derivatives.each_mut().map(Arc::make_mut);
+        let (values, start_error) = dispatch!(Level::new(), simd => {
+            self.derive(simd, derivation, coefficients, derivatives, es, all)
+        });
+        let pieces = Pieces {
+            values,
+            start_error: Some(start_error),
+        };
+        let on_grid = |pieces| Piecewise::new(self.splines.grid().clone(), pieces);
+        (pieces, of_derivatives.map(on_grid))
+    }
+
+    /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, with the
+    /// error of the integrals where they begin; writes those of the derivatives of their logarithms.
+    #[inline(always)]
+    fn derive<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        derivatives: [&[f64]; N],
+        es: f64,
+        of_derivatives: [&mut [Polynomials<LOGARITHM>]; N],
+    ) -> (Piecewise<VALUE>, f64) {
+        let starts = self.at_starts(simd, derivation, coefficients);
+        let start = ThickFilm::new(starts.map(f64::exp));
+        let mut parameters = of_derivatives.map(|all| ParameterDerivatives {
+            coefficients: &[],
+            constants: Constants::Running([0.0; 3]),
+            all,
+            last: [[[0.0; 4]; LOGARITHM]; LANES],
+        });
+        for (parameter, coefficients) in parameters.iter_mut().zip(derivatives) {
+            let [first, second, _] = self.at_starts(simd, derivation, coefficients);
+            parameter.coefficients = coefficients;
+            let start = start.derivatives([first, second]);
+            parameter.constants = Constants::Running(derivation.at_start(start));
+        }
+        let constants = Constants::Running(derivation.at_start(start.values()));
+        let pieces = self.derived(
+            simd,
+            derivation,
+            coefficients,
+            es,
+            constants,
+            &mut parameters,
+        );
+        (pieces, start.error)
+    }
+
+    /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
+    /// [`Derivation::integrals`]; writes those of the derivatives of their logarithms, see
+    /// [`Derivation::sensitivities`].
+    #[inline(always)]
+    fn derived<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        es: f64,
+        mut constants: Constants<'_>,
+        parameters: &mut [ParameterDerivatives<'_>; N],
+    ) -> Piecewise<VALUE> {
+        let mut pieces = self.splines.zeros();
+        let mut last = [[[0.0; 4]; VALUE]; LANES];
+        let all = Arc::make_mut(&mut pieces);
+        for group in 0..derivation.groups() {
+            let logarithms = self.splines.spline_on_group(simd, group, coefficients);
+            let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
+            for parameter in parameters.iter_mut() {
+                let ParameterDerivatives {
+                    coefficients,
+                    constants,
+                    all,
+                    last,
+                } = parameter;
+                let gamma = self.splines.spline_on_group(simd, group, coefficients);
+                let own = all[LANES * group..].first_chunk_mut().unwrap_or(last);
+                derivation.sensitivities(simd, group, &integrals, &gamma, constants, own);
+            }
+            let own = all[LANES * group..].first_chunk_mut().unwrap_or(&mut last);
+            derivation.values(simd, group, &logarithms, integrals, es, own);
+        }
+        complete(all, &last);
+        for parameter in parameters {
+            complete(parameter.all, &parameter.last);
+        }
+        Piecewise::new(self.splines.grid().clone(), pieces)
+    }
+
+    /// Returns the polynomials of the derived quantities over their scales. The integrals have the
+    /// given values at the beginning of each piece.
+    pub(super) fn derived_from(
+        &self,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        beginnings: &[[f64; 3]],
+    ) -> Piecewise<VALUE> {
+        dispatch!(Level::new(), simd => {
+            let constants = Constants::Given(beginnings);
+            self.derived(simd, derivation, coefficients, 1.0, constants, &mut [])
+        })
+    }
+}
+
+impl AsRef<Resampler> for QuantityResampler {
+    fn as_ref(&self) -> &Resampler {
+        &self.splines
+    }
+}
+
+/// Returns whether the splines are those of `Gamma` alone.
+fn holds_gamma_alone(splines: &Resampler) -> bool {
+    splines.functions() == [Quantity::Gamma as usize]
+}
+
+/// Copies the pieces of the last group, if it is not full.
+fn complete<const N: usize>(all: &mut [Polynomials<N>], last: &[Polynomials<N>; LANES]) {
+    let (_, rest) = all.as_chunks_mut::<LANES>();
+    rest.copy_from_slice(&last[..rest.len()]);
+}
