@@ -80,7 +80,7 @@ mod table;
 /// Values that are made at their first use, also in the child of a fork.
 pub use low_rank::once;
 
-pub use curve::{Curve, EvenShape, LARGEST_A_OVER_R, QuantityGradient, StackShape};
+pub use curve::{BelowNodes, Curve, QuantityGradient, StackShape};
 pub use error::Error;
 pub use force_curve::ForceCurve;
 pub use material::{

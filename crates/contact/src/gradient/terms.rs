@@ -5,7 +5,7 @@ use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
 use crate::shape::Shape;
-use interp::{Curve, LoadAndPenetration, Quantities, QuantityGradient};
+use interp::{LoadAndPenetration, Quantities, QuantityGradient};
 
 impl Contact {
     /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from
@@ -178,9 +178,9 @@ impl Terms<'_> {
         let LoadAndPenetration { load, penetration } = self.without;
         let by_size = match &self.contact.shape {
             Shape::Paraboloid {
-                curve: Some(curve), ..
+                even: Some(even), ..
             } => {
-                let [of_load, of_penetration] = self.by_size(curve)?;
+                let [of_load, of_penetration] = even.by_size(self.a / self.thickness()?)?;
                 LoadAndPenetration {
                     load: load * of_load,
                     penetration: penetration * of_penetration,
@@ -212,9 +212,9 @@ impl Terms<'_> {
         // size of the shape whose sums are 1 and 2.
         let without = match &self.contact.shape {
             Shape::Paraboloid {
-                curve: Some(curve), ..
+                even: Some(even), ..
             } => {
-                let [of_load, of_penetration] = self.by_size(curve)?;
+                let [of_load, of_penetration] = even.by_size(self.a / self.thickness()?)?;
                 LoadAndPenetration {
                     load: -load * (pi0 + 1.0 + of_load),
                     penetration: -penetration * (delta0 + 1.0 + of_penetration),
@@ -268,12 +268,6 @@ impl Terms<'_> {
             load: without.load - self.lowered.load * (edge + eeq),
             penetration: without.penetration - self.lowered.penetration * edge,
         })
-    }
-
-    /// Returns the derivatives of the logarithms of load and penetration without adhesion with respect
-    /// to that of all lengths of a shape of even powers, which has its own `curve`.
-    fn by_size(&self, curve: &Curve) -> Option<[f64; 2]> {
-        curve.by_size(self.a / self.thickness()?).ok()
     }
 
     /// Returns the thickness of the film, m.

@@ -172,7 +172,10 @@ impl Medium {
             let At { gamma, growth, .. } = self.at(x)?;
             return Ok([gamma, growth]);
         }
-        let [gamma, rate] = self.curve.gamma_and_rate(x);
+        let [gamma, rate] = self
+            .curve
+            .functions()
+            .value_and_rate(Quantity::Gamma as usize, x);
         Ok([gamma / self.es, rate / gamma])
     }
 

@@ -4,11 +4,11 @@
 //! without adhesion; `F0' = S delta0'`. `transform` holds its transform `b(s)`, which is all that
 //! is needed on a half-space.
 //!
-//! On a film, even powers of the radius and the sphere follow from the curve of the material by
-//! integrals, see the page `interp/src/curve/even_powers/mod.rs` of the source. For all other shapes `field`
-//! computes the stress of the flat punch at all smaller radii from the `Gamma` of a `medium`, and
-//! `solved` integrates the shape over it; `polynomial` serves both.
+//! On a film, `even_powers` of the radius and the sphere follow from the curve of the material by
+//! integrals. For all other shapes `field` computes the stress of the flat punch at all smaller radii
+//! from the `Gamma` of a `medium`, and `solved` integrates the shape over it; `polynomial` serves both.
 
+mod even_powers;
 mod field;
 mod legendre;
 mod medium;
@@ -20,13 +20,13 @@ pub(super) mod transform;
 
 use std::sync::Arc;
 
+use self::even_powers::{EvenPowers, EvenShape, LARGEST_A_OVER_R};
 use self::solved::{SIZE, Solved};
 use self::transform::{Transform, kappa};
 use crate::Contact;
 use crate::Error;
 use interp::LoadAndPenetration;
 use interp::{Curve, Elastic, Probe, Quantities, Quantity, System};
-use interp::{EvenShape, LARGEST_A_OVER_R};
 
 use crate::bodies::Bodies;
 
@@ -36,9 +36,9 @@ pub(super) enum Shape {
     /// From `Pi0` and `Delta0`, as for a paraboloid of a radius (m).
     Paraboloid {
         radius: f64,
-        /// The curve whose `Pi0` and `Delta0` are those of a shape of even powers; none for those
-        /// of the material.
-        curve: Option<Curve>,
+        /// The shape of even powers whose load and penetration those of this paraboloid are; none for
+        /// the paraboloid itself.
+        even: Option<EvenPowers>,
     },
     /// From the field of the flat punch, on a film.
     Solved(Arc<Solved>),
@@ -56,10 +56,7 @@ const EVEN: [f64; 3] = [4.0, 6.0, 8.0];
 impl Shape {
     /// The shape of a paraboloid.
     const fn paraboloid(radius: f64) -> Self {
-        Self::Paraboloid {
-            radius,
-            curve: None,
-        }
+        Self::Paraboloid { radius, even: None }
     }
 
     /// Returns the largest contact radius (m) that is computed on a film, if the probe itself has
@@ -75,7 +72,9 @@ impl Shape {
     /// Returns the curve to look up, if it is not that of the material.
     pub(super) const fn curve(&self) -> Option<&Curve> {
         match self {
-            Self::Paraboloid { curve, .. } => curve.as_ref(),
+            Self::Paraboloid {
+                even: Some(even), ..
+            } => Some(even.curve()),
             _ => None,
         }
     }
@@ -84,8 +83,8 @@ impl Shape {
     pub(super) fn on_film(system: &System, curve: &Curve) -> Result<Self, Error> {
         let probe = &system.probe;
         let even = |shape: EvenShape, radius: f64| {
-            let curve = Some(curve.of_even_shape(shape)?);
-            Ok(Self::Paraboloid { radius, curve })
+            let even = Some(EvenPowers::new(curve, shape)?);
+            Ok(Self::Paraboloid { radius, even })
         };
         let paraboloid = match *probe {
             Probe::Paraboloid { .. } => true,

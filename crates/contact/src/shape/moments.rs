@@ -10,7 +10,7 @@
 //! int b'' g ds = int (f'' + f'/r) r p dr
 //! ```
 //!
-//! for every transform `g` of a stress `p` (see the page `interp/src/curve/even_powers/mod.rs` of the source).
+//! for every transform `g` of a stress `p` (see `even_powers`).
 //! With `mu = m/a`, `u^2 = 1 - mu^2` and `J_n` the integral of `P_n(cos v)` from `arcsin(mu)` to
 //! `pi/2`, a knot at the radius `m` with a jump `J` of the slope and a change `k` of its derivative
 //! adds

@@ -1,4 +1,4 @@
-// Integrals over ln(a/t): all quantities from gamma (derived.rs), and the sphere itself (even_powers/mod.rs).
+// Integrals over ln(a/t): all quantities from gamma (derived.rs), and the sphere itself (even_powers/mod.rs of the crate contact).
 
 /** The values of x = a/t in even steps of ln x. */
 class Grid {

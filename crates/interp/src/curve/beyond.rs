@@ -46,7 +46,7 @@ impl Curve {
                 a_over_t,
                 quantities,
                 slopes,
-                known: if self.is_of_other_shape() {
+                known: if self.below.is_some() {
                     [false, true, true, false]
                 } else {
                     self.known
@@ -57,7 +57,7 @@ impl Curve {
         let expansion = if x < from {
             let expansion = edge(from)?.continue_to_thicker_films(&self.material, x);
             expansion.map(|expansion| self.with_shape(x, expansion))
-        } else if self.is_of_other_shape() {
+        } else if self.below.is_some() {
             None
         } else if 0.5 * to >= from {
             let (at_half, _) = self.values_and_slopes(0.5 * to)?;
@@ -87,10 +87,8 @@ impl Curve {
     ) -> Result<QuantityGradient, Error> {
         let Expansion { values, slopes, .. } = self.expanded(a_over_t)?;
         let first = self.range()[0];
-        let delta0 = self.even.as_ref().map(|even| {
-            let change = even.on_half_space(a_over_t) / even.on_half_space(first);
-            [even.share_below(a_over_t), change]
-        });
+        let below = self.below.as_ref();
+        let delta0 = below.map(|below| below.changes_of_delta0(a_over_t));
         Ok((*at_first).continued_to_thicker_films(a_over_t / first, values, slopes, delta0))
     }
 }

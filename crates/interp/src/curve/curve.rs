@@ -5,10 +5,10 @@ use std::sync::Arc;
 use piecewise::{Piecewise, VALUE};
 
 use crate::curve::asymptotics::Expansion;
-use crate::curve::even_powers::EvenPowers;
 use crate::curve::nodes::REASONABLE;
 use crate::curve::quantity_resampler::{Pieces, QuantityResampler};
 use crate::curve::sensitivity::{QuantityGradient, Sensitivities};
+use crate::curve::shaped::BelowNodes;
 use crate::curve::thick_film::fifth_order;
 use crate::material::ROUNDING;
 use crate::{Error, Material, Parameter, Quantities, Quantity};
@@ -43,8 +43,8 @@ pub struct Curve {
     /// The estimated error with which the quantities derived from `Gamma` begin, if any are.
     pub(super) start_error: Option<f64>,
     pub(super) sensitivities: Option<Arc<Sensitivities>>,
-    /// What belongs to the shape, if `Pi0` and `Delta0` are those of another one than a paraboloid.
-    pub(super) even: Option<Arc<EvenPowers>>,
+    /// `Pi0` and `Delta0` below the nodes, if they are those of another shape than a paraboloid.
+    pub(super) below: Option<Arc<dyn BelowNodes>>,
     pub(super) accuracy: Option<Accuracy>,
     pub(super) stack: Option<StackShape>,
     /// The curve of the flat punch, if the contact sticks.
@@ -100,7 +100,7 @@ impl Curve {
             known: resampler.held(),
             start_error: start_error.map(|error| error + fifth_order(&material, first)),
             sensitivities: None,
-            even: None,
+            below: None,
             accuracy: None,
             stack: None,
             stick: None,

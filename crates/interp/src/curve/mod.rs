@@ -6,15 +6,13 @@
 //! beginning with those of a `thick_film`. `fitting` chooses the pieces. [`Curve`] holds them;
 //! `through` makes one from values at nodes, and `exchange` converts one for the crate `splines`.
 //!
-//! `even_powers` turns the curve into that of a sphere or of an even power of the radius; `shaped` holds the
-//! functions of [`Curve`] for that. `asymptotics` continues a curve `beyond` its nodes;
-//! `sensitivity` holds its derivatives with respect to the material.
+//! `shaped` holds what other probes than a paraboloid need of a curve. `asymptotics` continues a curve
+//! `beyond` its nodes; `sensitivity` holds its derivatives with respect to the material.
 
 mod asymptotics;
 mod beyond;
 mod curve;
 pub(crate) mod derived;
-mod even_powers;
 mod exchange;
 mod fitting;
 pub(crate) mod nodes;
@@ -27,5 +25,5 @@ mod thick_film;
 mod through;
 
 pub use curve::{Curve, StackShape};
-pub use even_powers::{EvenShape, LARGEST_A_OVER_R};
 pub use sensitivity::QuantityGradient;
+pub use shaped::BelowNodes;

@@ -80,14 +80,15 @@ impl Sensitivities {
         Some(sums)
     }
 
-    /// Returns the derivatives of another curve of the material, whose pieces follow from those of
-    /// this one.
-    pub(crate) fn of_other(
-        &self,
-        other: impl FnMut(&Piecewise<LOGARITHM>) -> Piecewise<LOGARITHM>,
-    ) -> Self {
+    /// Returns the derivatives of the logarithms.
+    pub(crate) const fn by_table(&self) -> &[Piecewise<LOGARITHM>; 3] {
+        &self.by_table
+    }
+
+    /// Returns the derivatives of a curve of the material under another shape.
+    pub(crate) fn of_shape(&self, by_table: [Piecewise<LOGARITHM>; 3]) -> Self {
         Self {
-            by_table: self.by_table.each_ref().map(other),
+            by_table,
             ..self.clone()
         }
     }

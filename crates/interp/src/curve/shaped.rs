@@ -1,48 +1,75 @@
-//! The curve under other probes than a paraboloid: load and penetration of shapes of even powers,
-//! and what the integrals over `a/t` of every shape need.
+//! What other probes than a paraboloid need of a curve: its polynomials, where integrals over `a/t` may
+//! begin, and a curve with `Pi0` and `Delta0` of the probe.
 
+use std::fmt;
 use std::sync::Arc;
 
+use piecewise::{LOGARITHM, Piecewise, VALUE};
+
 use crate::curve::asymptotics::Expansion;
-use crate::curve::even_powers::{EvenShape, Source};
 use crate::curve::thick_film::{LARGEST, fifth_order};
-use crate::{Curve, Error, Quantity};
+use crate::{Curve, Error, Quantities};
+
+/// `Pi0` and `Delta0` of another shape than a paraboloid below the nodes of a curve, on thick films.
+pub trait BelowNodes: fmt::Debug + Send + Sync {
+    /// Returns `Pi0` and `Delta0` at an `a_over_t` up to the first node, and their logarithmic slopes.
+    fn pi0_and_delta0(&self, a_over_t: f64) -> [[f64; 2]; 2];
+
+    /// Returns by what factors two numbers at an `a_over_t` up to the first node are as large as at the
+    /// first node: the departure of `Delta0` from its value on a half-space, relative to that, and this
+    /// value.
+    fn changes_of_delta0(&self, a_over_t: f64) -> [f64; 2];
+}
 
 impl Curve {
-    /// Returns the curve whose `Pi0` and `Delta0` are those of a paraboloid with the load and the
-    /// penetration of another shape, with derivatives if this curve has them.
+    /// Returns the polynomials of the quantities over `a/t` between the nodes, in the order of
+    /// [`Quantity::ALL`](crate::Quantity::ALL). Of a quantity that the curve does not answer they mean nothing.
+    #[inline]
+    pub const fn functions(&self) -> &Piecewise<VALUE> {
+        &self.functions
+    }
+
+    /// Returns the polynomials of the derivatives of the logarithms of the quantities over `es` (of
+    /// `Delta0` itself) with respect to three parameters of the table; none on a curve without
+    /// derivatives.
+    pub fn derivatives(&self) -> Option<&[Piecewise<LOGARITHM>; 3]> {
+        Some(self.sensitivities.as_ref()?.by_table())
+    }
+
+    /// Returns the curve with `Pi0` and `Delta0` of another shape: those of a paraboloid with its load
+    /// and its penetration. `functions`, `derivatives` and `below` take the places of
+    /// [`Curve::functions`], of [`Curve::derivatives`] and of the expansion below the nodes; `Eeq` and
+    /// `Gamma` in them must be those of this curve.
     ///
-    /// # Errors
-    /// [`Error::MissingQuantity`] unless the curve knows all quantities; [`Error::BeginsTooLate`]
-    /// if it begins at so large an `a/t` that the contact is not that of a thick film there.
-    pub fn of_even_shape(&self, shape: EvenShape) -> Result<Self, Error> {
-        self.accept_integrals("the contact of this probe")?;
-        let source = self.source();
-        let (functions, even) = source.of_shape(shape);
-        let (sensitivities, even) = match &self.sensitivities {
-            None => (None, even),
-            Some(own) => {
-                let own = own.of_other(|by| source.by_parameter(shape, &functions, by));
-                (
-                    Some(Arc::new(own)),
-                    source.with_derivatives(&functions, even),
-                )
-            }
-        };
-        Ok(Self {
+    /// # Panics
+    /// If polynomials are on another grid than those of this curve.
+    #[must_use]
+    pub fn of_shape(
+        &self,
+        functions: Piecewise<VALUE>,
+        derivatives: Option<[Piecewise<LOGARITHM>; 3]>,
+        below: Arc<dyn BelowNodes>,
+    ) -> Self {
+        let of_derivatives = derivatives.iter().flatten().map(Piecewise::grid);
+        for grid in of_derivatives.chain([functions.grid()]) {
+            assert!(Arc::ptr_eq(grid, self.functions.grid()), "another grid");
+        }
+        let own = self.sensitivities.as_ref().zip(derivatives);
+        Self {
             functions,
-            sensitivities,
-            even: Some(Arc::new(even)),
+            sensitivities: own.map(|(own, by_table)| Arc::new(own.of_shape(by_table))),
+            below: Some(below),
             ..self.clone()
-        })
+        }
     }
 
     /// Accepts a curve on which integrals over `a/t` can begin at the first node. `name` is what
     /// they give. On a stack of layers the expansion before the first node is not known.
     ///
     /// # Errors
-    /// [`Error::StackProbe`] on a stack of layers; [`Error::MissingQuantity`] and
-    /// [`Error::BeginsTooLate`] as [`Curve::of_even_shape`].
+    /// [`Error::StackProbe`] on a stack of layers; [`Error::MissingQuantity`] unless the curve knows all
+    /// quantities; [`Error::BeginsTooLate`] if it begins at so large an `a/t` that the contact is not
+    /// that of a thick film there.
     pub fn accept_integrals(&self, name: &'static str) -> Result<(), Error> {
         /// The accuracy that is asked of a curve that does not state its own.
         const TOLERANCE: f64 = 1e-6;
@@ -76,14 +103,6 @@ impl Curve {
         self.accuracy.map(|accuracy| accuracy.tolerance)
     }
 
-    /// Returns `Gamma` and its derivative with respect to `a_over_t`, which must be between the nodes,
-    /// on a curve that knows `Gamma`.
-    #[inline]
-    pub fn gamma_and_rate(&self, a_over_t: f64) -> [f64; 2] {
-        self.functions
-            .value_and_rate(Quantity::Gamma as usize, a_over_t)
-    }
-
     /// Returns the derivatives, with respect to a parameter by number as in
     /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
     /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
@@ -101,38 +120,16 @@ impl Curve {
         Ok([pi0, eeq, gamma, slope * grid.logarithmic_speed(x) / x])
     }
 
-    /// Returns the derivatives of the logarithms of load and penetration without adhesion with
-    /// respect to that of all lengths of the shape, on a curve of [`Self::of_even_shape`].
-    ///
-    /// # Errors
-    /// [`Error::NoGradient`] on another curve, or on one without derivatives.
-    pub fn by_size(&self, a_over_t: f64) -> Result<[f64; 2], Error> {
-        let even = self.even.as_ref().ok_or(Error::NoGradient)?;
-        even.by_size(a_over_t, self.inside(a_over_t))
-    }
-
-    /// Returns the pieces, from which those of other shapes follow.
-    pub(super) fn source(&self) -> Source<'_> {
-        Source {
-            functions: &self.functions,
-            es: self.material.sphere_film_modulus(),
-        }
-    }
-
-    /// Returns whether `Pi0` and `Delta0` are those of another shape than a paraboloid.
-    pub(super) fn is_of_other_shape(&self) -> bool {
-        self.even.is_some()
-    }
-
     /// Returns an expansion below the nodes with `Pi0` and `Delta0` of the shape.
     pub(super) fn with_shape(&self, x: f64, expansion: Expansion) -> Expansion {
-        let Some(even) = &self.even else {
+        let Some(below) = &self.below else {
             return expansion;
         };
-        let (values, slopes) = even.below(x, expansion.values, expansion.slopes);
+        let [values, slopes] = below.pi0_and_delta0(x);
+        let replaced = |own: Quantities, [pi0, delta0]: [f64; 2]| Quantities { pi0, delta0, ..own };
         Expansion {
-            values,
-            slopes,
+            values: replaced(expansion.values, values),
+            slopes: replaced(expansion.slopes, slopes),
             ..expansion
         }
     }

@@ -1,13 +1,12 @@
 //! Other shapes than the paraboloid from `Gamma` and `Eeq` of a curve: even powers of `r`, and the
 //! sphere as a sum of them.
 //!
-//! `weights` holds the sum, `beginning` the thick film with which the integrals begin, and `ladder`
-//! the integrals over the pieces of the curve.
+//! `weights` holds the sum, `beginning` the thick film with which the integrals begin, `ladder` the
+//! integrals over the pieces of the curve, and `thick_films` what comes before its first node.
 //!
 //! # The ladder
 //!
-//! For the shape `f = c r^n` with `b = c kappa_n s^n` (see the page `contact/src/shape/transform.rs` of
-//! the source) let `delta0 = c kappa_n a^n Delta_n`, and let `mu_n` be the moment of order `n` of
+//! For the shape `f = c r^n` with `b = c kappa_n s^n` (see `transform`) let `delta0 = c kappa_n a^n Delta_n`, and let `mu_n` be the moment of order `n` of
 //! the transform `g1` of the flat punch's stress on the unit interval, so that `mu_0 = Eeq`. With
 //! `x = a/t`, for even `n`,
 //!
@@ -16,7 +15,7 @@
 //! (x^(n+1) mu_n)'    = x^n Gamma^2 Delta_n/es
 //! ```
 //!
-//! The proof goes on from that of `curve/derived.rs`, in its notation. Without adhesion
+//! The proof goes on from that of the page `interp/src/curve/derived.rs` of the source, in its notation. Without adhesion
 //! `dg/da = delta0' g1` for every shape. Two derivatives with respect to `r` commute with `A` but
 //! for terms of the edges, `A d2g/dr2 = -b'' + edges`. As there, the equation at the edge gives
 //! `(delta0' g1(a)^2)'` of a shape with a constant `b''`; for any other it gives
@@ -43,32 +42,30 @@
 //! penetration, so that a lookup takes the same time.
 
 mod beginning;
-pub(super) mod ladder;
+mod ladder;
+mod thick_films;
 mod weights;
 
 use std::sync::Arc;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
+use interp::{Curve, Error, Quantity};
 use piecewise::series::{LANES, economised, product, quotient};
 use piecewise::{Piecewise, Polynomials, VALUE};
 
-use self::beginning::{Beginning, Kernel};
+use self::beginning::Beginning;
 use self::ladder::{Group, Running};
+use self::thick_films::ThickFilms;
 use self::weights::{Weights, dilated};
-use crate::{Error, Quantities, Quantity};
 
-pub use self::weights::{EvenShape, LARGEST_A_OVER_R};
+pub(super) use self::weights::{EvenShape, LARGEST_A_OVER_R};
 
-/// What a curve of even powers has besides its pieces.
+/// The contact without adhesion under a shape of even powers.
 #[derive(Clone, Debug)]
 pub(crate) struct EvenPowers {
-    shape: EvenShape,
-    /// The units of the grid per film thickness.
-    unit: f64,
-    beginning: Beginning,
-    /// The sphere-film modulus in the unit of the quantities.
-    es: f64,
+    curve: Curve,
+    thick_films: Arc<ThickFilms>,
     /// The derivatives of the logarithms of load and penetration with respect to that of all lengths
     /// of the shape, at a fixed contact radius, in the places of `Pi0` and `Delta0`; none without
     /// derivatives.
@@ -76,110 +73,73 @@ pub(crate) struct EvenPowers {
 }
 
 impl EvenPowers {
-    /// Returns the quantities, and their slopes, at an `a/t` up to the first node, in which only
-    /// `Pi0` and `Delta0` are those of the shape.
-    pub(crate) fn below(
-        &self,
-        x: f64,
-        mut values: Quantities,
-        mut slopes: Quantities,
-    ) -> (Quantities, Quantities) {
-        let y = x * self.unit;
-        let weights = self.shape.weights(y, self.unit);
-        let kernel = self.beginning.at(y);
-        let (of, by) = (kernel.sums(&weights), kernel.slopes(&weights));
-        let radius = self.shape.unit_radius() * self.unit;
-        let [load, penetration] = [self.es * radius / (y * y * y), radius / (y * y)];
-        values.pi0 = load * of.load;
-        values.delta0 = penetration * of.penetration;
-        slopes.pi0 = load * by.load - 3.0 * values.pi0;
-        slopes.delta0 = penetration * by.penetration - 2.0 * values.delta0;
-        (values, slopes)
+    /// Integrates a shape over the curve of a material, with derivatives if that has them.
+    ///
+    /// # Errors
+    /// As [`Curve::accept_integrals`].
+    pub(super) fn new(own: &Curve, shape: EvenShape) -> Result<Self, Error> {
+        own.accept_integrals("the contact of this probe")?;
+        let source = Source {
+            functions: own.functions(),
+            es: own.material().sphere_film_modulus(),
+        };
+        let beginning = source.beginning();
+        let functions = source.integrated(shape, &beginning, |weights| weights);
+        let by_size = own.derivatives().map(|_| {
+            let by_size = source.integrated(shape, &beginning, dilated);
+            let pairs = by_size.pieces().iter().zip(&**functions.pieces());
+            source.on_grid(pairs.map(|(by, of)| ratio(by, of)).collect())
+        });
+        let derivatives = own.derivatives().map(|all| {
+            all.each_ref()
+                .map(|by| source.by_parameter(shape, &functions, by))
+        });
+        let thick_films = Arc::new(ThickFilms {
+            shape,
+            unit: source.functions.grid().factor(),
+            beginning,
+            es: source.es,
+        });
+        Ok(Self {
+            curve: own.of_shape(functions, derivatives, thick_films.clone()),
+            thick_films,
+            by_size,
+        })
     }
 
-    /// Returns the departure of `Delta0` from that on a half-space, relative to that, at an `a/t` up
-    /// to the first node, over the departure at the first node.
-    pub(crate) fn share_below(&self, x: f64) -> f64 {
-        let share = |y: f64| {
-            let weights = self.shape.weights(y, self.unit);
-            self.beginning.at(y).share(&weights)
-        };
-        let y = x * self.unit;
-        y / self.beginning.first * share(y) / share(self.beginning.first)
-    }
-
-    /// Returns `Delta0` of the shape on a half-space, at an `a/t` up to the first node.
-    pub(crate) fn on_half_space(&self, x: f64) -> f64 {
-        let y = x * self.unit;
-        let weights = self.shape.weights(y, self.unit);
-        let kernel = Kernel {
-            alpha: 0.0,
-            beta: 0.0,
-            y,
-        };
-        self.shape.unit_radius() * self.unit / (y * y) * kernel.sums(&weights).penetration
+    /// Returns the curve whose `Pi0` and `Delta0` are those of the paraboloid with the load and the
+    /// penetration of the shape. The radius of the paraboloid is that of a sphere; of a power law it is
+    /// the thickness of the film.
+    pub(crate) const fn curve(&self) -> &Curve {
+        &self.curve
     }
 
     /// Returns the derivatives of the logarithms of load and penetration with respect to that of all
-    /// lengths of the shape, at a fixed contact radius. `inside` is the `a/t` between the nodes, if it is
-    /// there.
-    pub fn by_size(&self, x: f64, inside: Option<f64>) -> Result<[f64; 2], Error> {
-        let by_size = self.by_size.as_ref().ok_or(Error::NoGradient)?;
-        if let Some(x) = inside {
-            let [load, _, _, penetration] = by_size.values(x);
-            return Ok([load, penetration]);
+    /// lengths of the shape, at a fixed contact radius; none without derivatives.
+    pub(crate) fn by_size(&self, a_over_t: f64) -> Option<[f64; 2]> {
+        let by_size = self.by_size.as_ref()?;
+        let [first, last] = by_size.grid().range();
+        if a_over_t < first {
+            return Some(self.thick_films.by_size(a_over_t));
         }
-        let y = x * self.unit;
-        let weights = self.shape.weights(y, self.unit);
-        let kernel = self.beginning.at(y);
-        let (of, by) = (kernel.sums(&weights), kernel.sums(&dilated(weights)));
-        Ok([by.load / of.load, by.penetration / of.penetration])
+        let [load, _, _, penetration] = by_size.values(a_over_t.min(last));
+        Some([load, penetration])
     }
 }
 
 /// The pieces of a curve, from which those of other shapes follow.
 #[derive(Clone, Copy)]
-pub(crate) struct Source<'a> {
-    pub(crate) functions: &'a Piecewise<VALUE>,
+struct Source<'a> {
+    functions: &'a Piecewise<VALUE>,
     /// The sphere-film modulus in the unit of the quantities.
-    pub(crate) es: f64,
+    es: f64,
 }
 
 impl Source<'_> {
-    /// Returns the pieces of the curve of a shape, with `Pi0` and `Delta0` of the shape, and what
-    /// else its curve has.
-    pub(crate) fn of_shape(&self, shape: EvenShape) -> (Piecewise<VALUE>, EvenPowers) {
-        let beginning = self.beginning();
-        let functions = self.integrated(shape, &beginning, |weights| weights);
-        let even = EvenPowers {
-            shape,
-            unit: self.functions.grid().factor(),
-            beginning,
-            es: self.es,
-            by_size: None,
-        };
-        (functions, even)
-    }
-
-    /// Adds the derivatives with respect to the size of the shape.
-    pub(crate) fn with_derivatives(
-        &self,
-        of_shape: &Piecewise<VALUE>,
-        even: EvenPowers,
-    ) -> EvenPowers {
-        let by_size = self.integrated(even.shape, &even.beginning, dilated);
-        let pairs = by_size.pieces().iter().zip(&**of_shape.pieces());
-        let relative = pairs.map(|(by, of)| ratio(by, of)).collect();
-        EvenPowers {
-            by_size: Some(self.on_grid(relative)),
-            ..even
-        }
-    }
-
     /// Returns the pieces of the derivatives of the logarithms of `Pi0` and `Delta0` of a shape with
     /// respect to a parameter of the material. `by` holds those of the curve's own quantities over
     /// `es`.
-    pub(crate) fn by_parameter<const N: usize>(
+    fn by_parameter<const N: usize>(
         &self,
         shape: EvenShape,
         of_shape: &Piecewise<VALUE>,
@@ -222,7 +182,7 @@ impl Source<'_> {
     }
 
     /// Returns the thick film with which the ladder begins.
-    pub(super) fn beginning(&self) -> Beginning {
+    fn beginning(&self) -> Beginning {
         let grid = self.functions.grid();
         let [first, _] = grid.range();
         let [pi0, eeq, ..] = self.functions.values(first);

@@ -11,19 +11,19 @@ pub(super) struct Sums {
 }
 
 /// The contact up to the first node: a thick film, whose kernel is `alpha + beta (rho^2 + s^2)`, see
-/// the page `curve/thick_film.rs` of the source.
+/// the page `interp/src/curve/thick_film.rs` of the source.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::curve) struct Beginning {
+pub(super) struct Beginning {
     /// `alpha` and `beta` at the first node.
     alpha: f64,
     beta: f64,
     /// The first node, in units of the grid.
-    pub(in crate::curve) first: f64,
+    pub(super) first: f64,
 }
 
 /// The kernel at one contact radius.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::curve) struct Kernel {
+pub(super) struct Kernel {
     pub(super) alpha: f64,
     pub(super) beta: f64,
     pub(super) y: f64,
@@ -50,12 +50,12 @@ impl Kernel {
     }
 
     /// Returns `y^n Delta_n`.
-    pub(in crate::curve) fn penetration(&self, n: usize) -> f64 {
+    pub(super) fn penetration(&self, n: usize) -> f64 {
         self.y.powi(n as i32) * self.edge(n as f64) / self.edge(0.0)
     }
 
     /// Returns `y^(n+1) mu_n/es`.
-    pub(in crate::curve) fn moment(&self, n: usize) -> f64 {
+    pub(super) fn moment(&self, n: usize) -> f64 {
         let [m0, m2] = self.solve(0.0);
         let order = n as f64;
         let moment = (1.0 - self.alpha * m0 - self.beta * m2) / (order + 1.0)
@@ -119,7 +119,7 @@ impl Beginning {
     }
 
     /// Returns the kernel at a contact radius up to the first node, in units of the grid.
-    pub(in crate::curve) fn at(&self, y: f64) -> Kernel {
+    pub(super) fn at(&self, y: f64) -> Kernel {
         let ratio = y / self.first;
         Kernel {
             alpha: ratio * self.alpha,

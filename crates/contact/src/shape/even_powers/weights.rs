@@ -5,7 +5,7 @@ pub(super) const MOST_TERMS: usize = 6;
 
 /// The largest ratio of contact radius and sphere radius for which the economised polynomial is
 /// accurate, to 1e-6.
-pub const LARGEST_A_OVER_R: f64 = 0.55;
+pub(crate) const LARGEST_A_OVER_R: f64 = 0.55;
 
 /// The largest `a/R` of a piece for which so many terms of the series of the sphere suffice, to
 /// 1e-10.
@@ -31,7 +31,7 @@ const ROOTS: [f64; MOST_TERMS] = [
 
 /// A shape whose `b` consists of even powers. Lengths are in units of the film's thickness.
 #[derive(Clone, Copy, Debug)]
-pub enum EvenShape {
+pub(crate) enum EvenShape {
     /// A sphere of this radius.
     Sphere(f64),
     /// `b = factor s^(2k + 2)`.
