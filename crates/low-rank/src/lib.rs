@@ -54,6 +54,8 @@
 //! * [`coarser`]: a train in fewer and smaller integers, where a larger error is enough.
 //! * [`PreparedTrain`]: evaluation. It drops what is far below a tolerance. [`Needs`] says before what
 //!   memory and work it takes.
+//! * [`DenseSpline`]: the same evaluation of values that are held in full.
+//! * [`cover_once`]: whether boxes of two variables, each with a train of its own, cover them once.
 //! * `compress` (feature `compress`): the train of values on a grid.
 //! * [`chebyshev`]: the polynomials of a box.
 //! * [`once`]: values that are made at their first use, also in the child of a fork.
@@ -65,6 +67,7 @@ pub mod chebyshev;
 mod coarser;
 #[cfg(feature = "compress")]
 pub mod compress;
+mod dense_spline;
 mod entropy;
 mod integer_train;
 mod malformed;
@@ -72,13 +75,15 @@ mod mixed_precision;
 mod needs;
 pub mod once;
 mod prepared_train;
+mod tiling;
 mod vectors;
 mod weighted_sum;
 
 pub use coarser::coarser;
+pub use dense_spline::DenseSpline;
 pub use integer_train::IntegerTrain;
 pub use malformed::Malformed;
 pub use needs::Needs;
 pub use prepared_train::PreparedTrain;
-pub use vectors::{Vectors, WeightedSum};
-pub use weighted_sum::add_rows;
+pub use tiling::cover_once;
+pub use vectors::WeightedSum;
