@@ -1,6 +1,6 @@
 //! The choice of the pieces: the longest on which polynomials follow curves accurately enough.
 
-use crate::VALUE;
+use crate::FUNCTION_TERMS;
 use crate::bspline::Basis;
 use crate::functions::Piecewise;
 use crate::grid::{Grid, Position};
@@ -11,7 +11,7 @@ use crate::spans::chebyshev_points;
 /// polynomials.
 pub trait Target<R> {
     /// Returns the polynomials of the functions on the pieces of a resampler.
-    fn polynomials(&self, resampler: &R) -> Piecewise<VALUE>;
+    fn polynomials(&self, resampler: &R) -> Piecewise<FUNCTION_TERMS>;
 
     /// Returns the number and the value of each function at `x`.
     fn values(&self, x: f64) -> impl Iterator<Item = (usize, f64)>;
@@ -41,8 +41,6 @@ pub struct Fitting {
     pub curves: usize,
     /// The largest relative error of the polynomials.
     pub error: f64,
-    /// The number of pieces on which the making of a curve itself needs polynomials.
-    pub pieces_of_curve: usize,
 }
 
 /// What the choice of the pieces may still take. Curves that ask for new pieces one after another,
@@ -105,11 +103,12 @@ impl Fitting {
     /// Finds the longest pieces on which polynomials follow all curves.
     ///
     /// `resampler(bits)` makes what turns curves into polynomials on `2^bits[i]` pieces in octave `i`,
-    /// and `curve(i)` makes curve `i`. It is called [`Self::ROUNDS`] times the number of curves at most.
-    /// If pieces that suffice are not found with these calls and 500,000 comparisons of a piece with a
-    /// curve, all pieces are the shortest.
+    /// and `curve(i)` makes curve `i`, which takes as long as its comparison with `pieces_of_curve` pieces.
+    /// It is called [`Self::ROUNDS`] times the number of curves at most. If pieces that suffice are not
+    /// found with these calls and 500,000 comparisons of a piece with a curve, all pieces are the shortest.
     pub fn longest<R: AsRef<Resampler>, T: Target<R>>(
         &self,
+        pieces_of_curve: usize,
         resampler: impl Fn(&[u32]) -> R,
         curve: impl Fn(usize) -> T,
     ) -> R {
@@ -127,7 +126,7 @@ impl Fitting {
         };
         for i in (0..self.curves).cycle() {
             if !Allowance::take(&mut allowance.curves, 1)
-                || !Allowance::take(&mut allowance.pieces, self.pieces_of_curve)
+                || !Allowance::take(&mut allowance.pieces, pieces_of_curve)
             {
                 return shortest();
             }
@@ -179,10 +178,8 @@ impl Resampler {
             functions,
             coefficients: coefficients(i),
         };
-        fitting.longest(
-            |bits| Self::new(basis, fitting.range, functions, bits),
-            curve,
-        )
+        let resampler = |bits: &[u32]| Self::new(basis, fitting.range, functions, bits);
+        fitting.longest(0, resampler, curve)
     }
 }
 
@@ -196,7 +193,7 @@ impl AsRef<Self> for Resampler {
 /// between the samples and, if the target asks for it, at the ends; infinity if a difference is NaN.
 fn error<R>(
     target: &impl Target<R>,
-    polynomials: &Piecewise<VALUE>,
+    polynomials: &Piecewise<FUNCTION_TERMS>,
     piece: usize,
     ends: [f64; 2],
 ) -> f64 {
@@ -229,7 +226,7 @@ fn error<R>(
 }
 
 impl<C: AsRef<[f64]>> Target<Resampler> for Exponentials<'_, C> {
-    fn polynomials(&self, resampler: &Resampler) -> Piecewise<VALUE> {
+    fn polynomials(&self, resampler: &Resampler) -> Piecewise<FUNCTION_TERMS> {
         resampler.exponentials(self.coefficients.as_ref(), [1.0; 4])
     }
 
@@ -283,7 +280,6 @@ mod tests {
             range,
             curves: CURVES,
             error: 1e-12,
-            pieces_of_curve: 0,
         };
         let resampler = Resampler::fitting(&basis, &[0, 1, 2, 3], &fitting, curve);
         let pieces = resampler.grid().count();
@@ -317,7 +313,6 @@ mod tests {
             range,
             curves: CURVES,
             error: 1e-9,
-            pieces_of_curve: 0,
         };
         Resampler::fitting(&basis, &[1], &fitting, curve);
         println!("{} curves", calls.get());

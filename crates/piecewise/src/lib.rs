@@ -15,9 +15,9 @@ pub use grid::{Grid, Position};
 pub use resampler::Resampler;
 
 /// The number of coefficients of a spline on a piece, of `1, t, t^2, ...`
-pub const LOGARITHM: usize = 8;
+pub const SPLINE_TERMS: usize = 8;
 /// The number of coefficients of a function on a piece.
 ///
 /// The exponential of a polynomial of degree 7 has infinitely many terms, but on a piece each is
 /// about ten times smaller than the one before.
-pub const VALUE: usize = 10;
+pub const FUNCTION_TERMS: usize = 10;

@@ -14,7 +14,7 @@ use crate::functions::{Piecewise, Polynomials};
 use crate::grid::{Grid, Position};
 use crate::series::{Lanes, Series, exponential};
 use crate::spans::Spans;
-use crate::{LOGARITHM, VALUE};
+use crate::{FUNCTION_TERMS, SPLINE_TERMS};
 
 /// The linear map from the coefficients of splines over `ln x` to polynomials on the pieces of a grid,
 /// made once for all splines of a [`Basis`].
@@ -64,7 +64,7 @@ impl Resampler {
     ///
     /// # Panics
     /// If there are fewer groups than B-splines.
-    pub fn splines(&self, coefficients: &[f64]) -> Piecewise<LOGARITHM> {
+    pub fn splines(&self, coefficients: &[f64]) -> Piecewise<SPLINE_TERMS> {
         let rows = self.rows_of_four(coefficients);
         let mut pieces = self.zeros();
         dispatch!(Level::new(), simd => {
@@ -83,7 +83,11 @@ impl Resampler {
     ///
     /// # Panics
     /// As [`Resampler::splines`].
-    pub fn exponentials(&self, coefficients: &[f64], scales: [f64; 4]) -> Piecewise<VALUE> {
+    pub fn exponentials(
+        &self,
+        coefficients: &[f64],
+        scales: [f64; 4],
+    ) -> Piecewise<FUNCTION_TERMS> {
         let rows = self.rows_of_four(coefficients);
         let mut pieces = self.zeros();
         dispatch!(Level::new(), simd => {
@@ -103,7 +107,7 @@ impl Resampler {
         simd: S,
         group: usize,
         coefficients: &[f64],
-    ) -> Series<Lanes<S>, LOGARITHM> {
+    ) -> Series<Lanes<S>, SPLINE_TERMS> {
         self.spans.single_on_group(simd, group, coefficients)
     }
 
@@ -151,13 +155,13 @@ impl Resampler {
 #[inline(always)]
 fn exponentials<S: Simd>(
     simd: S,
-    logarithms: [f64x4<S>; LOGARITHM],
+    logarithms: [f64x4<S>; SPLINE_TERMS],
     scales: [f64; 4],
-    values: &mut Polynomials<VALUE>,
+    values: &mut Polynomials<FUNCTION_TERMS>,
 ) {
     let constant = logarithms[0].as_array();
     let constant = std::array::from_fn(|i| scales[i] * constant[i].exp());
-    let terms: [f64x4<S>; VALUE] =
+    let terms: [f64x4<S>; FUNCTION_TERMS] =
         exponential(simd, f64x4::simd_from(simd, constant), 1.0, &logarithms);
     for (value, term) in values.iter_mut().zip(terms) {
         term.store_slice(value);
@@ -171,10 +175,10 @@ mod tests {
     #[test]
     fn the_exponential_is_that_of_the_polynomial() {
         // Terms that fall by twenty, as on a piece.
-        let logarithms: Polynomials<LOGARITHM> = std::array::from_fn(|k| {
+        let logarithms: Polynomials<SPLINE_TERMS> = std::array::from_fn(|k| {
             std::array::from_fn(|i| (i as f64 - 1.7) * 0.05_f64.powi(k as i32))
         });
-        let mut values = [[0.0; 4]; VALUE];
+        let mut values = [[0.0; 4]; FUNCTION_TERMS];
         dispatch!(Level::new(), simd => {
             let logarithms = logarithms.map(|row| f64x4::simd_from(simd, row));
             exponentials(simd, logarithms, [2.0, 1.0, 1.0, 3.0], &mut values)

@@ -4,7 +4,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x4, f64x8};
 
-use crate::LOGARITHM;
+use crate::SPLINE_TERMS;
 use crate::bspline::Basis;
 use crate::grid::Grid;
 use crate::series::{LANES, Lanes, Series, transposed_lanes};
@@ -15,9 +15,9 @@ pub(crate) struct Spans {
     /// The B-splines of the pieces, in groups. The last piece is repeated until its group is full.
     spans: Vec<Span>,
     /// The polynomials of the first B-splines on the pieces: a row for each B-spline of a group.
-    weights: Vec<[[f64; LOGARITHM]; LANES]>,
+    weights: Vec<[[f64; SPLINE_TERMS]; LANES]>,
     /// The polynomials of the further B-splines of pieces that have many more than others.
-    rest: Vec<[f64; LOGARITHM]>,
+    rest: Vec<[f64; SPLINE_TERMS]>,
 }
 
 /// The B-splines that do not vanish on a group of pieces.
@@ -73,14 +73,14 @@ impl Spans {
                 start: all_weights.len(),
                 rest: [[0; 2]; LANES],
             };
-            all_weights.resize(span.start + count, [[0.0; LOGARITHM]; LANES]);
+            all_weights.resize(span.start + count, [[0.0; SPLINE_TERMS]; LANES]);
             for (lane, (ends, (samples, splines))) in ends.iter().zip(&sampled).enumerate() {
                 let polynomials =
                     lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
                 let further = rest.len();
                 rest.resize(
                     further + counts[lane].saturating_sub(count),
-                    [0.0; LOGARITHM],
+                    [0.0; SPLINE_TERMS],
                 );
                 span.rest[lane] = [further, rest.len()];
                 for (splines, polynomial) in splines.iter().zip(polynomials) {
@@ -109,7 +109,7 @@ impl Spans {
 
     /// Returns the polynomials of the B-splines on a piece, from the first one on.
     #[inline(always)]
-    fn weights_on(&self, piece: usize) -> impl Iterator<Item = &[f64; LOGARITHM]> {
+    fn weights_on(&self, piece: usize) -> impl Iterator<Item = &[f64; SPLINE_TERMS]> {
         let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
         let [from, to] = span.rest[lane];
         let first = self.weights[span.start..][..span.count].iter();
@@ -123,13 +123,13 @@ impl Spans {
         simd: S,
         piece: usize,
         coefficients: &[[f64; 4]],
-    ) -> [f64x4<S>; LOGARITHM] {
+    ) -> [f64x4<S>; SPLINE_TERMS] {
         let (span, lane) = (&self.spans[piece / LANES], piece % LANES);
         let coefficients = &coefficients[span.first[lane]..];
         // B-splines add up to one: a common part of the coefficients can be added at the end.
         // Without it the sums are small, and so is their rounding, which powers of `t` magnify.
         let common = f64x4::from_slice(simd, &coefficients[span.count / 2]);
-        let mut splines = [f64x4::splat(simd, 0.0); LOGARITHM];
+        let mut splines = [f64x4::splat(simd, 0.0); SPLINE_TERMS];
         for (weights, coefficients) in self.weights_on(piece).zip(coefficients) {
             let coefficients = f64x4::from_slice(simd, coefficients) - common;
             for (sum, &weight) in splines.iter_mut().zip(weights) {
@@ -147,7 +147,7 @@ impl Spans {
         simd: S,
         group: usize,
         coefficients: &[f64],
-    ) -> Series<Lanes<S>, LOGARITHM> {
+    ) -> Series<Lanes<S>, SPLINE_TERMS> {
         let mut rows = [f64x8::splat(simd, 0.0); LANES];
         for (lane, row) in rows.iter_mut().enumerate() {
             *row = self.single_on_piece(simd, LANES * group + lane, coefficients);
@@ -186,12 +186,12 @@ impl Spans {
 /// Returns the Chebyshev points of the second kind on a piece. The points of a piece that extends
 /// out of the range are shifted into it together, because the splines are not sampled beyond the
 /// range.
-pub(crate) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; LOGARITHM] {
+pub(crate) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; SPLINE_TERMS] {
     let length = to - from;
     let from = from.min(range[1] - length).max(range[0]);
     let to = (from + length).min(range[1]);
     std::array::from_fn(|i| {
-        let share = 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / (LOGARITHM - 1) as f64).cos();
+        let share = 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / (SPLINE_TERMS - 1) as f64).cos();
         (from + (to - from) * share).clamp(range[0], range[1])
     })
 }
@@ -199,14 +199,14 @@ pub(crate) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; L
 /// Returns the Lagrange polynomials of the points, as coefficients of powers: each is 1 at its own
 /// point and 0 at the others. If all points coincide, the first polynomial is 1 and the others are
 /// 0.
-fn lagrange(points: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
-    if points[0] == points[LOGARITHM - 1] {
+fn lagrange(points: [f64; SPLINE_TERMS]) -> [[f64; SPLINE_TERMS]; SPLINE_TERMS] {
+    if points[0] == points[SPLINE_TERMS - 1] {
         return std::array::from_fn(|i| {
             std::array::from_fn(|k| if i == 0 && k == 0 { 1.0 } else { 0.0 })
         });
     }
     std::array::from_fn(|i| {
-        let mut polynomial = [0.0; LOGARITHM];
+        let mut polynomial = [0.0; SPLINE_TERMS];
         polynomial[0] = 1.0;
         for other in points
             .iter()
@@ -216,7 +216,7 @@ fn lagrange(points: [f64; LOGARITHM]) -> [[f64; LOGARITHM]; LOGARITHM] {
         {
             // Times (t - other) / (points[i] - other).
             let distance = points[i] - other;
-            for k in (0..LOGARITHM).rev() {
+            for k in (0..SPLINE_TERMS).rev() {
                 let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
                 polynomial[k] = (lower - other * polynomial[k]) / distance;
             }

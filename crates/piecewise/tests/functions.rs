@@ -1,7 +1,7 @@
 //! Functions that are known in closed form, on pieces: their values, their slopes and their bounds.
 
 use piecewise::bspline::Basis;
-use piecewise::{Fitting, Grid, Piecewise, Resampler, VALUE};
+use piecewise::{FUNCTION_TERMS, Fitting, Grid, Piecewise, Resampler};
 
 const RANGE: [f64; 2] = [1e-3, 1e3];
 /// The largest error that is asked of the pieces.
@@ -56,7 +56,6 @@ fn fitted(chosen: &[usize]) -> (Resampler, Vec<f64>) {
         range: RANGE,
         curves: 1,
         error: ERROR,
-        pieces_of_curve: 0,
     };
     (
         Resampler::fitting(&basis, chosen, &fitting, |_| &coefficients),
@@ -144,7 +143,7 @@ fn many_values_are_those_of_one_after_the_other() {
 #[test]
 fn functions_that_leave_a_range_are_found() {
     let (resampler, coefficients) = fitted(&[0, 1, 2, 3]);
-    let found: Piecewise<VALUE> = resampler.exponentials(&coefficients, [1.0; 4]);
+    let found: Piecewise<FUNCTION_TERMS> = resampler.exponentials(&coefficients, [1.0; 4]);
     let all = [true; 4];
     assert_eq!(found.leaving(&(1e-3..=1e7), all), None);
     // The first function is 1e6 at the end, the third one 0.03 there.

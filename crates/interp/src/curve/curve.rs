@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use piecewise::{Piecewise, VALUE};
+use piecewise::{FUNCTION_TERMS, Piecewise};
 
 use crate::curve::asymptotics::Expansion;
 use crate::curve::nodes::REASONABLE;
@@ -36,7 +36,7 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The quantities over `a/t`, in the order of [`Quantity::ALL`].
-    pub(super) functions: Piecewise<VALUE>,
+    pub(super) functions: Piecewise<FUNCTION_TERMS>,
     pub(super) material: Material,
     /// Whether each quantity is held or derived, in the order of [`Quantity::ALL`].
     pub(super) known: [bool; 4],

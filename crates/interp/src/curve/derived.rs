@@ -68,7 +68,7 @@ use piecewise::series::{
     LANES, Lanes, Series, constants_of_integration, difference, divided_by_powers, economised, exp,
     exponential, first_terms, integral, limits, product, quotient, scale, sum, write_by_piece,
 };
-use piecewise::{Grid, LOGARITHM, Polynomials, Position, VALUE};
+use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
 
 use crate::curve::thick_film::{LARGEST, MULTIPLES};
 
@@ -174,7 +174,7 @@ impl Derivation {
         &self,
         simd: S,
         group: usize,
-        logarithms: &Series<Lanes<S>, LOGARITHM>,
+        logarithms: &Series<Lanes<S>, SPLINE_TERMS>,
         constants: &mut Constants<'_>,
     ) -> Integrals<S> {
         let half_lengths = Lanes::simd_from(simd, self.groups[group].half_lengths);
@@ -204,10 +204,10 @@ impl Derivation {
         &self,
         simd: S,
         group: usize,
-        logarithms: &Series<Lanes<S>, LOGARITHM>,
+        logarithms: &Series<Lanes<S>, SPLINE_TERMS>,
         integrals: Integrals<S>,
         es: f64,
-        pieces: &mut [Polynomials<VALUE>; LANES],
+        pieces: &mut [Polynomials<FUNCTION_TERMS>; LANES],
     ) {
         let Group {
             half_lengths,
@@ -237,9 +237,9 @@ impl Derivation {
         simd: S,
         group: usize,
         integrals: &Integrals<S>,
-        gamma: &Series<Lanes<S>, LOGARITHM>,
+        gamma: &Series<Lanes<S>, SPLINE_TERMS>,
         constants: &mut Constants<'_>,
-        pieces: &mut [Polynomials<LOGARITHM>; LANES],
+        pieces: &mut [Polynomials<SPLINE_TERMS>; LANES],
     ) {
         let square = first_terms(&integrals.square);
         let inverse = first_terms(&integrals.inverse);
@@ -306,6 +306,6 @@ fn relative<S: Simd>(
     simd: S,
     derivative: &Series<Lanes<S>, RELATIVE_TERMS>,
     value: &Series<Lanes<S>, RELATIVE_TERMS>,
-) -> Series<Lanes<S>, LOGARITHM> {
+) -> Series<Lanes<S>, SPLINE_TERMS> {
     economised(simd, &quotient(simd, derivative, value))
 }

@@ -1,7 +1,7 @@
 //! The choice of the pieces of a curve, with the quantities that follow from `Gamma`.
 
 use piecewise::bspline::Basis;
-use piecewise::{Exponentials, Fitting, Grid, Piecewise, Resampler, Target, VALUE};
+use piecewise::{Exponentials, FUNCTION_TERMS, Fitting, Grid, Piecewise, Resampler, Target};
 
 use crate::Quantity;
 use crate::curve::derived::Derivation;
@@ -30,17 +30,12 @@ impl QuantityResampler {
             range,
             curves: count,
             error,
-            pieces_of_curve: 0,
         };
         if held != [Quantity::Gamma as usize] || !Derivation::begins(range) {
             return Self::of(Resampler::fitting(basis, &held, &fitting, curve));
         }
         let resampler = |bits: &[u32]| Self::new(basis, range, &held, bits);
         let fine = resampler(&vec![Self::REFERENCE; Grid::most_octaves(range)]);
-        let fitting = Fitting {
-            pieces_of_curve: fine.splines.grid().count(),
-            ..fitting
-        };
         let target = |i: usize| {
             let coefficients = curve(i);
             let Pieces {
@@ -58,7 +53,7 @@ impl QuantityResampler {
                 },
             }
         };
-        fitting.longest(resampler, target)
+        fitting.longest(fine.splines.grid().count(), resampler, target)
     }
 }
 
@@ -66,13 +61,13 @@ impl QuantityResampler {
 struct FromGamma<'a, C> {
     gamma: Exponentials<'a, C>,
     /// The derived quantities on short pieces; none if nothing is derived.
-    derived: Option<Piecewise<VALUE>>,
+    derived: Option<Piecewise<FUNCTION_TERMS>>,
 }
 
 impl<C: AsRef<[f64]>> Target<QuantityResampler> for FromGamma<'_, C> {
     /// Returns the polynomials. The integrals of derived quantities begin anew on each piece, because
     /// the errors of a piece are to be its own.
-    fn polynomials(&self, resampler: &QuantityResampler) -> Piecewise<VALUE> {
+    fn polynomials(&self, resampler: &QuantityResampler) -> Piecewise<FUNCTION_TERMS> {
         let coefficients = self.gamma.coefficients.as_ref();
         let (Some(fine), Some(derivation)) = (&self.derived, &resampler.derivation) else {
             return resampler.values(coefficients, 1.0).values;

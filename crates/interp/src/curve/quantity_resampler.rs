@@ -7,7 +7,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use piecewise::bspline::Basis;
 use piecewise::series::LANES;
-use piecewise::{LOGARITHM, Piecewise, Polynomials, Resampler, VALUE};
+use piecewise::{FUNCTION_TERMS, Piecewise, Polynomials, Resampler, SPLINE_TERMS};
 
 use crate::Quantity;
 use crate::curve::derived::{Constants, Derivation};
@@ -25,7 +25,7 @@ pub(crate) struct QuantityResampler {
 /// The polynomials of the quantities on all pieces of a curve.
 #[derive(Clone, Debug)]
 pub(crate) struct Pieces {
-    pub(crate) values: Piecewise<VALUE>,
+    pub(crate) values: Piecewise<FUNCTION_TERMS>,
     /// The estimated relative error that the quantities derived from `Gamma` have where their
     /// integrals begin; none if no quantity is derived.
     pub(crate) start_error: Option<f64>,
@@ -38,9 +38,9 @@ struct ParameterDerivatives<'a> {
     /// The derivatives of the integrals where the next group of pieces begins.
     constants: Constants<'a>,
     /// The result on all pieces.
-    all: &'a mut [Polynomials<LOGARITHM>],
+    all: &'a mut [Polynomials<SPLINE_TERMS>],
     /// The result on the last group of pieces, if it is not full.
-    last: [Polynomials<LOGARITHM>; LANES],
+    last: [Polynomials<SPLINE_TERMS>; LANES],
 }
 
 impl QuantityResampler {
@@ -94,7 +94,7 @@ impl QuantityResampler {
         coefficients: &[f64],
         derivatives: [&[f64]; N],
         es: f64,
-    ) -> (Pieces, [Piecewise<LOGARITHM>; N]) {
+    ) -> (Pieces, [Piecewise<SPLINE_TERMS>; N]) {
         let Some(derivation) = &self.derivation else {
             let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
             let begins_nowhere = holds_gamma_alone(&self.splines);
@@ -127,15 +127,15 @@ impl QuantityResampler {
         coefficients: &[f64],
         derivatives: [&[f64]; N],
         es: f64,
-        of_derivatives: [&mut [Polynomials<LOGARITHM>]; N],
-    ) -> (Piecewise<VALUE>, f64) {
+        of_derivatives: [&mut [Polynomials<SPLINE_TERMS>]; N],
+    ) -> (Piecewise<FUNCTION_TERMS>, f64) {
         let starts = self.at_starts(simd, derivation, coefficients);
         let start = ThickFilm::new(starts.map(f64::exp));
         let mut parameters = of_derivatives.map(|all| ParameterDerivatives {
             coefficients: &[],
             constants: Constants::Running([0.0; 3]),
             all,
-            last: [[[0.0; 4]; LOGARITHM]; LANES],
+            last: [[[0.0; 4]; SPLINE_TERMS]; LANES],
         });
         for (parameter, coefficients) in parameters.iter_mut().zip(derivatives) {
             let [first, second, _] = self.at_starts(simd, derivation, coefficients);
@@ -167,9 +167,9 @@ impl QuantityResampler {
         es: f64,
         mut constants: Constants<'_>,
         parameters: &mut [ParameterDerivatives<'_>; N],
-    ) -> Piecewise<VALUE> {
+    ) -> Piecewise<FUNCTION_TERMS> {
         let mut pieces = self.splines.zeros();
-        let mut last = [[[0.0; 4]; VALUE]; LANES];
+        let mut last = [[[0.0; 4]; FUNCTION_TERMS]; LANES];
         let all = Arc::make_mut(&mut pieces);
         for group in 0..derivation.groups() {
             let logarithms = self.splines.spline_on_group(simd, group, coefficients);
@@ -202,7 +202,7 @@ impl QuantityResampler {
         derivation: &Derivation,
         coefficients: &[f64],
         beginnings: &[[f64; 3]],
-    ) -> Piecewise<VALUE> {
+    ) -> Piecewise<FUNCTION_TERMS> {
         dispatch!(Level::new(), simd => {
             let constants = Constants::Given(beginnings);
             self.derived(simd, derivation, coefficients, 1.0, constants, &mut [])

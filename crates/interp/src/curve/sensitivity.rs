@@ -1,6 +1,6 @@
 //! The derivatives of the quantities with respect to the parameters of the material.
 
-use piecewise::{LOGARITHM, Piecewise, Position};
+use piecewise::{Piecewise, Position, SPLINE_TERMS};
 
 use crate::material::equivalence::Jacobian;
 use crate::material::one_minus_square;
@@ -11,7 +11,7 @@ use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
 pub(crate) struct Sensitivities {
     /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1` and `ln e0_over_e2`
     /// of the table.
-    by_table: [Piecewise<LOGARITHM>; 3],
+    by_table: [Piecewise<SPLINE_TERMS>; 3],
     /// Whether each of them is known. The derivative with respect to a parameter that the table
     /// fixes to a finite value is unknown.
     known: [bool; 3],
@@ -29,7 +29,7 @@ impl Sensitivities {
     /// Takes the derivatives on the pieces, whether each is known, the material asked for, and the
     /// derivatives of its equivalent with respect to it.
     pub(crate) fn new(
-        by_table: [Piecewise<LOGARITHM>; 3],
+        by_table: [Piecewise<SPLINE_TERMS>; 3],
         known: [bool; 3],
         material: Material,
         jacobian: Jacobian,
@@ -81,12 +81,12 @@ impl Sensitivities {
     }
 
     /// Returns the derivatives of the logarithms.
-    pub(crate) const fn by_table(&self) -> &[Piecewise<LOGARITHM>; 3] {
+    pub(crate) const fn by_table(&self) -> &[Piecewise<SPLINE_TERMS>; 3] {
         &self.by_table
     }
 
     /// Returns the derivatives of a curve of the material under another shape.
-    pub(crate) fn of_shape(&self, by_table: [Piecewise<LOGARITHM>; 3]) -> Self {
+    pub(crate) fn of_shape(&self, by_table: [Piecewise<SPLINE_TERMS>; 3]) -> Self {
         Self {
             by_table,
             ..self.clone()

@@ -4,7 +4,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use piecewise::{LOGARITHM, Piecewise, VALUE};
+use piecewise::{FUNCTION_TERMS, Piecewise, SPLINE_TERMS};
 
 use crate::curve::asymptotics::Expansion;
 use crate::curve::thick_film::{LARGEST, fifth_order};
@@ -25,14 +25,14 @@ impl Curve {
     /// Returns the polynomials of the quantities over `a/t` between the nodes, in the order of
     /// [`Quantity::ALL`](crate::Quantity::ALL). Of a quantity that the curve does not answer they mean nothing.
     #[inline]
-    pub const fn functions(&self) -> &Piecewise<VALUE> {
+    pub const fn functions(&self) -> &Piecewise<FUNCTION_TERMS> {
         &self.functions
     }
 
     /// Returns the polynomials of the derivatives of the logarithms of the quantities over `es` (of
     /// `Delta0` itself) with respect to three parameters of the table; none on a curve without
     /// derivatives.
-    pub fn derivatives(&self) -> Option<&[Piecewise<LOGARITHM>; 3]> {
+    pub fn derivatives(&self) -> Option<&[Piecewise<SPLINE_TERMS>; 3]> {
         Some(self.sensitivities.as_ref()?.by_table())
     }
 
@@ -46,8 +46,8 @@ impl Curve {
     #[must_use]
     pub fn of_shape(
         &self,
-        functions: Piecewise<VALUE>,
-        derivatives: Option<[Piecewise<LOGARITHM>; 3]>,
+        functions: Piecewise<FUNCTION_TERMS>,
+        derivatives: Option<[Piecewise<SPLINE_TERMS>; 3]>,
         below: Arc<dyn BelowNodes>,
     ) -> Self {
         let of_derivatives = derivatives.iter().flatten().map(Piecewise::grid);

@@ -6,7 +6,7 @@ use piecewise::series::{
     LANES, Lanes, Series, continued, divided_by_powers, economised, integral, lanes_of_rows,
     pairs_by_lane, product, quotient, scale, times_linear,
 };
-use piecewise::{Polynomials, VALUE};
+use piecewise::{FUNCTION_TERMS, Polynomials};
 
 use super::beginning::Kernel;
 use super::weights::{MOST_TERMS, Weights};
@@ -58,7 +58,7 @@ pub(super) struct Group<'a> {
     /// Their ends, in units of the grid.
     pub(super) ends: [[f64; 2]; LANES],
     pub(super) weights: [Weights; LANES],
-    pub(super) pieces: [&'a Polynomials<VALUE>; LANES],
+    pub(super) pieces: [&'a Polynomials<FUNCTION_TERMS>; LANES],
     /// The place of the first node on the first piece, in the first group.
     pub(super) start: Option<f64>,
     pub(super) number: usize,
@@ -73,14 +73,14 @@ impl Group<'_> {
         es: f64,
         radius: f64,
         running: &mut Running,
-    ) -> [[[f64; 2]; VALUE]; LANES] {
+    ) -> [[[f64; 2]; FUNCTION_TERMS]; LANES] {
         let vector = |values: [f64; LANES]| Lanes::simd_from(simd, values);
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
         let zero = Lanes::splat(simd, 0.0);
         let [mut stiffness, mut gamma, mut penetration]: [Series<_, TERMS>; 3] = [[zero; TERMS]; 3];
         let inverse_es = Lanes::splat(simd, 1.0 / es);
-        for k in 0..VALUE {
+        for k in 0..FUNCTION_TERMS {
             let mut rows = [f64x4::splat(simd, 0.0); LANES];
             for (row, piece) in rows.iter_mut().zip(self.pieces) {
                 *row = f64x4::from_slice(simd, &piece[k]);
@@ -134,8 +134,8 @@ impl Group<'_> {
         let inverse = Lanes::splat(simd, 1.0) / middle;
         let [_, penetration, load] =
             divided_by_powers([stiffness, penetration, load], half * inverse);
-        let mut penetration: Series<Lanes<S>, VALUE> = economised(simd, &penetration);
-        let mut load: Series<Lanes<S>, VALUE> = economised(simd, &load);
+        let mut penetration: Series<Lanes<S>, FUNCTION_TERMS> = economised(simd, &penetration);
+        let mut load: Series<Lanes<S>, FUNCTION_TERMS> = economised(simd, &load);
         let factor = inverse * inverse * radius;
         scale(&mut penetration, factor);
         scale(&mut load, factor * inverse * (4.0 * es));

@@ -52,7 +52,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
 use interp::{Curve, Error, Quantity};
 use piecewise::series::{LANES, economised, product, quotient};
-use piecewise::{Piecewise, Polynomials, VALUE};
+use piecewise::{FUNCTION_TERMS, Piecewise, Polynomials};
 
 use self::beginning::Beginning;
 use self::ladder::{Group, Running};
@@ -69,7 +69,7 @@ pub(crate) struct EvenPowers {
     /// The derivatives of the logarithms of load and penetration with respect to that of all lengths
     /// of the shape, at a fixed contact radius, in the places of `Pi0` and `Delta0`; none without
     /// derivatives.
-    by_size: Option<Piecewise<VALUE>>,
+    by_size: Option<Piecewise<FUNCTION_TERMS>>,
 }
 
 impl EvenPowers {
@@ -130,7 +130,7 @@ impl EvenPowers {
 /// The pieces of a curve, from which those of other shapes follow.
 #[derive(Clone, Copy)]
 struct Source<'a> {
-    functions: &'a Piecewise<VALUE>,
+    functions: &'a Piecewise<FUNCTION_TERMS>,
     /// The sphere-film modulus in the unit of the quantities.
     es: f64,
 }
@@ -142,7 +142,7 @@ impl Source<'_> {
     fn by_parameter<const N: usize>(
         &self,
         shape: EvenShape,
-        of_shape: &Piecewise<VALUE>,
+        of_shape: &Piecewise<FUNCTION_TERMS>,
         by: &Piecewise<N>,
     ) -> Piecewise<N> {
         /// The step of the differences. Their error is of the order of its square.
@@ -159,13 +159,13 @@ impl Source<'_> {
         let [more, less] = [more.pieces(), less.pieces()];
         let mut relative = by.pieces().clone();
         for (i, relative) in Arc::make_mut(&mut relative).iter_mut().enumerate() {
-            let difference: Polynomials<VALUE> = std::array::from_fn(|k| {
+            let difference: Polynomials<FUNCTION_TERMS> = std::array::from_fn(|k| {
                 std::array::from_fn(|q| (more[i][k][q] - less[i][k][q]) / (2.0 * STEP))
             });
             let quotient = ratio(&difference, &of_shape.pieces()[i]);
             let quotient: [[f64; 4]; N] = dispatch!(Level::new(), simd => {
                 let series = quotient.map(|row| f64x4::simd_from(simd, row));
-                economised::<_, _, VALUE, N>(simd, &series).map(|row| *row.as_array())
+                economised::<_, _, FUNCTION_TERMS, N>(simd, &series).map(|row| *row.as_array())
             });
             for (own, new) in relative.iter_mut().zip(quotient) {
                 for quantity in [Quantity::Pi0, Quantity::Delta0] {
@@ -196,7 +196,7 @@ impl Source<'_> {
         shape: EvenShape,
         beginning: &Beginning,
         change: impl Fn(Weights) -> Weights,
-    ) -> Piecewise<VALUE> {
+    ) -> Piecewise<FUNCTION_TERMS> {
         let grid = self.functions.grid();
         let unit = grid.factor();
         let most = shape.largest() * unit;
@@ -235,19 +235,22 @@ impl Source<'_> {
 }
 
 /// Returns the quotients of the quantities, as polynomials on a piece.
-fn ratio(numerator: &Polynomials<VALUE>, denominator: &Polynomials<VALUE>) -> Polynomials<VALUE> {
+fn ratio(
+    numerator: &Polynomials<FUNCTION_TERMS>,
+    denominator: &Polynomials<FUNCTION_TERMS>,
+) -> Polynomials<FUNCTION_TERMS> {
     dispatch!(Level::new(), simd => {
-        let series = |piece: &Polynomials<VALUE>| piece.map(|row| f64x4::simd_from(simd, row));
+        let series = |piece: &Polynomials<FUNCTION_TERMS>| piece.map(|row| f64x4::simd_from(simd, row));
         quotient(simd, &series(numerator), &series(denominator)).map(|row| *row.as_array())
     })
 }
 
 /// Returns the quantities times `1 + step by`, as polynomials on a piece.
 fn scaled<const N: usize>(
-    piece: &Polynomials<VALUE>,
+    piece: &Polynomials<FUNCTION_TERMS>,
     by: &Polynomials<N>,
     step: f64,
-) -> Polynomials<VALUE> {
+) -> Polynomials<FUNCTION_TERMS> {
     dispatch!(Level::new(), simd => {
         let by = by.map(|row| f64x4::simd_from(simd, row));
         let piece = piece.map(|row| f64x4::simd_from(simd, row));
