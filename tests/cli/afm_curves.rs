@@ -81,22 +81,12 @@ impl Row {
 
 /// Fits an exported curve.
 fn fit(workdir: &Workdir, curve: String, file: &str, stiffness: &str) -> Row {
-    let stiffness = ["--stiffness", stiffness];
-    let known = if stiffness[1].is_empty() {
-        &[]
-    } else {
-        &stiffness[..]
+    let known = match stiffness {
+        "" => String::new(),
+        _ => format!("--stiffness {stiffness}"),
     };
-    let system = [
-        "--half-space",
-        "--sphere-modulus",
-        "inf",
-        "--film-poisson-ratio",
-        "0.5",
-        "--sphere-radius",
-        "2e-5",
-    ];
-    let run = workdir.run(&[&["fit", file, "--json"], &system[..], known].concat());
+    let system = "--half-space --sphere-modulus inf --film-poisson-ratio 0.5 --sphere-radius 2e-5";
+    let run = workdir.run(format!("fit {file} --json {system} {known}"));
     assert!(
         !run.stderr.contains("panicked") && run.status < 2,
         "{curve}: {run:?}"

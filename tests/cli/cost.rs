@@ -14,25 +14,14 @@ nu1 = 0.5
 e0_over_e2 = 10
 ";
 
-const MEASURE: [&str; 7] = [
-    "cost",
-    "effects",
-    "scene.toml",
-    "--tolerance",
-    "1e-2",
-    "--points",
-    "200",
-];
+const MEASURE: &str = "cost effects scene.toml --tolerance 1e-2 --points 200";
 
 #[test]
 fn rows_are_summed_up_and_compared_with_those_of_another_run() {
     let workdir = workdir!();
     workdir.write("scene.toml", SCENE);
-    let printed = workdir.succeed(&[&MEASURE[..], &["-o", "rows.csv"]].concat());
-    assert_eq!(
-        workdir.succeed(&["cost", "effects", "--data", "rows.csv"]),
-        printed
-    );
+    let printed = workdir.succeed(format!("{MEASURE} -o rows.csv"));
+    assert_eq!(workdir.succeed("cost effects --data rows.csv"), printed);
 
     assert_eq!(workdir.files(), ["rows.csv", "scene.toml"]);
     // The rows with one cell of the third changed, against themselves. There is no second run, as
@@ -69,7 +58,7 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
     );
 
     workdir.write("short.csv", to_csv(&rows[..2]));
-    let run = workdir.run(&[&MEASURE[..], &["--compare", "short.csv"]].concat());
+    let run = workdir.run(format!("{MEASURE} --compare short.csv"));
     assert_eq!(run.status, 1, "{}", run.stderr);
     assert_names(
         &run.stderr,
@@ -78,10 +67,7 @@ fn rows_are_summed_up_and_compared_with_those_of_another_run() {
 
     workdir.write("partial.csv", to_csv(&rows[1..2]));
     assert_names(
-        &workdir.fail(
-            1,
-            &["plot", "effects", "--data", "partial.csv", "-o", "x.svg"],
-        ),
+        &workdir.fail(1, "plot effects --data partial.csv -o x.svg"),
         &["no row of the whole scene"],
     );
 }
@@ -92,40 +78,23 @@ fn rows_that_cannot_be_read_are_an_error_before_anything_is_measured() {
     workdir.write("other.csv", "a,b\n1,2\n");
     for option in ["--data", "--compare"] {
         assert_names(
-            &workdir.fail(1, &["cost", "solve", option, "missing.csv"]),
+            &workdir.fail(1, format!("cost solve {option} missing.csv")),
             &["missing.csv"],
         );
         assert_names(
-            &workdir.fail(1, &["cost", "solve", option, "other.csv"]),
+            &workdir.fail(1, format!("cost solve {option} other.csv")),
             &["other.csv"],
         );
     }
     workdir.write("empty.csv", "");
-    for command in [["cost", "effects"], ["plot", "effects"]] {
-        let message = workdir.fail(
-            1,
-            &[
-                &command[..],
-                &["--data", "empty.csv", "-o", "x.svg"][..if command[0] == "cost" { 2 } else { 4 }],
-            ]
-            .concat(),
-        );
+    for command in [
+        "cost effects --data empty.csv",
+        "plot effects --data empty.csv -o x.svg",
+    ] {
+        let message = workdir.fail(1, command);
         assert_names(&message, &["empty.csv", "it has no rows"]);
     }
-    workdir.fail(2, &["cost", "effects", "scene.toml", "--data", "other.csv"]);
-    workdir.fail(
-        2,
-        &[
-            "cost",
-            "solve",
-            "--data",
-            "other.csv",
-            "--compare",
-            "other.csv",
-        ],
-    );
-    workdir.fail(
-        2,
-        &["cost", "solve", "--data", "other.csv", "-o", "rows.csv"],
-    );
+    workdir.fail(2, "cost effects scene.toml --data other.csv");
+    workdir.fail(2, "cost solve --data other.csv --compare other.csv");
+    workdir.fail(2, "cost solve --data other.csv -o rows.csv");
 }

@@ -4,11 +4,11 @@ use contact::Contact;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use acceptance::{assert_names, low_rank, shipped, table, workdir};
+use acceptance::{assert_names, low_rank, shipped, solid, table, workdir};
 use cost::clock::Timing;
 use cost::lookup::{POINTS, Row, SEED, markdown, measure};
 use cost::{Measured, to_csv};
-use interp::{Elastic, Probe, System, Table};
+use interp::{Probe, System, Table};
 use solve::solve;
 use tabulate::measure::read_csv;
 use tabulate::table::random_points;
@@ -62,7 +62,7 @@ fn errors_are_those_of_loads_in_newtons() {
     let (mut bulk, mut looked_up_errors) = ([const { Vec::new() }; 2], [const { Vec::new() }; 2]);
     for (x, material) in random_points(&table, COUNT, 1) {
         let (t, r, unit) = (2e-6, 3e-3, 5e6);
-        let solid = |ratio: f64, nu: f64| Elastic::new(ratio * unit, nu).expect("physical");
+        let solid = |ratio: f64, nu: f64| solid(ratio * unit, nu);
         let system = System {
             probe: Probe::Paraboloid { radius: r },
             sphere_modulus: unit,
@@ -184,14 +184,7 @@ fn every_form_is_there_and_what_is_written_is_read() {
     let workdir = workdir!();
     let file = workdir.write("rows.csv", to_csv(&rows));
     assert_eq!(read_csv::<Row>(&file).expect("its own"), rows);
-    workdir.succeed(&[
-        "plot",
-        "lookup-cost",
-        "--data",
-        "rows.csv",
-        "-o",
-        "lookup-cost.svg",
-    ]);
+    workdir.succeed("plot lookup-cost --data rows.csv -o lookup-cost.svg");
     assert!(workdir.read("lookup-cost.svg").starts_with(b"<svg"));
 }
 
@@ -223,7 +216,7 @@ fn a_table_without_all_quantities_is_an_error_that_names_one() {
 fn the_command_prints_a_summary_and_writes_all_rows() {
     let workdir = workdir!();
     let file = shipped("paper.bin");
-    let summary = workdir.succeed(&[
+    let summary = workdir.succeed([
         "cost",
         "lookup",
         file.to_str().expect("UTF-8"),
@@ -233,11 +226,11 @@ fn the_command_prints_a_summary_and_writes_all_rows() {
     let rows: Vec<Row> = read_csv(&workdir.path("lookup.csv")).expect("its own");
     assert_eq!(summary, markdown(&rows));
     assert!(rows.iter().any(|row| row.points == POINTS as u64));
-    let message = workdir.fail(1, &["cost", "lookup", "missing.bin"]);
+    let message = workdir.fail(1, "cost lookup missing.bin");
     assert_names(&message, &["missing.bin"]);
     let message = workdir.fail(
         1,
-        &[
+        [
             "cost",
             "lookup",
             file.to_str().expect("UTF-8"),

@@ -77,13 +77,13 @@ fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
     assert_eq!(text.lines().count(), rows.len() + 1);
     assert_eq!(read_csv::<Row>(&file).expect("its own"), rows);
     assert_eq!(
-        workdir.succeed(&["cost", "solve", "--data", "solve.csv"]),
+        workdir.succeed("cost solve --data solve.csv"),
         markdown(&rows)
     );
 
     for name in ["one.svg", "two.svg", "one.png"] {
         assert_eq!(
-            workdir.succeed(&["plot", "work-precision", "--data", "solve.csv", "-o", name]),
+            workdir.succeed(format!("plot work-precision --data solve.csv -o {name}")),
             ""
         );
     }
@@ -164,17 +164,7 @@ fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
 fn a_figure_of_anything_else_is_refused() {
     let workdir = workdir!();
     workdir.write("other.csv", "contact,a_over_t\nthe paper's,thin\n");
-    let message = workdir.fail(
-        1,
-        &[
-            "plot",
-            "work-precision",
-            "--data",
-            "other.csv",
-            "-o",
-            "picture.svg",
-        ],
-    );
+    let message = workdir.fail(1, "plot work-precision --data other.csv -o picture.svg");
     assert_names(&message, &["other.csv", "line: 2"]);
     assert_eq!(workdir.files(), ["other.csv"]);
 }
@@ -182,7 +172,7 @@ fn a_figure_of_anything_else_is_refused() {
 #[test]
 fn an_output_that_cannot_be_written_is_named_before_anything_is_measured() {
     assert_names(
-        &workdir!().fail(1, &["cost", "solve", "-o", "nowhere/solve.csv"]),
+        &workdir!().fail(1, "cost solve -o nowhere/solve.csv"),
         &["nowhere/solve.csv", "no folder"],
     );
 }

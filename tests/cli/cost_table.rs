@@ -70,22 +70,12 @@ fn rows_say_what_generate_and_pack_say() {
     let printed = markdown(&rows);
     for row in rows.iter().step_by(3) {
         let tolerance = row.tolerance.to_string();
-        let said = workdir.succeed(&[
-            "generate",
-            "scene.toml",
-            "-o",
-            "table.h5",
-            "--tolerance",
-            &tolerance,
-        ]);
-        workdir.succeed(&[
-            "pack",
-            "table.h5",
-            "-o",
-            "table.bin",
-            "--tolerance",
-            &tolerance,
-        ]);
+        let said = workdir.succeed(format!(
+            "generate scene.toml -o table.h5 --tolerance {tolerance}"
+        ));
+        workdir.succeed(format!(
+            "pack table.h5 -o table.bin --tolerance {tolerance}"
+        ));
         let (dense, packed) = (
             Table::open(workdir.path("table.h5")).expect("sound"),
             Table::read(workdir.path("table.bin")).expect("sound"),
@@ -141,15 +131,7 @@ fn rows_say_what_generate_and_pack_say() {
 #[test]
 fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
     let workdir = workdir();
-    let printed = workdir.succeed(&[
-        "cost",
-        "table",
-        "scene.toml",
-        "--to",
-        "1e-3",
-        "-o",
-        "table.csv",
-    ]);
+    let printed = workdir.succeed("cost table scene.toml --to 1e-3 -o table.csv");
     let rows = rows(&workdir, "table.csv");
     assert_eq!(
         to_csv(&rows),
@@ -173,14 +155,7 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
         assert_names(&printed, &[&format!("| {:e} | ", row.tolerance)]);
     }
 
-    workdir.succeed(&[
-        "plot",
-        "table-cost",
-        "--data",
-        "table.csv",
-        "-o",
-        "table.svg",
-    ]);
+    workdir.succeed("plot table-cost --data table.csv -o table.svg");
     assert!(workdir.read("table.svg").starts_with(b"<svg"));
     // A solve that takes no longer than a lookup: infinity is read back, too.
     let never = vec![Row {
@@ -195,15 +170,8 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
     // again.
     let mut kept = rows;
     workdir.write("kept.csv", to_csv(&kept));
-    let compare = [
-        "cost",
-        "table",
-        "scene.toml",
-        "--compare",
-        "kept.csv",
-        "--to",
-    ];
-    let run = workdir.run(&[&compare[..], &["1e-2"]].concat());
+    let compare = "cost table scene.toml --compare kept.csv --to";
+    let run = workdir.run(format!("{compare} 1e-2"));
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_names(
         &run.stderr,
@@ -211,7 +179,7 @@ fn the_command_writes_and_prints_the_rows_down_to_a_tolerance() {
     );
     kept[0].packed_bytes += 1;
     workdir.write("kept.csv", to_csv(&kept));
-    let run = workdir.run(&[&compare[..], &["1e-2"]].concat());
+    let run = workdir.run(format!("{compare} 1e-2"));
     assert_eq!(run.status, 1);
     assert_names(&run.stderr, &["kept.csv", "row 1", "packed_bytes was"]);
 }
@@ -268,8 +236,8 @@ fn a_budget_is_kept_and_the_table_that_it_leaves_out_is_named() {
 #[test]
 fn a_budget_that_does_not_suffice_for_the_first_table_is_an_error() {
     let workdir = workdir();
-    let command = ["cost", "table", "scene.toml", "-o", "table.csv", "--budget"];
-    let message = workdir.fail(1, &[&command[..], &["1e-9"]].concat());
+    let command = "cost table scene.toml -o table.csv --budget";
+    let message = workdir.fail(1, format!("{command} 1e-9"));
     assert_names(&message, &["the budget is spent", "1e-9 s", "larger"]);
     assert_eq!(workdir.files(), ["scene.toml"]);
 }
@@ -281,15 +249,7 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         "stated.toml",
         SCENE.replace("to = 10 }", "to = 10, nodes = 10 }"),
     );
-    let run = workdir.run(&[
-        "cost",
-        "table",
-        "stated.toml",
-        "--to",
-        "1e-8",
-        "-o",
-        "table.csv",
-    ]);
+    let run = workdir.run("cost table stated.toml --to 1e-8 -o table.csv");
     assert_eq!(run.status, 0);
     let rows = rows(&workdir, "table.csv");
     assert!(
@@ -297,7 +257,7 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         "ten nodes keep {} tolerances",
         rows.len()
     );
-    let said = workdir.run(&[
+    let said = workdir.run([
         "generate",
         "stated.toml",
         "--tolerance",
@@ -318,7 +278,7 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
     assert_names(&run.stdout, &[&markdown(&rows), &reason]);
     // The file of rows does not hold the reason.
     assert_eq!(
-        workdir.succeed(&["cost", "table", "--data", "table.csv"]),
+        workdir.succeed("cost table --data table.csv"),
         markdown(&rows)
     );
 
@@ -326,7 +286,7 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         "coarse.toml",
         SCENE.replace("to = 10 }", "to = 10, nodes = 3 }"),
     );
-    let message = workdir.fail(1, &["cost", "table", "coarse.toml", "-o", "none.csv"]);
+    let message = workdir.fail(1, "cost table coarse.toml -o none.csv");
     assert_names(&message, &["its certified error", "leaves no room", "1e-2"]);
     assert!(!workdir.files().contains(&"none.csv".to_owned()));
 }
@@ -336,7 +296,7 @@ fn bad_scenes_and_budgets_are_errors_that_name_the_value() {
     let workdir = workdir();
     for budget in ["0", "-1", "1e10", "NaN", "inf"] {
         let value = budget.parse::<f64>().expect("a number");
-        let message = workdir.fail(1, &["cost", "table", "scene.toml", "--budget", budget]);
+        let message = workdir.fail(1, format!("cost table scene.toml --budget {budget}"));
         assert_names(
             &message,
             &[
@@ -345,30 +305,30 @@ fn bad_scenes_and_budgets_are_errors_that_name_the_value() {
             ],
         );
     }
-    workdir.fail(2, &["cost", "table", "scene.toml", "--budget", "soon"]);
+    workdir.fail(2, "cost table scene.toml --budget soon");
     for to in ["1e-9", "0.1", "-1", "NaN"] {
         let value = to.parse::<f64>().expect("a number");
         assert_names(
-            &workdir.fail(1, &["cost", "table", "scene.toml", "--to", to]),
+            &workdir.fail(1, format!("cost table scene.toml --to {to}")),
             &[&format!("--to = {value:?}"), "from 1e-2 to 1e-8"],
         );
     }
     workdir.write("wrong.toml", SCENE.replace("nu1 = 0.5", "nu1 = 0.6"));
     for command in ["table", "effects"] {
         assert_names(
-            &workdir.fail(1, &["cost", command, "missing.toml"]),
+            &workdir.fail(1, format!("cost {command} missing.toml")),
             &["cannot read missing.toml"],
         );
         assert_names(
-            &workdir.fail(1, &["cost", command, "wrong.toml"]),
+            &workdir.fail(1, format!("cost {command} wrong.toml")),
             &["wrong.toml", "nu1 = 0.6", "(-1, 0.5]"],
         );
         assert_names(
-            &workdir.fail(1, &["cost", command, "scene.toml", "-o", "scene.toml"]),
+            &workdir.fail(1, format!("cost {command} scene.toml -o scene.toml")),
             &["scene.toml", "it is the input"],
         );
         assert_names(
-            &workdir.fail(1, &["cost", command, "scene.toml", "-o", "none/x.csv"]),
+            &workdir.fail(1, format!("cost {command} scene.toml -o none/x.csv")),
             &["none/x.csv", "there is no folder"],
         );
     }

@@ -1,6 +1,8 @@
 //! `tabulate curve`
 
-use acceptance::{Data, assert_names, larger, paper_system, workdir};
+use acceptance::{
+    Data, assert_names, larger, looked_up, paper_system, rigid_probe, solid, workdir,
+};
 use contact::{Contact, Control, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System, Table};
 use serde_json::Value;
@@ -17,8 +19,8 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
     let workdir = workdir!();
     let table_path = paper_table();
     let outputs = [
-        workdir.succeed(&["curve"]),
-        workdir.succeed(&["curve", &table_path]),
+        workdir.succeed("curve"),
+        workdir.succeed(format!("curve {table_path}")),
     ];
     let [direct, looked_up] = outputs.each_ref().map(|text| Data::parse("curve", text));
     assert_eq!(
@@ -86,46 +88,20 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
 #[test]
 fn curve_takes_every_part_of_the_system() {
     let workdir = workdir!();
-    let arguments = [
-        "curve",
-        "--film-thickness",
-        "2e-6",
-        "--film-modulus",
-        "5e6",
-        "--film-poisson-ratio",
-        "0.4",
-        "--substrate-modulus",
-        "inf",
-        "--substrate-poisson-ratio",
-        "0.1",
-        "--sphere-radius",
-        "5e-4",
-        "--sphere-modulus",
-        "inf",
-        "--work-of-adhesion",
-        "0.07",
-        "--from",
-        "1e-6",
-        "--to",
-        "3e-6",
-        "--points",
-        "3",
-        "--tolerance",
-        "1e-8",
-        "-o",
-        "curve.csv",
-    ];
-    assert_eq!(workdir.succeed(&arguments), "");
+    let arguments = "curve --film-thickness 2e-6 --film-modulus 5e6 --film-poisson-ratio 0.4 \
+         --substrate-modulus inf --substrate-poisson-ratio 0.1 --sphere-radius 5e-4 \
+         --sphere-modulus inf --work-of-adhesion 0.07 --from 1e-6 --to 3e-6 --points 3 \
+         --tolerance 1e-8 -o curve.csv";
+    assert_eq!(workdir.succeed(arguments), "");
     let output = String::from_utf8(workdir.read("curve.csv")).expect("UTF-8");
     let data = Data::parse("curve.csv", &output);
-    let solid = |young, poisson| interp::Elastic::new(young, poisson).expect("physical");
-    let system = System {
-        probe: Probe::Paraboloid { radius: 5e-4 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(5e6, 0.4),
-        film_thickness: 2e-6,
-        substrate: solid(f64::INFINITY, 0.1),
-    };
+    let solid = |young, poisson| solid(young, poisson);
+    let system = rigid_probe(
+        Probe::Paraboloid { radius: 5e-4 },
+        solid(5e6, 0.4),
+        2e-6,
+        solid(f64::INFINITY, 0.1),
+    );
     let (mechanics, material) = (
         Mechanics::new(&system).expect("physical"),
         system.material().expect("physical"),
@@ -147,8 +123,8 @@ fn curve_takes_every_part_of_the_system() {
 fn a_radius_that_is_not_below_the_spheres_is_an_error_before_any_work() {
     let workdir = workdir!();
     for to in ["1", "1e-3", "1e308"] {
-        for table in [&[][..], &["embedded"]] {
-            let message = workdir.fail(1, &[&["curve", "--to", to], table].concat());
+        for table in ["", "embedded"] {
+            let message = workdir.fail(1, format!("curve --to {to} {table}"));
             let value = format!("{:?} m", to.parse::<f64>().expect("a number"));
             assert_names(&message, &[&value, "below", "R = 0.001 m", "unit"]);
             assert_eq!(message.lines().count(), 1, "{message}");
@@ -165,8 +141,8 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
         (limit.next_up(), format!("tabulate: {LARGE_CONTACT}\n")),
         (0.999e-3, format!("tabulate: {LARGE_CONTACT}\n")),
     ] {
-        let paper = ["curve", "embedded", "--specimen", "paper"];
-        let run = workdir.run(&[&paper[..], &["--to", &to.to_string()]].concat());
+        let paper = "curve embedded --specimen paper";
+        let run = workdir.run(format!("{paper} --to {to}"));
         assert_eq!((run.status, run.stderr), (0, warning));
         assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 150);
     }
@@ -175,14 +151,15 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
 #[test]
 fn curve_and_pull_off_take_the_range_of_the_attraction() {
     let workdir = workdir!();
-    let bodies = ["--sphere-radius", "1e-4", "--interaction-range", "2e-7"];
+    let sphere = "--sphere-radius 1e-4";
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-4 },
         ..paper_system(1e-6)
     };
     let cohesive = Cohesive::new(&system, 0.04, 2e-7).expect("physical");
-    let radii = ["--from", "4e-6", "--to", "8e-6", "--points", "3"];
-    let text = workdir.succeed(&[&["curve"][..], &bodies, &radii].concat());
+    let ranged = format!("{sphere} --interaction-range 2e-7");
+    let radii = "--from 4e-6 --to 8e-6 --points 3";
+    let text = workdir.succeed(format!("curve {ranged} {radii}"));
     let rows = Data::parse("curve", &text);
     assert_eq!(rows.columns()[5], "outer_radius");
     for case in rows.cases() {
@@ -194,18 +171,20 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
         assert_eq!(case.get("outer_radius"), state.outer_radius);
     }
 
-    let controls: [(&[&str], Control); 3] = [
-        (&[], Control::Load),
-        (&["--control", "displacement"], Control::Displacement),
+    let controls: [(&str, Control); 3] = [
+        ("", Control::Load),
+        ("--control displacement", Control::Displacement),
         (
-            &["--control", "spring", "--stiffness", "40"],
+            "--control spring --stiffness 40",
             Control::Spring { stiffness: 40.0 },
         ),
     ];
-    let table = Contact::in_table(Table::embedded(), &system).expect("inside");
+    let table = looked_up(&system);
     for (flags, control) in controls {
         let state = cohesive.pull_off(control).expect("a pull-off");
-        let text = workdir.succeed(&[&["pull-off"][..], &bodies, flags, &["--json"]].concat());
+        let text = workdir.succeed(format!(
+            "pull-off {sphere} --interaction-range 2e-7 {flags} --json"
+        ));
         let object: Value = serde_json::from_str(&text).expect("JSON");
         for (name, value) in [
             ("load", state.load),
@@ -218,13 +197,13 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
             assert!((printed / value - 1.0).abs() < 1e-15, "{name}: {text}");
         }
         let jkr = table.pull_off(0.04, control).expect("a pull-off");
-        let text = workdir.succeed(&[&["pull-off", "embedded"][..], &bodies[..2], flags].concat());
+        let text = workdir.succeed(format!("pull-off embedded {sphere} {flags}"));
         assert!(
             text.contains(&format!("load           = {:?}\n", jkr.load)),
             "{text}"
         );
         // Without a table the system is solved.
-        let text = workdir.succeed(&[&["pull-off"][..], &bodies[..2], flags].concat());
+        let text = workdir.succeed(format!("pull-off {sphere} {flags}"));
         let load: f64 = text
             .lines()
             .find_map(|line| line.strip_prefix("load           = "))
@@ -235,22 +214,22 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
     }
     for (arguments, words) in [
         (
-            &["pull-off", "--interaction-range", "0"][..],
+            "pull-off --interaction-range 0",
             &["interaction range", "0.0"][..],
         ),
         (
-            &["pull-off", "--interaction-range", "1"],
+            "pull-off --interaction-range 1",
             &["interaction range", "1.0"],
         ),
         (
-            &["curve", "--interaction-range", "nan"],
+            "curve --interaction-range nan",
             &["interaction range", "NaN"],
         ),
     ] {
         assert_names(&workdir.fail(1, arguments), words);
     }
-    workdir.fail(2, &["pull-off", "--control", "spring"]);
-    workdir.fail(2, &["pull-off", "embedded", "--interaction-range", "1e-9"]);
+    workdir.fail(2, "pull-off --control spring");
+    workdir.fail(2, "pull-off embedded --interaction-range 1e-9");
 }
 
 /// The rows of a cone on a half-space are those of Sneddon, and flags that do not belong together
@@ -258,23 +237,14 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
 #[test]
 fn the_shape_of_the_probe_is_chosen() {
     let dir = workdir!();
-    let homogeneous = [
-        "curve",
-        "--film-modulus=1e6",
-        "--film-poisson-ratio=0.25",
-        "--substrate-modulus=1e6",
-        "--substrate-poisson-ratio=0.25",
-        "--sphere-modulus=inf",
-        "--work-of-adhesion=0",
-        "--from=1e-6",
-        "--to=4e-6",
-        "--points=4",
-    ];
+    let homogeneous = "curve --film-modulus=1e6 --film-poisson-ratio=0.25 --substrate-modulus=1e6 \
+         --substrate-poisson-ratio=0.25 --sphere-modulus=inf --work-of-adhesion=0 --from=1e-6 \
+         --to=4e-6 --points=4";
     let modulus = 1e6 / (1.0 - 0.0625);
     let slope = 70_f64.to_radians().tan().recip();
-    let cone = ["--probe=cone", "--half-angle=70"];
-    for table in [&[][..], &["embedded"]] {
-        let text = dir.succeed(&[&homogeneous[..], &cone, table].concat());
+    let cone = "--probe=cone --half-angle=70";
+    for table in ["", "embedded"] {
+        let text = dir.succeed(format!("{homogeneous} {cone} {table}"));
         let output = Data::parse("curve", &text);
         for row in output.cases() {
             let a = row.get("contact_radius");
@@ -286,18 +256,18 @@ fn the_shape_of_the_probe_is_chosen() {
             assert!((row.get("penetration") / penetration - 1.0).abs() < 3e-7);
         }
     }
-    let refused = |flags: &[&str], words: &[&str]| {
-        let message = dir.fail(1, &[&homogeneous[..], flags].concat());
+    let refused = |flags: &str, words: &[&str]| {
+        let message = dir.fail(1, format!("{homogeneous} {flags}"));
         assert_names(&message, words);
     };
-    refused(&["--probe=cone"], &["--half-angle"]);
-    refused(&["--half-angle=70"], &["--half-angle", "paraboloid"]);
-    refused(&["--probe=cone", "--half-angle=90"], &["90", "degrees"]);
-    refused(&["--probe=power-law", "--exponent=3"], &["--coefficient"]);
+    refused("--probe=cone", &["--half-angle"]);
+    refused("--half-angle=70", &["--half-angle", "paraboloid"]);
+    refused("--probe=cone --half-angle=90", &["90", "degrees"]);
+    refused("--probe=power-law --exponent=3", &["--coefficient"]);
     let path = dir.write("tip.csv", "r [um],z [nm]\n0,0\n1,100\n2,150\n");
     let path = path.display().to_string();
     refused(
-        &["--probe=profile", "--profile", &path],
+        &format!("--probe=profile --profile {path}"),
         &["line 4", "convex"],
     );
 }
@@ -306,15 +276,15 @@ fn the_shape_of_the_probe_is_chosen() {
 #[test]
 fn the_usual_radii_fit_the_sphere() {
     let workdir = workdir!();
-    let radii = |arguments: &[&str]| {
-        let text = workdir.succeed(&[&["curve", "--points=3"], arguments].concat());
+    let radii = |arguments: &str| {
+        let text = workdir.succeed(format!("curve --points=3 {arguments}"));
         let data = Data::parse("curve", &text);
         let radii: Vec<f64> = data.cases().map(|row| row.get("contact_radius")).collect();
         [radii[0], radii[2]]
     };
-    assert_eq!(radii(&["--specimen=paper"]), [1e-6, 1.5e-4]);
-    let [from, to] = radii(&["--specimen=paper", "--sphere-radius=10um"]);
+    assert_eq!(radii("--specimen=paper"), [1e-6, 1.5e-4]);
+    let [from, to] = radii("--specimen=paper --sphere-radius=10um");
     assert!((to / 3e-6 - 1.0).abs() < 1e-14 && (from / 2e-8 - 1.0).abs() < 1e-14);
-    let given = ["--specimen=paper", "--sphere-radius=10um", "--to=2um"];
-    assert_eq!(radii(&given), [1e-6, 2e-6]);
+    let given = "--specimen=paper --sphere-radius=10um --to=2um";
+    assert_eq!(radii(given), [1e-6, 2e-6]);
 }

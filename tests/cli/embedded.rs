@@ -14,36 +14,23 @@ fn embedded_is_the_table_that_is_compiled_in() {
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/universal.bin");
     let (path, points) = (file.to_str().expect("UTF-8"), shipped("points.csv"));
     let points = points.to_str().expect("UTF-8");
-    let commands: [&[&str]; 6] = [
-        &["query", "TABLE", "--points", points, "--gradient"],
-        &["curve", "TABLE", "--points", "20"],
-        &["info", "TABLE"],
-        &["info", "TABLE", "--json"],
-        &["check", "TABLE", "--points", "50"],
-        &["check", "TABLE", "--points", "50", "--json"],
+    let commands = [
+        &format!("query TABLE --points {points} --gradient"),
+        "curve TABLE --points 20",
+        "info TABLE",
+        "info TABLE --json",
+        "check TABLE --points 50",
+        "check TABLE --points 50 --json",
     ];
     for command in commands {
-        let of = |table: &str| {
-            let words = command.iter().map(|word| match *word {
-                "TABLE" => table,
-                word => word,
-            });
-            workdir.succeed(&words.collect::<Vec<_>>())
-        };
+        let of = |table: &str| workdir.succeed(command.replace("TABLE", table));
         assert_eq!(of("embedded"), of(path), "{command:?}");
     }
     // The commands of `report --help`.
-    workdir.succeed(&["report", "embedded", "-o", "report.html"]);
-    let punch = [
-        "report",
-        "embedded",
-        "--probe",
-        "flat-punch",
-        "--sphere-radius",
-        "1e-5",
-    ];
-    workdir.succeed(&[&punch[..], &["-o", "punch.html"]].concat());
-    workdir.succeed(&["pack", "embedded", "-o", "packed.bin"]);
+    workdir.succeed("report embedded -o report.html");
+    let punch = "report embedded --probe flat-punch --sphere-radius 1e-5";
+    workdir.succeed(format!("{punch} -o punch.html"));
+    workdir.succeed("pack embedded -o packed.bin");
     assert!(workdir.read("packed.bin") == std::fs::read(&file).expect("it is there"));
     assert_eq!(
         Table::embedded().description(),
@@ -56,12 +43,9 @@ fn a_file_of_that_name_is_reached_with_its_folder() {
     let workdir = workdir!();
     let packed = table(TWO_QUANTITIES).to_packed().expect("a small table");
     workdir.write("embedded", packed);
-    assert_names(
-        &workdir.succeed(&["info", "./embedded"]),
-        &["Two quantities"],
-    );
+    assert_names(&workdir.succeed("info ./embedded"), &["Two quantities"]);
     let title = &Table::embedded().description().title;
-    assert_names(&workdir.succeed(&["info", "embedded"]), &[title]);
+    assert_names(&workdir.succeed("info embedded"), &[title]);
 }
 
 #[test]
@@ -76,34 +60,34 @@ fn the_word_spelled_wrong_is_recognised() {
     ];
     for wrong in wrongs.iter().map(String::as_str) {
         for command in [
-            &["info", wrong][..],
-            &["query", wrong, "--points", "none.csv"],
+            &format!("info {wrong}"),
+            &format!("query {wrong} --points none.csv"),
         ] {
             let message = workdir.fail(1, command);
             let words = [wrong, "did you mean `embedded`", "No such file"];
             assert_names(&message, &words);
         }
     }
-    let message = workdir.fail(1, &["info", "table.bin"]);
+    let message = workdir.fail(1, "info table.bin");
     assert!(!message.contains("did you mean"), "{message}");
 }
 
 #[test]
 fn every_help_with_a_table_says_so() {
     let workdir = workdir!();
-    let commands: [&[&str]; 9] = [
-        &["query"],
-        &["curve"],
-        &["info"],
-        &["check"],
-        &["report"],
-        &["pack"],
-        &["unpack"],
-        &["plot", "error-map"],
-        &["cost", "lookup"],
+    let commands = [
+        "query",
+        "curve",
+        "info",
+        "check",
+        "report",
+        "pack",
+        "unpack",
+        "plot error-map",
+        "cost lookup",
     ];
     for command in commands {
-        let help = workdir.succeed(&[command, &["--help"]].concat());
+        let help = workdir.succeed(format!("{command} --help"));
         assert_names(&help, &["the word `embedded`", "./embedded"]);
     }
 }

@@ -6,32 +6,16 @@ use serde_json::Value;
 /// A measurement to be simulated and fitted: the arguments of both commands, those of one, those of
 /// the other, and the truth.
 struct Case {
-    system: &'static [&'static str],
-    simulate: &'static [&'static str],
-    fit: &'static [&'static str],
+    system: &'static str,
+    simulate: &'static str,
+    fit: &'static str,
     truth: &'static [(&'static str, f64)],
 }
 
 const LENS: Case = Case {
-    system: &["--specimen", "paper", "--film-thickness", "1e-5"],
-    simulate: &[
-        "--kind",
-        "load-radius",
-        "--from",
-        "4.2e-5",
-        "--to",
-        "1.3e-4",
-        "--noise",
-        "2e-6",
-        "--value",
-        "load-offset=2e-5",
-    ],
-    fit: &[
-        "--free",
-        "sphere-modulus,work-of-adhesion,load-offset",
-        "--noise",
-        "2e-6",
-    ],
+    system: "--specimen paper --film-thickness 1e-5",
+    simulate: "--kind load-radius --from 4.2e-5 --to 1.3e-4 --noise 2e-6 --value load-offset=2e-5",
+    fit: "--free sphere-modulus,work-of-adhesion,load-offset --noise 2e-6",
     truth: &[
         ("sphere_modulus", 2e6),
         ("work_of_adhesion", 0.04),
@@ -40,20 +24,10 @@ const LENS: Case = Case {
 };
 
 const DEPTHS: Case = Case {
-    system: &["--specimen", "paper", "--film-thickness", "1e-5"],
-    simulate: &[
-        "--kind",
-        "penetration-radius",
-        "--from",
-        "4.2e-5",
-        "--to",
-        "1.3e-4",
-        "--noise",
-        "2e-8",
-        "--value",
-        "contact-point=1e-6",
-    ],
-    fit: &["--free", "sphere-modulus,work-of-adhesion,contact-point"],
+    system: "--specimen paper --film-thickness 1e-5",
+    simulate: "--kind penetration-radius --from 4.2e-5 --to 1.3e-4 --noise 2e-8 --value \
+         contact-point=1e-6",
+    fit: "--free sphere-modulus,work-of-adhesion,contact-point",
     truth: &[
         ("sphere_modulus", 2e6),
         ("work_of_adhesion", 0.04),
@@ -62,80 +36,22 @@ const DEPTHS: Case = Case {
 };
 
 const INDENTER: Case = Case {
-    system: &[
-        "--sphere-radius",
-        "1e-5",
-        "--sphere-modulus",
-        "inf",
-        "--film-thickness",
-        "5e-7",
-        "--film-modulus",
-        "7e10",
-        "--film-poisson-ratio",
-        "0.2",
-        "--substrate-modulus",
-        "2.4e9",
-        "--substrate-poisson-ratio",
-        "0.38",
-        "--work-of-adhesion",
-        "0",
-    ],
-    simulate: &[
-        "--kind",
-        "load-penetration",
-        "--from",
-        "-2e-8",
-        "--to",
-        "4e-8",
-        "--points",
-        "100",
-        "--segments",
-        "approach",
-        "--noise",
-        "2e-7",
-    ],
-    fit: &["--free", "film-modulus,contact-point"],
+    system: "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 5e-7 --film-modulus 7e10 \
+         --film-poisson-ratio 0.2 --substrate-modulus 2.4e9 --substrate-poisson-ratio 0.38 \
+         --work-of-adhesion 0",
+    simulate: "--kind load-penetration --from -2e-8 --to 4e-8 --points 100 --segments approach \
+         --noise 2e-7",
+    fit: "--free film-modulus,contact-point",
     truth: &[("film_modulus", 7e10), ("contact_point", 0.0)],
 };
 
 const GEL: Case = Case {
-    system: &[
-        "--sphere-radius",
-        "1e-5",
-        "--sphere-modulus",
-        "inf",
-        "--film-thickness",
-        "2e-5",
-        "--film-modulus",
-        "5e3",
-        "--film-poisson-ratio",
-        "0.5",
-        "--substrate-modulus",
-        "7e10",
-        "--substrate-poisson-ratio",
-        "0.25",
-        "--stiffness",
-        "0.1",
-    ],
-    simulate: &[
-        "--kind",
-        "force-height",
-        "--work-of-adhesion",
-        "1e-4",
-        "--from",
-        "2e-6",
-        "--to",
-        "-1e-6",
-        "--points",
-        "300",
-        "--noise",
-        "5e-11",
-        "--value",
-        "contact-point=2e-7",
-        "--value",
-        "baseline=1e-9",
-    ],
-    fit: &[],
+    system: "--sphere-radius 1e-5 --sphere-modulus inf --film-thickness 2e-5 --film-modulus 5e3 \
+         --film-poisson-ratio 0.5 --substrate-modulus 7e10 --substrate-poisson-ratio 0.25 \
+         --stiffness 0.1",
+    simulate: "--kind force-height --work-of-adhesion 1e-4 --from 2e-6 --to -1e-6 --points 300 \
+         --noise 5e-11 --value contact-point=2e-7 --value baseline=1e-9",
+    fit: "",
     truth: &[
         ("film_modulus", 5e3),
         ("work_of_adhesion", 1e-4),
@@ -147,13 +63,13 @@ const GEL: Case = Case {
 /// Writes the data of a case.
 fn simulate(workdir: &Workdir, case: &Case, file: &str, seed: u32) {
     let seed = seed.to_string();
-    let more = ["--seed", &seed, "-o", file];
-    workdir.succeed(&[&["simulate"], case.simulate, case.system, &more].concat());
+    let more = format!("--seed {seed} -o {file}");
+    workdir.succeed(format!("simulate {} {} {more}", case.simulate, case.system));
 }
 
 /// Fits a file as a case says.
-fn fit(workdir: &Workdir, case: &Case, more: &[&str]) -> Value {
-    let text = workdir.succeed(&[&["fit", "--json"], case.system, case.fit, more].concat());
+fn fit(workdir: &Workdir, case: &Case, more: &str) -> Value {
+    let text = workdir.succeed(format!("fit --json {} {} {more}", case.system, case.fit));
     assert_eq!(text.lines().count(), 1);
     serde_json::from_str(&text).expect("JSON")
 }
@@ -172,7 +88,7 @@ fn every_kind_is_recovered() {
     let workdir = workdir!();
     for case in [&LENS, &DEPTHS, &INDENTER, &GEL] {
         simulate(&workdir, case, "data.csv", 7);
-        let found = fit(&workdir, case, &["data.csv"]);
+        let found = fit(&workdir, case, "data.csv");
         assert_eq!(found["converged"], true);
         for (name, truth) in case.truth {
             let parameter = &found["parameters"][name];
@@ -188,7 +104,7 @@ fn every_kind_is_recovered() {
 fn the_object_has_the_keys_of_its_help() {
     let workdir = workdir!();
     simulate(&workdir, &LENS, "lens.csv", 1);
-    let object = fit(&workdir, &LENS, &["lens.csv"]);
+    let object = fit(&workdir, &LENS, "lens.csv");
     let keys = |object: &Value| {
         let keys = object.as_object().expect("an object").keys();
         keys.cloned().collect::<Vec<_>>()
@@ -230,13 +146,13 @@ fn the_object_has_the_keys_of_its_help() {
         "sphere_modulus"
     );
     // The order of the parameters, which is that of the correlation, is that of --free.
-    let text = workdir.succeed(&[&["fit", "lens.csv", "--json"], LENS.system, LENS.fit].concat());
+    let text = workdir.succeed(format!("fit lens.csv --json {} {}", LENS.system, LENS.fit));
     let places = ["sphere_modulus", "work_of_adhesion", "load_offset"].map(|name| {
         text.find(&format!("\"{name}\":{{\"value\""))
             .expect("a parameter")
     });
     assert!(places.is_sorted(), "{text}");
-    let intervals = fit(&workdir, &LENS, &["lens.csv", "--intervals", "0.95"]);
+    let intervals = fit(&workdir, &LENS, "lens.csv --intervals 0.95");
     for name in ["sphere_modulus", "work_of_adhesion", "load_offset"] {
         let parameter = &intervals["parameters"][name];
         let number = |value: &Value| value.as_f64().expect("a number");
@@ -252,7 +168,7 @@ fn the_object_has_the_keys_of_its_help() {
 fn an_offset_that_is_not_fitted_and_a_film_that_matters_are_told() {
     let workdir = workdir!();
     simulate(&workdir, &LENS, "lens.csv", 1);
-    let arguments = [&["fit", "lens.csv", "--noise", "2e-6"], LENS.system].concat();
+    let arguments = format!("fit lens.csv --noise 2e-6 {}", LENS.system);
     let report = workdir.succeed(&arguments);
     assert_names(
         &report,
@@ -262,7 +178,7 @@ fn an_offset_that_is_not_fitted_and_a_film_that_matters_are_told() {
             "lens.csv: 40 points, load-radius",
         ],
     );
-    let report = workdir.succeed(&[&["fit", "lens.csv"], LENS.system, LENS.fit].concat());
+    let report = workdir.succeed(format!("fit lens.csv {} {}", LENS.system, LENS.fit));
     assert_names(
         &report,
         &[
@@ -283,8 +199,8 @@ fn an_offset_that_is_not_fitted_and_a_film_that_matters_are_told() {
         warnings.all(|line| line.contains("takes the film as bonded")),
         "{report}"
     );
-    let units = ["--units", "sphere-modulus=kPa,work-of-adhesion=J/m^2"];
-    let report = workdir.succeed(&[&["fit", "lens.csv"], LENS.system, LENS.fit, &units].concat());
+    let units = "--units sphere-modulus=kPa,work-of-adhesion=J/m^2";
+    let report = workdir.succeed(format!("fit lens.csv {} {} {units}", LENS.system, LENS.fit));
     assert_names(&report, &[" kPa", " J/m^2"]);
 }
 
@@ -301,15 +217,10 @@ fn the_same_data_in_another_style_give_the_same_fit() {
         other += &row.replace('.', ",");
     }
     workdir.write("other.txt", other);
-    let columns = [
-        "--column",
-        "contact_radius=R [um]",
-        "--column",
-        "load=-Messzelle [mN]",
-    ];
+    let columns = "--column 'contact_radius=R [um]' --column 'load=-Messzelle [mN]'";
     let found = [
-        fit(&workdir, &LENS, &["lens.csv"]),
-        fit(&workdir, &LENS, &[&["other.txt"], &columns[..]].concat()),
+        fit(&workdir, &LENS, "lens.csv"),
+        fit(&workdir, &LENS, &format!("other.txt {columns}")),
     ];
     for (name, _) in LENS.truth {
         let [a, b] = [0, 1].map(|i| found[i]["parameters"][name]["value"].as_f64());
@@ -326,7 +237,7 @@ fn csv_and_pictures_are_written() {
         fit(
             &workdir,
             &GEL,
-            &["gel.csv", "--csv", "points.csv", "--plot", picture],
+            &format!("gel.csv --csv points.csv --plot {picture}"),
         );
     }
     assert!(workdir.read("gel.svg").starts_with(b"<svg"));
@@ -361,7 +272,7 @@ fn csv_and_pictures_are_written() {
             assert_eq!(number(6), number(4) - number(5));
         }
     }
-    let message = workdir.fail(1, &["fit", "gel.csv", "--csv", "gel.csv"]);
+    let message = workdir.fail(1, "fit gel.csv --csv gel.csv");
     assert_names(&message, &["gel.csv", "it is the input"]);
 }
 
@@ -369,35 +280,17 @@ fn csv_and_pictures_are_written() {
 fn films_of_two_thicknesses_are_fitted_at_once() {
     let workdir = workdir!();
     for (thickness, file, seed) in [("1e-5", "thick.csv", "1"), ("2e-6", "thin.csv", "2")] {
-        workdir.succeed(&[
-            "simulate",
-            "--kind",
-            "load-radius",
-            "--from",
-            "4.2e-5",
-            "--to",
-            "1.3e-4",
-            "--noise",
-            "5e-6",
-            "--film-thickness",
-            thickness,
-            "--seed",
-            seed,
-            "-o",
-            file,
-        ]);
+        workdir.succeed(format!(
+            "simulate --kind load-radius --from 4.2e-5 --to 1.3e-4 --noise 5e-6 \
+             --film-thickness {thickness} --seed {seed} -o {file}"
+        ));
     }
     let both = Case {
-        system: &["--specimen", "paper", "--value", "film-thickness=10um,2um"],
-        fit: &[
-            "--free",
-            "sphere-modulus,film-modulus,work-of-adhesion,load-offset",
-            "--noise",
-            "5e-6",
-        ],
+        system: "--specimen paper --value film-thickness=10um,2um",
+        fit: "--free sphere-modulus,film-modulus,work-of-adhesion,load-offset --noise 5e-6",
         ..LENS
     };
-    let found = fit(&workdir, &both, &["thick.csv", "thin.csv"]);
+    let found = fit(&workdir, &both, "thick.csv thin.csv");
     let offsets = found["parameters"]["load_offset"]
         .as_array()
         .expect("a list");
@@ -414,14 +307,10 @@ fn films_of_two_thicknesses_are_fitted_at_once() {
             "{name}: {value} +- {error}"
         );
     }
-    let report = workdir.succeed(
-        &[
-            &["fit", "thick.csv", "thin.csv", "--plot", "both.svg"],
-            both.system,
-            both.fit,
-        ]
-        .concat(),
-    );
+    let report = workdir.succeed(format!(
+        "fit thick.csv thin.csv --plot both.svg {} {}",
+        both.system, both.fit
+    ));
     assert_names(
         &report,
         &["load-offset (thick.csv)", "load-offset (thin.csv)"],
@@ -435,15 +324,15 @@ fn bounds_and_priors_hold() {
     let found = fit(
         &workdir,
         &LENS,
-        &["lens.csv", "--bounds", "sphere-modulus=2.5e6..4e6"],
+        "lens.csv --bounds sphere-modulus=2.5e6..4e6",
     );
     let value = found["parameters"]["sphere_modulus"]["value"]
         .as_f64()
         .expect("a number");
     assert!((2.5e6..2.6e6).contains(&value), "{value}");
     assert!(kinds(&found).contains(&"at-bound"), "{found}");
-    let prior = ["--prior", "load-offset=0+-1e-12"];
-    let found = fit(&workdir, &LENS, &[&["lens.csv"], &prior[..]].concat());
+    let prior = "--prior load-offset=0+-1e-12";
+    let found = fit(&workdir, &LENS, &format!("lens.csv {prior}"));
     let value = found["parameters"]["load_offset"]["value"]
         .as_f64()
         .expect("a number");
@@ -466,49 +355,45 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
     );
     workdir.write("empty.csv", "");
     workdir.write("z.csv", "height,force\n2e-6,0\n1e-6,0\n0,1e-9\n");
-    let paper = &["--specimen", "paper"];
-    let cases: [(&[&str], i32, &[&str]); 14] = [
-        (&[], 2, &["DATA"]),
-        (&["missing.csv"], 1, &["missing.csv"]),
+    let paper = "--specimen paper";
+    let cases: [(&str, i32, &[&str]); 14] = [
+        ("", 2, &["DATA"]),
+        ("missing.csv", 1, &["missing.csv"]),
         (
-            &["bad.csv"],
+            "bad.csv",
             1,
             &["bad.csv, line 3, column 2 \"load\"", "\"x\""],
         ),
-        (&["one.csv"], 1, &["point"]),
-        (&["constant.csv"], 1, &["constant.csv, column 2", "-0.0002"]),
-        (&["empty.csv"], 1, &["empty.csv", "the file is empty"]),
+        ("one.csv", 1, &["point"]),
+        ("constant.csv", 1, &["constant.csv, column 2", "-0.0002"]),
+        ("empty.csv", 1, &["empty.csv", "the file is empty"]),
         (
-            &["gel.csv"],
+            "gel.csv",
             1,
             &["gel.csv, column 2 \"defl [nm]\"", "--stiffness"],
         ),
         (
-            &["gel.csv", "--stiffness", "1", "--free", "stiffness"],
+            "gel.csv --stiffness 1 --free stiffness",
             1,
             &["stiffness", "fix it"],
         ),
-        (&["z.csv"], 1, &["z.csv", "--stiffness"]),
-        (&["lens.csv", "--free", "E1"], 2, &["E1", "film-modulus"]),
+        ("z.csv", 1, &["z.csv", "--stiffness"]),
+        ("lens.csv --free E1", 2, &["E1", "film-modulus"]),
         (
-            &["lens.csv", "--bounds", "film-modulus=1..2"],
+            "lens.csv --bounds film-modulus=1..2",
             1,
             &["film-modulus", "not free"],
         ),
         (
-            &["lens.csv", "--noise", "1,2"],
+            "lens.csv --noise 1,2",
             1,
             &["--noise", "2 values for 1 files"],
         ),
-        (&["lens.csv", "--noise", "-1"], 1, &["noise", "-1"]),
-        (
-            &["lens.csv", "--film-poisson-ratio", "0.6"],
-            1,
-            &["film", "0.6"],
-        ),
+        ("lens.csv --noise -1", 1, &["noise", "-1"]),
+        ("lens.csv --film-poisson-ratio 0.6", 1, &["film", "0.6"]),
     ];
     for (more, status, words) in cases {
-        let message = workdir.fail(status, &[&["fit"], more, paper].concat());
+        let message = workdir.fail(status, format!("fit {more} {paper}"));
         assert_names(&message, words);
     }
 }
@@ -525,33 +410,15 @@ fn viscous() -> String {
     format!("# segment: retract\nheight,force\n{rows}")
 }
 
-const VISCOUS: [&str; 19] = [
-    "fit",
-    "viscous.csv",
-    "--sphere-radius",
-    "2e-5",
-    "--sphere-modulus",
-    "inf",
-    "--film-modulus",
-    "2e4",
-    "--film-poisson-ratio",
-    "0.45",
-    "--film-thickness",
-    "1e-5",
-    "--substrate-modulus",
-    "7e10",
-    "--substrate-poisson-ratio",
-    "0.2",
-    "--stiffness",
-    "0.2",
-    "--free=work-of-adhesion",
-];
+const VISCOUS: &str = "fit viscous.csv --sphere-radius 2e-5 --sphere-modulus inf --film-modulus 2e4 \
+     --film-poisson-ratio 0.45 --film-thickness 1e-5 --substrate-modulus 7e10 \
+     --substrate-poisson-ratio 0.2 --stiffness 0.2 --free=work-of-adhesion";
 
 #[test]
 fn a_fit_of_a_third_of_the_points_is_an_error_unless_allowed() {
     let workdir = workdir!();
     workdir.write("viscous.csv", viscous());
-    let message = workdir.fail(1, &VISCOUS);
+    let message = workdir.fail(1, VISCOUS);
     assert_names(
         &message,
         &[
@@ -561,9 +428,9 @@ fn a_fit_of_a_third_of_the_points_is_an_error_unless_allowed() {
             "--allow left-out",
         ],
     );
-    let message = workdir.fail(2, &[&VISCOUS[..], &["--allow", "leftout"]].concat());
+    let message = workdir.fail(2, format!("{VISCOUS} --allow leftout"));
     assert_names(&message, &["leftout", "left-out"]);
-    let allowed = [&VISCOUS[..], &["--allow", "left-out"]].concat();
+    let allowed = format!("{VISCOUS} --allow left-out");
     let report = workdir.succeed(&allowed);
     assert_names(
         &report,
@@ -573,7 +440,7 @@ fn a_fit_of_a_third_of_the_points_is_an_error_unless_allowed() {
             "points in contact do not count",
         ],
     );
-    let text = workdir.succeed(&[&allowed[..], &["--json"]].concat());
+    let text = workdir.succeed(format!("{allowed} --json"));
     let object: Value = serde_json::from_str(&text).expect("JSON");
     let groups = object["left_out"].as_array().expect("a list");
     let of = |reason: &str| {
@@ -588,14 +455,10 @@ fn a_value_without_a_finite_error_is_no_result() {
     let workdir = workdir!();
     simulate(&workdir, &INDENTER, "data.csv", 7);
     let free = "film-modulus,contact-point,work-of-adhesion-receding";
-    let arguments = [&["fit", "data.csv"], INDENTER.system, &["--free", free]].concat();
+    let arguments = format!("fit data.csv {} --free {free}", INDENTER.system);
     let message = workdir.fail(
         1,
-        &[
-            &arguments[..],
-            &["--value", "work-of-adhesion-receding=1e-3"],
-        ]
-        .concat(),
+        format!("{arguments} --value work-of-adhesion-receding=1e-3"),
     );
     assert_names(
         &message,

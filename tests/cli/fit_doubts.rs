@@ -19,27 +19,14 @@ fn plastic() -> String {
     text
 }
 
-const HALF_SPACE: [&str; 13] = [
-    "fit",
-    "data.csv",
-    "--half-space",
-    "--sphere-radius",
-    "1e-5",
-    "--sphere-modulus",
-    "inf",
-    "--film-modulus",
-    "1e10",
-    "--film-poisson-ratio",
-    "0.3",
-    "--work-of-adhesion",
-    "0.04",
-];
+const HALF_SPACE: &str = "fit data.csv --half-space --sphere-radius 1e-5 --sphere-modulus inf --film-modulus 1e10 \
+     --film-poisson-ratio 0.3 --work-of-adhesion 0.04";
 
 #[test]
 fn a_depth_that_remains_is_named_with_the_flags_that_help() {
     let workdir = workdir!();
     workdir.write("data.csv", plastic());
-    let of_film = [&HALF_SPACE[..], &["--free", "film-modulus"]].concat();
+    let of_film = format!("{HALF_SPACE} --free film-modulus");
     let report = workdir.run(&of_film).stdout;
     assert_names(
         &report,
@@ -51,7 +38,7 @@ fn a_depth_that_remains_is_named_with_the_flags_that_help() {
             "--free film-modulus,contact-point",
         ],
     );
-    let json = workdir.run(&[&of_film[..], &["--json"]].concat()).stdout;
+    let json = workdir.run(format!("{of_film} --json")).stdout;
     let found: Value = serde_json::from_str(&json).expect("JSON");
     let warnings = found["warnings"].as_array().expect("a list").iter();
     let kinds: Vec<_> = warnings
@@ -64,49 +51,23 @@ fn a_depth_that_remains_is_named_with_the_flags_that_help() {
 
 /// Makes a JKR test of the paper's lens on a film of 30 um.
 fn lens(workdir: &acceptance::Workdir) {
-    workdir.succeed(&[
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "4.2e-5",
-        "--to",
-        "1.3e-4",
-        "--noise",
-        "2e-6",
-        "--film-thickness",
-        "3e-5",
-        "--specimen",
-        "paper",
-        "-o",
-        "data.csv",
-    ]);
+    workdir.succeed(
+        "simulate --kind load-radius --from 4.2e-5 --to 1.3e-4 --noise 2e-6 --film-thickness \
+         3e-5 --specimen paper -o data.csv",
+    );
 }
 
 #[test]
 fn an_error_of_a_known_thickness_widens_the_errors() {
     let workdir = workdir!();
     lens(&workdir);
-    let run = |more: &[&str]| {
-        let all = [
-            &[
-                "fit",
-                "data.csv",
-                "--json",
-                "--film-thickness",
-                "3e-5",
-                "--specimen",
-                "paper",
-                "--noise",
-                "2e-6",
-            ],
-            more,
-        ];
-        let text = workdir.succeed(&all.concat());
+    let run = |more: &str| {
+        let fit = "fit data.csv --json --film-thickness 3e-5 --specimen paper --noise 2e-6";
+        let text = workdir.succeed(format!("{fit} {more}"));
         serde_json::from_str::<Value>(&text).expect("JSON")
     };
-    let known = ["--known", "film-thickness=3e-5+-3e-6"];
-    let (plain, widened) = (run(&[]), run(&known));
+    let known = "--known film-thickness=3e-5+-3e-6";
+    let (plain, widened) = (run(""), run(known));
     let error = |found: &Value| {
         found["parameters"]["sphere_modulus"]["stderr"]
             .as_f64()
@@ -130,18 +91,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
             .clone()
             .any(|one| one["name"] == "sphere_radius" && one["error"].is_null())
     );
-    let all = [
-        &[
-            "fit",
-            "data.csv",
-            "--film-thickness",
-            "3e-5",
-            "--specimen",
-            "paper",
-        ],
-        &known[..],
-    ]
-    .concat();
+    let all = format!("fit data.csv --film-thickness 3e-5 --specimen paper {known}");
     assert_names(
         &workdir.succeed(&all),
         &[
@@ -161,16 +111,9 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         ),
         ("stiffness=1+-0", &["stiffness", "positive"]),
     ] {
-        let run = workdir.run(&[
-            "fit",
-            "data.csv",
-            "--film-thickness",
-            "3e-5",
-            "--specimen",
-            "paper",
-            "--known",
-            known,
-        ]);
+        let run = workdir.run(format!(
+            "fit data.csv --film-thickness 3e-5 --specimen paper --known {known}"
+        ));
         assert!(run.status != 0 && run.stdout.is_empty(), "{known}");
         assert_names(&run.stderr, words);
     }
@@ -190,23 +133,12 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
         })
         .collect();
     workdir.write("column.csv", with_column);
-    let run = |more: &[&str]| {
-        let all = [
-            &[
-                "fit",
-                "--film-thickness",
-                "3e-5",
-                "--specimen",
-                "paper",
-                "--noise",
-                "2e-6",
-            ],
-            more,
-        ];
-        workdir.succeed(&all.concat())
+    let run = |more: &str| {
+        let fit = "fit --film-thickness 3e-5 --specimen paper --noise 2e-6";
+        workdir.succeed(format!("{fit} {more}"))
     };
-    let by_flag = run(&["data.csv", "--radius-noise", "3e-7"]);
-    let by_column = run(&["column.csv"]);
+    let by_flag = run("data.csv --radius-noise 3e-7");
+    let by_column = run("column.csv");
     assert_names(&by_flag, &["of the abscissa 3.00e-7"]);
     assert_names(
         &by_column,
@@ -218,20 +150,11 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     let found = |text: &str| text.split("\nfound\n").nth(1).expect("found").to_owned();
     assert_eq!(found(&by_flag), found(&by_column));
     // The flag stands for the column, and has another name for penetrations and heights.
-    let exact = run(&["column.csv", "--abscissa-noise", "0"]);
-    assert_eq!(found(&exact), found(&run(&["data.csv"])));
+    let exact = run("column.csv --abscissa-noise 0");
+    assert_eq!(found(&exact), found(&run("data.csv")));
     let refused = workdir.fail(
         1,
-        &[
-            "fit",
-            "data.csv",
-            "--film-thickness",
-            "3e-5",
-            "--specimen",
-            "paper",
-            "--radius-noise",
-            "-1",
-        ],
+        "fit data.csv --film-thickness 3e-5 --specimen paper --radius-noise -1",
     );
     assert_names(&refused, &["contact radius", "-1", ">= 0"]);
 }

@@ -4,40 +4,16 @@ use acceptance::{Workdir, assert_names, workdir};
 use serde_json::Value;
 
 /// The flags of a sphere on a half-space.
-const GEL: [&str; 9] = [
-    "--half-space",
-    "--sphere-modulus",
-    "inf",
-    "--sphere-radius",
-    "1e-5",
-    "--film-modulus",
-    "5e3",
-    "--film-poisson-ratio",
-    "0.5",
-];
+const GEL: &str = "--half-space --sphere-modulus inf --sphere-radius 1e-5 --film-modulus 5e3 \
+     --film-poisson-ratio 0.5";
 
 /// The flags of a lens on a film on silicon.
-const LENS: [&str; 16] = [
-    "--film-thickness",
-    "1e-5",
-    "--sphere-radius",
-    "1e-3",
-    "--sphere-modulus",
-    "2e6",
-    "--film-modulus",
-    "3.5e6",
-    "--film-poisson-ratio",
-    "0.5",
-    "--substrate-modulus",
-    "2e11",
-    "--substrate-poisson-ratio",
-    "0.25",
-    "--work-of-adhesion",
-    "0.04",
-];
+const LENS: &str = "--film-thickness 1e-5 --sphere-radius 1e-3 --sphere-modulus 2e6 --film-modulus 3.5e6 \
+     --film-poisson-ratio 0.5 --substrate-modulus 2e11 --substrate-poisson-ratio 0.25 \
+     --work-of-adhesion 0.04";
 
-fn fit<'a>(file: &'a str, more: &[&'a str]) -> Vec<&'a str> {
-    [&["fit", file], &GEL[..], more].concat()
+fn fit(file: &str, more: &str) -> String {
+    format!("fit {file} {GEL} {more}")
 }
 
 /// The message says what is missing, what is there, and what to type; what it says to type works.
@@ -60,10 +36,10 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         "phase.csv",
         "height,force,phase\n1,2,sideways\n2,3,sideways\n",
     );
-    let cases: [(&str, &[&str], &[&str]); 8] = [
+    let cases: [(&str, &str, &[&str]); 8] = [
         (
             "two.csv",
-            &[],
+            "",
             &[
                 "load-radius lacks contact_radius (a length) and load (a force); ",
                 "\"Tiefe (nm)\" (a length), \"Kraft (mN)\" (a force), \"t (s)\"",
@@ -73,12 +49,12 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         ),
         (
             "two.csv",
-            &["--kind", "load-penetration"],
+            "--kind load-penetration",
             &["type --column \"penetration=Tiefe (nm)\" --column \"load=Kraft (mN)\""],
         ),
         (
             "one.csv",
-            &[],
+            "",
             &[
                 "load-penetration lacks load (a force)",
                 "\"Depth (nm)\" (penetration), \"Kraft (mN)\" (a force)",
@@ -87,61 +63,38 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         ),
         (
             "both.csv",
-            &[],
+            "",
             &["type --kind load-penetration|force-height"],
         ),
         (
             "bare.csv",
-            &[],
+            "",
             &["type --column \"contact_radius=1 [um]\" --column \"load=2 [mN]\""],
         ),
-        (
-            "volts.csv",
-            &[],
-            &["type --stiffness N/m --sensitivity m/V"],
-        ),
+        ("volts.csv", "", &["type --stiffness N/m --sensitivity m/V"]),
         (
             "unit.csv",
-            &[],
+            "",
             &["no unit", "--column \"contact_radius=Radius [um]\""],
         ),
-        ("phase.csv", &[], &["sideways", "type --segments split"]),
+        ("phase.csv", "", &["sideways", "type --segments split"]),
     ];
     for (file, more, words) in cases {
-        let message = workdir.fail(1, &fit(file, more));
+        let message = workdir.fail(1, fit(file, more));
         assert_eq!(message.lines().count(), 1, "{message}");
         assert_names(&message, words);
     }
-    let typed = [
-        "--column",
-        "penetration=Tiefe (nm)",
-        "--column",
-        "load=Kraft (mN)",
-    ];
-    let run = workdir.run(&fit(
-        "two.csv",
-        &[&typed[..], &["--kind", "load-penetration"]].concat(),
-    ));
+    let typed = "--column 'penetration=Tiefe (nm)' --column 'load=Kraft (mN)'";
+    let run = workdir.run(fit("two.csv", &format!("{typed} --kind load-penetration")));
     assert!(!run.stderr.contains("type --"), "{run:?}");
 }
 
 /// Simulates a force curve, and writes it in the style of JPK, with a pause of more columns.
 fn export(workdir: &Workdir) {
-    let simulate = [&["simulate", "--kind", "force-height"], &GEL[..]].concat();
-    let more = [
-        "--work-of-adhesion",
-        "5e-5",
-        "--stiffness",
-        "0.05",
-        "--from",
-        "1e-6",
-        "--to=-1e-6",
-        "--noise",
-        "2e-11",
-        "--seed",
-        "1",
-    ];
-    let curve = workdir.succeed(&[&simulate[..], &more].concat());
+    let simulate = format!("simulate --kind force-height {GEL}");
+    let more =
+        "--work-of-adhesion 5e-5 --stiffness 0.05 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
+    let curve = workdir.succeed(format!("{simulate} {more}"));
     let rows = |segment: &str| -> String {
         let rows = curve.lines().filter_map(|row| row.strip_suffix(segment));
         let rows = rows.map(|row| row.trim_end_matches(',').replace(',', " "));
@@ -162,8 +115,8 @@ fn export(workdir: &Workdir) {
 fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
     let workdir = workdir!();
     export(&workdir);
-    let free = ["--free", "film-modulus,work-of-adhesion,contact-point"];
-    let report = workdir.succeed(&fit("jpk.txt", &free));
+    let free = "--free film-modulus,work-of-adhesion,contact-point";
+    let report = workdir.succeed(fit("jpk.txt", free));
     assert_names(
         &report,
         &[
@@ -172,11 +125,11 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
             "2 times headings",
         ],
     );
-    let object = |more: &[&str]| -> Value {
-        let text = workdir.succeed(&fit("jpk.txt", &[&free[..], &["--json"], more].concat()));
+    let object = |more: &str| -> Value {
+        let text = workdir.succeed(fit("jpk.txt", &format!("{free} --json {more}")));
         serde_json::from_str(&text).expect("JSON")
     };
-    let told = object(&[]);
+    let told = object("");
     let modulus = &told["parameters"]["film_modulus"];
     let [value, error] = ["value", "stderr"].map(|key| modulus[key].as_f64().expect("a number"));
     assert!(
@@ -185,9 +138,9 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
     );
     let read = told["read"][0].as_str().expect("a line");
     assert!(read.contains("from line 4"), "{read}");
-    let given = object(&["--stiffness", "0.05"]);
+    let given = object("--stiffness 0.05");
     assert_eq!(given["parameters"], told["parameters"]);
-    let other = object(&["--stiffness", "0.06"]);
+    let other = object("--stiffness 0.06");
     assert_ne!(other["parameters"], told["parameters"]);
     let read = other["read"][0].as_str().expect("a line");
     assert!(
@@ -200,21 +153,10 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
 #[test]
 fn a_doubt_about_a_sign_says_what_to_type() {
     let workdir = workdir!();
-    let simulate = [&["simulate", "--kind", "force-height"], &GEL[..]].concat();
-    let more = [
-        "--work-of-adhesion",
-        "5e-5",
-        "--stiffness",
-        "0.1",
-        "--from",
-        "1e-6",
-        "--to=-1e-6",
-        "--noise",
-        "2e-11",
-        "--seed",
-        "1",
-    ];
-    let curve = workdir.succeed(&[&simulate[..], &more].concat());
+    let simulate = format!("simulate --kind force-height {GEL}");
+    let more =
+        "--work-of-adhesion 5e-5 --stiffness 0.1 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
+    let curve = workdir.succeed(format!("{simulate} {more}"));
     // Heights that grow towards the sample.
     let rows = curve.lines().filter_map(|row| {
         let mut cells = row.split(',');
@@ -223,15 +165,15 @@ fn a_doubt_about_a_sign_says_what_to_type() {
     });
     let text: String = rows.collect();
     workdir.write("z.csv", format!("Piezo (nm);Force (N)\n{text}"));
-    let stiffness = ["--stiffness", "0.1", "--work-of-adhesion", "5e-5"];
-    let run = workdir.run(&fit("z.csv", &stiffness));
+    let stiffness = "--stiffness 0.1 --work-of-adhesion 5e-5";
+    let run = workdir.run(fit("z.csv", stiffness));
     let text = format!("{}{}", run.stdout, run.stderr);
     assert_names(
         &text,
         &["opposite sense", "type --column \"height=-Piezo (nm)\""],
     );
-    let turned = [&stiffness[..], &["--column", "height=-Piezo (nm)"]].concat();
-    let report = workdir.succeed(&fit("z.csv", &turned));
+    let turned = format!("{stiffness} --column 'height=-Piezo (nm)'");
+    let report = workdir.succeed(fit("z.csv", &turned));
     assert!(!report.contains("opposite sense"), "{report}");
     assert!(
         report.contains("height from \"Piezo (nm)\" with a minus"),
@@ -243,24 +185,12 @@ fn a_doubt_about_a_sign_says_what_to_type() {
 #[test]
 fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
     let workdir = workdir!();
-    let simulate = [
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "4.2e-5",
-        "--to",
-        "1.3e-4",
-        "--noise",
-        "2e-6",
-        "--seed",
-        "1",
-    ];
-    let lens = workdir.succeed(&[&simulate[..], &LENS].concat());
+    let simulate = "simulate --kind load-radius --from 4.2e-5 --to 1.3e-4 --noise 2e-6 --seed 1";
+    let lens = workdir.succeed(format!("{simulate} {LENS}"));
     workdir.write("lens.csv", &lens);
-    let fit = [&["fit", "lens.csv"], &LENS[..]].concat();
-    let with = |more: &[&'static str]| [&fit[..], more].concat();
-    let report = workdir.succeed(&with(&[]));
+    let fit = format!("fit lens.csv {LENS}");
+    let with = |more: &str| format!("{fit} {more}");
+    let report = workdir.succeed(with(""));
     assert_names(
         &report,
         &[
@@ -270,13 +200,13 @@ fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
         ],
     );
     assert!(!report.contains("nu2"), "{report}");
-    let sphere = ["--sphere-poisson-ratio", "0.5"];
-    let report = workdir.succeed(&with(&sphere));
+    let sphere = "--sphere-poisson-ratio 0.5";
+    let report = workdir.succeed(with(sphere));
     assert_names(
         &report,
         &["MPa, Young's modulus E2 = E2* (1 - nu2^2), nu2 = 0.5\n"],
     );
-    let text = workdir.succeed(&with(&["--sphere-poisson-ratio", "0.5", "--json"]));
+    let text = workdir.succeed(with("--sphere-poisson-ratio 0.5 --json"));
     let object: Value = serde_json::from_str(&text).expect("JSON");
     let [young, reduced] = [
         &object["sphere_young_modulus"],
@@ -291,9 +221,9 @@ fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
         (value - 0.75 * 2e6).abs() < 4.0 * error,
         "{value} +- {error}"
     );
-    let message = workdir.fail(2, &with(&["--sphere-poisson-ratio", "0.6"]));
+    let message = workdir.fail(2, with("--sphere-poisson-ratio 0.6"));
     assert_names(&message, &["0.6", "above -1 and up to 0.5"]);
-    let fixed = with(&["--sphere-poisson-ratio", "0.5", "--free", "film-modulus"]);
+    let fixed = with("--sphere-poisson-ratio 0.5 --free film-modulus");
     let message = workdir.fail(1, &fixed);
     assert_names(&message, &["reduced modulus", "--free sphere-modulus"]);
 }

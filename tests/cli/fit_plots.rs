@@ -3,49 +3,21 @@
 use acceptance::{Workdir, assert_names, workdir};
 
 /// A lens on a half-space, which is a straight line in the reduced JKR plot.
-const BODIES: &[&str] = &[
-    "--half-space",
-    "--sphere-radius",
-    "1e-3",
-    "--sphere-modulus",
-    "inf",
-    "--film-modulus",
-    "1.5e6",
-    "--film-poisson-ratio",
-    "0.5",
-    "--work-of-adhesion",
-    "0.04",
-];
+const BODIES: &str = "--half-space --sphere-radius 1e-3 --sphere-modulus inf --film-modulus 1.5e6 \
+     --film-poisson-ratio 0.5 --work-of-adhesion 0.04";
 /// The blue of the approach and the vermilion of the retract.
 const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
 
 /// Writes `lens.csv` with both directions, whose loads are wrong by an offset.
 fn simulate(workdir: &Workdir) {
-    let plan = [
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "4.2e-5",
-        "--to",
-        "1.3e-4",
-        "--segments",
-        "cycle",
-        "--points",
-        "30",
-        "--noise",
-        "1e-9",
-        "--value",
-        "load-offset=2e-5",
-        "-o",
-        "lens.csv",
-    ];
-    workdir.succeed(&[&plan, BODIES].concat());
+    let plan = "simulate --kind load-radius --from 4.2e-5 --to 1.3e-4 --segments cycle --points 30 \
+         --noise 1e-9 --value load-offset=2e-5 -o lens.csv";
+    workdir.succeed(format!("{plan} {BODIES}"));
 }
 
-fn fit(workdir: &Workdir, more: &[&str]) {
-    let free = ["--free", "film-modulus,work-of-adhesion,load-offset"];
-    workdir.succeed(&[&["fit", "lens.csv"], BODIES, &free, more].concat());
+fn fit(workdir: &Workdir, more: &str) {
+    let free = "--free film-modulus,work-of-adhesion,load-offset";
+    workdir.succeed(format!("fit lens.csv {BODIES} {free} {more}"));
 }
 
 /// Returns where the outlines of the markers of a colour begin, at the right of each: a tenth of a
@@ -66,7 +38,7 @@ fn markers(svg: &str, colour: &str) -> Vec<[f64; 2]> {
 fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
     let workdir = workdir!();
     simulate(&workdir);
-    fit(&workdir, &["--plot", "jkr.svg", "--plot-kind", "jkr"]);
+    fit(&workdir, "--plot jkr.svg --plot-kind jkr");
     let svg = String::from_utf8(workdir.read("jkr.svg")).expect("text");
     let points = COLOURS.map(|colour| markers(&svg, colour));
     assert!(points.iter().all(|points| points.len() == 30), "{points:?}");
@@ -79,8 +51,8 @@ fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
         assert!((y - line).abs() < 15.0, "{y} beside {line}");
     }
     // The measured data are curved.
-    fit(&workdir, &["--plot", "data.svg", "--plot-kind", "data"]);
-    fit(&workdir, &["--plot", "default.svg"]);
+    fit(&workdir, "--plot data.svg --plot-kind data");
+    fit(&workdir, "--plot default.svg");
     let data = workdir.read("data.svg");
     assert!(data == workdir.read("default.svg") && data != svg.as_bytes());
 }
@@ -89,7 +61,7 @@ fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
 fn approach_and_retract_have_two_colours() {
     let workdir = workdir!();
     simulate(&workdir);
-    fit(&workdir, &["--plot", "data.svg"]);
+    fit(&workdir, "--plot data.svg");
     let svg = String::from_utf8(workdir.read("data.svg")).expect("text");
     for colour in COLOURS {
         // Each point is drawn beside the fit and among the residuals.
@@ -100,36 +72,15 @@ fn approach_and_retract_have_two_colours() {
 #[test]
 fn what_has_no_jkr_plot_is_refused_before_anything_is_written() {
     let workdir = workdir!();
-    let plan = [
-        "simulate",
-        "--kind",
-        "penetration-radius",
-        "--from",
-        "4.2e-5",
-        "--to",
-        "1.3e-4",
-        "--noise",
-        "1e-9",
-        "-o",
-        "depth.csv",
-    ];
-    workdir.succeed(&[&plan, BODIES].concat());
-    let fit = [
-        "fit",
-        "depth.csv",
-        "--csv",
-        "points.csv",
-        "--plot",
-        "jkr.svg",
-    ];
-    let message = workdir.fail(1, &[&fit, BODIES, &["--plot-kind", "jkr"]].concat());
+    let plan =
+        "simulate --kind penetration-radius --from 4.2e-5 --to 1.3e-4 --noise 1e-9 -o depth.csv";
+    workdir.succeed(format!("{plan} {BODIES}"));
+    let fit = "fit depth.csv --csv points.csv --plot jkr.svg";
+    let message = workdir.fail(1, format!("{fit} {BODIES} --plot-kind jkr"));
     assert_names(&message, &["--plot-kind jkr", "depth.csv", "contact radii"]);
     assert!(!workdir.path("points.csv").exists() && !workdir.path("jkr.svg").exists());
-    let message = workdir.fail(2, &["fit", "depth.csv", "--plot-kind", "jkr"]);
+    let message = workdir.fail(2, "fit depth.csv --plot-kind jkr");
     assert_names(&message, &["--plot"]);
-    let message = workdir.fail(
-        2,
-        &["fit", "depth.csv", "--plot", "a.svg", "--plot-kind", "line"],
-    );
+    let message = workdir.fail(2, "fit depth.csv --plot a.svg --plot-kind line");
     assert_names(&message, &["data", "jkr"]);
 }

@@ -59,38 +59,24 @@ fn files_of_half_spaces_give_the_closed_forms() {
     workdir.write("sphere.csv", file(sphere));
     workdir.write("punch.csv", file(punch));
     let all = "film-modulus,work-of-adhesion,contact-point";
-    let cases: [(&str, &[&str], &str); 3] = [
-        ("cone.csv", &["--probe", "cone", "--half-angle", "70"], all),
-        (
-            "sphere.csv",
-            &["--probe", "sphere", "--sphere-radius", "1e-5"],
-            all,
-        ),
+    let cases: [(&str, &str, &str); 3] = [
+        ("cone.csv", "--probe cone --half-angle 70", all),
+        ("sphere.csv", "--probe sphere --sphere-radius 1e-5", all),
         (
             "punch.csv",
-            &["--probe", "flat-punch", "--sphere-radius", "1e-5"],
+            "--probe flat-punch --sphere-radius 1e-5",
             "film-modulus,contact-point",
         ),
     ];
-    let common = [
-        "--half-space",
-        "--sphere-modulus",
-        "inf",
-        "--film-poisson-ratio",
-        "0.5",
-        "--work-of-adhesion",
-        "0.02",
-        "--film-modulus",
-        "2e6",
-        "--json",
-    ];
+    let common = "--half-space --sphere-modulus inf --film-poisson-ratio 0.5 --work-of-adhesion 0.02 \
+         --film-modulus 2e6 --json";
     let truths = [
         ("film_modulus", 1e6),
         ("work_of_adhesion", ADHESION),
         ("contact_point", CONTACT_POINT),
     ];
     for (name, probe, free) in cases {
-        let arguments = [&["fit", name, "--free", free], probe, &common].concat();
+        let arguments = format!("fit {name} --free {free} {probe} {common}");
         let object: Value = serde_json::from_str(&workdir.succeed(&arguments)).expect("JSON");
         assert_eq!(object["converged"], true, "{name}");
         let found = object["parameters"].as_object().expect("an object");
@@ -105,15 +91,12 @@ fn files_of_half_spaces_give_the_closed_forms() {
         }
     }
     // The wrong shape is another modulus.
-    let wrong = [
-        &["fit", "sphere.csv", "--free", all, "--probe", "paraboloid"],
-        &["--sphere-radius", "1e-5"][..],
-        &common,
-    ];
-    let object: Value = serde_json::from_str(&workdir.succeed(&wrong.concat())).expect("JSON");
+    let wrong =
+        format!("fit sphere.csv --free {all} --probe paraboloid --sphere-radius 1e-5 {common}");
+    let object: Value = serde_json::from_str(&workdir.succeed(wrong)).expect("JSON");
     let modulus = object["parameters"]["film_modulus"]["value"].as_f64();
     assert!((modulus.expect("a number") / 1e6 - 1.0).abs() > 0.01);
-    let missing = [&["fit", "cone.csv", "--probe", "cone"][..], &common].concat();
+    let missing = format!("fit cone.csv --probe cone {common}");
     assert_names(
         &workdir.fail(1, &missing),
         &["--probe cone needs --half-angle"],

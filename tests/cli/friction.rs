@@ -15,22 +15,13 @@ fn value(text: &str, name: &str) -> f64 {
 }
 
 /// A rigid sphere on an incompressible film on a rigid base.
-const CONFINED: [&str; 8] = [
-    "--e1-over-e2",
-    "0",
-    "--nu1",
-    "0.5",
-    "--e0-over-e2",
-    "inf",
-    "--friction",
-    "stick",
-];
+const CONFINED: &str = "--e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf";
 
 /// Values by another program.
 #[test]
 fn solve_prints_the_numbers_of_stick() {
     let workdir = workdir!();
-    let text = workdir.succeed(&[&["solve", "--a-over-t", "1"][..], &CONFINED].concat());
+    let text = workdir.succeed(format!("solve --a-over-t 1 {CONFINED} --friction stick"));
     for (name, expected) in [
         ("eeq", 3.618_735_848_959_764),
         ("eeq_s", 3.929_038_326_620_685),
@@ -51,20 +42,9 @@ fn solve_prints_the_numbers_of_stick() {
     assert!(value(&text, "error_s") <= 1e-9, "{text}");
 
     // A compressible film: the punch alone, and a note that says why.
-    let run = workdir.run(&[
-        "solve",
-        "--a-over-t",
-        "1",
-        "--e1-over-e2",
-        "0",
-        "--nu1",
-        "0.3",
-        "--e0-over-e2",
-        "inf",
-        "--friction",
-        "stick",
-        "--json",
-    ]);
+    let run = workdir.run(
+        "solve --a-over-t 1 --e1-over-e2 0 --nu1 0.3 --e0-over-e2 inf --friction stick --json",
+    );
     let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
     assert!(
         (json["eeq_s"].as_f64().expect("a number") / 2.508_531_756_798_989 - 1.0).abs() < 1e-10
@@ -79,21 +59,10 @@ fn solve_prints_the_numbers_of_stick() {
 
     // The Poisson ratio of the sphere, and points of a file with empty cells.
     let of_sphere = |nu2: &str| {
-        let run = workdir.run(&[
-            "solve",
-            "--a-over-t",
-            "0.5",
-            "--e1-over-e2",
-            "2",
-            "--nu1",
-            "0.3",
-            "--e0-over-e2",
-            "inf",
-            "--friction",
-            "stick",
-            "--nu2",
-            nu2,
-        ]);
+        let run = workdir.run(format!(
+            "solve --a-over-t 0.5 --e1-over-e2 2 --nu1 0.3 --e0-over-e2 inf --friction stick \
+             --nu2 {nu2}"
+        ));
         value(&run.stdout, "eeq_s")
     };
     assert!((of_sphere("0.4") / 0.781_982_900_326_427_8 - 1.0).abs() < 1e-10);
@@ -102,7 +71,7 @@ fn solve_prints_the_numbers_of_stick() {
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,0,0.5,inf\n1,0,0.3,inf\n",
     );
-    let text = workdir.succeed(&["solve", "--points", "points.csv", "--friction", "stick"]);
+    let text = workdir.succeed("solve --points points.csv --friction stick");
     let lines: Vec<&str> = text.lines().collect();
     assert!(
         lines[0].ends_with("eeq_s,gamma_s,gamma_t,gamma_eff,delta_s,pi_s,gamma_g,eeq_g,error_s"),
@@ -110,27 +79,13 @@ fn solve_prints_the_numbers_of_stick() {
     );
     assert_eq!(lines[2].matches(",,").count(), 3, "{text}");
     // Without the flag nothing is added.
-    let text = workdir.succeed(&[&["solve", "--a-over-t", "1"][..], &CONFINED[..6]].concat());
+    let text = workdir.succeed(format!("solve --a-over-t 1 {CONFINED}"));
     assert!(!text.contains("eeq_s"), "{text}");
 }
 
 /// A gel of 1 mm on glass under a rigid sphere of 1 m, with `w R^2/(E1* t^3) = 1` and 10.
-const GEL: [&str; 14] = [
-    "--specimen",
-    "paper",
-    "--sphere-modulus",
-    "inf",
-    "--film-modulus",
-    "7.5e5",
-    "--film-thickness",
-    "1e-4",
-    "--sphere-radius",
-    "1e-2",
-    "--substrate-modulus",
-    "inf",
-    "--allow",
-    "magnitudes",
-];
+const GEL: &str = "--specimen paper --sphere-modulus inf --film-modulus 7.5e5 --film-thickness 1e-4 \
+     --sphere-radius 1e-2 --substrate-modulus inf --allow magnitudes";
 
 /// Pull-off loads over `pi w R` by another program: one work of adhesion, and pressed on without
 /// attraction.
@@ -139,18 +94,13 @@ fn pull_offs_of_the_histories_are_those_of_another_program() {
     let workdir = workdir!();
     for (work, of_one, of_pressed) in [("0.01", -1.8946, -1.8464), ("0.1", -1.8938, -2.0597)] {
         let unit = std::f64::consts::PI * work.parse::<f64>().expect("a number") * 1e-2;
-        let load = |history: &[&str]| {
-            let arguments = [&["pull-off", "--friction", "stick"][..], &GEL, history].concat();
+        let load = |history: &str| {
+            let arguments = format!("pull-off --friction stick {GEL} {history}");
             value(&workdir.succeed(&arguments), "load") / unit
         };
-        let found = load(&["--work-of-adhesion", work]);
+        let found = load(&format!("--work-of-adhesion {work}"));
         assert!((found - of_one).abs() < 1e-4, "{found}");
-        let pressed = [
-            "--work-of-adhesion",
-            "0",
-            "--work-of-adhesion-receding",
-            work,
-        ];
+        let pressed = format!("--work-of-adhesion 0 --work-of-adhesion-receding {work}");
         let found = load(&pressed);
         assert!((found - of_pressed).abs() < 1e-4, "{found}");
     }
@@ -160,14 +110,10 @@ fn pull_offs_of_the_histories_are_those_of_another_program() {
 fn a_force_curve_has_the_loads_of_stick() {
     let workdir = workdir!();
     let load = |friction: &str| {
-        let run = workdir.run(
-            &[
-                &["curve", "--friction", friction, "--work-of-adhesion", "0"][..],
-                &GEL,
-                &["--from", "1e-4", "--to", "2e-4", "--points", "2"],
-            ]
-            .concat(),
-        );
+        let run = workdir.run(format!(
+            "curve --friction {friction} --work-of-adhesion 0 {GEL} --from 1e-4 --to 2e-4 \
+                 --points 2"
+        ));
         let row = run.stdout.lines().nth(2).expect("two rows").to_owned();
         let cells: Vec<f64> = row
             .split(',')
@@ -188,64 +134,46 @@ fn a_force_curve_has_the_loads_of_stick() {
 #[test]
 fn a_contact_without_friction_tells_the_size_of_friction() {
     let workdir = workdir!();
-    let notes = |command: &[&str]| {
-        let on_silicon = [&GEL[..10], &["--allow", "magnitudes"]].concat();
-        let run = workdir.run(&[command, &on_silicon].concat());
+    let notes = |command: &str| {
+        let on_silicon = GEL.replace("--substrate-modulus inf ", "");
+        let run = workdir.run(format!("{command} {on_silicon}"));
         assert_eq!(run.status, 0, "{}", run.stderr);
         run.stderr
     };
     let curve = |to: &str, friction: &str| {
-        let radii = ["curve", "--from", "1e-5", "--to", to, "--points", "2"];
-        notes(&[&radii[..], &["--friction", friction]].concat())
+        let radii = format!("curve --from 1e-5 --to {to} --points 2");
+        notes(&format!("{radii} --friction {friction}"))
     };
     assert_names(&curve("1e-4", "none"), &["full friction", "by 9 %"]);
     assert_names(&curve("2e-4", "none"), &["full friction", "by 37 %"]);
     assert_eq!(curve("3e-5", "none"), "");
     assert_eq!(curve("2e-4", "stick"), "");
-    let pull_off = ["pull-off", "--work-of-adhesion", "0.1"];
-    assert_names(&notes(&pull_off), &["full friction", "flat punch"]);
-    assert_eq!(
-        notes(&[&pull_off[..], &["--friction", "stick"]].concat()),
-        ""
-    );
+    let pull_off = "pull-off --work-of-adhesion 0.1";
+    assert_names(&notes(pull_off), &["full friction", "flat punch"]);
+    assert_eq!(notes(&format!("{pull_off} --friction stick")), "");
 }
 
 #[test]
 fn what_is_not_solved_is_refused_with_the_reason() {
     let workdir = workdir!();
-    let stick = ["--friction", "stick", "--specimen", "paper"];
-    let refused = |arguments: &[&str], names: &[&str]| {
+    let stick = "--friction stick --specimen paper";
+    let refused = |arguments: &str, names: &[&str]| {
         let error = workdir.fail(1, arguments);
         assert_names(&error, names);
     };
-    const SIMULATE: [&str; 9] = [
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "5um",
-        "--to",
-        "9um",
-        "--noise",
-        "2uN",
-    ];
+    const SIMULATE: &str = "simulate --kind load-radius --from 5um --to 9um --noise 2uN";
     workdir.write(
         "data.csv",
         "contact_radius,load\n5e-6,1e-7\n6e-6,2e-7\n7e-6,3e-7\n8e-6,4e-7\n",
     );
-    for command in [
-        &["curve"][..],
-        &["pull-off"],
-        &SIMULATE,
-        &["fit", "data.csv"],
-    ] {
-        let with = |further: &[&'static str]| [command, &stick, further].concat();
+    for command in ["curve", "pull-off", SIMULATE, "fit data.csv"] {
+        let with = |further: &str| format!("{command} {stick} {further}");
         refused(
-            &with(&["--film-poisson-ratio", "0.49"]),
+            &with("--film-poisson-ratio 0.49"),
             &["Dundurs' beta", "nu1 = 0.49", "artanh(beta)/beta"],
         );
         refused(
-            &with(&["--work-of-adhesion-receding", "10mJ/m^2"]),
+            &with("--work-of-adhesion-receding 10mJ/m^2"),
             &[
                 "--work-of-adhesion-receding",
                 "less than",
@@ -254,31 +182,25 @@ fn what_is_not_solved_is_refused_with_the_reason() {
         );
     }
     for command in ["curve", "pull-off"] {
-        let with = |further: &[&'static str]| [&[command][..], &stick, further].concat();
+        let with = |further: &str| format!("{command} {stick} {further}");
         refused(
-            &with(&["--interaction-range", "1nm"]),
+            &with("--interaction-range 1nm"),
             &["without a range", "--interaction-range"],
         );
         refused(
-            &with(&["--probe", "sphere", "--film-thickness", "1mm"]),
+            &with("--probe sphere --film-thickness 1mm"),
             &["--probe paraboloid", "eeq_s"],
         );
         refused(
-            &[
-                command,
-                "--specimen",
-                "paper",
-                "--work-of-adhesion-receding",
-                "0.1",
-            ],
+            &format!("{command} --specimen paper --work-of-adhesion-receding 0.1"),
             &["--work-of-adhesion-receding goes with --friction stick"],
         );
     }
-    let error = workdir.fail(2, &["solve", "--a-over-t", "1", "--friction", "some"]);
+    let error = workdir.fail(2, "solve --a-over-t 1 --friction some");
     assert_names(&error, &["some", "none", "stick"]);
     let error = workdir.fail(
         1,
-        &[&["solve", "--a-over-t", "1", "--nu2", "0.6"][..], &CONFINED].concat(),
+        format!("solve --a-over-t 1 --nu2 0.6 {CONFINED} --friction stick"),
     );
     assert_names(&error, &["nu2", "0.6"]);
 }
@@ -288,55 +210,16 @@ fn what_is_not_solved_is_refused_with_the_reason() {
 #[test]
 fn a_fit_without_friction_is_warned_and_one_with_stick_finds_the_modulus() {
     let workdir = workdir!();
-    let bodies = [
-        "--specimen",
-        "paper",
-        "--sphere-radius",
-        "10um",
-        "--sphere-modulus",
-        "inf",
-        "--film-thickness",
-        "2um",
-        "--film-modulus",
-        "5kPa",
-        "--substrate-modulus",
-        "inf",
-        "--work-of-adhesion",
-        "0",
-    ];
-    workdir.succeed(
-        &[
-            &[
-                "simulate",
-                "--kind",
-                "load-radius",
-                "--friction",
-                "stick",
-                "--from",
-                "1um",
-                "--to",
-            ][..],
-            &["5um", "--points", "30", "--noise", "20pN", "-o", "gel.csv"],
-            &bodies,
-        ]
-        .concat(),
-    );
+    let bodies = "--specimen paper --sphere-radius 10um --sphere-modulus inf --film-thickness 2um \
+         --film-modulus 5kPa --substrate-modulus inf --work-of-adhesion 0";
+    workdir.succeed(format!(
+        "simulate --kind load-radius --friction stick --from 1um --to 5um --points 30 \
+             --noise 20pN -o gel.csv {bodies}"
+    ));
     let fit = |friction: &str| {
-        let run = workdir.run(
-            &[
-                &[
-                    "fit",
-                    "gel.csv",
-                    "--json",
-                    "--free",
-                    "film-modulus",
-                    "--friction",
-                    friction,
-                ][..],
-                &bodies,
-            ]
-            .concat(),
-        );
+        let run = workdir.run(format!(
+            "fit gel.csv --json --free film-modulus --friction {friction} {bodies}"
+        ));
         let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
         let modulus = json["parameters"]["film_modulus"]["value"]
             .as_f64()
@@ -362,30 +245,16 @@ fn a_fit_without_friction_is_warned_and_one_with_stick_finds_the_modulus() {
 #[test]
 fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     let workdir = workdir!();
-    let works = ["--work-of-adhesion", "0", "--work-of-adhesion-receding"];
-    let run = |command: &[&str], receding: &str, more: &[&str]| {
-        let stick = ["--friction", "stick"];
-        workdir.run(&[command, &GEL, &stick, &works, &[receding], more].concat())
+    let works = "--work-of-adhesion 0 --work-of-adhesion-receding";
+    let run = |command: &str, receding: &str, more: &str| {
+        let stick = "--friction stick";
+        workdir.run(format!("{command} {GEL} {stick} {works} {receding} {more}"))
     };
-    let plan = [
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "1e-4",
-        "--to",
-        "3e-4",
-        "--noise",
-        "1uN",
-    ];
-    let made = run(
-        &plan,
-        "0.01",
-        &["--segments", "retract", "-o", "retract.csv"],
-    );
+    let plan = "simulate --kind load-radius --from 1e-4 --to 3e-4 --noise 1uN";
+    let made = run(plan, "0.01", "--segments retract -o retract.csv");
     assert_eq!(made.status, 0, "{}", made.stderr);
-    let free = ["--free", "work-of-adhesion,film-modulus", "--json"];
-    let fitted = run(&["fit", "retract.csv"], "0.02", &free);
+    let free = "--free work-of-adhesion,film-modulus --json";
+    let fitted = run("fit retract.csv", "0.02", free);
     assert_eq!(fitted.status, 0, "{}", fitted.stderr);
     let json: serde_json::Value = serde_json::from_str(&fitted.stdout).expect("JSON");
     for (name, truth) in [("work_of_adhesion", 0.01), ("film_modulus", 7.5e5)] {
@@ -395,7 +264,7 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
         assert!(error < 0.01 * truth, "{name}: {found}");
     }
     // One work of adhesion describes these data with another modulus.
-    let approach = run(&plan, "0.01", &["--segments", "approach"]);
+    let approach = run(plan, "0.01", "--segments approach");
     assert_ne!(approach.status, 0);
     assert_names(&approach.stderr, &["points of approach", "--only retract"]);
 }
@@ -405,25 +274,16 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
 #[test]
 fn the_poisson_ratio_of_the_sphere_has_one_meaning() {
     let workdir = workdir!();
-    let bodies = ["--specimen", "paper", "--film-thickness", "30um"];
+    let bodies = "--specimen paper --film-thickness 30um";
     // Sphere and film of one material stick without coupling, so the ratio decides what is solved.
-    let of_ratio = |command: &str, flag: &str, ratio: &str, more: &[&str]| {
-        let stick = [command, "--friction", "stick", flag, ratio];
-        workdir.run(&[&stick[..], &bodies, more].concat())
+    let of_ratio = |command: &str, flag: &str, ratio: &str, more: &str| {
+        workdir.run(format!(
+            "{command} --friction stick {flag} {ratio} {bodies} {more}"
+        ))
     };
-    let range = ["--from", "10um", "--to", "40um", "--points", "3"];
-    const SIMULATE: [&str; 9] = [
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "20um",
-        "--to",
-        "60um",
-        "--noise",
-        "2uN",
-    ];
-    for (command, more) in [("curve", &range[..]), ("pull-off", &[])] {
+    let range = "--from 10um --to 40um --points 3";
+    const SIMULATE: &str = "simulate --kind load-radius --from 20um --to 60um --noise 2uN";
+    for (command, more) in [("curve", range), ("pull-off", "")] {
         let named = of_ratio(command, "--sphere-poisson-ratio", "0.5", more);
         assert_eq!(named.status, 0, "{}", named.stderr);
         assert_eq!(named.stdout, of_ratio(command, "--nu2", "0.5", more).stdout);
@@ -434,32 +294,27 @@ fn the_poisson_ratio_of_the_sphere_has_one_meaning() {
         assert_eq!(out.status, 2, "{}", out.stderr);
         assert_names(&out.stderr, &["0.6", "above -1 and up to 0.5"]);
     }
-    let ratio = ["--sphere-poisson-ratio", "0.4"];
-    for command in [&["curve"][..], &["pull-off"], &SIMULATE] {
-        let error = workdir.fail(1, &[command, &bodies, &ratio].concat());
+    let ratio = "--sphere-poisson-ratio 0.4";
+    for command in ["curve", "pull-off", SIMULATE] {
+        let error = workdir.fail(1, format!("{command} {bodies} {ratio}"));
         assert_names(
             &error,
             &["--sphere-poisson-ratio", "no effect", "--friction stick"],
         );
     }
-    let film = ["solve", "--a-over-t", "1", "--nu2", "0.4"];
-    let error = workdir.fail(1, &[&film[..], &CONFINED[..6]].concat());
+    let film = "solve --a-over-t 1 --nu2 0.4";
+    let error = workdir.fail(1, format!("{film} {CONFINED}"));
     assert_names(&error, &["--nu2", "no effect", "--friction stick"]);
 
     // A fit takes one ratio, for friction and for Young's modulus of the sphere.
-    let lens = [
-        &SIMULATE[..],
-        &["--friction", "stick", "-o", "lens.csv"],
-        &bodies,
-    ];
-    workdir.succeed(&lens.concat());
-    let free = ["--free", "sphere-modulus,work-of-adhesion"];
-    let fit = [&["fit", "lens.csv"], &bodies[..], &free].concat();
-    let stick = ["--friction", "stick", "--nu2", "0.5", "--json"];
-    let text = workdir.succeed(&[&fit[..], &stick].concat());
+    workdir.succeed(format!("{SIMULATE} --friction stick -o lens.csv {bodies}"));
+    let free = "--free sphere-modulus,work-of-adhesion";
+    let fit = format!("fit lens.csv {bodies} {free}");
+    let stick = "--friction stick --nu2 0.5 --json";
+    let text = workdir.succeed(format!("{fit} {stick}"));
     let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     assert!(json["sphere_young_modulus"]["value"].is_f64(), "{json}");
-    let twice = ["--nu2", "0.5", "--sphere-poisson-ratio", "0.4"];
-    let error = workdir.fail(2, &[&fit[..], &twice].concat());
+    let twice = "--nu2 0.5 --sphere-poisson-ratio 0.4";
+    let error = workdir.fail(2, format!("{fit} {twice}"));
     assert_names(&error, &["--sphere-poisson-ratio", "multiple times"]);
 }

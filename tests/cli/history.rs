@@ -2,28 +2,19 @@
 
 use acceptance::{Data, Workdir, assert_names, workdir};
 
-const GEL: [&str; 11] = [
-    "history",
-    "--sphere-radius=10um",
-    "--sphere-modulus=inf",
-    "--film-modulus=1kPa",
-    "--film-poisson-ratio=0.5",
-    "--film-thickness=3.5um",
-    "--substrate-modulus=inf",
-    "--substrate-poisson-ratio=0.25",
-    "--relaxation=prony",
-    "--relaxed-fraction=0.3",
-    "--relaxation-time=0.6",
-];
+const GEL: &str = "history --sphere-radius=10um --sphere-modulus=inf --film-modulus=1kPa \
+     --film-poisson-ratio=0.5 --film-thickness=3.5um --substrate-modulus=inf \
+     --substrate-poisson-ratio=0.25 --relaxation=prony --relaxed-fraction=0.3 \
+     --relaxation-time=0.6";
 /// Runs the program, which must succeed, and returns its rows. The warning about the strain is
 /// meant.
-fn rows(workdir: &Workdir, arguments: &[&str]) -> Data {
+fn rows(workdir: &Workdir, arguments: &str) -> Data {
     let run = workdir.run(arguments);
     assert_eq!(run.status, 0, "{}", run.stderr);
     Data::parse("history", &run.stdout)
 }
 
-const PROGRAM: [&str; 2] = ["--program", "penetration 0:0 1:1um 2:1um 3:0"];
+const PROGRAM: &str = "--program 'penetration 0:0 1:1um 2:1um 3:0'";
 
 /// The independent series that has this gel.
 #[test]
@@ -39,7 +30,7 @@ fn the_columns_hold_an_independent_series() {
         .map(|row| row.get("time").to_string())
         .collect();
     let at = format!("--at={}", times.join(","));
-    let own = rows(&workdir, &[&GEL[..], &PROGRAM, &[&at]].concat());
+    let own = rows(&workdir, &format!("{GEL} {PROGRAM} {at}"));
     assert_eq!(
         own.columns(),
         ["time", "penetration", "load", "contact_radius", "phase"]
@@ -80,8 +71,8 @@ fn the_columns_hold_an_independent_series() {
 #[test]
 fn all_ways_to_ask_agree() {
     let workdir = workdir!();
-    let loads = |arguments: &[&str]| {
-        rows(&workdir, &[&GEL[..], arguments].concat())
+    let loads = |arguments: &str| {
+        rows(&workdir, &format!("{GEL} {arguments}"))
             .cases()
             .map(|row| row.get("load"))
             .collect::<Vec<_>>()
@@ -92,56 +83,43 @@ fn all_ways_to_ask_agree() {
             assert!((a - b).abs() < tolerance * 2e-8, "{a} {b}");
         }
     };
-    let solved = loads(&[&PROGRAM[..], &["--points", "7"]].concat());
+    let solved = loads(&format!("{PROGRAM} --points 7"));
     close(
         &solved,
-        &loads(&[&PROGRAM[..], &["--at=0,0.5,1,1.5,2,2.5,3"]].concat()),
+        &loads(&format!("{PROGRAM} --at=0,0.5,1,1.5,2,2.5,3")),
         1e-8,
     );
     close(
         &solved,
-        &loads(&[&["embedded"], &PROGRAM[..], &["--points", "7"]].concat()),
+        &loads(&format!("embedded {PROGRAM} --points 7")),
         1e-4,
     );
     workdir.write(
         "moves.csv",
         "# a file\nnote,time,penetration\n,0,0\n,1,1um\n,2,1e-6\n,3,0\n",
     );
-    close(
-        &solved,
-        &loads(&["--program", "moves.csv", "--points", "7"]),
-        1e-8,
-    );
+    close(&solved, &loads("--program moves.csv --points 7"), 1e-8);
     // Held, and in another order.
-    let held = loads(&["--program", "penetration 0:0 1:1um", "--at=1.5,0.5,1"]);
+    let held = loads("--program 'penetration 0:0 1:1um' --at=1.5,0.5,1");
     close(&held, &[solved[3], solved[1], solved[2]], 1e-8);
     // Under the loads of a creep test the penetration grows.
     let crept = rows(
         &workdir,
-        &[
-            &GEL[..],
-            &["--program", "load 0:0 0.5:10nN", "--at=0.5,1,10"],
-        ]
-        .concat(),
+        &format!("{GEL} --program 'load 0:0 0.5:10nN' --at=0.5,1,10"),
     );
     let depths: Vec<f64> = crept.cases().map(|row| row.get("penetration")).collect();
     assert!(depths[0] < depths[1] && depths[1] < depths[2], "{depths:?}");
     // A stiff cantilever imposes the penetration.
-    let heights = [
-        "--program",
-        "height 0:0 1:1um 2:1um 3:0",
-        "--stiffness=100kN/m",
-        "--points=7",
-    ];
-    close(&solved, &loads(&heights), 2e-5);
+    let heights = "--program 'height 0:0 1:1um 2:1um 3:0' --stiffness=100kN/m --points=7";
+    close(&solved, &loads(heights), 2e-5);
 }
 
 #[test]
 fn adhesion_pulls_on_the_way_out_only() {
     let workdir = workdir!();
-    let adhesive = ["--work-of-adhesion-receding=20uJ/m^2", "--points=31"];
-    let adhesive = rows(&workdir, &[&GEL[..], &PROGRAM, &adhesive].concat());
-    let plain = rows(&workdir, &[&GEL[..], &PROGRAM, &["--points=31"]].concat());
+    let adhesive = "--work-of-adhesion-receding=20uJ/m^2 --points=31";
+    let adhesive = rows(&workdir, &format!("{GEL} {PROGRAM} {adhesive}"));
+    let plain = rows(&workdir, &format!("{GEL} {PROGRAM} --points=31"));
     for (own, plain) in adhesive.cases().zip(plain.cases()).take(21) {
         assert_eq!(own.get("load"), plain.get("load"));
     }
@@ -152,49 +130,27 @@ fn adhesion_pulls_on_the_way_out_only() {
 #[test]
 fn the_error_and_the_doubts_are_stated() {
     let workdir = workdir!();
-    let run = workdir.run(&[&GEL[..], &PROGRAM, &["--points=3"]].concat());
+    let run = workdir.run(format!("{GEL} {PROGRAM} --points=3"));
     assert_eq!(run.status, 0);
     assert_names(&run.stderr, &["0.29 of the film's thickness"]);
     assert!(!run.stderr.contains("estimated"), "{}", run.stderr);
     // A second approach is followed by elements, whose error is told.
-    let again = [
-        "--program",
-        "penetration 0:0 1:100nm 2:0 3:100nm",
-        "--points=3",
-    ];
-    let run = workdir.run(&[&GEL[..], &again].concat());
+    let again = "--program 'penetration 0:0 1:100nm 2:0 3:100nm' --points=3";
+    let run = workdir.run(format!("{GEL} {again}"));
     assert!(
         run.status == 0 && run.stderr.starts_with("# estimated error: "),
         "{}",
         run.stderr
     );
     let soft = "--substrate-modulus=20kPa";
-    let gel: Vec<&str> = GEL
-        .iter()
-        .map(|&flag| {
-            if flag == "--substrate-modulus=inf" {
-                soft
-            } else {
-                flag
-            }
-        })
-        .collect();
-    let error = workdir.fail(1, &[&gel[..], &PROGRAM].concat());
+    let gel = GEL.replace("--substrate-modulus=inf", soft);
+    let error = workdir.fail(1, format!("{gel} {PROGRAM}"));
     assert_names(&error, &["do not relax", "2e-2"]);
-    let relaxing = workdir.run(&[&gel[..], &PROGRAM, &["--all-relax"]].concat());
+    let relaxing = workdir.run(format!("{gel} {PROGRAM} --all-relax"));
     assert_eq!(relaxing.status, 0, "{}", relaxing.stderr);
     let stiffer = "--substrate-modulus=1MPa";
-    let gel: Vec<&str> = GEL
-        .iter()
-        .map(|&flag| {
-            if flag == "--substrate-modulus=inf" {
-                stiffer
-            } else {
-                flag
-            }
-        })
-        .collect();
-    let run = workdir.run(&[&gel[..], &PROGRAM].concat());
+    let gel = GEL.replace("--substrate-modulus=inf", stiffer);
+    let run = workdir.run(format!("{gel} {PROGRAM}"));
     assert_eq!(run.status, 0, "{}", run.stderr);
     assert_names(&run.stderr, &["warning", "do not relax"]);
 }
@@ -203,57 +159,53 @@ fn the_error_and_the_doubts_are_stated() {
 #[test]
 fn mistakes_are_told() {
     let workdir = workdir!();
-    let film = &GEL[..8];
-    let refuse = |status: i32, arguments: &[&str], names: &[&str]| {
+    let (film, _) = GEL.split_once(" --relaxation=").expect("a law");
+    let refuse = |status: i32, arguments: &str, names: &[&str]| {
         let error = workdir.fail(status, arguments);
         assert_names(&error, names);
     };
-    refuse(2, &[&GEL[..]].concat(), &["--program"]);
-    refuse(2, &[film, &PROGRAM].concat(), &["--relaxation"]);
+    refuse(2, GEL, &["--program"]);
+    refuse(2, &format!("{film} {PROGRAM}"), &["--relaxation"]);
     refuse(
         2,
-        &[film, &PROGRAM, &["--relaxation=sls"]].concat(),
+        &format!("{film} {PROGRAM} --relaxation=sls"),
         &["prony", "power-law", "fractional-zener"],
     );
-    let power = ["--relaxation=power-law"];
+    let power = "--relaxation=power-law";
     refuse(
         1,
-        &[film, &PROGRAM, &power].concat(),
+        &format!("{film} {PROGRAM} {power}"),
         &["--relaxation-exponent", "0.2"],
     );
     refuse(
         1,
-        &[film, &PROGRAM, &power, &["--relaxation-exponent=1.2"]].concat(),
+        &format!("{film} {PROGRAM} {power} --relaxation-exponent=1.2"),
         &["1.2", "below 1"],
     );
-    let both = ["--relaxation-exponent=0.2", "--relaxed-fraction=0.1"];
+    let both = "--relaxation-exponent=0.2 --relaxed-fraction=0.1";
     refuse(
         1,
-        &[film, &PROGRAM, &power, &both].concat(),
+        &format!("{film} {PROGRAM} {power} {both}"),
         &["power-law has no --relaxed-fraction"],
     );
     refuse(
         1,
-        &[film, &PROGRAM, &["--relaxation=prony"]].concat(),
+        &format!("{film} {PROGRAM} --relaxation=prony"),
         &["--relaxed-fraction"],
     );
-    let two = [
-        "--relaxation=prony",
-        "--relaxed-fraction=0.3",
-        "--relaxation-time=1,2",
-    ];
+    let two = "--relaxation=prony --relaxed-fraction=0.3 --relaxation-time=1,2";
     refuse(
         1,
-        &[film, &PROGRAM, &two].concat(),
+        &format!("{film} {PROGRAM} {two}"),
         &["--relaxation-weight", "one weight for each time"],
     );
-    let wrong_sum = ["--relaxation-weight=0.3,0.3"];
+    let wrong_sum = "--relaxation-weight=0.3,0.3";
     refuse(
         1,
-        &[film, &PROGRAM, &two, &wrong_sum].concat(),
+        &format!("{film} {PROGRAM} {two} {wrong_sum}"),
         &["sum", "must be 1"],
     );
-    let with = |text: &'static str| [&GEL[..], &["--program", text]].concat();
+    let with = |text: &'static str| format!("{GEL} --program '{text}'");
     refuse(
         1,
         &with("0:0 1:1um"),
@@ -266,7 +218,7 @@ fn mistakes_are_told() {
     refuse(1, &with("height 0:0 1:1um"), &["--stiffness"]);
     refuse(
         1,
-        &[&GEL[..], &PROGRAM, &["--stiffness=1"]].concat(),
+        &format!("{GEL} {PROGRAM} --stiffness=1"),
         &["--stiffness", "height"],
     );
     refuse(1, &with("moves.csv"), &["moves.csv", "CSV file, or text"]);
@@ -290,22 +242,18 @@ fn mistakes_are_told() {
     refuse(1, &with("words.csv"), &["words.csv", "line 3", "much"]);
     refuse(
         1,
-        &[&GEL[..], &PROGRAM, &["--work-of-adhesion=1mJ/m^2"]].concat(),
+        &format!("{GEL} {PROGRAM} --work-of-adhesion=1mJ/m^2"),
         &["--work-of-adhesion-receding"],
     );
     refuse(
         2,
-        &[&GEL[..], &PROGRAM, &["--at=1", "--points=3"]].concat(),
+        &format!("{GEL} {PROGRAM} --at=1 --points=3"),
         &["--points"],
     );
+    refuse(1, &format!("{GEL} {PROGRAM} --at=-1"), &["-1", "begins at"]);
     refuse(
         1,
-        &[&GEL[..], &PROGRAM, &["--at=-1"]].concat(),
-        &["-1", "begins at"],
-    );
-    refuse(
-        1,
-        &[&GEL[..], &PROGRAM, &["--tolerance=1e-14"]].concat(),
+        &format!("{GEL} {PROGRAM} --tolerance=1e-14"),
         &["1e-14", "1e-10"],
     );
     refuse(1, &with("penetration 0:0 1:1mm"), &["penetration"]);

@@ -17,7 +17,7 @@ fn info_prints_axes_quantities_and_certificate() {
         .identity_errors
         .map(|error| error.expect("all quantities are held"));
     let [n_a, n_e1, _, _] = table.shape();
-    let text = workdir.succeed(&["info", &table_path]);
+    let text = workdir.succeed(format!("info {table_path}"));
     let lines = [
         ("title", description.title.clone()),
         ("a_over_t", format!("0.001 to 1000, {n_a} nodes")),
@@ -82,7 +82,7 @@ fn info_prints_axes_quantities_and_certificate() {
     let small = self::table(TWO_QUANTITIES);
     workdir.write("small.bin", small.to_packed().expect("a small table"));
     assert_names(
-        &workdir.succeed(&["info", "small.bin"]),
+        &workdir.succeed("info small.bin"),
         &["eeq, delta0 (normalised by E2*)", "inf"],
     );
 }
@@ -90,7 +90,7 @@ fn info_prints_axes_quantities_and_certificate() {
 #[test]
 fn the_embedded_table_states_what_it_answers_and_explains_its_rows() {
     let workdir = workdir!();
-    let text = workdir.succeed(&["info", "embedded"]);
+    let text = workdir.succeed("info embedded");
     let (rows, meanings) = text.split_once("\n\nThe rows mean:\n").expect("two parts");
     assert_names(
         rows,
@@ -111,7 +111,7 @@ fn the_embedded_table_states_what_it_answers_and_explains_its_rows() {
         assert_names(meanings, &[quantity.name(), quantity.equation()]);
     }
     let object: Value =
-        serde_json::from_str(&workdir.succeed(&["info", "embedded", "--json"])).expect("JSON");
+        serde_json::from_str(&workdir.succeed("info embedded --json")).expect("JSON");
     assert_eq!(object["quantities"], serde_json::json!(["gamma"]));
     assert_eq!(
         object["answers"],
@@ -122,12 +122,12 @@ fn the_embedded_table_states_what_it_answers_and_explains_its_rows() {
 #[test]
 fn a_check_states_the_errors_of_each_quantity_that_the_table_answers() {
     let workdir = workdir!();
-    let text = workdir.succeed(&["check", "embedded", "--points", "40"]);
+    let text = workdir.succeed("check embedded --points 40");
     for quantity in Quantity::ALL {
         let line = format!("\n{:9} max ", quantity.name());
         assert!(text.contains(&line), "{text}");
     }
-    let json = workdir.succeed(&["check", "embedded", "--points", "40", "--json"]);
+    let json = workdir.succeed("check embedded --points 40 --json");
     let object: Value = serde_json::from_str(&json).expect("JSON");
     let error = |of: &Value| of["max_error"].as_f64().expect("a number");
     let each = Quantity::ALL.map(|quantity| error(&object["quantities"][quantity.name()]));
@@ -203,8 +203,8 @@ fn assert_describes(object: &Value, table: &Table, bytes: u64) {
 #[test]
 fn json_holds_what_the_table_holds() {
     let workdir = workdir!();
-    let object = |args: &[&str]| -> Value {
-        let text = workdir.succeed(&[args, &["--json"]].concat());
+    let object = |args: &str| -> Value {
+        let text = workdir.succeed(format!("{args} --json"));
         assert_eq!(text.lines().count(), 1, "{text}");
         serde_json::from_str(&text).expect("JSON")
     };
@@ -218,18 +218,18 @@ fn json_holds_what_the_table_holds() {
             .collect()
     };
 
-    let paper = object(&["info", &paper_table()]);
+    let paper = object(&format!("info {}", paper_table()));
     let bytes = std::fs::metadata(paper_table()).expect("a file").len();
     let table = Table::read(paper_table()).expect("a sound table");
     assert_describes(&paper, &table, bytes);
     assert_eq!(names(&paper).len(), 12);
     let embedded = Table::embedded();
     let bytes = embedded.to_packed().expect("it was packed").len() as u64;
-    assert_describes(&object(&["info", "embedded"]), embedded, bytes);
+    assert_describes(&object("info embedded"), embedded, bytes);
 
     // A substrate at infinity, and identities that are not known.
     workdir.write("scene.toml", TWO_QUANTITIES.replace("1e-2", "1e-1"));
-    let made = object(&["generate", "scene.toml", "--certificate-points", "50"]);
+    let made = object("generate scene.toml --certificate-points 50");
     let table = Table::open(workdir.path("scene.h5")).expect("a sound table");
     assert_describes(&made, &table, size("scene.h5"));
     assert_eq!(made["axes"]["e0_over_e2"]["to"], "inf");
@@ -243,17 +243,17 @@ fn json_holds_what_the_table_holds() {
     assert!(seconds("seconds") >= seconds("seconds_solving"));
     assert_eq!(names(&made).len(), 19);
 
-    let packed = object(&["pack", "scene.h5", "-o", "table.bin"]);
+    let packed = object("pack scene.h5 -o table.bin");
     let table = Table::read(workdir.path("table.bin")).expect("a sound table");
     assert_describes(&packed, &table, size("table.bin"));
     assert_eq!(packed["path"], "table.bin");
-    let tight = ["pack", "scene.h5", "-o", "low.bin", "--tolerance", "1e-1"];
-    let packed = object(&tight);
+    let tight = "pack scene.h5 -o low.bin --tolerance 1e-1";
+    let packed = object(tight);
     let table = Table::read(workdir.path("low.bin")).expect("a sound table");
     assert!(packed["ranks"].is_array());
     assert_describes(&packed, &table, size("low.bin"));
 
-    let checked = object(&["check", &paper_table(), "--points", "20", "--seed", "3"]);
+    let checked = object(&format!("check {} --points 20 --seed 3", paper_table()));
     assert_eq!(checked["certified"], paper["certificate"]);
     assert_eq!(checked["tolerance"], paper["tolerance"]);
     let measured = &checked["measured"];

@@ -11,7 +11,7 @@ use solve::stack::{Interface, Stack};
 use solve::{solve_stack, stack_curve};
 
 /// A film of 10 um on silicon, under the paper's sphere.
-const FILM: [&str; 4] = ["--specimen", "paper", "--film-thickness", "10um"];
+const FILM: &str = "--specimen paper --film-thickness 10um";
 
 /// The film as a stack of one layer.
 fn film(interface: Interface) -> Stack {
@@ -51,16 +51,11 @@ fn solve_takes_the_interface_of_one_film() {
             "sliding" => "--interface=sliding".to_owned(),
             text => format!("--interface-stiffness={}", text.replace(':', ",")),
         };
-        let text = workdir.succeed(&[
-            "solve",
-            "--json",
-            &format!("--a-over-t={}", case.text("a_over_t")),
-            &format!("--e1-over-e2={young}"),
-            &format!("--nu1={nu}"),
-            &format!("--e0-over-e2={e0}"),
-            &format!("--nu0={nu0}"),
-            &interface,
-        ]);
+        let text = workdir.succeed(format!(
+            "solve --json --a-over-t={} --e1-over-e2={young} --nu1={nu} --e0-over-e2={e0} \
+             --nu0={nu0} {interface}",
+            case.text("a_over_t")
+        ));
         let object = json(&text);
         assert!(relative_error(&quantities(&object), &case.quantities()) <= 1e-10);
         assert!(
@@ -76,35 +71,29 @@ fn solve_takes_the_interface_of_one_film() {
 #[test]
 fn solve_takes_rigid_spheres_and_files_of_points() {
     let workdir = workdir!();
-    let rigid = [
-        "solve",
-        "--e1-over-e2=0",
-        "--nu1=0.3",
-        "--e0-over-e2=inf",
-        "--a-over-t=2",
-    ];
-    let of = |flags: &[&str]| json(&workdir.succeed(&[&rigid[..], flags, &["--json"]].concat()));
+    let rigid = "solve --e1-over-e2=0 --nu1=0.3 --e0-over-e2=inf --a-over-t=2";
+    let of = |flags: &str| json(&workdir.succeed(format!("{rigid} {flags} --json")));
     let stack = with_interfaces(
         solid(f64::INFINITY, 0.25),
         &[(layer(1.0, 0.3, 1.0), springs(0.5, 3.0))],
     );
     let truth = solve_stack(2.0, &stack, f64::INFINITY, 1e-11).expect("within reach");
-    let found = of(&["--interface-stiffness=0.5,3"]);
+    let found = of("--interface-stiffness=0.5,3");
     assert!(relative_error(&quantities(&found), &truth.quantities) <= 1e-10);
     assert_eq!(found["normalised_by"], "E1*");
     // What is bonded is the film as ever, and 0 is what slides.
-    let plain = quantities(&of(&[]));
-    assert_eq!(quantities(&of(&["--interface=bonded"])), plain);
-    assert_eq!(quantities(&of(&["--interface-stiffness=inf"])), plain);
-    let sliding = quantities(&of(&["--interface=sliding"]));
-    assert_eq!(quantities(&of(&["--interface-stiffness=0"])), sliding);
+    let plain = quantities(&of(""));
+    assert_eq!(quantities(&of("--interface=bonded")), plain);
+    assert_eq!(quantities(&of("--interface-stiffness=inf")), plain);
+    let sliding = quantities(&of("--interface=sliding"));
+    assert_eq!(quantities(&of("--interface-stiffness=0")), sliding);
     assert!(sliding.eeq < 0.9 * plain.eeq);
 
     workdir.write(
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n2,0,0.3,inf\n",
     );
-    let text = workdir.succeed(&["solve", "--points=points.csv", "--interface=sliding"]);
+    let text = workdir.succeed("solve --points=points.csv --interface=sliding");
     let rows = Data::parse("points", &text);
     let row = rows.cases().next().expect("a row");
     assert!(relative_error(&row.quantities(), &sliding) <= 1e-14);
@@ -114,19 +103,16 @@ fn solve_takes_rigid_spheres_and_files_of_points() {
 fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
     let workdir = workdir!();
     for (flags, interface) in [
-        (&["--interface", "sliding"][..], Interface::Sliding),
+        ("--interface sliding", Interface::Sliding),
         (
-            &["--interface-stiffness", "2e11Pa/m"],
+            "--interface-stiffness 2e11Pa/m",
             springs(2e11, f64::INFINITY),
         ),
-        (
-            &["--interface-stiffness", "200GPa/m,3e12"],
-            springs(2e11, 3e12),
-        ),
+        ("--interface-stiffness 200GPa/m,3e12", springs(2e11, 3e12)),
     ] {
         let stack = film(interface);
-        let ends = ["--from=1e-5", "--to=1e-4", "--points=5"];
-        let text = workdir.succeed(&[&["curve"][..], &FILM, &ends, flags].concat());
+        let ends = "--from=1e-5 --to=1e-4 --points=5";
+        let text = workdir.succeed(format!("curve {FILM} {ends} {flags}"));
         let curve = stack_curve(&stack, 2e6, [1.0, 10.0], 1e-8).expect("within reach");
         let contact = Contact::new(&stack.system(1e-3, 2e6), curve).expect("its curve");
         let rows = Data::parse("curve", &text);
@@ -138,7 +124,7 @@ fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
             assert!((row.get("load") / load - 1.0).abs() <= 1e-7);
             assert!((row.get("penetration") / penetration - 1.0).abs() <= 1e-7);
         }
-        let text = workdir.succeed(&[&["pull-off", "--json"][..], &FILM, flags].concat());
+        let text = workdir.succeed(format!("pull-off --json {FILM} {flags}"));
         let wide = stack_curve(&stack, 2e6, [1e-3, 50.0], 1e-9).expect("within reach");
         let contact = Contact::new(&stack.system(1e-3, 2e6), wide).expect("its curve");
         let expected = contact.pull_off(0.04, Control::Load).expect("it parts");
@@ -146,10 +132,10 @@ fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
         assert!((load / expected.load - 1.0).abs() <= 1e-7);
     }
     // Bonded, and springs without end, are the film as ever.
-    let ends = ["--from=1e-5", "--to=1e-4", "--points=5"];
-    let plain = workdir.succeed(&[&["curve"][..], &FILM, &ends].concat());
-    for flags in [["--interface", "bonded"], ["--interface-stiffness", "inf"]] {
-        let found = workdir.succeed(&[&["curve"][..], &FILM, &ends, &flags].concat());
+    let ends = "--from=1e-5 --to=1e-4 --points=5";
+    let plain = workdir.succeed(format!("curve {FILM} {ends}"));
+    for flags in ["--interface bonded", "--interface-stiffness inf"] {
+        let found = workdir.succeed(format!("curve {FILM} {ends} {flags}"));
         assert_eq!(found, plain);
     }
 }
@@ -158,14 +144,14 @@ fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
 #[test]
 fn an_attraction_of_finite_range_feels_the_interface() {
     let workdir = workdir!();
-    let load = |flags: &[&str]| {
-        let text = workdir.succeed(&[&["pull-off", "--json"][..], &FILM, flags].concat());
+    let load = |flags: &str| {
+        let text = workdir.succeed(format!("pull-off --json {FILM} {flags}"));
         json(&text)["load"].as_f64().expect("a number")
     };
-    let jkr = load(&["--interface=sliding"]);
-    let short = load(&["--interface=sliding", "--interaction-range=10nm"]);
+    let jkr = load("--interface=sliding");
+    let short = load("--interface=sliding --interaction-range=10nm");
     assert!((short / jkr - 1.0).abs() <= 1e-3, "{short} {jkr}");
-    let bonded = load(&["--interaction-range=10nm"]);
+    let bonded = load("--interaction-range=10nm");
     assert!((short / bonded - 1.0).abs() > 4e-3, "{short} {bonded}");
 }
 
@@ -173,25 +159,15 @@ fn an_attraction_of_finite_range_feels_the_interface() {
 #[test]
 fn a_fit_finds_the_stiffness_of_an_interface() {
     let workdir = workdir!();
-    let known = [
-        "--kind=load-radius",
-        "--from=5um",
-        "--to=60um",
-        "--points=30",
-    ];
-    let made = [
-        "--interface-stiffness=3e11",
-        "--noise=0.05uN",
-        "-o",
-        "film.csv",
-    ];
-    workdir.succeed(&[&["simulate"][..], &FILM, &known, &made].concat());
-    let fit = |flags: &[&str]| {
-        let run = workdir.run(&[&["fit", "film.csv", "--json"][..], &FILM, flags].concat());
+    let known = "--kind=load-radius --from=5um --to=60um --points=30";
+    let made = "--interface-stiffness=3e11 --noise=0.05uN -o film.csv";
+    workdir.succeed(format!("simulate {FILM} {known} {made}"));
+    let fit = |flags: &str| {
+        let run = workdir.run(format!("fit film.csv --json {FILM} {flags}"));
         json(&run.stdout)
     };
     let free = "--free=film.interface-stiffness,work-of-adhesion";
-    let found = fit(&["--interface-stiffness=1e12", free]);
+    let found = fit(&format!("--interface-stiffness=1e12 {free}"));
     let estimate = &found["parameters"]["film.interface-stiffness"];
     let (value, error) = (
         estimate["value"].as_f64().expect("a number"),
@@ -203,11 +179,11 @@ fn a_fit_finds_the_stiffness_of_an_interface() {
         "{estimate}"
     );
     // Without a start, the layer's own stiffness is one.
-    let again = fit(&["--interface=sliding", free]);
+    let again = fit(&format!("--interface=sliding {free}"));
     let other = again["parameters"]["film.interface-stiffness"]["value"].as_f64();
     assert!((other.expect("a number") / value - 1.0).abs() <= 1e-3);
     // A fit that assumes bonding says what sliding would change.
-    let bonded = fit(&["--free=film-modulus,work-of-adhesion"]);
+    let bonded = fit("--free=film-modulus,work-of-adhesion");
     let kinds = |found: &Value| -> Vec<String> {
         let warnings = found["warnings"].as_array().expect("a list").iter();
         warnings
@@ -233,8 +209,7 @@ fn the_data_of_the_example_are_made_as_they_say() {
     );
     let text = std::fs::read_to_string(path).expect("it is there");
     let command = text.lines().nth(1).expect("a command");
-    let words: Vec<&str> = command.split(' ').skip(2).collect();
-    let made = workdir!().succeed(&words);
+    let made = workdir!().succeed(command.trim_start_matches("# tabulate "));
     let [found, made] = [&text, &made].map(|text| Data::parse("sliding", text));
     assert_eq!(found.cases().count(), 40);
     for (found, made) in found.cases().zip(made.cases()) {
@@ -247,74 +222,44 @@ fn the_data_of_the_example_are_made_as_they_say() {
 #[test]
 fn wrong_first_calls_say_what_to_do() {
     let workdir = workdir!();
-    let curve =
-        |flags: &[&str], code: i32| workdir.fail(code, &[&["curve"][..], &FILM, flags].concat());
-    let message = curve(&["--interface", "slipping"], 2);
+    let curve = |flags: &str, code: i32| workdir.fail(code, format!("curve {FILM} {flags}"));
+    let message = curve("--interface slipping", 2);
     assert_names(&message, &["slipping", "bonded", "sliding"]);
-    let message = curve(&["--interface", "2e11"], 2);
+    let message = curve("--interface 2e11", 2);
     assert_names(&message, &["2e11", "bonded", "sliding"]);
-    let message = curve(&["--interface-stiffness", "sliding"], 2);
+    let message = curve("--interface-stiffness sliding", 2);
     assert_names(&message, &["sliding", "is not a number"]);
-    let message = curve(&["--interface-stiffness", "2GPa"], 2);
+    let message = curve("--interface-stiffness 2GPa", 2);
     assert_names(
         &message,
         &["2GPa", "is a modulus", "a stiffness per area", "Pa/m"],
     );
-    let message = curve(&["--interface-stiffness", "1,2,3"], 2);
+    let message = curve("--interface-stiffness 1,2,3", 2);
     assert_names(&message, &["more than two", "KT,KN"]);
-    let message = curve(&["--interface-stiffness", "-1"], 1);
+    let message = curve("--interface-stiffness -1", 1);
     assert_names(&message, &["the film", "tangential", "-1.0 Pa/m", "0"]);
-    let message = curve(&["--interface-stiffness", "1e12,0"], 1);
+    let message = curve("--interface-stiffness 1e12,0", 1);
     assert_names(
         &message,
         &["normal", "0.0 Pa/m", "does not touch", "slides"],
     );
-    let message = curve(&["--interface-stiffness", "nan"], 1);
+    let message = curve("--interface-stiffness nan", 1);
     assert_names(&message, &["tangential", "NaN"]);
-    let both = ["--interface", "sliding", "--interface-stiffness", "1"];
-    assert_names(&curve(&both, 2), &["--interface", "--interface-stiffness"]);
-    let shape = [
-        "--interface",
-        "sliding",
-        "--probe",
-        "cone",
-        "--half-angle",
-        "70",
-    ];
-    assert_names(&curve(&shape, 2), &["--interface", "--probe"]);
-    let message = workdir.fail(
-        2,
-        &[
-            &["curve", "embedded"][..],
-            &FILM,
-            &["--interface", "sliding"],
-        ]
-        .concat(),
-    );
+    let both = "--interface sliding --interface-stiffness 1";
+    assert_names(&curve(both, 2), &["--interface", "--interface-stiffness"]);
+    let shape = "--interface sliding --probe cone --half-angle 70";
+    assert_names(&curve(shape, 2), &["--interface", "--probe"]);
+    let message = workdir.fail(2, format!("curve embedded {FILM} --interface sliding"));
     assert_names(&message, &["--interface", "[TABLE]"]);
     workdir.write("stack.toml", STACK);
-    let stack = [
-        "--specimen",
-        "paper",
-        "--stack",
-        "stack.toml",
-        "--interface",
-        "sliding",
-    ];
-    let message = workdir.fail(2, &[&["curve"][..], &stack].concat());
+    let stack = "--specimen paper --stack stack.toml --interface sliding";
+    let message = workdir.fail(2, format!("curve {stack}"));
     assert_names(&message, &["--interface", "--stack"]);
     // Beyond the reach of stacks.
-    let message = curve(&["--interface", "sliding", "--film-thickness", "0.1um"], 2);
+    let message = curve("--interface sliding --film-thickness 0.1um", 2);
     assert_names(&message, &["--film-thickness"]);
-    let thin = [
-        "--specimen",
-        "paper",
-        "--film-thickness",
-        "0.1um",
-        "--interface",
-        "sliding",
-    ];
-    let message = workdir.fail(1, &[&["curve"][..], &thin].concat());
+    let thin = "--specimen paper --film-thickness 0.1um --interface sliding";
+    let message = workdir.fail(1, format!("curve {thin}"));
     assert_names(&message, &["1500", "one layer", "1000"]);
 }
 
@@ -326,14 +271,8 @@ const STACK: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
 
 fn solve_file(workdir: &Workdir, text: &str) -> Result<Value, String> {
     workdir.write("stack.toml", text);
-    let flags = [
-        "solve",
-        "--stack=stack.toml",
-        "--sphere-modulus=2e6",
-        "--a-over-t=3",
-        "--json",
-    ];
-    let run = workdir.run(&flags);
+    let flags = "solve --stack=stack.toml --sphere-modulus=2e6 --a-over-t=3 --json";
+    let run = workdir.run(flags);
     if run.status == 0 {
         Ok(json(&run.stdout))
     } else {

@@ -13,20 +13,11 @@ fn a_number_of_points_that_memory_does_not_hold_is_refused() {
     workdir.write("scene.toml", TWO_QUANTITIES);
     let most = "4294967295";
     for command in [
-        &["generate", "scene.toml", "--certificate-points", most][..],
-        &["check", "embedded", "--points", most],
-        &[
-            "pack",
-            "x.h5",
-            "-o",
-            "x.bin",
-            "--tolerance",
-            "1e-2",
-            "--points",
-            most,
-        ],
-        &["cost", "effects", "scene.toml", "--points", most],
-        &["curve", "--points", most],
+        &format!("generate scene.toml --certificate-points {most}"),
+        &format!("check embedded --points {most}"),
+        &format!("pack x.h5 -o x.bin --tolerance 1e-2 --points {most}"),
+        &format!("cost effects scene.toml --points {most}"),
+        &format!("curve --points {most}"),
     ] {
         assert_names(&workdir.fail(2, command), &[most, "1000000"]);
     }
@@ -86,8 +77,8 @@ fn what_makes_no_table_is_refused_before_a_solve() {
         ),
     ] {
         workdir.write("scene.toml", scene);
-        for more in [&[][..], &["--plan"], &["--resume"]] {
-            let message = workdir.fail(1, &[&["generate", "scene.toml"], more].concat());
+        for more in ["", "--plan", "--resume"] {
+            let message = workdir.fail(1, format!("generate scene.toml {more}"));
             assert_names(&message, words);
             assert_eq!(workdir.files(), ["scene.toml"]);
         }
@@ -139,8 +130,8 @@ fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
             for value in ["0", "inf", "-1", "1e300", "NaN"] {
                 let line = write_with(&workdir, costs, 1, column, value);
                 for command in [
-                    &["plot", figure, "--data", "costs.csv", "-o", "x.svg"][..],
-                    &["cost", costs, "--data", "costs.csv"],
+                    &format!("plot {figure} --data costs.csv -o x.svg"),
+                    &format!("cost {costs} --data costs.csv"),
                 ] {
                     let run = workdir.run(command);
                     if run.status == 0 {
@@ -184,7 +175,7 @@ fn the_values_of_the_report_are_refused_by_name() {
         let header = text.lines().next().expect("a header");
         let column = header.split(',').position(|column| column == name);
         let line = write_with(&workdir, costs, 2, column.expect("a column"), value);
-        let message = workdir.fail(1, &["plot", figure, "--data", "costs.csv", "-o", "x.svg"]);
+        let message = workdir.fail(1, format!("plot {figure} --data costs.csv -o x.svg"));
         assert_names(
             &message,
             &[

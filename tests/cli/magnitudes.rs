@@ -6,7 +6,7 @@ use acceptance::{Workdir, assert_names, workdir};
 fn lens(workdir: &Workdir, file: &str, factors: [f64; 2]) {
     let simulate = "simulate --specimen paper --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN \
                     -o exact.csv";
-    workdir.succeed(&simulate.split_whitespace().collect::<Vec<_>>());
+    workdir.succeed(simulate);
     let text = String::from_utf8(workdir.read("exact.csv")).expect("UTF-8");
     let mut scaled = String::from("contact_radius,load\n");
     for line in text.lines().skip(3) {
@@ -20,16 +20,14 @@ fn lens(workdir: &Workdir, file: &str, factors: [f64; 2]) {
     workdir.write(file, scaled);
 }
 
-/// The flags of a fit of the lens, with some of them replaced.
-fn fit(file: &str, more: &[&str]) -> Vec<String> {
-    let mut flags: Vec<String> = ["fit", file, "--specimen", "paper", "--noise", "2uN"]
-        .map(str::to_owned)
-        .into();
-    if !more.contains(&"--film-thickness") {
-        flags.extend(["--film-thickness", "30um"].map(str::to_owned));
-    }
-    flags.extend(more.iter().map(|one| (*one).to_owned()));
-    flags
+/// The command of a fit of the lens with more flags.
+fn fit(file: &str, more: &str) -> String {
+    let thickness = if more.contains("--film-thickness") {
+        ""
+    } else {
+        "--film-thickness 30um"
+    };
+    format!("fit {file} --specimen paper --noise 2uN {thickness} {more}")
 }
 
 #[test]
@@ -39,53 +37,50 @@ fn a_wrong_unit_does_not_pass() {
     lens(&workdir, "mm.csv", [1e3, 1.0]);
     lens(&workdir, "mn.csv", [1.0, 1e3]);
     lens(&workdir, "nn.csv", [1.0, 1e9]);
-    let cases: [(&str, &[&str], &[&str]); 8] = [
+    let cases: [(&str, &str, &[&str]); 8] = [
         (
             "lens.csv",
-            &["--sphere-radius", "2"],
+            "--sphere-radius 2",
             &["radius of the sphere = 2 m", "2 mm"],
         ),
         (
             "lens.csv",
-            &["--film-thickness", "30"],
+            "--film-thickness 30",
             &["film thickness = 30 m", "30 um"],
         ),
-        ("lens.csv", &["--substrate-modulus", "2e20"], &["2000 GPa"]),
+        ("lens.csv", "--substrate-modulus 2e20", &["2000 GPa"]),
         (
             "lens.csv",
-            &["--film-modulus", "0.1"],
+            "--film-modulus 0.1",
             &["below the moduli of all solids"],
         ),
         (
             "lens.csv",
-            &["--sphere-radius", "150um"],
+            "--sphere-radius 150um",
             &["half the radius of the sphere"],
         ),
         (
             "mm.csv",
-            &[],
+            "",
             &["contact radius", "below the radius of the sphere"],
         ),
-        ("mn.csv", &[], &["sphere-modulus", "mN or uN taken for N"]),
+        ("mn.csv", "", &["sphere-modulus", "mN or uN taken for N"]),
         (
             "nn.csv",
-            &[],
+            "",
             &["range of the load", "nN were probably taken for N"],
         ),
     ];
     for (file, more, words) in cases {
-        let flags = fit(file, more);
-        let flags: Vec<&str> = flags.iter().map(String::as_str).collect();
-        let message = workdir.fail(1, &flags);
+        let message = workdir.fail(1, fit(file, more));
         assert_names(&message, words);
         if file != "mm.csv" {
             assert_names(&message, &["--allow magnitudes"]);
         }
     }
-    let sound = fit("lens.csv", &[]);
-    let sound: Vec<&str> = sound.iter().map(String::as_str).collect();
+    let sound = fit("lens.csv", "");
     let expected = workdir.succeed(&sound);
-    let allowing = [&sound[..], &["--allow", "magnitudes"]].concat();
+    let allowing = format!("{sound} --allow magnitudes");
     assert_eq!(workdir.succeed(&allowing), expected);
 }
 
@@ -98,13 +93,12 @@ fn a_person_who_means_it_can_go_on() {
         "simulate --specimen paper --kind load-radius --from 1mm --to 2mm --noise 0 --sphere-radius 0.5 --film-thickness 1mm",
     ];
     for command in commands {
-        let words: Vec<&str> = command.split_whitespace().collect();
-        let message = workdir.fail(1, &words);
+        let message = workdir.fail(1, command);
         assert_names(&message, &["--allow magnitudes", "is above"]);
-        workdir.succeed(&[&words[..], &["--allow", "magnitudes"]].concat());
+        workdir.succeed(format!("{command} --allow magnitudes"));
     }
     assert_names(
-        &workdir.fail(2, &["curve", "--allow", "everything"]),
+        &workdir.fail(2, "curve --allow everything"),
         &["everything", "magnitudes"],
     );
 }
@@ -114,7 +108,7 @@ fn a_person_who_means_it_can_go_on() {
 fn a_contact_beyond_the_sphere_is_told_without_the_limits_of_the_search() {
     let workdir = workdir!();
     let wide = "pull-off --specimen paper --sphere-radius 100nm --control spring --stiffness 1uN/m --work-of-adhesion 10";
-    let message = workdir.fail(1, &wide.split_whitespace().collect::<Vec<_>>());
+    let message = workdir.fail(1, wide);
     assert_names(
         &message,
         &[

@@ -6,6 +6,7 @@ mod afm_curves;
 mod contact_stiffness;
 mod cost;
 mod cost_effects;
+mod cost_effects_rows;
 mod cost_lookup;
 mod cost_solve;
 mod cost_table;

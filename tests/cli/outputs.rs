@@ -27,37 +27,22 @@ fn workdir() -> Workdir {
 }
 
 /// Commands up to their output, and the inputs of each.
-const COMMANDS: [(&[&str], &[&str]); 15] = [
-    (&["solve", "--points", "points"], &["points"]),
-    (
-        &["query", "table", "--points", "points"],
-        &["points", "table"],
-    ),
-    (&["curve", "table"], &["table"]),
-    (&["generate", "scene"], &["scene"]),
-    (&["report", "table"], &["table"]),
-    (&["pack", "table"], &["table"]),
-    (&["unpack", "table"], &["table"]),
-    (
-        &["plot", "table-cost", "--data", "table.svg"],
-        &["table.svg"],
-    ),
-    (
-        &["plot", "effects", "--data", "effects.svg"],
-        &["effects.svg"],
-    ),
-    (
-        &["plot", "lookup-cost", "--data", "lookup.svg"],
-        &["lookup.svg"],
-    ),
-    (
-        &["plot", "work-precision", "--data", "solve.svg"],
-        &["solve.svg"],
-    ),
-    (&["cost", "table", "scene"], &["scene"]),
-    (&["cost", "effects", "scene"], &["scene"]),
-    (&["cost", "lookup", "table"], &["table"]),
-    (&["cost", "solve", "--compare", "solve.svg"], &["solve.svg"]),
+const COMMANDS: [(&str, &[&str]); 15] = [
+    ("solve --points points", &["points"]),
+    ("query table --points points", &["points", "table"]),
+    ("curve table", &["table"]),
+    ("generate scene", &["scene"]),
+    ("report table", &["table"]),
+    ("pack table", &["table"]),
+    ("unpack table", &["table"]),
+    ("plot table-cost --data table.svg", &["table.svg"]),
+    ("plot effects --data effects.svg", &["effects.svg"]),
+    ("plot lookup-cost --data lookup.svg", &["lookup.svg"]),
+    ("plot work-precision --data solve.svg", &["solve.svg"]),
+    ("cost table scene", &["scene"]),
+    ("cost effects scene", &["scene"]),
+    ("cost lookup table", &["table"]),
+    ("cost solve --compare solve.svg", &["solve.svg"]),
 ];
 
 #[test]
@@ -74,7 +59,7 @@ fn no_command_replaces_its_input_under_any_name() {
             let files = workdir.files();
             let other = format!("folder/../{input}");
             for output in [*input, &other, &names[0], &names[1]] {
-                let message = workdir.fail(1, &[command, &["-o", output]].concat());
+                let message = workdir.fail(1, format!("{command} -o {output}"));
                 assert_names(&message, &["cannot write", output, "it is the input"]);
                 assert!(workdir.read(input) == content, "{command:?} -o {output}");
                 assert_eq!(workdir.files(), files);
@@ -86,7 +71,7 @@ fn no_command_replaces_its_input_under_any_name() {
     }
     // The table of a figure has a name without the ending of a picture.
     symlink("table", workdir.path("map.svg")).expect("a link");
-    let message = workdir.fail(1, &["plot", "error-map", "table", "-o", "map.svg"]);
+    let message = workdir.fail(1, "plot error-map table -o map.svg");
     assert_names(&message, &["map.svg", "it is the input"]);
 }
 
@@ -107,7 +92,7 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
     symlink("circle.csv", workdir.path("circle.csv")).expect("a link");
     for output in ["dangling.csv", "circle.csv"] {
         assert_names(
-            &workdir.fail(1, &solve(output)),
+            &workdir.fail(1, solve(output)),
             &["cannot write", output, "is a link to", "remove the link"],
         );
         assert!(workdir.path(output).is_symlink());
@@ -115,7 +100,7 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
     assert!(!workdir.path("nowhere.csv").exists());
     workdir.write("real.csv", "what was there");
     symlink("real.csv", workdir.path("link.csv")).expect("a link");
-    workdir.succeed(&solve("link.csv"));
+    workdir.succeed(solve("link.csv"));
     assert!(workdir.path("link.csv").is_symlink());
     assert!(workdir.read("real.csv").starts_with(b"a_over_t,"));
     for (output, words) in [
@@ -124,7 +109,7 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
         (".", "is not a file"),
         ("missing/out.csv", "there is no folder missing"),
     ] {
-        assert_names(&workdir.fail(1, &solve(output)), &["cannot write", words]);
+        assert_names(&workdir.fail(1, solve(output)), &["cannot write", words]);
     }
 }
 
@@ -159,13 +144,12 @@ fn what_killed_processes_leave_is_named_and_removed_by_the_next_run() {
             );
         }
         assert_eq!(hidden(&workdir).len(), foreign.len() + 2, "{command}");
-        let mut words: Vec<&str> = command.split(' ').collect();
-        words.extend(["--points", "points", "-o", "out.csv"]);
-        let run = workdir.run(&words);
+        let command = format!("{command} --points points -o out.csv");
+        let run = workdir.run(&command);
         assert_eq!(run.status, 0, "{run:?}");
         assert_names(&run.stderr, &[".out.csv.unfinished-", "is removed"]);
         assert_eq!(hidden(&workdir), foreign);
-        let again = workdir.run(&words).stderr;
+        let again = workdir.run(&command).stderr;
         assert!(!again.contains("is removed"), "{again}");
     }
 }
@@ -187,8 +171,8 @@ fn the_file_of_a_living_process_stays() {
         yield_now();
     }
     let living = hidden(&workdir);
-    let quick = ["solve", "--points", "points", "-o", "out.csv"];
-    assert_eq!(workdir.succeed(&quick), "");
+    let quick = "solve --points points -o out.csv";
+    assert_eq!(workdir.succeed(quick), "");
     assert_eq!(hidden(&workdir), living);
     let first = workdir.read("out.csv");
     points.write_all(b"3,1.5,0.5,inf\n").expect("read");
@@ -208,13 +192,13 @@ fn a_pipe_is_no_table_and_says_so() {
         .expect("mkfifo runs");
     assert!(made.success());
     for command in [
-        &["info", "pipe"][..],
-        &["check", "pipe"],
-        &["query", "pipe", "--points", "points"],
-        &["curve", "pipe"],
-        &["pack", "pipe", "-o", "x.bin"],
-        &["info", "/dev/null"],
-        &["info", "."],
+        "info pipe",
+        "check pipe",
+        "query pipe --points points",
+        "curve pipe",
+        "pack pipe -o x.bin",
+        "info /dev/null",
+        "info .",
     ] {
         assert_names(
             &workdir.fail(1, command),

@@ -4,12 +4,12 @@ use std::io::pipe;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use acceptance::{assert_names, shipped, workdir};
+use acceptance::{Arguments, assert_names, shipped, workdir};
 use interp::{Quantity, Table};
 
 /// Runs the program in a folder. The readers of standard output and, if `both`, of standard error
 /// are closed before it starts.
-fn run_unread(folder: &Path, both: bool, args: &[&str]) -> Output {
+fn run_unread(folder: &Path, both: bool, args: &str) -> Output {
     let unread = || {
         let (reader, writer) = pipe().expect("a pipe");
         drop(reader);
@@ -17,7 +17,7 @@ fn run_unread(folder: &Path, both: bool, args: &[&str]) -> Output {
     };
     let stderr = if both { unread() } else { Stdio::piped() };
     Command::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-        .args(args)
+        .args(args.list())
         .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(unread())
@@ -34,22 +34,23 @@ fn a_closed_reader_is_no_failure_of_any_command() {
     let points = points.to_str().expect("UTF-8");
     let costs = shipped("figures/table.csv");
     workdir.write("scene.toml", crate::TWO_QUANTITIES.replace("1e-2", "1e-1"));
-    let commands: [&[&str]; 15] = [
-        &["--help"],
-        &["--version"],
-        &["help", "plot"],
-        &["curve", "--help"],
-        &["curve", "embedded", "--specimen", "paper"],
-        &["curve", "--specimen", "paper"],
-        &["solve", "--points", points],
-        &["query", table, "--points", points],
-        &["info", "embedded", "--json"],
-        &["check", table, "--points", "20"],
-        &["generate", "scene.toml", "--plan"],
-        &["generate", "scene.toml", "--certificate-points", "20"],
-        &["cost", "table", "--data", costs.to_str().expect("UTF-8")],
-        &["completions", "zsh"],
-        &["man"],
+    let costs = costs.to_str().expect("UTF-8");
+    let commands = [
+        "--help",
+        "--version",
+        "help plot",
+        "curve --help",
+        "curve embedded --specimen paper",
+        "curve --specimen paper",
+        &format!("solve --points {points}"),
+        &format!("query {table} --points {points}"),
+        "info embedded --json",
+        &format!("check {table} --points 20"),
+        "generate scene.toml --plan",
+        "generate scene.toml --certificate-points 20",
+        &format!("cost table --data {costs}"),
+        "completions zsh",
+        "man",
     ];
     for args in commands {
         for both in [false, true] {
@@ -75,9 +76,9 @@ fn work_that_fails_ends_with_1_whoever_reads() {
         Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
     workdir.write("wrong.bin", wrong.to_packed().expect("small"));
     for (args, status) in [
-        (&["check", "wrong.bin", "--points", "20"][..], 1),
-        (&["info", "missing.h5"], 1),
-        (&["plough"], 2),
+        ("check wrong.bin --points 20", 1),
+        ("info missing.h5", 1),
+        ("plough", 2),
     ] {
         for both in [false, true] {
             let output = run_unread(&workdir.path("."), both, args);
@@ -94,16 +95,16 @@ fn output_that_cannot_be_written_ends_with_1() {
     let workdir = workdir!();
     let points = shipped("points.csv");
     let points = points.to_str().expect("UTF-8");
-    let commands: [&[&str]; 9] = [
-        &["--help"],
-        &["-h"],
-        &["help", "plot"],
-        &["--version"],
-        &["curve", "--help"],
-        &["info", "embedded", "--json"],
-        &["query", "embedded", "--points", points],
-        &["completions", "zsh"],
-        &["man"],
+    let commands = [
+        "--help",
+        "-h",
+        "help plot",
+        "--version",
+        "curve --help",
+        "info embedded --json",
+        &format!("query embedded --points {points}"),
+        "completions zsh",
+        "man",
     ];
     // A full disk, and standard output that is open for reading only.
     let cases = [
@@ -112,14 +113,12 @@ fn output_that_cannot_be_written_ends_with_1() {
     ];
     for args in commands {
         for (redirection, why) in cases {
-            let run = workdir.script(&format!("\"$0\" {} {redirection}", args.join(" ")));
+            let run = workdir.script(&format!("\"$0\" {args} {redirection}"));
             assert_eq!(run.status, 1, "{args:?} {redirection}: {run:?}");
             assert_names(&run.stderr, &["cannot write to standard output", why]);
         }
         assert_eq!(
-            workdir
-                .script(&format!("\"$0\" {} >/dev/null", args.join(" ")))
-                .status,
+            workdir.script(&format!("\"$0\" {args} >/dev/null")).status,
             0
         );
     }

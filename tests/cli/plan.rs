@@ -31,20 +31,14 @@ fn the_size_of_a_plan_is_that_of_the_file() {
     let workdir = workdir!();
     for scene in [ONE_QUANTITY, TWO_QUANTITIES, MIDDLE] {
         workdir.write("scene.toml", scene);
-        let plan = workdir.succeed(&["generate", "scene.toml", "--plan", "--json"]);
+        let plan = workdir.succeed("generate scene.toml --plan --json");
         let plan: Value = serde_json::from_str(&plan).expect("JSON");
         let expected = plan["bytes"].as_f64().expect("a number");
-        let text = workdir.succeed(&["generate", "scene.toml", "--plan"]);
+        let text = workdir.succeed("generate scene.toml --plan");
         let size = format!("{:15} about {:.0} kB\n", "size", expected / 1e3);
         assert!(text.ends_with(&size), "{text}{size}");
 
-        let made = workdir.run(&[
-            "generate",
-            "scene.toml",
-            "--certificate-points",
-            "20",
-            "--json",
-        ]);
+        let made = workdir.run("generate scene.toml --certificate-points 20 --json");
         let made: Value = serde_json::from_str(&made.stdout).expect("JSON");
         let bytes = made["bytes"].as_f64().expect("a number");
         println!(

@@ -197,30 +197,23 @@ fn films_that_slide_are_drawn_as_well() {
         );
     }
     let workdir = workdir!();
-    let plot = |more: &[&str]| {
-        let arguments = [
-            "plot",
-            "force-displacement",
-            "--specimen",
-            "paper",
-            "-o",
-            "sliding.svg",
-        ];
-        workdir.run(&[&arguments[..], more].concat())
+    let plot = |more: &str| {
+        let arguments = "plot force-displacement --specimen paper -o sliding.svg";
+        workdir.run(format!("{arguments} {more}"))
     };
-    assert_eq!(plot(&["--interface", "sliding"]).status, 0);
-    assert_eq!(plot(&["--interface-stiffness", "1e13"]).status, 0);
+    assert_eq!(plot("--interface sliding").status, 0);
+    assert_eq!(plot("--interface-stiffness 1e13").status, 0);
     for (wrong, names) in [
         (
-            &["--interface", "sliding", "--probe", "cone"][..],
+            "--interface sliding --probe cone",
             ["--interface", "--probe"],
         ),
         (
-            &["--interface", "sliding", "--interface-stiffness", "1e13"],
+            "--interface sliding --interface-stiffness 1e13",
             ["--interface", "--interface-stiffness"],
         ),
-        (&["--interface-stiffness", "1e13,0"], ["layer", "normal"]),
-        (&["--interface-stiffness=-1"], ["layer", "-1"]),
+        ("--interface-stiffness 1e13,0", ["layer", "normal"]),
+        ("--interface-stiffness=-1", ["layer", "-1"]),
     ] {
         let run = plot(wrong);
         assert_ne!(run.status, 0, "{wrong:?}");
@@ -262,20 +255,13 @@ fn other_probes_separate_from_the_thickest_film_as_from_a_half_space() {
         );
     }
     let workdir = workdir!();
-    let rounded = [
-        "--probe",
-        "rounded-cone",
-        "--half-angle",
-        "70",
-        "--sphere-radius",
-        "1e-6",
-    ];
-    let plot = ["plot", "force-displacement", "-o", "tip.svg"];
-    assert_eq!(workdir.succeed(&[&plot[..], &rounded].concat()), "");
+    let rounded = "--probe rounded-cone --half-angle 70 --sphere-radius 1e-6";
+    let plot = "plot force-displacement -o tip.svg";
+    assert_eq!(workdir.succeed(format!("{plot} {rounded}")), "");
     let tree = Tree::from_data(&workdir.read("tip.svg"), &Options::default()).unwrap();
     assert_eq!(tree.size().to_int_size().width(), WIDTH);
     assert_names(
-        &workdir.fail(1, &[&plot[..], &["--probe", "cone"]].concat()),
+        &workdir.fail(1, format!("{plot} --probe cone")),
         &["--probe cone needs --half-angle"],
     );
 }
@@ -346,7 +332,7 @@ fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
     let workdir = workdir!();
     for figure in OF_THE_PAPER {
         for name in ["a.svg", "b.svg", "a.png", "b.png"] {
-            assert_eq!(workdir.succeed(&["plot", figure, "-o", name]), "");
+            assert_eq!(workdir.succeed(format!("plot {figure} -o {name}")), "");
         }
         assert!(
             workdir.read("a.svg") == workdir.read("b.svg")
@@ -402,7 +388,7 @@ fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
 fn the_error_map_is_drawn_of_a_table_given() {
     let workdir = workdir!();
     let table = shipped("paper.h5");
-    workdir.succeed(&[
+    workdir.succeed([
         "plot",
         "error-map",
         table.to_str().unwrap(),
@@ -416,16 +402,16 @@ fn the_error_map_is_drawn_of_a_table_given() {
 #[test]
 fn the_help_names_every_figure_and_what_it_takes() {
     let workdir = workdir!();
-    let help = workdir.succeed(&["plot", "--help"]);
+    let help = workdir.succeed("plot --help");
     assert_names(&help, &OF_THE_PAPER);
     for figure in OF_THE_PAPER {
         assert_names(
-            &workdir.succeed(&["plot", figure, "--help"]),
+            &workdir.succeed(format!("plot {figure} --help")),
             &["-o", "--output", "FILE.svg|FILE.png"],
         );
     }
     assert_names(
-        &workdir.succeed(&["plot", "error-map", "--help"]),
+        &workdir.succeed("plot error-map --help"),
         &["[TABLE]", "-o", "--output"],
     );
 }
@@ -435,30 +421,24 @@ fn what_cannot_be_drawn_says_why() {
     let workdir = workdir!();
     for name in ["fig2.pdf", "fig2", "fig2.SVG.gz"] {
         assert_names(
-            &workdir.fail(2, &["plot", "fig2", "-o", name]),
+            &workdir.fail(2, format!("plot fig2 -o {name}")),
             &[name, ".svg or .png"],
         );
     }
+    assert_names(&workdir.fail(2, "plot fig5 -o a.svg"), &["fig5"]);
+    assert_names(&workdir.fail(2, "plot fig2"), &["--output"]);
     assert_names(
-        &workdir.fail(2, &["plot", "fig5", "-o", "a.svg"]),
-        &["fig5"],
-    );
-    assert_names(&workdir.fail(2, &["plot", "fig2"]), &["--output"]);
-    assert_names(
-        &workdir.fail(2, &["plot", "fig2", "table.h5", "-o", "a.svg"]),
+        &workdir.fail(2, "plot fig2 table.h5 -o a.svg"),
         &["table.h5"],
     );
+    assert_names(&workdir.fail(1, "plot fig2 -o nowhere/a.svg"), &["nowhere"]);
     assert_names(
-        &workdir.fail(1, &["plot", "fig2", "-o", "nowhere/a.svg"]),
-        &["nowhere"],
-    );
-    assert_names(
-        &workdir.fail(1, &["plot", "error-map", "none.h5", "-o", "a.svg"]),
+        &workdir.fail(1, "plot error-map none.h5 -o a.svg"),
         &["none.h5"],
     );
     workdir.write("no.h5", "no table");
     assert_names(
-        &workdir.fail(1, &["plot", "error-map", "no.h5", "-o", "a.svg"]),
+        &workdir.fail(1, "plot error-map no.h5 -o a.svg"),
         &["no.h5"],
     );
     assert_eq!(workdir.files(), ["no.h5"]);

@@ -48,27 +48,13 @@ fn solve_prints_one_point_to_the_last_bit() {
             given.e0_over_e2(),
             given.nu0(),
         ];
-        let flags = [
-            "--a-over-t",
-            "--e1-over-e2",
-            "--nu1",
-            "--e0-over-e2",
-            "--nu0",
-            "--tolerance",
-        ];
-        let values: Vec<String> = values_given
-            .iter()
-            .chain([&tolerance])
-            .map(|value| format!("{value:?}"))
-            .collect();
-        let mut arguments = vec!["solve"];
-        arguments.extend(
-            flags
-                .iter()
-                .zip(&values)
-                .flat_map(|(flag, value)| [*flag, value])
-                .take(if round % 2 == 0 { 10 } else { 12 }),
+        let [e1, nu1, e0, nu0] = [1, 2, 3, 4].map(|i| values_given[i]);
+        let mut arguments = format!(
+            "solve --a-over-t {x:?} --e1-over-e2 {e1:?} --nu1 {nu1:?} --e0-over-e2 {e0:?} --nu0 {nu0:?}"
         );
+        if round % 2 == 1 {
+            arguments += &format!(" --tolerance {tolerance:?}");
+        }
 
         let [pi0, eeq, gamma, delta0] = expected.quantities.to_array();
         let rows = [
@@ -90,7 +76,7 @@ fn solve_prints_one_point_to_the_last_bit() {
         let symbol = given.normalisation().symbol();
         assert_eq!(lines[5..], [("normalised_by", symbol)]);
 
-        arguments.push("--json");
+        arguments += " --json";
         let text = workdir.succeed(&arguments);
         let object: Value = serde_json::from_str(&text).expect("JSON");
         assert_eq!(object["normalised_by"], symbol);
@@ -128,12 +114,9 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
         "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1,1.75,0.5,1e5,0.25\n0.1,0,0.3,inf,0.1\n",
     );
     workdir.write("mixed.csv", "# a comment\nnu0, e0_over_e2 ,nu1,a_over_t,e1_over_e2\n0.25,1e5,0.5,1,1.75\n0.1, inf,0.3,0.1,0\n");
-    let answer = workdir.succeed(&["solve", "--points", "ordered.csv"]);
-    assert_eq!(answer, workdir.succeed(&["solve", "--points", "mixed.csv"]));
-    assert_eq!(
-        workdir.succeed(&["solve", "--points", "mixed.csv", "-o", "out.csv"]),
-        ""
-    );
+    let answer = workdir.succeed("solve --points ordered.csv");
+    assert_eq!(answer, workdir.succeed("solve --points mixed.csv"));
+    assert_eq!(workdir.succeed("solve --points mixed.csv -o out.csv"), "");
     assert_eq!(answer.as_bytes(), workdir.read("out.csv"));
 
     // Awkward numbers, without a column nu0: all come back as they were given.
@@ -158,12 +141,12 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
         format!("a_over_t,e1_over_e2,nu1,e0_over_e2\n{rows}"),
     );
     for (arguments, nu0, tolerance) in [
-        (&[][..], 0.25, DEFAULT_TOLERANCE),
-        (&["--nu0", "0.1", "--tolerance", "1e-6"], 0.1, 1e-6),
+        ("", 0.25, DEFAULT_TOLERANCE),
+        ("--nu0 0.1 --tolerance 1e-6", 0.1, 1e-6),
     ] {
         let data = Data::parse(
             "output",
-            &workdir.succeed(&[&["solve", "--points", "points.csv"], arguments].concat()),
+            &workdir.succeed(format!("solve --points points.csv {arguments}")),
         );
         assert_eq!(data.columns(), COLUMNS);
         assert_eq!(data.cases().count(), points.len());
@@ -191,7 +174,7 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
         "points.csv",
         "e0_over_e2,nu1,a_over_t,e1_over_e2\ninf,0.5,0.1,1\ninf,0.5,3.3,1.9\n",
     );
-    let run = workdir.run(&["query", "table.bin", "--points", "points.csv"]);
+    let run = workdir.run("query table.bin --points points.csv");
     assert_eq!(run.status, 0);
     // The empty fields are explained.
     let why = ["points.csv, line 2: fields are empty", "does not hold pi0"];
@@ -227,15 +210,8 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
         assert_eq!(found, expected);
     }
     assert_eq!(lines.next(), None);
-    let to_file = [
-        "query",
-        "table.bin",
-        "--points",
-        "points.csv",
-        "-o",
-        "out.csv",
-    ];
-    assert_eq!(workdir.run(&to_file).stdout, "");
+    let to_file = "query table.bin --points points.csv -o out.csv";
+    assert_eq!(workdir.run(to_file).stdout, "");
     assert_eq!(workdir.read("out.csv"), answer.as_bytes());
 }
 
@@ -268,11 +244,11 @@ fn a_table_of_gamma_alone_answers_all_four_with_the_error_that_it_states() {
     let points = acceptance::shipped("points.csv");
     let points = points.to_str().expect("a path in UTF-8");
     // The command of the README.
-    let command = ["query", "embedded", "--points", points];
+    let command = format!("query embedded --points {points}");
     let answer = workdir.succeed(&command);
     // The certificate holds at its own points; others exceed it by a few times at most.
     assert_all_four(&answer, 3.0);
-    let gradient = workdir.succeed(&[&command[..], &["--gradient"]].concat());
+    let gradient = workdir.succeed(format!("{command} --gradient"));
     assert_all_four(&gradient, 3.0);
     for row in gradient.lines() {
         assert!(!row.split(',').any(str::is_empty), "{row}");
@@ -282,10 +258,7 @@ fn a_table_of_gamma_alone_answers_all_four_with_the_error_that_it_states() {
         "beyond.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1e-4,1.75,0.5,1e5,0.25\n2e3,1.75,0.5,1e5,0.25\n",
     );
-    assert_all_four(
-        &workdir.succeed(&["query", "embedded", "--points", "beyond.csv"]),
-        1.0,
-    );
+    assert_all_four(&workdir.succeed("query embedded --points beyond.csv"), 1.0);
 }
 
 #[test]
@@ -304,7 +277,7 @@ fn a_table_of_gamma_that_begins_too_late_says_why_fields_are_empty() {
             "points.csv",
             "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n4,1,0.5,inf\n",
         );
-        let run = workdir.run(&["query", "late.bin", "--points", "points.csv"]);
+        let run = workdir.run("query late.bin --points points.csv");
         assert_eq!(run.status, 0);
         let data = Data::parse("query", &run.stdout);
         for case in data.cases() {
@@ -333,7 +306,7 @@ fn query_prints_the_derivatives_that_the_table_knows() {
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n",
     );
-    let answer = workdir.succeed(&["query", "table.bin", "--points", "points.csv", "--gradient"]);
+    let answer = workdir.succeed("query table.bin --points points.csv --gradient");
     let data = Data::parse("query", &answer);
     assert_eq!(data.columns()[..10], COLUMNS);
     let curve = table
@@ -362,10 +335,7 @@ fn query_prints_the_derivatives_that_the_table_knows() {
             .to_packed()
             .expect("a small table"),
     );
-    let message = workdir.fail(
-        1,
-        &["query", "table.bin", "--points", "points.csv", "--gradient"],
-    );
+    let message = workdir.fail(1, "query table.bin --points points.csv --gradient");
     assert!(message.contains("does not hold pi0"), "{message}");
 }
 
@@ -459,11 +429,8 @@ fn a_bad_file_of_points_is_named_with_the_line() {
     let mut wrong = Vec::new();
     for (what, text, words) in BAD_POINTS {
         workdir.write("points.csv", text);
-        for command in [&["solve"][..], &["query", "table.bin"]] {
-            let message = workdir.fail(
-                1,
-                &[command, &["--points", "points.csv", "-o", "out.csv"]].concat(),
-            );
+        for command in ["solve", "query table.bin"] {
+            let message = workdir.fail(1, format!("{command} --points points.csv -o out.csv"));
             if !words
                 .iter()
                 .chain(&["points.csv"])
@@ -483,18 +450,9 @@ fn solve_adds_the_columns_of_other_probes() {
     let given = material([1.75, 0.5, 1e5, 0.25]);
     let (solution, power_laws) =
         solve_power_laws(3.0, &given, &[1.0, 2.5], DEFAULT_TOLERANCE).expect("within reach");
-    let point = [
-        "--a-over-t",
-        "3",
-        "--e1-over-e2",
-        "1.75",
-        "--nu1",
-        "0.5",
-        "--e0-over-e2",
-        "1e5",
-    ];
-    let probes = ["--exponent", "1", "--exponent", "2.5"];
-    let arguments = [&["solve"][..], &point, &probes].concat();
+    let point = "--a-over-t 3 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5";
+    let probes = "--exponent 1 --exponent 2.5";
+    let arguments = format!("solve {point} {probes}");
     let expected = [
         ("pi_1", power_laws[0].pi),
         ("delta_1", power_laws[0].delta),
@@ -503,7 +461,7 @@ fn solve_adds_the_columns_of_other_probes() {
         ("error", solution.error),
     ];
     let text = workdir.succeed(&arguments);
-    let json = workdir.succeed(&[&arguments[..], &["--json"]].concat());
+    let json = workdir.succeed(format!("{arguments} --json"));
     for (name, value) in expected {
         assert!(
             text.contains(&format!("{name:13} = {value:?}\n")),
@@ -519,7 +477,7 @@ fn solve_adds_the_columns_of_other_probes() {
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n3,1.75,0.5,1e5\n",
     );
-    let table = workdir.succeed(&[&["solve", "--points", "points.csv"][..], &probes].concat());
+    let table = workdir.succeed(format!("solve --points points.csv {probes}"));
     let data = Data::parse("solve", &table);
     let further = ["pi_1", "delta_1", "pi_2.5", "delta_2.5"];
     assert_eq!(data.columns(), [&COLUMNS[..], &further].concat());
@@ -534,17 +492,9 @@ fn solve_adds_the_columns_of_other_probes() {
         ("nan", &["exponent = NaN", "0.1 to 20.0"]),
         ("-1", &["exponent = -1.0", "0.1 to 20.0"]),
     ] {
-        let error = workdir.fail(
-            1,
-            &[&["solve"][..], &point, &["--exponent", exponent]].concat(),
-        );
+        let error = workdir.fail(1, format!("solve {point} --exponent {exponent}"));
         assert_names(&error, words);
     }
-    let twice = [
-        &["solve"][..],
-        &point,
-        &["--exponent", "1", "--exponent", "1.0"],
-    ]
-    .concat();
+    let twice = format!("solve {point} --exponent 1 --exponent 1.0");
     assert_names(&workdir.fail(1, &twice), &["--exponent 1", "twice"]);
 }

@@ -16,31 +16,21 @@ fn value(text: &str, name: &str) -> f64 {
 #[test]
 fn a_film_much_thicker_than_the_sphere_is_solved() {
     let workdir = workdir!();
-    let bodies = [
-        "--sphere-radius",
-        "1e-6",
-        "--sphere-modulus",
-        "inf",
-        "--film-modulus",
-        "2e4",
-        "--work-of-adhesion",
-        "1e-4",
-        "--film-thickness",
-    ];
+    let bodies = "--sphere-radius 1e-6 --sphere-modulus inf --film-modulus 2e4 --work-of-adhesion 1e-4 \
+         --film-thickness";
     // -1.5 pi w R on a half-space, to the film's (a/t).
     let half_space = -1.5 * std::f64::consts::PI * 1e-10;
     for thickness in ["1e-4", "1e-3", "1e-2"] {
-        let text = workdir.succeed(&[&["pull-off"][..], &bodies, &[thickness]].concat());
+        let text = workdir.succeed(format!("pull-off {bodies} {thickness}"));
         let error = value(&text, "load") / half_space - 1.0;
         assert!(error.abs() < 0.05, "{thickness}: {text}");
-        let embedded =
-            workdir.succeed(&[&["pull-off", "embedded"][..], &bodies, &[thickness]].concat());
+        let embedded = workdir.succeed(format!("pull-off embedded {bodies} {thickness}"));
         let error = value(&text, "load") / value(&embedded, "load") - 1.0;
         assert!(error.abs() < 1e-5, "{thickness}: {text} {embedded}");
     }
     for thickness in ["0.9", "1e3"] {
-        let allowed = ["pull-off", "--allow", "magnitudes"];
-        let error = workdir.fail(1, &[&allowed[..], &bodies, &[thickness]].concat());
+        let allowed = "pull-off --allow magnitudes";
+        let error = workdir.fail(1, format!("{allowed} {bodies} {thickness}"));
         assert_names(
             &error,
             &["the film is so thick", "1e4 times the radius of the sphere"],
@@ -55,13 +45,12 @@ fn an_incompressible_film_between_rigid_bodies_is_solved() {
     let bodies = "--sphere-radius 10um --sphere-modulus inf --film-modulus 5kPa --film-poisson-ratio 0.5 \
                   --substrate-modulus inf --work-of-adhesion 50uJ/m^2 --film-thickness";
     for thickness in ["20um", "1um"] {
-        let load = |command: &[&str]| {
-            let bodies: Vec<&str> = bodies.split_whitespace().collect();
+        let load = |command: &str| {
             // On standard error the program says how much friction would change.
-            let run = workdir.run(&[command, &bodies, &[thickness]].concat());
+            let run = workdir.run(format!("{command} {bodies} {thickness}"));
             value(&run.stdout, "load")
         };
-        let error = load(&["pull-off"]) / load(&["pull-off", "embedded"]) - 1.0;
+        let error = load("pull-off") / load("pull-off embedded") - 1.0;
         assert!(error.abs() < 2e-6, "{thickness}: {error:e}");
     }
 }
@@ -70,29 +59,12 @@ fn an_incompressible_film_between_rigid_bodies_is_solved() {
 #[test]
 fn a_flat_end_far_narrower_than_the_film_is_thick_is_solved() {
     let workdir = workdir!();
-    let bodies = [
-        "--probe",
-        "flat-ended-cone",
-        "--sphere-radius",
-        "2e-8",
-        "--half-angle",
-        "68.75",
-        "--sphere-modulus",
-        "inf",
-        "--film-modulus",
-        "2e4",
-        "--film-poisson-ratio",
-        "0.5",
-        "--film-thickness",
-        "1e-3",
-        "--substrate-modulus",
-        "7e10",
-        "--work-of-adhesion",
-        "1e-4",
-    ];
+    let bodies = "--probe flat-ended-cone --sphere-radius 2e-8 --half-angle 68.75 --sphere-modulus inf \
+         --film-modulus 2e4 --film-poisson-ratio 0.5 --film-thickness 1e-3 \
+         --substrate-modulus 7e10 --work-of-adhesion 1e-4";
     // The smallest load over all contact radii, by a fine scan.
-    for table in [&["pull-off"][..], &["pull-off", "embedded"]] {
-        let text = workdir.succeed(&[table, &bodies].concat());
+    for table in ["pull-off", "pull-off embedded"] {
+        let text = workdir.succeed(format!("{table} {bodies}"));
         let [load, radius] = ["load", "contact_radius"].map(|name| value(&text, name));
         assert!((load / -1.100e-10 - 1.0).abs() < 1e-3, "{text}");
         assert!((radius / 1.419e-7 - 1.0).abs() < 1e-3, "{text}");
@@ -102,14 +74,8 @@ fn a_flat_end_far_narrower_than_the_film_is_thick_is_solved() {
 #[test]
 fn a_short_range_on_a_thin_film_is_refused_with_the_reach() {
     let workdir = workdir!();
-    let arguments = [
-        "pull-off",
-        "--film-thickness",
-        "1e-7",
-        "--interaction-range",
-        "1e-10",
-    ];
-    let error = workdir.fail(1, &arguments);
+    let arguments = "pull-off --film-thickness 1e-7 --interaction-range 1e-10";
+    let error = workdir.fail(1, arguments);
     assert_names(&error, &["pull-off", "1.2e-5 m", "1e-7 m"]);
     assert!(!error.contains("contact radius"), "{error}");
 }
@@ -130,16 +96,9 @@ fn a_thin_layer_on_layers_like_the_base_is_refused_with_the_a_over_t_given() {
         layer("5e6", "1e-9")
     );
     workdir.write("stack.toml", &text);
-    let arguments = [
-        "solve",
-        "--stack",
-        "stack.toml",
-        "--sphere-modulus",
-        "2e6",
-        "--a-over-t",
-    ];
-    let error = workdir.fail(1, &[&arguments[..], &["6.04"]].concat());
+    let arguments = "solve --stack stack.toml --sphere-modulus 2e6 --a-over-t";
+    let error = workdir.fail(1, format!("{arguments} 6.04"));
     assert_names(&error, &["a_over_t = 6.04", "top layer"]);
     assert!(!error.contains("outside the domain"), "{error}");
-    workdir.succeed(&[&arguments[..], &["0.9"]].concat());
+    workdir.succeed(format!("{arguments} 0.9"));
 }

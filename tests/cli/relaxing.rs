@@ -3,52 +3,23 @@
 use acceptance::{Data, Workdir, assert_names, workdir};
 use serde_json::Value;
 
-const GEL: [&str; 10] = [
-    "--sphere-radius",
-    "10um",
-    "--sphere-modulus",
-    "inf",
-    "--film-thickness",
-    "8um",
-    "--film-poisson-ratio",
-    "0.5",
-    "--substrate-modulus",
-    "inf",
-];
+const GEL: &str = "--sphere-radius 10um --sphere-modulus inf --film-thickness 8um --film-poisson-ratio 0.5 \
+     --substrate-modulus inf";
 
-const POWER: [&str; 4] = ["--relaxation", "power-law", "--relaxation-exponent", "0.2"];
+const POWER: &str = "--relaxation power-law --relaxation-exponent 0.2";
 
 /// Writes penetrations and loads of a gel in time.
-fn simulate(workdir: &Workdir, law: &[&str], name: &str) -> String {
-    let plan = [
-        "simulate",
-        "--kind",
-        "load-penetration",
-        "--film-modulus",
-        "2kPa",
-        "--from",
-        "-50nm",
-        "--to",
-        "400nm",
-        "--points",
-        "50",
-        "--sample-interval",
-        "20ms",
-        "--hold",
-        "0.4",
-        "--noise",
-        "20pN",
-        "--seed",
-        "3",
-        "-o",
-        name,
-    ];
-    workdir.succeed(&[&plan[..], &GEL, law].concat());
+fn simulate(workdir: &Workdir, law: &str, name: &str) -> String {
+    let plan = format!(
+        "simulate --kind load-penetration --film-modulus 2kPa --from -50nm --to 400nm \
+         --points 50 --sample-interval 20ms --hold 0.4 --noise 20pN --seed 3 -o {name}"
+    );
+    workdir.succeed(format!("{plan} {GEL} {law}"));
     String::from_utf8(workdir.read(name)).expect("text")
 }
 
-fn fit(workdir: &Workdir, more: &[&str]) -> Value {
-    let command = [&["fit", "data.csv", "--json"][..], &GEL, more].concat();
+fn fit(workdir: &Workdir, more: &str) -> Value {
+    let command = format!("fit data.csv --json {GEL} {more}");
     let text = workdir.succeed(&command);
     serde_json::from_str(&text).expect("JSON")
 }
@@ -56,10 +27,10 @@ fn fit(workdir: &Workdir, more: &[&str]) -> Value {
 #[test]
 fn what_is_simulated_is_found() {
     let workdir = workdir!();
-    let text = simulate(&workdir, &POWER, "data.csv");
+    let text = simulate(&workdir, POWER, "data.csv");
     let data = Data::parse("data", &text);
     assert_eq!(data.cases().count(), 120);
-    let found = fit(&workdir, &["--relaxation", "power-law"]);
+    let found = fit(&workdir, "--relaxation power-law");
     for (name, truth) in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)] {
         let of = &found["parameters"][name];
         let [value, error] = ["value", "stderr"].map(|key| of[key].as_f64().expect("a number"));
@@ -72,14 +43,14 @@ fn what_is_simulated_is_found() {
     assert_eq!(relaxation["law"], "power-law");
     assert_eq!(relaxation["moduli"].as_array().expect("a list").len(), 3);
     assert_eq!(relaxation["made_monotone"], 0.0);
-    assert!(fit(&workdir, &["--relaxation", "sls"])["parameters"]["relaxed_fraction"].is_object());
+    assert!(fit(&workdir, "--relaxation sls")["parameters"]["relaxed_fraction"].is_object());
 }
 
 #[test]
 fn the_interval_between_points_stands_for_times() {
     let workdir = workdir!();
-    let text = simulate(&workdir, &POWER, "data.csv");
-    let with_times = fit(&workdir, &["--relaxation", "power-law"]);
+    let text = simulate(&workdir, POWER, "data.csv");
+    let with_times = fit(&workdir, "--relaxation power-law");
     let without: String = text
         .lines()
         .map(|line| {
@@ -88,63 +59,58 @@ fn the_interval_between_points_stands_for_times() {
         })
         .collect();
     workdir.write("data.csv", without);
-    let by_interval = ["--relaxation", "power-law", "--sample-interval", "20ms"];
+    let by_interval = "--relaxation power-law --sample-interval 20ms";
     let value = |found: &Value| found["parameters"]["film_modulus"]["value"].as_f64();
-    let [one, other] = [with_times, fit(&workdir, &by_interval)].map(|found| value(&found));
+    let [one, other] = [with_times, fit(&workdir, by_interval)].map(|found| value(&found));
     let [one, other] = [one, other].map(|value| value.expect("a number"));
     assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
-    let fails = |more: &[&str], words: &[&str]| {
-        let run = workdir.run(&[&["fit", "data.csv"][..], &GEL, more].concat());
+    let fails = |more: &str, words: &[&str]| {
+        let run = workdir.run(format!("fit data.csv {GEL} {more}"));
         assert_ne!(run.status, 0);
         assert_names(&run.stderr, words);
     };
     fails(
-        &["--relaxation", "power-law"],
+        "--relaxation power-law",
         &["no times", "--sample-interval", "--column"],
     );
     let swapped = text.replacen("penetration,load", "load,penetration", 1);
     assert_ne!(swapped, text);
     workdir.write("swapped.csv", swapped);
-    let law = ["--relaxation", "power-law"];
-    let run = workdir.run(&[&["fit", "swapped.csv"][..], &GEL, &law].concat());
+    let law = "--relaxation power-law";
+    let run = workdir.run(format!("fit swapped.csv {GEL} {law}"));
     assert_ne!(run.status, 0);
     assert_names(&run.stderr, &["swapped.csv", "begin in contact", "columns"]);
-    let run = workdir.run(&[&["fit", "none.csv"][..], &GEL, &law].concat());
+    let run = workdir.run(format!("fit none.csv {GEL} {law}"));
     assert_names(&run.stderr, &["none.csv", "No such file"]);
-    fails(&["--relaxation", "power"], &["power-law", "prony:M", "sls"]);
-    fails(&["--relaxation", "prony:0"], &["prony:0", "prony:2"]);
+    fails("--relaxation power", &["power-law", "prony:M", "sls"]);
+    fails("--relaxation prony:0", &["prony:0", "prony:2"]);
     fails(
-        &["--relaxation", "power-law", "--relaxed-fraction", "0.3"],
+        "--relaxation power-law --relaxed-fraction 0.3",
         &["--relaxed-fraction", "relaxation-exponent"],
     );
-    fails(&["--relaxation-exponent", "0.3"], &["--relaxation"]);
+    fails("--relaxation-exponent 0.3", &["--relaxation"]);
     fails(
-        &["--relaxation", "power-law", "--relaxation-exponent", "1.2"],
+        "--relaxation power-law --relaxation-exponent 1.2",
         &["relaxation exponent = 1.2", "below 1"],
     );
     fails(
-        &["--relaxation", "sls", "--relaxed-fraction", "1.3"],
+        "--relaxation sls --relaxed-fraction 1.3",
         &["relaxed fraction = 1.3", "from 0 to 1"],
     );
     fails(
-        &[&by_interval[..], &["--free", "film-modulus"]].concat(),
+        &format!("{by_interval} --free film-modulus"),
         &["relaxation-exponent", "--value relaxation-exponent="],
     );
     fails(
-        &[&by_interval[..], &["--work-of-adhesion", "1uJ/m^2"]].concat(),
+        &format!("{by_interval} --work-of-adhesion 1uJ/m^2"),
         &["work of adhesion", "crack tip"],
     );
     fails(
-        &["--relaxation", "power-law", "--sample-interval", "20nm"],
+        "--relaxation power-law --sample-interval 20nm",
         &["20nm", "a time is wanted"],
     );
     fails(
-        &[
-            "--work-of-adhesion",
-            "0",
-            "--free",
-            "film-modulus,relaxation-exponent",
-        ],
+        "--work-of-adhesion 0 --free film-modulus,relaxation-exponent",
         &["relaxation-exponent", "relaxation function"],
     );
 }
@@ -152,38 +118,20 @@ fn the_interval_between_points_stands_for_times() {
 #[test]
 fn a_loop_in_time_names_the_flag() {
     let workdir = workdir!();
-    simulate(&workdir, &POWER, "data.csv");
-    let elastic = [
-        "--work-of-adhesion",
-        "0",
-        "--free",
-        "film-modulus,contact-point",
-    ];
-    let run = workdir.run(&[&["fit", "data.csv"][..], &GEL, &elastic].concat());
+    simulate(&workdir, POWER, "data.csv");
+    let elastic = "--work-of-adhesion 0 --free film-modulus,contact-point";
+    let run = workdir.run(format!("fit data.csv {GEL} {elastic}"));
     assert_names(&run.stdout, &["loop", "times", "--relaxation power-law"]);
 }
 
 #[test]
 fn a_simulation_without_the_numbers_of_the_law_asks_for_them() {
     let workdir = workdir!();
-    let plan = [
-        "simulate",
-        "--kind",
-        "load-penetration",
-        "--film-modulus",
-        "2kPa",
-        "--from",
-        "-50nm",
-        "--to",
-        "400nm",
-        "--noise",
-        "0",
-        "--relaxation",
-        "sls",
-    ];
-    let run = workdir.run(&[&plan[..], &GEL].concat());
+    let plan = "simulate --kind load-penetration --film-modulus 2kPa --from -50nm --to 400nm --noise \
+         0 --relaxation sls";
+    let run = workdir.run(format!("{plan} {GEL}"));
     assert_names(&run.stderr, &["relaxed-fraction", "relaxation-time"]);
-    let numbers = ["--relaxed-fraction", "0.3", "--relaxation-time", "0.2s"];
-    let run = workdir.run(&[&plan[..], &GEL, &numbers].concat());
+    let numbers = "--relaxed-fraction 0.3 --relaxation-time 0.2s";
+    let run = workdir.run(format!("{plan} {GEL} {numbers}"));
     assert_names(&run.stderr, &["no times", "--sample-interval"]);
 }

@@ -7,20 +7,10 @@ use serde_json::Value;
 use crate::solved;
 
 /// The lens of the documentation: radii and loads, on a film of 10 um.
-const LENS: [&str; 9] = [
-    "simulate",
-    "--kind",
-    "load-radius",
-    "--film-thickness",
-    "1e-5",
-    "--from",
-    "4.2e-5",
-    "--to",
-    "1.3e-4",
-];
+const LENS: &str = "simulate --kind load-radius --film-thickness 1e-5 --from 4.2e-5 --to 1.3e-4";
 
-fn simulate(workdir: &Workdir, more: &[&str]) -> String {
-    workdir.succeed(&[&LENS, more].concat())
+fn simulate(workdir: &Workdir, more: &str) -> String {
+    workdir.succeed(format!("{LENS} {more}"))
 }
 
 #[test]
@@ -28,7 +18,7 @@ fn without_noise_the_loads_are_those_of_direct_solves() {
     /// The certified error of the embedded table is 3e-7.
     const ERROR: f64 = 1e-6;
     let workdir = workdir!();
-    let text = simulate(&workdir, &["--noise", "0", "--value", "load-offset=1e-6"]);
+    let text = simulate(&workdir, "--noise 0 --value load-offset=1e-6");
     let data = Data::parse("data", &text);
     assert_eq!(data.columns(), ["contact_radius", "load"]);
     assert_eq!(data.cases().count(), 40);
@@ -53,13 +43,13 @@ fn without_noise_the_loads_are_those_of_direct_solves() {
 fn a_seed_always_gives_the_same_data_and_the_noise_asked_for() {
     let workdir = workdir!();
     let noisy = |seed: &str| {
-        let more = ["--noise", "5e-6", "--points", "2000", "--seed", seed];
+        let more = format!("--noise 5e-6 --points 2000 --seed {seed}");
         simulate(&workdir, &more)
     };
     let [one, again, other] = ["1", "1", "2"].map(noisy);
     assert_eq!(one, again);
     assert_ne!(one, other);
-    let clean = simulate(&workdir, &["--noise", "0", "--points", "2000"]);
+    let clean = simulate(&workdir, "--noise 0 --points 2000");
     let [one, clean] = [one, clean].map(|text| Data::parse("data", &text));
     let squares = one
         .cases()
@@ -73,16 +63,16 @@ fn a_seed_always_gives_the_same_data_and_the_noise_asked_for() {
 #[test]
 fn the_expected_errors_are_those_of_a_fit() {
     let workdir = workdir!();
-    let free = ["--free", "sphere-modulus,film-modulus,work-of-adhesion"];
+    let free = "--free sphere-modulus,film-modulus,work-of-adhesion";
     // So small that the model is linear over the errors.
-    let noise = ["--noise", "5e-7"];
-    let expect = [&noise[..], &free, &["--expect", "--json"]].concat();
+    let noise = "--noise 5e-7";
+    let expect = format!("{noise} {free} --expect --json");
     let expected: Value = serde_json::from_str(&simulate(&workdir, &expect)).expect("JSON");
-    let data = simulate(&workdir, &[&noise[..], &["--seed", "1"]].concat());
+    let data = simulate(&workdir, &format!("{noise} --seed 1"));
     workdir.write("data.csv", data);
-    let fit = ["fit", "data.csv", "--film-thickness", "1e-5", "--json"];
-    let paper = ["--specimen", "paper"];
-    let found = workdir.succeed(&[&fit[..], &paper, &free, &noise].concat());
+    let fit = "fit data.csv --film-thickness 1e-5 --json";
+    let paper = "--specimen paper";
+    let found = workdir.succeed(format!("{fit} {paper} {free} {noise}"));
     let found: Value = serde_json::from_str(&found).expect("JSON");
     for (name, truth) in [
         ("sphere_modulus", 2e6),
@@ -107,34 +97,10 @@ fn the_expected_errors_are_those_of_a_fit() {
 #[test]
 fn a_cycle_goes_there_and_back() {
     let workdir = workdir!();
-    let cycle = [
-        "simulate",
-        "--kind",
-        "force-height",
-        "--sphere-radius",
-        "1e-5",
-        "--sphere-modulus",
-        "inf",
-        "--film-modulus",
-        "5e3",
-        "--film-thickness",
-        "2e-5",
-        "--work-of-adhesion",
-        "1e-4",
-        "--stiffness",
-        "0.1",
-        "--from",
-        "1e-6",
-        "--to",
-        "-1e-6",
-        "--points",
-        "5",
-        "--noise",
-        "0",
-        "--value",
-        "baseline=1e-9",
-    ];
-    let text = workdir.succeed(&cycle);
+    let cycle = "simulate --kind force-height --sphere-radius 1e-5 --sphere-modulus inf \
+         --film-modulus 5e3 --film-thickness 2e-5 --work-of-adhesion 1e-4 --stiffness 0.1 \
+         --from 1e-6 --to -1e-6 --points 5 --noise 0 --value baseline=1e-9";
+    let text = workdir.succeed(cycle);
     assert!(text.starts_with("# Synthetic, not measured. SI units.\n# tabulate simulate --kind "));
     let lines: Vec<&str> = text.lines().skip(2).collect();
     assert_eq!(lines[0], "height,load,segment");
@@ -159,7 +125,7 @@ fn a_cycle_goes_there_and_back() {
         "the baseline"
     );
     for (ways, points) in [("approach", 5), ("retract", 5), ("none", 5), ("cycle", 10)] {
-        let text = workdir.succeed(&[&cycle[..], &["--segments", ways]].concat());
+        let text = workdir.succeed(format!("{cycle} --segments {ways}"));
         assert_eq!(text.lines().count(), 3 + points, "{ways}");
         assert_eq!(text.contains("segment\n"), ways != "none");
     }
@@ -168,40 +134,30 @@ fn a_cycle_goes_there_and_back() {
 #[test]
 fn what_cannot_be_simulated_is_an_error() {
     let workdir = workdir!();
-    let cases: [(&[&str], i32, &[&str]); 7] = [
-        (&[], 2, &["--noise"]),
-        (&["--noise", "-1"], 1, &["noise", "-1"]),
-        (&["--noise", "nan"], 1, &["noise", "NaN"]),
+    let cases: [(&str, i32, &[&str]); 7] = [
+        ("", 2, &["--noise"]),
+        ("--noise -1", 1, &["noise", "-1"]),
+        ("--noise nan", 1, &["noise", "NaN"]),
+        ("--noise 1e-6 --free film-modulus", 1, &["--expect"]),
+        ("--noise 1e-6 --json", 2, &["--expect"]),
         (
-            &["--noise", "1e-6", "--free", "film-modulus"],
-            1,
-            &["--expect"],
-        ),
-        (&["--noise", "1e-6", "--json"], 2, &["--expect"]),
-        (
-            &["--noise", "1e-6", "--value", "offset=1"],
+            "--noise 1e-6 --value offset=1",
             2,
             &["offset", "load-offset"],
         ),
         (
-            &["--noise", "1e-6", "--value", "load-offset=1,2"],
+            "--noise 1e-6 --value load-offset=1,2",
             1,
             &["load-offset", "2 values for 1 files"],
         ),
     ];
     for (more, status, words) in cases {
-        let message = workdir.fail(status, &[&LENS, more].concat());
+        let message = workdir.fail(status, format!("{LENS} {more}"));
         assert_names(&message, words);
     }
-    let mut same = LENS.map(str::to_owned);
-    same[8] = same[6].clone();
-    let arguments: Vec<&str> = same
-        .iter()
-        .map(String::as_str)
-        .chain(["--noise", "0"])
-        .collect();
+    let same = LENS.replace("--to 1.3e-4", "--to 4.2e-5");
     assert_names(
-        &workdir.fail(1, &arguments),
+        &workdir.fail(1, format!("{same} --noise 0")),
         &["--from", "--to", "different"],
     );
 }

@@ -28,22 +28,24 @@ const PAPER: [(&str, &str, &str); 8] = [
 ];
 
 /// Returns the flags of the paper's system without some of them.
-fn without(left_out: &[&str]) -> Vec<&'static str> {
-    let flags = PAPER.iter().filter(|(flag, ..)| !left_out.contains(flag));
-    flags.flat_map(|(flag, value, _)| [*flag, *value]).collect()
+fn without(left_out: &str) -> String {
+    let is_left_out = |flag: &str| left_out.split(' ').any(|one| one == flag);
+    let flags = PAPER.iter().filter(|(flag, ..)| !is_left_out(flag));
+    flags
+        .map(|(flag, value, _)| format!("{flag} {value} "))
+        .collect()
 }
 
 /// Writes a lens on a film of 30 um, a gel under a cantilever, and depths against radii.
 fn measured() -> Workdir {
     let workdir = workdir!();
-    let all = without(&["--film-thickness"]);
+    let all = without("--film-thickness");
     let lens = "simulate --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN -o lens.csv";
     let gel = "simulate --kind force-height --film-thickness 30um --stiffness 0.1N/m --from 1um --to -1um --noise 1uN \
                -o gel.csv";
     let depths = "simulate --kind penetration-radius --film-thickness 30um --from 42um --to 130um --noise 10nm -o depths.csv";
     for command in [lens, gel, depths] {
-        let command: Vec<&str> = command.split_whitespace().collect();
-        workdir.succeed(&[&command[..], &all].concat());
+        workdir.succeed(format!("{command} {all}"));
     }
     workdir
 }
@@ -67,58 +69,33 @@ fn a_fit_lists_all_that_is_missing_at_once_and_no_more() {
         substrate[1],
         "--stiffness",
     ];
-    let cases: [(&[&str], &[&str]); 11] = [
-        (&["lens.csv"], &usual),
-        (&["gel.csv"], &[&usual[..], &["--stiffness"]].concat()),
+    let cases: [(&str, &[&str]); 11] = [
+        ("lens.csv", &usual),
+        ("gel.csv", &[&usual[..], &["--stiffness"]].concat()),
         // Under a rigid sphere the modulus of the film is free.
-        (&["gel.csv", "--sphere-modulus", "inf"], &gel_rigid),
+        ("gel.csv --sphere-modulus inf", &gel_rigid),
         (
-            &[
-                "gel.csv",
-                "--sphere-modulus",
-                "inf",
-                "--substrate-modulus",
-                "inf",
-                "--stiffness",
-                "1",
-            ],
+            "gel.csv --sphere-modulus inf --substrate-modulus inf --stiffness 1",
             &[sphere, film[0], film[2]],
         ),
-        (&["lens.csv", "--half-space"], &[sphere, film[1], film[2]]),
-        (&["lens.csv", "--stack", "stack.toml"], &[sphere]),
+        ("lens.csv --half-space", &[sphere, film[1], film[2]]),
+        ("lens.csv --stack stack.toml", &[sphere]),
         (
-            &["lens.csv", "--stack", "stack.toml", "--free", "top.modulus"],
+            "lens.csv --stack stack.toml --free top.modulus",
             &[sphere, "--sphere-modulus", "--work-of-adhesion"],
         ),
         (
-            &[
-                "lens.csv",
-                "--probe",
-                "cone",
-                "--half-angle",
-                "70",
-                "--half-space",
-            ],
+            "lens.csv --probe cone --half-angle 70 --half-space",
             &[film[1], film[2]],
         ),
         // Of two moduli the data tell the start of one.
         (
-            &[
-                "lens.csv",
-                "--half-space",
-                "--free",
-                "sphere-modulus,film-modulus,work-of-adhesion",
-            ],
+            "lens.csv --half-space --free sphere-modulus,film-modulus,work-of-adhesion",
             &[sphere, film[1], film[2]],
         ),
         // Without loads they tell none.
         (
-            &[
-                "depths.csv",
-                "--half-space",
-                "--free",
-                "sphere-modulus,contact-point",
-            ],
+            "depths.csv --half-space --free sphere-modulus,contact-point",
             &[
                 sphere,
                 "--sphere-modulus",
@@ -129,19 +106,12 @@ fn a_fit_lists_all_that_is_missing_at_once_and_no_more() {
         ),
         // Each file has its own value.
         (
-            &[
-                "lens.csv",
-                "lens.csv",
-                "--value",
-                "film-thickness=30um,1um",
-                "--value",
-                "film-modulus=1MPa",
-            ],
+            "lens.csv lens.csv --value film-thickness=30um,1um --value film-modulus=1MPa",
             &[sphere, film[2], substrate[0], substrate[1]],
         ),
     ];
     for (more, expected) in cases {
-        let message = workdir.fail(1, &[&["fit"], more].concat());
+        let message = workdir.fail(1, format!("fit {more}"));
         for (flag, _, question) in PAPER {
             let asked = message.contains(&format!("{flag} is missing: "));
             assert_eq!(
@@ -155,26 +125,21 @@ fn a_fit_lists_all_that_is_missing_at_once_and_no_more() {
         assert_eq!(stiffness, expected.contains(&"--stiffness"), "{message}");
         assert_names(&message, &["--specimen paper"]);
     }
-    let both = [
-        "lens.csv",
-        "--half-space",
-        "--free",
-        "sphere-modulus,film-modulus",
-    ];
-    let message = workdir.fail(1, &[&["fit"], &both[..]].concat());
+    let both = "fit lens.csv --half-space --free sphere-modulus,film-modulus";
+    let message = workdir.fail(1, both);
     assert_names(&message, &["starts from it: a guess will do"]);
 }
 
 #[test]
 fn a_free_modulus_and_a_free_work_of_adhesion_need_no_value() {
     let workdir = measured();
-    let fit = |more: &[&str]| -> Value {
-        let known = without(&["--sphere-modulus", "--work-of-adhesion", "--film-thickness"]);
-        let arguments = ["fit", "lens.csv", "--json", "--film-thickness", "30um"];
-        let text = workdir.succeed(&[&arguments[..], &known, more].concat());
+    let fit = |more: &str| -> Value {
+        let known = without("--sphere-modulus --work-of-adhesion --film-thickness");
+        let arguments = "fit lens.csv --json --film-thickness 30um";
+        let text = workdir.succeed(format!("{arguments} {known} {more}"));
         serde_json::from_str(&text).expect("JSON")
     };
-    let found = fit(&[]);
+    let found = fit("");
     let modulus = found["parameters"]["sphere_modulus"]["value"].as_f64();
     assert!(
         (modulus.expect("a number") / 2e6 - 1.0).abs() < 0.02,
@@ -184,7 +149,9 @@ fn a_free_modulus_and_a_free_work_of_adhesion_need_no_value() {
     for value in ["1kPa", "1GPa"] {
         assert_eq!(
             found,
-            fit(&["--sphere-modulus", value, "--work-of-adhesion", "1J/m^2"])
+            fit(&format!(
+                "--sphere-modulus {value} --work-of-adhesion 1J/m^2"
+            ))
         );
     }
 }
@@ -192,29 +159,25 @@ fn a_free_modulus_and_a_free_work_of_adhesion_need_no_value() {
 #[test]
 fn the_specimen_of_the_paper_stands_in_where_it_is_asked_for() {
     let workdir = measured();
-    let fit = |known: &[&str]| {
-        let arguments = ["fit", "lens.csv", "--json", "--film-thickness", "30um"];
-        workdir.succeed(&[&arguments[..], known].concat())
+    let fit = |known: &str| {
+        let arguments = "fit lens.csv --json --film-thickness 30um";
+        workdir.succeed(format!("{arguments} {known}"))
     };
-    let all = without(&["--film-thickness", "--sphere-modulus", "--work-of-adhesion"]);
-    assert_eq!(fit(&["--specimen", "paper"]), fit(&all));
+    let all = without("--film-thickness --sphere-modulus --work-of-adhesion");
+    assert_eq!(fit("--specimen paper"), fit(&all));
     // The stiffness is of no specimen.
-    let message = workdir.fail(1, &["fit", "gel.csv", "--specimen", "paper"]);
+    let message = workdir.fail(1, "fit gel.csv --specimen paper");
     assert_names(&message, &["gel.csv", "--stiffness"]);
 }
 
 #[test]
 fn other_commands_name_the_values_of_the_example_in_a_comment_line() {
     let workdir = workdir!();
-    let range = ["--from", "40um", "--to", "50um"];
-    let simulate = [
-        &["simulate", "--kind", "load-radius", "--noise", "0"],
-        &range[..],
-    ]
-    .concat();
-    let commands: [&[&str]; 3] = [
-        &["curve", "embedded", "--points", "2"],
-        &["pull-off", "embedded", "--json"],
+    let range = "--from 40um --to 50um";
+    let simulate = format!("simulate --kind load-radius --noise 0 {range}");
+    let commands = [
+        "curve embedded --points 2",
+        "pull-off embedded --json",
         &simulate,
     ];
     for command in commands {
@@ -234,28 +197,20 @@ fn other_commands_name_the_values_of_the_example_in_a_comment_line() {
             let lines = text.lines().filter(|line| !line.starts_with('#'));
             lines.map(str::to_owned).collect()
         };
-        for more in [&["--specimen", "paper"][..], &without(&[])] {
-            let run = workdir.run(&[command, more].concat());
+        for more in ["--specimen paper", &without("")] {
+            let run = workdir.run(format!("{command} {more}"));
             assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{command:?}");
             assert_eq!(data(&run.stdout), data(&plain.stdout), "{command:?}");
         }
-        let most = without(&["--film-modulus"]);
-        let run = workdir.run(&[command, &most].concat());
+        let most = without("--film-modulus");
+        let run = workdir.run(format!("{command} {most}"));
         assert_names(&run.stderr, &["# ", ": film_modulus = 3.5MPa\n"]);
         assert!(!run.stderr.contains(','), "{run:?}");
     }
     // Of a stack the specimen has the probe only, and a rigid substrate needs no Poisson ratio.
     let stack = "base = { young_modulus = inf }\n[[layers]]\nyoung_modulus = 1e6\npoisson_ratio = 0.5\nthickness = 1e-5\n";
     workdir.write("stack.toml", stack);
-    let run = workdir.run(&[
-        "curve",
-        "--stack",
-        "stack.toml",
-        "--to",
-        "2e-5",
-        "--points",
-        "2",
-    ]);
+    let run = workdir.run("curve --stack stack.toml --to 2e-5 --points 2");
     assert!(
         !run.stderr.contains("film") && !run.stderr.contains("substrate"),
         "{run:?}"
@@ -264,9 +219,9 @@ fn other_commands_name_the_values_of_the_example_in_a_comment_line() {
         &run.stderr,
         &["sphere_radius", "sphere_modulus", "work_of_adhesion"],
     );
-    let rigid = ["--substrate-modulus", "inf"];
-    let known = without(&["--substrate-modulus", "--substrate-poisson-ratio"]);
-    let run = workdir.run(&[&["curve", "embedded", "--points", "2"], &rigid[..], &known].concat());
+    let rigid = "--substrate-modulus inf";
+    let known = without("--substrate-modulus --substrate-poisson-ratio");
+    let run = workdir.run(format!("curve embedded --points 2 {rigid} {known}"));
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 2);
 }

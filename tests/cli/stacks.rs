@@ -23,18 +23,10 @@ fn solve_prints_the_solution_of_the_library() {
     let workdir = workdir!();
     let stack = written(&workdir);
     for (sphere, unit) in [("2e6", "E2*"), ("inf", "E1*")] {
-        let arguments = [
-            "solve",
-            "--stack",
-            "stack.toml",
-            "--sphere-modulus",
-            sphere,
-            "--a-over-t",
-            "3",
-        ];
+        let arguments = format!("solve --stack stack.toml --sphere-modulus {sphere} --a-over-t 3");
         let modulus = sphere.parse().expect("a number");
         let solution = solve_stack(3.0, &stack, modulus, 1e-10).expect("within reach");
-        let json = workdir.succeed(&[&arguments[..], &["--json"]].concat());
+        let json = workdir.succeed(format!("{arguments} --json"));
         let object: Value = serde_json::from_str(&json).expect("JSON");
         let values = solution.quantities.to_array();
         for (name, value) in ["pi0", "eeq", "gamma", "delta0"].into_iter().zip(values) {
@@ -54,17 +46,7 @@ fn solve_prints_the_solution_of_the_library() {
 fn curve_prints_the_contact_of_the_stack() {
     let workdir = workdir!();
     let stack = written(&workdir);
-    let text = workdir.succeed(&[
-        "curve",
-        "--stack",
-        "stack.toml",
-        "--from",
-        "1e-5",
-        "--to",
-        "1e-4",
-        "--points",
-        "7",
-    ]);
+    let text = workdir.succeed("curve --stack stack.toml --from 1e-5 --to 1e-4 --points 7");
     let t = stack.thickness();
     let curve = stack_curve(&stack, 2e6, [1e-5 / t, 1e-4 / t], 1e-8).expect("within reach");
     let contact = Contact::new(&stack.system(1e-3, 2e6), curve).expect("its curve");
@@ -85,15 +67,7 @@ fn mistakes_are_named_with_file_layer_value_and_range() {
         workdir.write("bad.toml", TEXT.replacen(from, to, 1));
         workdir.fail(
             1,
-            &[
-                "solve",
-                "--stack",
-                "bad.toml",
-                "--sphere-modulus",
-                "2e6",
-                "--a-over-t",
-                x,
-            ],
+            format!("solve --stack bad.toml --sphere-modulus 2e6 --a-over-t {x}"),
         )
     };
     let message = solve("thickness = 2.5e-6", "thickness = 0", "1");
@@ -124,67 +98,25 @@ fn what_describes_one_film_does_not_go_with_a_stack() {
     let workdir = workdir!();
     written(&workdir);
     for arguments in [
-        &["solve", "--stack", "stack.toml", "--a-over-t", "1"][..],
-        &[
-            "solve",
-            "--stack",
-            "stack.toml",
-            "--sphere-modulus",
-            "2e6",
-            "--a-over-t",
-            "1",
-            "--nu1",
-            "0.5",
-        ],
-        &["solve", "--sphere-modulus", "2e6", "--a-over-t", "1"],
-        &["curve", "--stack", "stack.toml", "--film-thickness", "1e-6"],
-        &["curve", "embedded", "--stack", "stack.toml"],
-        &[
-            "fit",
-            "data.csv",
-            "--stack",
-            "stack.toml",
-            "--film-modulus",
-            "1e6",
-        ],
-        &["fit", "data.csv", "--stack", "stack.toml", "--half-space"],
-        &[
-            "fit",
-            "data.csv",
-            "--stack",
-            "stack.toml",
-            "--table",
-            "embedded",
-        ],
-        &[
-            "fit",
-            "data.csv",
-            "--stack",
-            "stack.toml",
-            "--free",
-            "primer.poisson",
-        ],
+        "solve --stack stack.toml --a-over-t 1",
+        "solve --stack stack.toml --sphere-modulus 2e6 --a-over-t 1 --nu1 0.5",
+        "solve --sphere-modulus 2e6 --a-over-t 1",
+        "curve --stack stack.toml --film-thickness 1e-6",
+        "curve embedded --stack stack.toml",
+        "fit data.csv --stack stack.toml --film-modulus 1e6",
+        "fit data.csv --stack stack.toml --half-space",
+        "fit data.csv --stack stack.toml --table embedded",
+        "fit data.csv --stack stack.toml --free primer.poisson",
     ] {
         workdir.fail(2, arguments);
     }
 }
 
 /// A lens on the stack, and the data that it gives.
-const LENS: [&str; 10] = [
-    "simulate",
-    "--kind",
-    "load-radius",
-    "--stack",
-    "stack.toml",
-    "--from",
-    "2e-5",
-    "--to",
-    "1e-4",
-    "--noise",
-];
+const LENS: &str = "simulate --kind load-radius --stack stack.toml --from 2e-5 --to 1e-4 --noise";
 
-fn simulated(workdir: &Workdir, noise: &str, more: &[&str]) -> String {
-    workdir.succeed(&[&LENS[..], &[noise, "--seed", "1"], more].concat())
+fn simulated(workdir: &Workdir, noise: &str, more: &str) -> String {
+    workdir.succeed(format!("{LENS} {noise} --seed 1 {more}"))
 }
 
 #[test]
@@ -193,7 +125,7 @@ fn simulated_loads_are_those_of_direct_solves() {
     let stack = written(&workdir);
     let system = stack.system(1e-3, 2e6);
     let mechanics = interp::Mechanics::new(&system).expect("physical");
-    let text = simulated(&workdir, "0", &["--points", "12"]);
+    let text = simulated(&workdir, "0", "--points 12");
     for row in Data::parse("data", &text).cases() {
         let a = row.get("contact_radius");
         let solution = solve_stack(a / stack.thickness(), &stack, 2e6, 1e-11).expect("in reach");
@@ -213,22 +145,13 @@ fn simulated_loads_are_those_of_direct_solves() {
 fn fit_finds_the_parameters_of_layers_by_their_names() {
     let workdir = workdir!();
     written(&workdir);
-    workdir.write("data.csv", simulated(&workdir, "2e-7", &[]));
+    workdir.write("data.csv", simulated(&workdir, "2e-7", ""));
     for (name, truth) in [("primer.modulus", 5e5), ("primer.thickness", 2.5e-6)] {
         let free = format!("{name},work-of-adhesion");
         let start = format!("{name}={}", 2.0 * truth);
-        let arguments = [
-            "fit",
-            "data.csv",
-            "--stack",
-            "stack.toml",
-            "--specimen",
-            "paper",
-            "--noise",
-            "2e-7",
-        ];
-        let more = ["--free", &free, "--value", &start, "--json"];
-        let text = workdir.succeed(&[&arguments[..], &more].concat());
+        let arguments = "fit data.csv --stack stack.toml --specimen paper --noise 2e-7";
+        let more = format!("--free {free} --value {start} --json");
+        let text = workdir.succeed(format!("{arguments} {more}"));
         let fit: Value = serde_json::from_str(&text).expect("JSON");
         assert_eq!(fit["converged"], true);
         assert_eq!(
@@ -251,9 +174,9 @@ fn fit_finds_the_parameters_of_layers_by_their_names() {
 fn the_report_lists_the_layers() {
     let workdir = workdir!();
     written(&workdir);
-    workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
-    let arguments = ["fit", "data.csv", "--stack", "stack.toml"];
-    let report = workdir.succeed(&[&arguments[..], &["--specimen", "paper"]].concat());
+    workdir.write("data.csv", simulated(&workdir, "1e-6", "--points 15"));
+    let arguments = "fit data.csv --stack stack.toml";
+    let report = workdir.succeed(format!("{arguments} --specimen paper"));
     for line in [
         "  substrate-modulus         200 GPa, Young's modulus\n",
         "  primer.modulus            500 kPa, Young's modulus\n",
@@ -265,7 +188,7 @@ fn the_report_lists_the_layers() {
     ] {
         assert!(report.contains(line), "{line:?} is not in {report}");
     }
-    let expected = simulated(&workdir, "1e-6", &["--expect", "--free", "primer.modulus"]);
+    let expected = simulated(&workdir, "1e-6", "--expect --free primer.modulus");
     assert!(
         expected.contains("  primer.modulus            500"),
         "{expected}"
@@ -276,19 +199,14 @@ fn the_report_lists_the_layers() {
 fn a_mistake_about_layers_is_named_with_the_names_there_are() {
     let workdir = workdir!();
     written(&workdir);
-    workdir.write("data.csv", simulated(&workdir, "1e-6", &["--points", "15"]));
-    let fit = |more: &[&str]| {
+    workdir.write("data.csv", simulated(&workdir, "1e-6", "--points 15"));
+    let fit = |more: &str| {
         workdir.fail(
             1,
-            &[
-                &["fit", "data.csv", "--stack", "stack.toml"][..],
-                &["--specimen", "paper"],
-                more,
-            ]
-            .concat(),
+            format!("fit data.csv --stack stack.toml --specimen paper {more}"),
         )
     };
-    let message = fit(&["--free", "oxide.modulus"]);
+    let message = fit("--free oxide.modulus");
     assert_names(
         &message,
         &[
@@ -298,16 +216,16 @@ fn a_mistake_about_layers_is_named_with_the_names_there_are() {
             "primer.thickness",
         ],
     );
-    let message = fit(&["--free", "film-modulus"]);
+    let message = fit("--free film-modulus");
     assert_names(&message, &["film-modulus", "primer.modulus"]);
-    let message = fit(&["--value", "primer.thickness=0"]);
+    let message = fit("--value primer.thickness=0");
     assert_names(&message, &["layer primer", "0.0 m", "> 0 and finite"]);
-    let message = fit(&["--bounds", "primer.modulus=1e5..1e6"]);
+    let message = fit("--bounds primer.modulus=1e5..1e6");
     assert_names(&message, &["primer.modulus", "not free"]);
     // Under a rigid sphere the modulus of the top layer would be found, but it has no name.
-    let message = fit(&["--sphere-modulus", "inf"]);
+    let message = fit("--sphere-modulus inf");
     assert_names(&message, &["film-modulus", "primer.modulus"]);
     workdir.write("bad.toml", TEXT.replace("\"primer\"", "\"a, b\""));
-    let message = workdir.fail(1, &["fit", "data.csv", "--stack", "bad.toml"]);
+    let message = workdir.fail(1, "fit data.csv --stack bad.toml");
     assert_names(&message, &["--stack", "a, b", "comma", "another name"]);
 }

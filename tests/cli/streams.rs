@@ -28,7 +28,7 @@ fn points_keep_their_order_over_many_batches() {
     let workdir = workdir!();
     let table = paper_table();
     workdir.write("points.csv", rows(MANY));
-    let printed = workdir.succeed(&["query", &table, "--points", "points.csv"]);
+    let printed = workdir.succeed(format!("query {table} --points points.csv"));
     let data = Data::parse("query", &printed);
     let read = Table::read(&table).expect("sound");
     let curve = read
@@ -59,13 +59,13 @@ fn an_error_names_the_first_wrong_line_and_leaves_no_file() {
     let _ = write!(text, "1,1e9,0.5,1e5\n1,1.75,half,1e5\n{}", row(1));
     workdir.write("points.csv", &text);
     let line = format!("line {}", MANY + 2);
-    let command = ["query", &table, "--points", "points.csv"];
+    let command = format!("query {table} --points points.csv");
     let run = workdir.run(&command);
     assert_eq!(run.status, 1);
     assert_names(&run.stderr, &["points.csv", &line, "e1_over_e2"]);
     // The batches before it are printed, and nothing of its own.
     assert_eq!(run.stdout.lines().count(), 1 + 2 * BATCH);
-    let message = workdir.fail(1, &[&command[..], &["-o", "out.csv"]].concat());
+    let message = workdir.fail(1, format!("{command} -o out.csv"));
     assert_names(&message, &["points.csv", &line]);
     assert!(!message.contains("out.csv"), "{message}");
     assert_eq!(workdir.files(), ["points.csv"]);
@@ -132,13 +132,13 @@ fn input_without_an_end_is_refused() {
         ("quoted.csv", quoted),
     ] {
         workdir.write(name, text);
-        let message = workdir.fail(1, &["solve", "--points", name]);
+        let message = workdir.fail(1, format!("solve --points {name}"));
         assert_names(&message, &[name, "longer than 1048576 bytes"]);
     }
     for device in [
-        &["solve", "--points", "/dev/zero"][..],
-        &["generate", "/dev/zero", "-o", "x.h5"],
-        &["plot", "effects", "--data", "/dev/zero", "-o", "x.svg"],
+        "solve --points /dev/zero",
+        "generate /dev/zero -o x.h5",
+        "plot effects --data /dev/zero -o x.svg",
     ] {
         assert_names(&workdir.fail(1, device), &["/dev/zero", "longer than"]);
     }

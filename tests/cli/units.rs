@@ -35,8 +35,7 @@ fn quantities_with_a_unit_are_those_in_si_units() {
     workdir.write("stack.toml", stack);
     for pair in pairs {
         let [si, with_units] = pair.map(|command| {
-            let words: Vec<&str> = command.split_whitespace().collect();
-            let text = workdir.succeed(&words);
+            let text = workdir.succeed(command);
             // The comment of simulated data quotes the command.
             let lines = text.lines().filter(|line| !line.starts_with('#'));
             lines.map(str::to_owned).collect::<Vec<_>>()
@@ -44,14 +43,7 @@ fn quantities_with_a_unit_are_those_in_si_units() {
         assert_eq!(si, with_units, "{}", pair[1]);
     }
     // A space before the unit, in one argument.
-    workdir.succeed(&[
-        "curve",
-        "embedded",
-        "--points",
-        "2",
-        "--film-thickness",
-        "1e-6 m",
-    ]);
+    workdir.succeed("curve embedded --points 2 --film-thickness '1e-6 m'");
 }
 
 #[test]
@@ -59,16 +51,9 @@ fn a_fit_takes_units_in_every_setting() {
     let workdir = workdir!();
     let data = "simulate --specimen paper --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN \
                 -o lens.csv";
-    workdir.succeed(&data.split_whitespace().collect::<Vec<_>>());
+    workdir.succeed(data);
     let fit = |settings: &str| {
-        let words: Vec<&str> = settings.split_whitespace().collect();
-        workdir.succeed(
-            &[
-                &["fit", "lens.csv", "--specimen", "paper", "--json"],
-                &words[..],
-            ]
-            .concat(),
-        )
+        workdir.succeed(format!("fit lens.csv --specimen paper --json {settings}"))
     };
     let free = "--free sphere-modulus,film-thickness,work-of-adhesion";
     let si = format!(
@@ -95,7 +80,7 @@ fn a_negative_value_is_refused_with_the_reason() {
         ("--film-poisson-ratio", "-2e0", "Poisson ratio"),
         ("--from", "-1e-6", "-1e-6"),
     ] {
-        let message = workdir.fail(1, &["curve", flag, value]);
+        let message = workdir.fail(1, format!("curve {flag} {value}"));
         let name = flag.trim_start_matches('-');
         let shown = message.replace('_', "-").to_lowercase();
         assert!(
@@ -124,8 +109,7 @@ fn a_negative_value_is_refused_with_the_reason() {
             "a_over_t = -0.001",
         ),
     ] {
-        let words: Vec<&str> = command.split_whitespace().collect();
-        assert_names(&workdir.fail(1, &words), &[shown]);
+        assert_names(&workdir.fail(1, command), &[shown]);
     }
 }
 
@@ -159,32 +143,16 @@ fn what_is_no_quantity_is_named_with_examples() {
         ),
         ("--from", "1N", ["a length is wanted", "30um"]),
     ] {
-        assert_names(&workdir.fail(2, &["curve", flag, value]), &words);
+        assert_names(&workdir.fail(2, format!("curve {flag} {value}")), &words);
     }
-    let simulate = [
-        "simulate",
-        "--kind",
-        "load-radius",
-        "--from",
-        "1um",
-        "--to",
-        "2um",
-    ];
-    let noise = [&simulate[..], &["--noise", "1um"]].concat();
+    let simulate = "simulate --kind load-radius --from 1um --to 2um";
+    let noise = format!("{simulate} --noise 1um");
     assert_names(
         &workdir.fail(1, &noise),
         &["--noise", "a force is wanted", "2uN"],
     );
-    let value = [
-        &simulate[..],
-        &["--noise", "0", "--value", "load-offset=1nm"],
-    ]
-    .concat();
+    let value = format!("{simulate} --noise 0 --value load-offset=1nm");
     assert_names(&workdir.fail(2, &value), &["1nm", "a force is wanted"]);
-    let bounds = [
-        &simulate[..],
-        &["--noise", "0", "--bounds", "film-modulus=1um..2um"],
-    ]
-    .concat();
+    let bounds = format!("{simulate} --noise 0 --bounds film-modulus=1um..2um");
     assert_names(&workdir.fail(2, &bounds), &["1um", "a modulus is wanted"]);
 }

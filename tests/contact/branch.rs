@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_names, paper_system};
+use acceptance::{Contacts, assert_names, looked_up, paper_system, solid};
 use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
-use interp::{Elastic, HalfSpace, Probe, System, Table};
+use interp::{HalfSpace, Probe, System, Table};
 
 const NONE: Derivatives = Derivatives {
     load: 0.0,
@@ -24,7 +24,7 @@ fn imposed(control: Control, load: f64, penetration: f64) -> f64 {
 
 /// Returns systems of soft and rigid spheres on films from thin to thick.
 fn systems() -> Vec<System> {
-    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let solid = |young, poisson| solid(young, poisson);
     let rigid = System {
         sphere_modulus: f64::INFINITY,
         film: solid(2e4, 0.45),
@@ -45,7 +45,7 @@ fn systems() -> Vec<System> {
 #[test]
 fn a_branch_holds_the_states_found_one_by_one() {
     for system in systems() {
-        let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
+        let contact = looked_up(&system);
         for (control, w) in [
             (Control::Load, 0.04),
             (Control::Displacement, 0.04),
@@ -99,7 +99,7 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     let system = HalfSpace {
         probe: Probe::Paraboloid { radius },
         sphere_modulus: modulus,
-        solid: Elastic::new(f64::INFINITY, 0.25).expect("rigid"),
+        solid: solid(f64::INFINITY, 0.25),
     };
     let contact = Contact::half_space(&system).expect("physical");
     let equilibria = contact.equilibria(w, Control::Displacement).expect("JKR");
@@ -193,8 +193,7 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
                         Input::SphereModulus => system.sphere_modulus *= factor,
                         Input::FilmThickness => system.film_thickness *= factor,
                         _ => {
-                            system.film = Elastic::new(factor * film.young(), film.poisson())
-                                .expect("physical");
+                            system.film = solid(factor * film.young(), film.poisson());
                         }
                     }
                     solved(&system)

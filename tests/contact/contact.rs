@@ -3,10 +3,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, paper_system};
+use acceptance::{Contacts, larger, looked_up, paper_system, rigid_probe, solid};
 use contact::Error;
 use contact::{Contact, JkrFit, JkrPoint};
-use interp::{Elastic, HalfSpace, Material, Mechanics, Probe, System, Table};
+use interp::{HalfSpace, Material, Mechanics, Probe, System, Table};
 use solve::solve;
 
 pub fn bare() -> HalfSpace {
@@ -18,7 +18,7 @@ pub fn half_space() -> Contact {
 }
 
 pub fn coated(film_thickness: f64) -> Contact {
-    Contact::in_table(Table::embedded(), &paper_system(film_thickness)).expect("in the table")
+    looked_up(&paper_system(film_thickness))
 }
 
 #[test]
@@ -215,8 +215,8 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
 fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
     let material = Material::new(0.0, 0.5, 1e5, 0.25).expect("a rigid sphere");
     let curve = solve::curve(&material, [0.5, 10.0], 1e-8).expect("converges");
-    let film = Elastic::new(3.5e6, 0.5).expect("physical");
-    let substrate = Elastic::new(3.5e11, 0.25).expect("physical");
+    let film = solid(3.5e6, 0.5);
+    let substrate = solid(3.5e11, 0.25);
     let system = System {
         sphere_modulus: f64::INFINITY,
         film,
@@ -283,15 +283,9 @@ fn numbers_of_points_are_bounded() {
 #[test]
 fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
     for nu1 in [0.5, 0.3, 0.0] {
-        let film = Elastic::new(1e6, nu1).expect("physical");
-        let rigid = Elastic::new(f64::INFINITY, 0.25).expect("rigid");
-        let system = System {
-            probe: Probe::Paraboloid { radius: 1e-3 },
-            sphere_modulus: f64::INFINITY,
-            film,
-            film_thickness: 1e-9,
-            substrate: rigid,
-        };
+        let film = solid(1e6, nu1);
+        let rigid = solid(f64::INFINITY, 0.25);
+        let system = rigid_probe(Probe::Paraboloid { radius: 1e-3 }, film, 1e-9, rigid);
         let material = system.material().expect("physical");
         let x = 1e3;
         let (a, shear) = (x * system.film_thickness, 0.5 * film.young() / (1.0 + nu1));
@@ -334,7 +328,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
         probe: Probe::Paraboloid { radius: 0.1 },
         ..paper_system(1e-5)
     };
-    let wide = Contact::in_table(Table::embedded(), &wide).expect("in the table");
+    let wide = looked_up(&wide);
     let validity = wide.validity(0.011).expect("physical");
     assert!(validity.is_large_contact() && !validity.film.expect("coated").in_range);
     assert!(
@@ -346,10 +340,10 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
             .is_confined()
     );
     let system = System {
-        film: Elastic::new(3.5e6, 0.3).expect("physical"),
+        film: solid(3.5e6, 0.3),
         ..paper_system(1e-5)
     };
-    let compressible = Contact::in_table(Table::embedded(), &system).expect("in the table");
+    let compressible = looked_up(&system);
     let film = compressible
         .validity(1e-4)
         .expect("physical")
@@ -374,7 +368,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
 
 #[test]
 fn many_loads_are_those_of_one_after_the_other() {
-    let contact = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("inside");
+    let contact = looked_up(&paper_system(1e-5));
     let radii: Vec<f64> = (1..=100).map(|i| 1e-6 * f64::from(i)).collect();
     let mut loads = vec![0.0; radii.len()];
     contact

@@ -2,20 +2,19 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, paper_system, table};
+use acceptance::{Contacts, larger, looked_up, paper_system, rigid_probe, solid, solved_contact};
 use contact::Error;
 use contact::{Contact, Control, ForceDisplacement, State};
-use interp::{Curve, Elastic, Probe, Quantities, System, Table};
-use solve::curve;
+use interp::{Curve, Probe, Quantities, System, Table};
 
-const CONTROLS: [Control; 3] = [
+pub const CONTROLS: [Control; 3] = [
     Control::Load,
     Control::Displacement,
     Control::Spring { stiffness: 3.0 },
 ];
 
 /// Returns the imposed value of a control in a state: load, penetration, or position of the spring.
-fn imposed(control: Control, state: &State) -> f64 {
+pub fn imposed(control: Control, state: &State) -> f64 {
     match control {
         Control::Load => state.load,
         Control::Displacement => state.penetration,
@@ -29,22 +28,16 @@ fn coated(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
     let mut contacts = Contacts::new(seed);
     let contact = move || {
         let modulus = 2e6;
-        let film = Elastic::new(
+        let film = solid(
             modulus * contacts.log_uniform(1e-3, 1e3),
             contacts.uniform(0.0, 0.5),
-        )
-        .expect("physical");
-        let substrate =
-            Elastic::new(modulus * contacts.log_uniform(1.0, 1e6), 0.25).expect("physical");
-        let contact = Contact::in_table(
-            Table::embedded(),
-            &System {
-                film,
-                substrate,
-                ..paper_system(1e-6)
-            },
-        )
-        .expect("in the table");
+        );
+        let substrate = solid(modulus * contacts.log_uniform(1.0, 1e6), 0.25);
+        let contact = looked_up(&System {
+            film,
+            substrate,
+            ..paper_system(1e-6)
+        });
         let w = with_pull_off_near(&contact, 1e-6 * contacts.log_uniform(1e-2, 1e2));
         (contact, w)
     };
@@ -56,21 +49,18 @@ fn coated(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
 fn stiff_films(seed: u64, count: usize) -> impl Iterator<Item = (Contact, f64)> {
     let mut contacts = Contacts::new(seed);
     let contact = move || {
-        let film = Elastic::new(1e9, contacts.uniform(0.0, 0.5)).expect("physical");
-        let substrate = Elastic::new(
+        let film = solid(1e9, contacts.uniform(0.0, 0.5));
+        let substrate = solid(
             1e9 * contacts.log_uniform(1e-5, 1e-2),
             contacts.uniform(0.0, 0.5),
-        )
-        .expect("physical");
+        );
         let system = System {
             sphere_modulus: f64::INFINITY,
             film,
             substrate,
             ..paper_system(1e-6)
         };
-        let curve =
-            curve(&system.material().expect("physical"), [1e-3, 1e3], 1e-6).expect("converges");
-        let contact = Contact::new(&system, curve).expect("its own curve");
+        let contact = solved_contact(&system, [1e-3, 1e3], 1e-6);
         let w = with_pull_off_near(&contact, 1e-6 * contacts.log_uniform(3e-2, 3.0));
         (contact, w)
     };
@@ -97,18 +87,10 @@ fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
     ];
     for (nu1, expected) in expected {
         let (r, t) = (1e-3, 1e-6);
-        let film = Elastic::new(1e6, nu1).expect("physical");
-        let substrate = Elastic::new(f64::INFINITY, 0.25).expect("rigid");
-        let system = System {
-            probe: Probe::Paraboloid { radius: r },
-            sphere_modulus: f64::INFINITY,
-            film,
-            film_thickness: t,
-            substrate,
-        };
-        let curve =
-            curve(&system.material().expect("physical"), [1e-2, 1e2], 1e-8).expect("converges");
-        let contact = Contact::new(&system, curve).expect("its own curve");
+        let film = solid(1e6, nu1);
+        let substrate = solid(f64::INFINITY, 0.25);
+        let system = rigid_probe(Probe::Paraboloid { radius: r }, film, t, substrate);
+        let contact = solved_contact(&system, [1e-2, 1e2], 1e-8);
         for (group, expected) in [1e-2, 1.0, 1e2, 1e4].into_iter().zip(expected) {
             let w = group * film.reduced() * t.powi(3) / (r * r);
             let found = contact.pull_off(w, Control::Load).expect("in range").load / (-PI * w * r);
@@ -129,7 +111,7 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
     let mut contacts = Contacts::new(90);
     let [mut terms, mut forces, mut radii] = [0.0; 3];
     for _ in 0..200 {
-        let solid = Elastic::new(2e6 * contacts.log_uniform(1.0, 1e3), 0.25).expect("physical");
+        let solid = solid(2e6 * contacts.log_uniform(1.0, 1e3), 0.25);
         let system = System {
             film: solid,
             substrate: solid,
@@ -424,10 +406,8 @@ fn on_thick_films_states_are_those_of_direct_solves() {
     let (w, mut worst, mut worst_radius) = (0.04, 0.0, 0.0);
     for t in [5e-2, 0.2, 1.0, 10.0] {
         let system = paper_system(t);
-        let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
-        let direct =
-            curve(&system.material().expect("physical"), [1e-6, 1.0], 1e-9).expect("converges");
-        let direct = Contact::new(&system, direct).expect("its own curve");
+        let contact = looked_up(&system);
+        let direct = solved_contact(&system, [1e-6, 1.0], 1e-9);
         assert_eq!(contact.contact_radius_range()[0], 0.0);
         for control in CONTROLS {
             let [found, truth] =
@@ -461,152 +441,4 @@ fn on_thick_films_states_are_those_of_direct_solves() {
     println!("thick films: {worst:.1e}, radii at pull-off {worst_radius:.1e}");
     // Measured: 1.7e-10, 9.4e-11.
     assert!(worst <= 1e-8 && worst_radius <= 1e-8);
-}
-
-#[test]
-fn a_state_out_of_range_is_an_error_with_the_radii() {
-    let contact_on =
-        |t: f64| Contact::in_table(Table::embedded(), &paper_system(t)).expect("in the table");
-    let w = 0.04;
-    // A film so thin that the table ends before the pull-off radius; one so thick that a table
-    // begins beyond it, and with too large an a/t for the expansion.
-    let thick = table(
-        "
-        title      = 'Thin films'
-        tolerance  = 1e-4
-        a_over_t   = { from = 1, to = 10 }
-        e1_over_e2 = 1.75
-        nu1        = 0.5
-        e0_over_e2 = 1e5
-    ",
-    );
-    let wide = System {
-        probe: Probe::Paraboloid { radius: 1.0 },
-        ..paper_system(1e-2)
-    };
-    for contact in [
-        contact_on(1e-9),
-        Contact::in_table(&thick, &wide).expect("in the table"),
-    ] {
-        let [from, to] = contact.contact_radius_range();
-        let smallest = if from == 0.0 { 1e-60 } else { from };
-        let assert_outside = |result: Result<State, Error>| match result {
-            Err(
-                error @ Error::OutsideRadii {
-                    from: least,
-                    to: most,
-                    ..
-                },
-            ) => {
-                assert_eq!([least, most], [smallest, to]);
-                acceptance::assert_names(
-                    &error.to_string(),
-                    &[&format!("{smallest:?}"), &format!("{to:?}")],
-                );
-            }
-            other => panic!("{other:?}"),
-        };
-        assert_outside(contact.zero_load(w));
-        for control in CONTROLS {
-            assert_outside(contact.pull_off(w, control));
-            let equilibria = contact.equilibria(w, control).expect("physical");
-            assert_outside(equilibria.loading(0.0));
-            assert_outside(equilibria.unloading(-1e-6));
-            assert_outside(equilibria.at(1e30).map(|found| found[0].state));
-            assert!(matches!(
-                equilibria.force_displacement(1e-6, 3),
-                Err(Error::OutsideRadii { .. })
-            ));
-        }
-    }
-    let contact = contact_on(1e-5);
-    let equilibria = contact.equilibria(w, Control::Load).expect("physical");
-    let least = equilibria.pull_off().expect("in range").load;
-    let Err(
-        error @ Error::NoContact {
-            name: "load",
-            least: found,
-            ..
-        },
-    ) = equilibria.unloading(1.01 * least)
-    else {
-        panic!("apart")
-    };
-    assert_eq!(found, least);
-    acceptance::assert_names(
-        &error.to_string(),
-        &[
-            "load",
-            &format!("{:?}", 1.01 * least),
-            &format!("{least:?}"),
-        ],
-    );
-    assert!(matches!(
-        equilibria.loading(-1e-9),
-        Err(Error::NoContact { least: 0.0, .. })
-    ));
-    for points in [0, 1, 1_000_001, usize::MAX] {
-        assert!(matches!(
-            equilibria.force_displacement(1e-4, points),
-            Err(Error::Table(interp::Error::InvalidArgument {
-                name: "number of points",
-                ..
-            }))
-        ));
-    }
-}
-
-#[test]
-fn without_adhesion_a_table_needs_no_stiffness() {
-    let table = table(
-        "
-        title      = 'No adhesion'
-        tolerance  = 1e-4
-        quantities = ['pi0', 'delta0']
-        a_over_t   = { from = 0.1, to = 10 }
-        e1_over_e2 = 1.75
-        nu1        = 0.5
-        e0_over_e2 = 1e5
-    ",
-    );
-    let contact = Contact::in_table(&table, &paper_system(1e-5)).expect("in the table");
-    let embedded = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("in the table");
-    let mut worst = 0.0;
-    for control in CONTROLS {
-        let (load, penetration) = embedded.load_and_penetration(2e-5, 0.0).expect("in range");
-        let at = imposed(
-            control,
-            &State {
-                contact_radius: 2e-5,
-                load,
-                penetration,
-            },
-        );
-        let equilibria = contact
-            .equilibria(0.0, control)
-            .expect("nothing else is needed");
-        worst = larger(
-            worst,
-            (equilibria.unloading(at).expect("in range").contact_radius / 2e-5 - 1.0).abs(),
-        );
-        assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
-        assert!(matches!(
-            contact.equilibria(0.04, control),
-            Err(Error::Table(interp::Error::MissingQuantity(
-                "eeq" | "gamma"
-            )))
-        ));
-        // Before the curve begins.
-        assert!(matches!(
-            equilibria.unloading(1e-6 * at),
-            Err(Error::OutsideRadii { .. })
-        ));
-        assert!(matches!(
-            equilibria.unloading(-at),
-            Err(Error::NoContact { least: 0.0, .. })
-        ));
-    }
-    println!("radii without adhesion: {worst:.1e}");
-    // Measured: 1.6e-6.
-    assert!(worst <= 1e-4);
 }

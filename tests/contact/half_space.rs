@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger};
+use acceptance::{Contacts, larger, solid};
 use contact::{Contact, Control, State};
-use interp::{Elastic, HalfSpace, Probe};
+use interp::{HalfSpace, Probe};
 
 /// Largest relative error of everything.
 const EXACT: f64 = 1e-12;
@@ -57,10 +57,7 @@ fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
         if i % 10 < 2 {
             moduli[i % 10] = f64::INFINITY;
         }
-        let (sphere, solid) = (
-            moduli[0],
-            Elastic::new(moduli[1], contacts.poisson_ratio()).expect("physical"),
-        );
+        let (sphere, solid) = (moduli[0], solid(moduli[1], contacts.poisson_ratio()));
         let system = HalfSpace {
             probe: Probe::Paraboloid {
                 radius: contacts.log_uniform(1e-9, 1.0),

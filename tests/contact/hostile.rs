@@ -1,9 +1,9 @@
 //! Contacts asked with hostile arguments.
 
-use acceptance::paper_system;
+use acceptance::{paper_system, solid};
 use contact::Error;
 use contact::{Contact, Control};
-use interp::{Elastic, HalfSpace, Probe, Quantity, System, Table};
+use interp::{HalfSpace, Probe, Quantity, System, Table};
 
 use crate::contact::{bare, coated, half_space};
 
@@ -258,7 +258,7 @@ fn numbers_out_of_bounds_are_named() {
     }
     let rigid = HalfSpace {
         sphere_modulus: f64::INFINITY,
-        solid: Elastic::new(f64::INFINITY, 0.3).expect("rigid"),
+        solid: solid(f64::INFINITY, 0.3),
         ..system.clone()
     };
     assert_names(

@@ -10,6 +10,7 @@ mod gradient;
 mod half_space;
 mod hostile;
 mod moving_stiffness;
+mod outside;
 mod rings;
 mod shapes;
 mod sphere_radius;

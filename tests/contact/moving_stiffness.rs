@@ -1,13 +1,9 @@
 //! The slope of the force curve, against differences of the curve and closed forms.
 
-use acceptance::{Contacts, larger, paper_system};
+use acceptance::{Contacts, larger, looked_up, paper_system, solid};
 use contact::Error;
 use contact::{Contact, Control};
-use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
-
-fn solid(young: f64, poisson: f64) -> Elastic {
-    Elastic::new(young, poisson).expect("physical")
-}
+use interp::{HalfSpace, Probe, Profile, System};
 
 /// Returns `dF/d delta` along the force curve, by differences of fourth order.
 fn by_differences(contact: &Contact, a: f64, w: f64) -> f64 {
@@ -61,7 +57,7 @@ fn a_half_space_has_the_closed_form_of_jkr() {
 /// The paper's sphere on a film of 30 um, by differences of force curves of an independent program.
 #[test]
 fn the_sphere_of_the_paper_has_the_slopes_of_independent_curves() {
-    let contact = Contact::in_table(Table::embedded(), &paper_system(3e-5)).expect("in the table");
+    let contact = looked_up(&paper_system(3e-5));
     for (a, expected, digits) in [
         (4e-5, -0.33, 5e-3),
         (6e-5, 0.463, 5e-4),
@@ -115,7 +111,7 @@ fn every_shape_has_the_slope_of_its_force_curve() {
             film_thickness: 5e-6,
             substrate: solid(2e11, 0.25),
         };
-        let on_film = Contact::in_table(Table::embedded(), &system).expect("in the table");
+        let on_film = looked_up(&system);
         let bare = Contact::half_space(&system.without_film()).expect("physical");
         for contact in [on_film, bare] {
             for a in [6e-6, 9e-6, 1.3e-5] {
@@ -137,7 +133,7 @@ fn every_shape_has_the_slope_of_its_force_curve() {
 /// differences of force curves would not.
 #[test]
 fn a_vanishing_work_of_adhesion_leaves_the_pinned_stiffness() {
-    let contact = Contact::in_table(Table::embedded(), &paper_system(1e-5)).expect("in the table");
+    let contact = looked_up(&paper_system(1e-5));
     let a = 8e-5;
     let pinned = contact.stiffness(a).expect("in range");
     let lost = |w: f64| (pinned - contact.moving_stiffness(a, w).expect("in range")) / w.sqrt();

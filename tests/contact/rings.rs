@@ -3,8 +3,9 @@
 
 use std::f64::consts::PI;
 
-use contact::{Contact, Control};
-use interp::{Elastic, Probe, System, Table};
+use acceptance::{looked_up, rigid_probe, solid};
+use contact::Control;
+use interp::{Probe, System};
 use solve::Compliance;
 
 /// The number of rings.
@@ -138,7 +139,7 @@ fn load(system: &System, shape: &dyn Fn(f64) -> f64, penetration: f64, most: f64
 
 #[test]
 fn loads_are_those_of_rings_of_pressure() {
-    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let solid = |young, poisson| solid(young, poisson);
     let films = [
         (solid(1e6, 0.45), solid(1e8, 0.3)),
         (solid(1e7, 0.3), solid(1e6, 0.4)),
@@ -175,14 +176,8 @@ fn loads_are_those_of_rings_of_pressure() {
     ];
     for (film, substrate) in films {
         for (probe, shape) in &shapes {
-            let system = System {
-                probe: probe.clone(),
-                sphere_modulus: f64::INFINITY,
-                film,
-                film_thickness: t,
-                substrate,
-            };
-            let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
+            let system = rigid_probe(probe.clone(), film, t, substrate);
+            let contact = looked_up(&system);
             let (_, penetration) = contact.load_and_penetration(1.0, 0.0).expect("in range");
             let equilibria = contact.equilibria(0.0, Control::Displacement);
             let expected = equilibria.and_then(|all| all.unloading(penetration));

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, paper_system, table};
+use acceptance::{larger, looked_up, paper_system, solid, table};
 use contact::Error;
 use contact::{Contact, Control, State};
-use interp::{Elastic, HalfSpace, Probe, System, Table};
+use interp::{HalfSpace, Probe, System, Table};
 
 const CONTROLS: [Control; 3] = [
     Control::Load,
@@ -174,12 +174,12 @@ fn the_range_on_a_film_ends_at_the_sphere_or_at_the_last_node() {
 fn a_sphere_smaller_than_the_first_node_is_that_on_a_half_space_of_film() {
     /// Largest part of the radius, as small as a/t. Measured: 3.0e-6.
     const THICK: f64 = 1e-4;
-    let film = Elastic::new(3.5e6, 0.5).expect("physical");
+    let film = solid(3.5e6, 0.5);
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-6 },
         ..paper_system(1e-2)
     };
-    let coated = Contact::in_table(Table::embedded(), &system).expect("in the table");
+    let coated = looked_up(&system);
     let bare = Contact::half_space(&HalfSpace {
         probe: Probe::Paraboloid { radius: 1e-6 },
         sphere_modulus: system.sphere_modulus,

@@ -1,12 +1,12 @@
 //! A stack of layers answers what a film answers; what would assume one film is an error, or is of
 //! all layers.
 
-use acceptance::{larger, layer, paper_system, solid, stack};
+use acceptance::{larger, layer, paper_system, solid, solved_contact, stack};
 use contact::Error;
 use contact::{Contact, Control};
 use interp::Quantity;
 use solve::stack::Stack;
-use solve::{curve, stack_curve};
+use solve::stack_curve;
 
 const RADIUS: f64 = 1e-3;
 const SPHERE: f64 = 2e6;
@@ -31,9 +31,7 @@ fn contact(stack: &Stack) -> Contact {
 fn a_film_cut_into_layers_gives_the_answers_of_the_film() {
     let system = paper_system(1e-4);
     let range = RADII.map(|a| a / 1e-4);
-    let material = system.material().expect("physical");
-    let whole = curve(&material, range, 1e-10).expect("converges");
-    let film = Contact::new(&system, whole).expect("its curve");
+    let film = solved_contact(&system, range, 1e-10);
     let parts = [layer(3.5e6, 0.5, 2e-5), layer(3.5e6, 0.5, 8e-5)];
     let cut = contact(&stack(solid(2e11, 0.25), &parts));
     let mut worst = 0.0;
@@ -98,9 +96,7 @@ fn the_film_bias_of_a_stack_is_that_of_all_layers() {
     assert_eq!(bias.modulus, fit.modulus / bare - 1.0);
     // A softer primer makes the coating softer than the film alone.
     let alone = paper_system(1e-4);
-    let material = alone.material().expect("physical");
-    let curve = curve(&material, RADII.map(|a| a / 1e-4), 1e-8).expect("converges");
-    let film = Contact::new(&alone, curve).expect("its curve");
+    let film = solved_contact(&alone, RADII.map(|a| a / 1e-4), 1e-8);
     let of_film = film.film_bias(W, radii, 15).expect("a compliant sphere");
     assert!(bias.modulus < of_film.modulus && of_film.modulus < 0.0);
 }

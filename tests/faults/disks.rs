@@ -27,7 +27,7 @@ fn a_full_disk_is_an_error_and_what_is_finished_is_safe() {
             .len()
             > 40 * 512
     );
-    workdir.succeed(&RESUME);
+    workdir.succeed(RESUME);
     assert_finished(&workdir);
 }
 
@@ -78,15 +78,10 @@ fn a_name_that_the_library_does_not_take_is_an_error_before_any_solving() {
     assert_names(&run.stderr, &["cannot write", "UTF-8"]);
     // The journal's name is as long as names may be.
     let name = format!("{}.h5", "x".repeat(241));
-    workdir.succeed(&[
-        "generate",
-        "scene.toml",
-        "-o",
-        &name,
-        "--certificate-points",
-        "20",
-    ]);
-    workdir.fail(1, &["generate", "scene.toml", "-o", &format!("x{name}")]);
+    workdir.succeed(format!(
+        "generate scene.toml -o {name} --certificate-points 20"
+    ));
+    workdir.fail(1, format!("generate scene.toml -o x{name}"));
     assert_eq!(workdir.files(), ["scene.toml", name.as_str()]);
 }
 

@@ -15,14 +15,7 @@ nu1 = 0.5
 e0_over_e2 = inf
 ";
 const JOURNAL: &str = "table.h5.unfinished";
-const GENERATE: [&str; 6] = [
-    "generate",
-    "scene.toml",
-    "-o",
-    "table.h5",
-    "--certificate-points",
-    "20",
-];
+const GENERATE: &str = "generate scene.toml -o table.h5 --certificate-points 20";
 
 fn workdir() -> Workdir {
     let workdir = acceptance::workdir!();
@@ -33,7 +26,7 @@ fn workdir() -> Workdir {
 /// A folder with a generation that has finished one piece.
 fn unfinished() -> Workdir {
     let workdir = workdir();
-    let run = workdir.run(&[&GENERATE[..], &["--budget", "1e-9"]].concat());
+    let run = workdir.run(format!("{GENERATE} --budget 1e-9"));
     assert_eq!(run.status, 1, "{run:?}");
     assert_names(&run.stderr, &["with 3 of 9 points solved"]);
     workdir
@@ -51,7 +44,7 @@ fn a_name_beside_the_table_is_nobodys_but_the_users() {
             2 => fs::create_dir(workdir.path(partial)).expect("a folder"),
             _ => drop(workdir.write(partial, "mine too")),
         }
-        workdir.succeed(&GENERATE);
+        workdir.succeed(GENERATE);
         assert_eq!(workdir.read("precious"), b"mine");
         assert_eq!(
             workdir.files(),
@@ -78,18 +71,18 @@ fn a_journal_that_is_no_file_is_refused_and_not_followed() {
     let files = workdir.files();
     for other in ["pipe", "empty", "folder", "nowhere"] {
         symlink(other, workdir.path(JOURNAL)).expect("a link");
-        for more in [&[][..], &["--resume"]] {
-            let message = workdir.fail(1, &[&GENERATE[..], more].concat());
+        for more in ["", "--resume"] {
+            let message = workdir.fail(1, format!("{GENERATE} {more}"));
             assert_names(&message, &["cannot write", JOURNAL, "it is no file"]);
         }
         fs::remove_file(workdir.path(JOURNAL)).expect("still there");
         assert_eq!(workdir.files(), files);
     }
     fs::rename(workdir.path("pipe"), workdir.path(JOURNAL)).expect("renamed");
-    assert_names(&workdir.fail(1, &GENERATE), &[JOURNAL, "it is no file"]);
+    assert_names(&workdir.fail(1, GENERATE), &[JOURNAL, "it is no file"]);
     fs::remove_file(workdir.path(JOURNAL)).expect("still there");
     fs::rename(workdir.path("folder"), workdir.path(JOURNAL)).expect("renamed");
-    assert_names(&workdir.fail(1, &GENERATE), &[JOURNAL, "it is no file"]);
+    assert_names(&workdir.fail(1, GENERATE), &[JOURNAL, "it is no file"]);
 }
 
 /// The bytes of a journal with another header.
@@ -129,7 +122,7 @@ fn pieces_of_another_build_or_processor_are_not_resumed() {
             JOURNAL,
             with_header(&journal, |header| header.replace(build, &other)),
         );
-        let message = workdir.fail(1, &[&GENERATE[..], &["--resume"]].concat());
+        let message = workdir.fail(1, format!("{GENERATE} --resume"));
         assert_names(
             &message,
             &[
@@ -143,7 +136,7 @@ fn pieces_of_another_build_or_processor_are_not_resumed() {
         );
     }
     workdir.write(JOURNAL, &journal);
-    let resumed = workdir.succeed(&[&GENERATE[..], &["--resume"]].concat());
+    let resumed = workdir.succeed(format!("{GENERATE} --resume"));
     assert_names(&resumed, &["9 points (3 before they were resumed)"]);
 }
 
@@ -153,8 +146,7 @@ fn what_a_killed_generation_leaves_is_removed_by_the_next() {
     let workdir = workdir();
     for _ in 0..3 {
         let run = workdir.script(&format!(
-            "ulimit -c 0; ulimit -f 12; \"$0\" {} --resume; echo status $?",
-            GENERATE.join(" ")
+            "ulimit -c 0; ulimit -f 12; \"$0\" {GENERATE} --resume; echo status $?"
         ));
         assert!(
             run.stdout.starts_with("status ") && run.stdout != "status 0\n",
@@ -167,7 +159,7 @@ fn what_a_killed_generation_leaves_is_removed_by_the_next() {
             .collect();
         assert_eq!(hidden.len(), 2, "{run:?}");
     }
-    let run = workdir.run(&[&GENERATE[..], &["--resume"]].concat());
+    let run = workdir.run(format!("{GENERATE} --resume"));
     assert_eq!(run.status, 0, "{run:?}");
     assert_names(&run.stderr, &[".table.h5.unfinished-", "is removed"]);
     assert_eq!(workdir.files(), ["scene.toml", "table.h5"]);

@@ -6,3 +6,4 @@
 mod disks;
 mod generation;
 mod journal;
+mod kept;

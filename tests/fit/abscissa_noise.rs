@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_names};
+use acceptance::{Contacts, assert_names, solid};
 use fit::data::{Format, read_from};
 use fit::{
     Bodies, Error, Experiment, Fit, Kind, Loss, Options, Parameter, PointErrors, WarningKind, fit,
@@ -10,7 +10,7 @@ use fit::{
 use interp::{HalfSpace, Probe, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, doubts, solid};
+use crate::imagined::{Course, Imagined, doubts, fit_all};
 use crate::recovery::{SETS, assert_coverage};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -237,14 +237,9 @@ fn what_is_no_standard_deviation_is_refused() {
     let refused = |edit: &dyn Fn(&mut Experiment)| {
         let mut experiment = lens.measured(&exact, 1);
         edit(&mut experiment);
-        fit(
-            Table::embedded(),
-            &[experiment],
-            &lens.free,
-            &Options::default(),
-        )
-        .expect_err("no deviation")
-        .to_string()
+        fit_all(&[experiment], &lens.free)
+            .expect_err("no deviation")
+            .to_string()
     };
     for noise in [-1e-7, f64::NAN, f64::INFINITY] {
         let text = refused(&|experiment| experiment.abscissa_noise = noise);

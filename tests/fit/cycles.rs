@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_names};
+use acceptance::{Contacts, assert_names, solid};
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
     WarningKind, fit,
 };
 use interp::{HalfSpace, Probe, Table};
 
-use crate::imagined::{Course, Imagined, doubts, measurement, solid};
+use crate::imagined::{Course, Imagined, doubts, measurement};
 
 const RADIUS: f64 = 10e-6;
 

@@ -1,10 +1,10 @@
 //! Doubts where there is reason for them, and none where there is not.
 
-use acceptance::{assert_names, table};
+use acceptance::{assert_names, rigid_probe, solid, table};
 use fit::{Bodies, Direction, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
 use interp::{HalfSpace, Probe, Table};
 
-use crate::imagined::{Course, Imagined, doubts, solid};
+use crate::imagined::{Course, Imagined, doubts};
 
 /// The parameters of a JKR test.
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -270,13 +270,12 @@ fn contacts_outside_the_model_are_warned_of() {
     assert_warns(&found, WarningKind::LargeStrain, &["of its thickness"]);
     // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
     let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
-    hard.truth.bodies = Bodies::Coated(interp::System {
-        probe: Probe::Paraboloid { radius: 20e-9 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(5e10, 0.2),
-        film_thickness: 1e-7,
-        substrate: solid(2e11, 0.2),
-    });
+    hard.truth.bodies = Bodies::Coated(rigid_probe(
+        Probe::Paraboloid { radius: 20e-9 },
+        solid(5e10, 0.2),
+        1e-7,
+        solid(2e11, 0.2),
+    ));
     hard.truth.work_of_adhesion = 0.05;
     hard.radii = [0.8e-9, 2e-9];
     hard.noise = 1e-11;
@@ -288,13 +287,12 @@ fn contacts_outside_the_model_are_warned_of() {
     // On a softer film the zone of attraction is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     softer.truth = hard.truth;
-    softer.truth.bodies = Bodies::Coated(interp::System {
-        probe: Probe::Paraboloid { radius: 20e-9 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(5e8, 0.2),
-        film_thickness: 1e-7,
-        substrate: solid(2e11, 0.2),
-    });
+    softer.truth.bodies = Bodies::Coated(rigid_probe(
+        Probe::Paraboloid { radius: 20e-9 },
+        solid(5e8, 0.2),
+        1e-7,
+        solid(2e11, 0.2),
+    ));
     softer.radii = [5e-9, 9e-9];
     softer.noise = 1e-11;
     assert_warns(

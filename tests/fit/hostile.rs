@@ -5,7 +5,7 @@ use fit::{Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Options, 
 use fit::{Scope, fit, simulate};
 use interp::Table;
 
-use crate::imagined::{Course, Imagined, gel, measurement};
+use crate::imagined::{Course, Imagined, fit_all, gel, measurement};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
@@ -14,12 +14,7 @@ fn with(edit: impl Fn(&mut Vec<Point>)) -> Result<Fit, Error> {
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
     let mut experiment = lens.measured(&lens.exact(), 1);
     edit(&mut experiment.measurement.points);
-    fit(
-        Table::embedded(),
-        &[experiment],
-        &lens.free,
-        &Options::default(),
-    )
+    fit_all(&[experiment], &lens.free)
 }
 
 #[test]

@@ -3,13 +3,13 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, paper_system};
+use acceptance::{Contacts, paper_system, rigid_probe, solid};
 use contact::Contact;
 use fit::{
-    Bodies, Direction, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter, Point,
-    Warning, WarningKind,
+    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter,
+    Point, Warning, WarningKind,
 };
-use interp::{Elastic, HalfSpace, Probe, System, Table};
+use interp::{HalfSpace, Probe, System, Table};
 
 /// How an imagined experiment brings sphere and sample together.
 #[derive(Clone, Copy, Debug)]
@@ -64,20 +64,19 @@ pub fn doubts<'a>(found: &'a Fit, expected: &[WarningKind]) -> Vec<&'a Warning> 
         .collect()
 }
 
-/// Makes a solid.
-pub fn solid(young: f64, poisson: f64) -> Elastic {
-    Elastic::new(young, poisson).expect("physical")
+/// Fits experiments together with the embedded table, by default options.
+pub fn fit_all(experiments: &[Experiment], free: &[Free]) -> Result<Fit, Error> {
+    fit::fit(Table::embedded(), experiments, free, &Options::default())
 }
 
 /// A rigid colloidal probe of 20 um on a gel of 20 kPa and 10 um thickness, on glass.
 pub fn gel() -> System {
-    System {
-        probe: Probe::Paraboloid { radius: 20e-6 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(2e4, 0.45),
-        film_thickness: 10e-6,
-        substrate: solid(7e10, 0.2),
-    }
+    rigid_probe(
+        Probe::Paraboloid { radius: 20e-6 },
+        solid(2e4, 0.45),
+        10e-6,
+        solid(7e10, 0.2),
+    )
 }
 
 impl Imagined {

@@ -1,12 +1,12 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
-use acceptance::{assert_names, springs};
+use acceptance::{assert_names, solid, springs};
 use fit::{Bodies, Fit, Kind, Parameter, WarningKind};
 use interp::System;
 use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
 
-use crate::imagined::{Imagined, solid};
+use crate::imagined::Imagined;
 use crate::layers::{fit_of, layer, named, on_layers, recover};
 
 const INFINITY: f64 = f64::INFINITY;

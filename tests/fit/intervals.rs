@@ -1,11 +1,11 @@
 //! Intervals of the profile likelihood are nested, contain the estimate, and say why they are open.
 
-use acceptance::assert_names;
+use acceptance::{assert_names, solid};
 use fit::{
     Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point, WarningKind,
     fit,
 };
-use interp::{Elastic, Probe, System, Table};
+use interp::{Probe, System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
@@ -91,7 +91,7 @@ fn lens() -> Experiment {
             direction: None,
         }
     };
-    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let solid = |young, poisson| solid(young, poisson);
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,

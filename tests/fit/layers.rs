@@ -1,19 +1,18 @@
 //! Fits of contacts on stacks of layers.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use acceptance::{assert_names, larger};
-use contact::Contact;
+use acceptance::{larger, solid};
 use fit::{
-    Bodies, Cause, Experiment, Fit, Free, Interruptible, Kind, LayerName, Layered, LayeredSolver,
-    Loss, NamedLayer, Options, Parameter, Reach, WarningKind,
+    Bodies, Experiment, Fit, Free, Kind, LayerName, Layered, Loss, NamedLayer, Options, Parameter,
+    Reach, WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
 use solve::stack::Layer;
 
-use crate::imagined::{Course, Imagined, doubts, measurement, solid};
+use crate::imagined::{Course, Imagined, fit_all, measurement};
+use crate::recovery::assert_coverage;
 
 pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
@@ -42,7 +41,7 @@ pub fn on_layers(system: &System, layers: &[NamedLayer]) -> Bodies {
 }
 
 /// A lens on an elastomer on a softer primer on silicon.
-fn lens(free: &[Parameter]) -> Imagined {
+pub fn lens(free: &[Parameter]) -> Imagined {
     let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, free);
     let Bodies::Coated(system) = &lens.truth.bodies else {
         unreachable!("a lens is on a film")
@@ -66,7 +65,7 @@ fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Imagined 
 }
 
 /// Gives the contacts on layers the reach that the measurement needs.
-fn with_reach(mut experiment: Experiment) -> Experiment {
+pub fn with_reach(mut experiment: Experiment) -> Experiment {
     if let Bodies::Layered(layered) = &mut experiment.bodies {
         layered.reach = Reach::of(&experiment.measurement, &layered.probe);
     }
@@ -82,41 +81,13 @@ pub fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
     fit::fit(Table::embedded(), &experiments, &imagined.free, &options).expect("sound data")
 }
 
-/// Fits 50 data sets, and asserts that the intervals of 68 % and 95 % hold the truth as often as
-/// they should, that all fits converge, and that none has another warning than those expected.
+/// Fits 50 data sets.
 pub fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
-    const SETS: u64 = 50;
-    /// The numbers of 50 that a binomial distribution with 0.6827 and 0.95 exceeds on either side
-    /// once in 20,000 times.
-    const BETWEEN: [[usize; 2]; 2] = [[20, 46], [40, 50]];
     let exact = imagined.exact();
-    let fits: Vec<Fit> = (0..SETS)
-        .into_par_iter()
-        .map(|seed| fit_of(imagined.measured(&exact, seed), imagined))
-        .collect();
-    for (i, estimate) in fits[0].estimates.iter().enumerate() {
-        let truth = imagined.truth.get(estimate.parameter).expect("a value");
-        let relative = estimate.standard_error / truth.abs();
-        for (z, [least, most]) in [1.0, 1.96].into_iter().zip(BETWEEN) {
-            let holds = |fit: &&Fit| {
-                let [low, high] = fit.estimates[i].interval(z);
-                (low..=high).contains(&truth)
-            };
-            let covered = fits.iter().filter(holds).count();
-            let parameter = estimate.parameter;
-            println!("{name}: {parameter} {relative:.1e}, {covered} of {SETS} within {z} errors");
-            assert!(
-                (least..=most).contains(&covered),
-                "{name}, {parameter}: {covered} of {SETS}, not {least} to {most}"
-            );
-        }
-    }
-    // All layers of this file are bonded.
-    let expected = [expected, &[WarningKind::AssumesBonding]].concat();
-    let all = fits.iter().flat_map(|fit| doubts(fit, &expected));
-    let unexpected: Vec<_> = all.collect();
-    assert!(unexpected.is_empty(), "{name}: {unexpected:?}");
-    assert!(fits.iter().all(|fit| fit.converged), "{name}");
+    let fit_of = |seed| fit_of(imagined.measured(&exact, seed), imagined);
+    let fits: Vec<Fit> = (0..50).into_par_iter().map(fit_of).collect();
+    let truth = |parameter: Parameter, _| imagined.truth.get(parameter).expect("a value");
+    assert_coverage(name, &fits, truth, expected);
 }
 
 #[test]
@@ -337,83 +308,6 @@ fn without_the_layers_the_sphere_touches_the_base() {
 }
 
 #[test]
-fn what_layers_do_not_have_is_named() {
-    let lens = lens(&[Parameter::WorkOfAdhesion]);
-    let experiment = with_reach(lens.measured(&lens.exact(), 1));
-    let refused = |experiment: &Experiment, free: Parameter| {
-        let free = [Free::new(free)];
-        let experiments = [experiment.clone()];
-        fit::fit(Table::embedded(), &experiments, &free, &Options::default())
-            .expect_err("refused")
-            .to_string()
-    };
-    let all = [
-        "primer.modulus",
-        "primer.thickness",
-        "elastomer.modulus",
-        "elastomer.thickness",
-    ];
-    let message = refused(&experiment, Parameter::LayerModulus(named("oxide")));
-    assert_names(
-        &message,
-        &[&["oxide.modulus", "no such layer"][..], &all].concat(),
-    );
-    let message = refused(&experiment, Parameter::FilmThickness);
-    assert_names(
-        &message,
-        &[&["film-thickness", "instead of one film"][..], &all].concat(),
-    );
-    let mut on_film = experiment.clone();
-    on_film.bodies = Imagined::lens(Kind::LoadRadius, 1e-5, 5e-6, &[])
-        .truth
-        .bodies;
-    let message = refused(&on_film, Parameter::LayerModulus(named("oxide")));
-    assert_names(&message, &["oxide.modulus", "no stack of layers"]);
-    let mut set = experiment;
-    let error = set.set(Parameter::LayerThickness(named("oxide")), 1e-6);
-    assert_names(
-        &error.expect_err("refused").to_string(),
-        &["oxide", "no such layer"],
-    );
-    let error = "oxide.poisson"
-        .parse::<Parameter>()
-        .expect_err("no parameter");
-    assert_names(&error.to_string(), &["oxide.poisson", "LAYER.modulus"]);
-}
-
-#[test]
-fn layers_that_cannot_be_solved_are_named() {
-    let lens = lens(&[Parameter::WorkOfAdhesion]);
-    let sound = with_reach(lens.measured(&lens.exact(), 1));
-    let refused = |name: &str, is_modulus: bool, value: f64| {
-        let mut experiment = sound.clone();
-        let parameter = if is_modulus {
-            Parameter::LayerModulus(named(name))
-        } else {
-            Parameter::LayerThickness(named(name))
-        };
-        experiment.set(parameter, value).expect("a number");
-        fit::fit(
-            Table::embedded(),
-            &[experiment],
-            &lens.free,
-            &Options::default(),
-        )
-        .expect_err("refused")
-        .to_string()
-    };
-    let message = refused("primer", false, -1e-6);
-    assert_names(&message, &["layer primer", "-1e-6", "> 0 and finite"]);
-    let message = refused("primer", true, f64::INFINITY);
-    assert_names(&message, &["layer primer", "inf", "must be finite"]);
-    let message = refused("elastomer", true, 1e18);
-    assert_names(&message, &["layer elastomer", "1e9 times"]);
-    // A top layer of 10 nm under contacts of 130 um.
-    let message = refused("elastomer", false, 1e-8);
-    assert_names(&message, &["out of reach", "top layer"]);
-}
-
-#[test]
 fn bounds_priors_and_robust_losses_hold_for_layers() {
     let primer = Parameter::LayerModulus(named("primer"));
     let mut lens = lens(&[primer, Parameter::WorkOfAdhesion]);
@@ -465,24 +359,6 @@ fn contacts_are_made_as_far_as_the_data_need_them() {
 }
 
 #[test]
-fn a_cone_on_layers_is_refused() {
-    let lens = lens(&[Parameter::WorkOfAdhesion]);
-    let mut experiment = with_reach(lens.measured(&lens.exact(), 1));
-    let Bodies::Layered(layered) = &mut experiment.bodies else {
-        unreachable!("a lens on layers")
-    };
-    layered.probe = Probe::Cone { half_angle: 1.4 };
-    let error = fit::fit(
-        Table::embedded(),
-        &[experiment],
-        &lens.free,
-        &Options::default(),
-    );
-    let message = error.expect_err("refused").to_string();
-    assert_names(&message, &["stack", "paraboloid"]);
-}
-
-#[test]
 fn a_punch_on_one_layer_has_the_loads_on_the_film() {
     let mut film = crate::imagined::gel();
     film.probe = Probe::FlatPunch { radius: 8e-6 };
@@ -517,13 +393,7 @@ fn lenses_on_two_coatings_tell_the_modulus_of_their_primer() {
     let thickness = Parameter::LayerThickness(named("elastomer"));
     thick.truth.set(thickness, 1e-5).expect("a layer");
     let experiments = [&thin, &thick].map(|lens| with_reach(lens.measured(&lens.exact(), 5)));
-    let found = fit::fit(
-        Table::embedded(),
-        &experiments,
-        &lens.free,
-        &Options::default(),
-    )
-    .expect("sound data");
+    let found = fit_all(&experiments, &lens.free).expect("sound data");
     assert!(found.converged && found.estimates.len() == 2);
     let both = *found.estimate(primer).expect("it is free");
     assert!(
@@ -531,62 +401,8 @@ fn lenses_on_two_coatings_tell_the_modulus_of_their_primer() {
         "{both:?}"
     );
     let [thin, _] = experiments;
-    let alone = fit::fit(Table::embedded(), &[thin], &lens.free, &Options::default());
+    let alone = fit_all(&[thin], &lens.free);
     let alone = alone.expect("sound data");
     let alone = alone.estimate(primer).expect("it is free");
     assert!(both.standard_error < alone.standard_error);
-}
-
-/// Counts the contacts that it makes, and is interrupted during one of them.
-#[derive(Debug)]
-struct Counted {
-    made: AtomicUsize,
-    last: usize,
-    interrupted: Arc<AtomicBool>,
-}
-
-impl LayeredSolver for Counted {
-    fn contact(&self, bodies: &Layered) -> Result<Contact, Cause> {
-        if self.made.fetch_add(1, Ordering::Relaxed) + 1 == self.last {
-            self.interrupted.store(true, Ordering::Relaxed);
-        }
-        fit::DirectSolver.contact(bodies)
-    }
-}
-
-#[test]
-fn an_interrupted_fit_makes_no_further_contact() {
-    let primer = Parameter::LayerModulus(named("primer"));
-    let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
-    let experiment = with_reach(lens.measured(&lens.exact(), 1));
-    let contacts_until = |last: usize| {
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let counted = Arc::new(Counted {
-            made: AtomicUsize::new(0),
-            last,
-            interrupted: interrupted.clone(),
-        });
-        let mut experiment = experiment.clone();
-        let Bodies::Layered(layered) = &mut experiment.bodies else {
-            unreachable!("a lens is on layers")
-        };
-        layered.solver = Arc::new(Interruptible {
-            solver: counted.clone(),
-            interrupted,
-        });
-        let found = fit::fit(
-            Table::embedded(),
-            &[experiment],
-            &lens.free,
-            &Options::default(),
-        );
-        let made = counted.made.load(Ordering::Relaxed);
-        assert!(made >= last || found.is_ok(), "{found:?}");
-        made
-    };
-    let all = contacts_until(usize::MAX);
-    assert!(all > 10, "{all}");
-    for last in [1, 2, all / 2, all] {
-        assert_eq!(contacts_until(last), last);
-    }
 }

@@ -8,7 +8,7 @@ use fit::{
 };
 use interp::Table;
 
-use crate::imagined::{Course, Imagined, gel, measurement};
+use crate::imagined::{Course, Imagined, fit_all, gel, measurement};
 
 fn fit_with(experiment: &Experiment, free: &[Parameter], allow: bool) -> Result<Fit, fit::Error> {
     let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
@@ -152,11 +152,6 @@ fn a_value_that_changes_nothing_is_no_result() {
         Free::new(all[1]),
         Free::new(all[2]).with_prior(1e-4, 1e-5),
     ];
-    let found = fit(
-        Table::embedded(),
-        &[experiment],
-        &known,
-        &Options::default(),
-    );
+    let found = fit_all(&[experiment], &known);
     assert!(found.expect("the prior tells it").converged);
 }

@@ -1,10 +1,10 @@
 //! Numbers that no contact experiment has: a wrong unit is named before it is a result.
 
-use acceptance::assert_names;
-use fit::{Bodies, Experiment, Kind, Options, Parameter, WarningKind, fit};
-use interp::{Elastic, HalfSpace, Probe, System, Table};
+use acceptance::{assert_names, solid};
+use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
+use interp::{HalfSpace, Probe, System};
 
-use crate::imagined::{Course, Imagined, solid};
+use crate::imagined::{Course, Imagined, fit_all};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
@@ -16,12 +16,7 @@ fn said(mistake: impl Fn(&mut Experiment)) -> String {
     mistake(&mut experiment);
     let mut found = experiment.magnitudes();
     if found.is_empty() {
-        match fit(
-            Table::embedded(),
-            &[experiment],
-            &lens.free,
-            &Options::default(),
-        ) {
+        match fit_all(&[experiment], &lens.free) {
             Ok(fit) => found = fit.magnitudes(),
             Err(error) => return error.to_string(),
         }
@@ -71,7 +66,7 @@ fn what_no_experiment_has_is_named_with_the_likely_mistake() {
             "modulus in Pa times 1e9 twice",
             &|one| {
                 system(one, |of| {
-                    of.substrate = Elastic::new(2e20, 0.25).expect("positive");
+                    of.substrate = solid(2e20, 0.25);
                 });
             },
             &["substrate's modulus", "2000 GPa"],
@@ -79,9 +74,7 @@ fn what_no_experiment_has_is_named_with_the_likely_mistake() {
         (
             "modulus in GPa",
             &|one| {
-                system(one, |of| {
-                    of.film = Elastic::new(3.5e-3, 0.5).expect("positive")
-                });
+                system(one, |of| of.film = solid(3.5e-3, 0.5));
             },
             &[
                 "film's modulus = 0.0035 Pa",
@@ -139,13 +132,7 @@ fn a_result_that_no_solid_has_is_named_and_warned_of() {
     experiment.stiffness = Some(1e9);
     experiment.baseline *= FACTOR;
     assert_eq!(experiment.magnitudes(), []);
-    let found = fit(
-        Table::embedded(),
-        &[experiment],
-        &gel.free,
-        &Options::default(),
-    )
-    .expect("a fit");
+    let found = fit_all(&[experiment], &gel.free).expect("a fit");
     let modulus = found.estimate(Parameter::FilmModulus).expect("free").value;
     assert!((modulus / 1e14 - 1.0).abs() < 0.05, "{modulus:e}");
     let magnitudes = found.magnitudes();
@@ -170,12 +157,7 @@ fn a_film_that_the_contacts_hardly_see_is_doubted_and_one_that_they_see_is_not()
     ] {
         let lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &LENS);
         let experiment = lens.measured(&lens.exact(), 1);
-        let found = fit(
-            Table::embedded(),
-            &[experiment],
-            &lens.free,
-            &Options::default(),
-        );
+        let found = fit_all(&[experiment], &lens.free);
         let found = found.expect("possible");
         let of_kind = found
             .warnings

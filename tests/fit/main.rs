@@ -14,6 +14,7 @@ mod imagined;
 mod interfaces;
 mod intervals;
 mod layers;
+mod layers_refused;
 mod left_out;
 mod magnitudes;
 mod minima;

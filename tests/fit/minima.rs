@@ -3,15 +3,17 @@
 
 use std::f64::consts::PI;
 
-use acceptance::assert_names;
+use acceptance::{assert_names, solid};
 use fit::{
-    Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
-    WarningKind, fit, simulate,
+    Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Parameter, Point, WarningKind,
+    simulate,
 };
-use interp::{Elastic, Probe, System, Table};
+use interp::{Probe, System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
+
+use crate::imagined::fit_all;
 
 /// The probability of a normal number beyond 5 standard deviations.
 const CHANCE: f64 = 5.733e-7;
@@ -44,7 +46,7 @@ fn is_doubt(kind: WarningKind) -> bool {
 
 fn fit_of(drawn: &Drawn, free: &[Free]) -> Result<Fit, fit::Error> {
     let experiment = std::slice::from_ref(&drawn.experiment);
-    fit(Table::embedded(), experiment, free, &Options::default())
+    fit_all(experiment, free)
 }
 
 /// Returns by how many standard errors the worst estimate is off.
@@ -278,9 +280,9 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
-        film: Elastic::new(modulus, 0.45).expect("physical"),
+        film: solid(modulus, 0.45),
         film_thickness: 1e-5,
-        substrate: Elastic::new(2e11, 0.25).expect("physical"),
+        substrate: solid(2e11, 0.25),
     };
     let point = |i: u32| Point {
         line: u64::from(i) + 1,
@@ -312,7 +314,7 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
             measurement,
             ..planned.clone()
         };
-        let found = fit(Table::embedded(), &[measured], &free, &Options::default());
+        let found = fit_all(&[measured], &free);
         let found = found.expect("sound data");
         let film = found.estimate(Parameter::FilmModulus).expect("it is free");
         assert!(

@@ -1,12 +1,12 @@
 //! Fits of bodies that relax: the truth within the intervals, and what is refused.
 
-use acceptance::assert_names;
+use acceptance::{assert_names, rigid_probe, solid};
 use contact::Relaxation;
 use fit::{
     Bodies, Direction, Error, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
     Relaxing, WarningKind, fit, simulate,
 };
-use interp::{Elastic, Probe, System, Table};
+use interp::{Probe, Table};
 use rayon::prelude::*;
 
 use crate::recovery::{SETS, assert_coverage};
@@ -15,15 +15,16 @@ use Parameter::{
     Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
 };
 
+use crate::imagined::fit_all;
+
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
-    Bodies::Coated(System {
-        probe: Probe::Paraboloid { radius: 2e-5 },
-        sphere_modulus: f64::INFINITY,
-        film: Elastic::new(2e3, 0.5).expect("physical"),
-        film_thickness: thickness,
-        substrate: Elastic::new(f64::INFINITY, 0.25).expect("physical"),
-    })
+    Bodies::Coated(rigid_probe(
+        Probe::Paraboloid { radius: 2e-5 },
+        solid(2e3, 0.5),
+        thickness,
+        solid(f64::INFINITY, 0.25),
+    ))
 }
 
 /// An approach from before the contact in 1 s, a hold, and a retract, with 60 points.
@@ -94,7 +95,7 @@ fn recover(
             .zip(0..)
             .map(|(plan, i)| measured(plan, 10 * set + i));
         let data: Vec<Experiment> = data.collect();
-        fit(Table::embedded(), &data, &free, &Options::default()).expect("sound data")
+        fit_all(&data, &free).expect("sound data")
     };
     let fits: Vec<Fit> = (SETS * seed..SETS * (seed + 1))
         .into_par_iter()
@@ -111,7 +112,7 @@ fn power() -> Relaxation {
     }
 }
 
-fn solid() -> Relaxation {
+fn linear_solid() -> Relaxation {
     Relaxation::Prony {
         relaxed: 0.3,
         terms: vec![[0.7, 0.3]],
@@ -140,9 +141,9 @@ fn solids_are_recovered() {
         RelaxationTime(1),
         ContactPoint,
     ];
-    let plan = planned(Kind::LoadPenetration, 1e-5, &solid(), 1.0);
+    let plan = planned(Kind::LoadPenetration, 1e-5, &linear_solid(), 1.0);
     recover("standard linear solid", &[plan], &free, 104, &[]);
-    let plan = planned(Kind::ForceHeight, 1e-5, &solid(), 1.0);
+    let plan = planned(Kind::ForceHeight, 1e-5, &linear_solid(), 1.0);
     recover("standard linear solid, heights", &[plan], &free, 105, &[]);
     let modified = Relaxation::ModifiedPowerLaw {
         relaxed: 0.0,
@@ -164,12 +165,7 @@ fn solids_are_recovered() {
 /// Returns the message of the error of a fit.
 fn refused(experiment: &Experiment, free: &[Parameter]) -> String {
     let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
-    let found = fit(
-        Table::embedded(),
-        std::slice::from_ref(experiment),
-        &free,
-        &Options::default(),
-    );
+    let found = fit_all(std::slice::from_ref(experiment), &free);
     found.expect_err("it is refused").to_string()
 }
 
@@ -251,7 +247,7 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     let with_base = |young: f64, all_bodies: bool| {
         let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
         if let Bodies::Coated(system) = &mut data.bodies {
-            system.substrate = Elastic::new(young, 0.45).expect("physical");
+            system.substrate = solid(young, 0.45);
         }
         if let Some(relaxing) = &mut data.relaxing {
             relaxing.all_bodies = all_bodies;
@@ -260,12 +256,7 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     };
     let found = |data: &Experiment| {
         let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
-        fit(
-            Table::embedded(),
-            std::slice::from_ref(data),
-            &free,
-            &Options::default(),
-        )
+        fit_all(std::slice::from_ref(data), &free)
     };
     let glass = found(&with_base(7e10, false)).expect("nothing to see");
     assert!(!glass.warns_of(WarningKind::UnlikeBodies));
@@ -320,7 +311,7 @@ fn units() {
     };
     other.relaxing = Some(Relaxing::new(law));
     let [one, other] = [data, other].map(|data| {
-        let found = fit(Table::embedded(), &[data], &free, &Options::default());
+        let found = fit_all(&[data], &free);
         found.expect("sound data").estimates
     });
     for (one, other) in one.iter().zip(&other) {
@@ -335,7 +326,7 @@ fn a_penetration_that_goes_back_and_forth() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);
     let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
     data.measurement.points[20].abscissa += 6e-8;
-    let found = fit(Table::embedded(), &[data], &free, &Options::default()).expect("a fit");
+    let found = fit_all(&[data], &free).expect("a fit");
     let changed = found.experiments[0]
         .relaxation
         .expect("it relaxes")

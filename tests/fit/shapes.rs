@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
+use acceptance::solid;
 use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point};
 use interp::{HalfSpace, Probe, System};
 use solve::{PowerLaw, solve_power_laws};
 
-use crate::imagined::{Imagined, measurement, solid};
+use crate::imagined::{Imagined, fit_all, measurement};
 
 /// The true work of adhesion, J/m^2.
 const ADHESION: f64 = 0.04;
@@ -142,12 +143,7 @@ fn recover(
     let truth = imagined.truth.clone();
     let offs = |imagined: &Imagined, seed: u64| -> Vec<f64> {
         let experiment = imagined.measured(exact, seed);
-        let fit = fit::fit(
-            interp::Table::embedded(),
-            &[experiment],
-            &imagined.free,
-            &fit::Options::default(),
-        );
+        let fit = fit_all(&[experiment], &imagined.free);
         let fit = fit.expect("sound data");
         assert!(fit.converged, "{name}");
         let off = |estimate: &fit::Estimate| {

@@ -12,7 +12,7 @@ fn the_file_is_whole_and_the_same_twice() {
     let source = shipped("paper.bin");
     let source = source.to_str().expect("a path in UTF-8");
     for name in ["one.html", "two.html"] {
-        assert_eq!(workdir.succeed(&["report", source, "-o", name]), "");
+        assert_eq!(workdir.succeed(format!("report {source} -o {name}")), "");
     }
     let page = String::from_utf8(workdir.read("one.html")).expect("UTF-8");
     assert_eq!(page.as_bytes(), workdir.read("two.html"));
@@ -108,11 +108,11 @@ fn nothing_is_written_on_top_of_the_table() {
         "table.bin",
         std::fs::read(shipped("paper.bin")).expect("the shipped table"),
     );
-    let message = workdir.fail(1, &["report", "table.bin", "-o", "table.bin"]);
+    let message = workdir.fail(1, "report table.bin -o table.bin");
     assert_names(&message, &["table.bin", "it is the input"]);
-    workdir.fail(2, &["report", "table.bin"]);
+    workdir.fail(2, "report table.bin");
     assert_names(
-        &workdir.succeed(&["report", "--help"]),
+        &workdir.succeed("report --help"),
         &["TABLE", "-o", "--output", "REPORT.html"],
     );
 }

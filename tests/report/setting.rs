@@ -1,7 +1,8 @@
 //! The settings of a page: its address, and the contact that they describe.
 
+use acceptance::solid;
 use contact::Contact;
-use interp::{Elastic, Probe, Quantity, SubstratePoissonRatio, System, Table};
+use interp::{Probe, Quantity, SubstratePoissonRatio, System, Table};
 
 /// The settings of a page, in SI units. `film` and `substrate` are Young's modulus and Poisson
 /// ratio.
@@ -72,7 +73,7 @@ impl Setting {
     }
 
     pub fn contact(&self, table: &Table) -> Contact {
-        let solid = |[young, poisson]: [f64; 2]| Elastic::new(young, poisson).expect("physical");
+        let solid = |[young, poisson]: [f64; 2]| solid(young, poisson);
         let radius = self.radius;
         let system = System {
             probe: match self.probe {

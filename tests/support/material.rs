@@ -1,6 +1,9 @@
-//! Materials and systems that many tests use.
+//! Materials, systems and contacts that many tests use.
 
-use interp::{Elastic, Material, Probe, System};
+use contact::Contact;
+use interp::{Elastic, Material, Probe, System, Table};
+
+use crate::solid;
 
 /// Returns the material `[e1_over_e2, nu1, e0_over_e2, nu0]`.
 ///
@@ -12,7 +15,6 @@ pub fn material([e1_over_e2, nu1, e0_over_e2, nu0]: [f64; 4]) -> Material {
 
 /// Returns the system of Barthel's Tables 1 and 2 with a film of thickness `film_thickness` (m).
 pub fn paper_system(film_thickness: f64) -> System {
-    let solid = |young, poisson| Elastic::new(young, poisson).expect("physical");
     System {
         probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 2e6,
@@ -20,4 +22,38 @@ pub fn paper_system(film_thickness: f64) -> System {
         film_thickness,
         substrate: solid(2e11, 0.25),
     }
+}
+
+/// Returns a rigid `probe` on a `film` of thickness `film_thickness` (m) on a `substrate`.
+pub const fn rigid_probe(
+    probe: Probe,
+    film: Elastic,
+    film_thickness: f64,
+    substrate: Elastic,
+) -> System {
+    System {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        film,
+        film_thickness,
+        substrate,
+    }
+}
+
+/// Looks up the contact of a system in the embedded table.
+///
+/// # Panics
+/// If it is not in the table.
+pub fn looked_up(system: &System) -> Contact {
+    Contact::in_table(Table::embedded(), system).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Solves the contact of a system for `a/t` in a `range`, to a `tolerance`.
+///
+/// # Panics
+/// If the solver does not reach it.
+pub fn solved_contact(system: &System, range: [f64; 2], tolerance: f64) -> Contact {
+    let material = system.material().unwrap_or_else(|e| panic!("{e}"));
+    let curve = solve::curve(&material, range, tolerance).unwrap_or_else(|e| panic!("{e}"));
+    Contact::new(system, curve).unwrap_or_else(|e| panic!("{e}"))
 }

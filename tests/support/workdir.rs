@@ -25,6 +25,54 @@ pub struct Run {
     pub stderr: String,
 }
 
+/// The arguments of a run: a list, or a line as a user types it, where spaces part the arguments and
+/// an argument that holds spaces stands between quotes `'`.
+pub trait Arguments {
+    /// Returns the list.
+    fn list(&self) -> Vec<String>;
+}
+
+impl Arguments for str {
+    fn list(&self) -> Vec<String> {
+        let parts = self.split('\'').enumerate();
+        let words = parts.flat_map(|(i, part)| match i % 2 {
+            0 => part.split_whitespace().collect(),
+            _ => vec![part],
+        });
+        words.map(str::to_owned).collect()
+    }
+}
+
+impl Arguments for String {
+    fn list(&self) -> Vec<String> {
+        self.as_str().list()
+    }
+}
+
+impl Arguments for [&str] {
+    fn list(&self) -> Vec<String> {
+        self.iter().map(|&argument| argument.to_owned()).collect()
+    }
+}
+
+impl<const N: usize> Arguments for [&str; N] {
+    fn list(&self) -> Vec<String> {
+        self.as_slice().list()
+    }
+}
+
+impl Arguments for Vec<&str> {
+    fn list(&self) -> Vec<String> {
+        self.as_slice().list()
+    }
+}
+
+impl<T: Arguments + ?Sized> Arguments for &T {
+    fn list(&self) -> Vec<String> {
+        (**self).list()
+    }
+}
+
 /// Makes an empty [`Workdir`] for the program under test.
 ///
 /// A macro, because cargo tells the path of the program to the tests only, and not to this library.
@@ -109,16 +157,16 @@ impl Workdir {
     ///
     /// # Panics
     /// If it cannot be run, is killed, or prints something other than UTF-8.
-    pub fn run(&self, args: &[&str]) -> Run {
-        self.end(args, self.start(args))
+    pub fn run(&self, args: impl Arguments) -> Run {
+        self.end(&args, self.start(&args))
     }
 
     /// Starts the program. Its output is captured.
     ///
     /// # Panics
     /// If it cannot be started.
-    pub fn start(&self, args: &[&str]) -> Child {
-        self.spawn(Command::new(self.program).args(args))
+    pub fn start(&self, args: impl Arguments) -> Child {
+        self.spawn(Command::new(self.program).args(args.list()))
     }
 
     /// Runs a shell script, in which `$0` is the program.
@@ -127,7 +175,7 @@ impl Workdir {
     /// As [`Workdir::run`].
     pub fn script(&self, script: &str) -> Run {
         let child = self.spawn(Command::new("sh").args(["-c", script, self.program]));
-        self.end(&[script], child)
+        self.end([script], child)
     }
 
     fn spawn(&self, command: &mut Command) -> Child {
@@ -139,13 +187,13 @@ impl Workdir {
     ///
     /// # Panics
     /// As [`Workdir::run`].
-    pub fn end(&self, args: &[&str], child: Child) -> Run {
+    pub fn end(&self, args: impl Arguments, child: Child) -> Run {
         let output = child.wait_with_output().expect("the program runs");
         let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
         let status = output
             .status
             .code()
-            .unwrap_or_else(|| panic!("{args:?}: {}", output.status));
+            .unwrap_or_else(|| panic!("{:?}: {}", args.list(), output.status));
         Run {
             status,
             stdout: text(output.stdout),
@@ -158,11 +206,12 @@ impl Workdir {
     ///
     /// # Panics
     /// If it fails or prints anything else on standard error.
-    pub fn succeed(&self, args: &[&str]) -> String {
-        let run = self.run(args);
+    pub fn succeed(&self, args: impl Arguments) -> String {
+        let run = self.run(&args);
         let mut lines = run.stderr.lines();
         let all_comments = lines.all(|line| line.starts_with("# "));
-        assert!(run.status == 0 && all_comments, "{args:?}: {run:?}");
+        let succeeds = run.status == 0 && all_comments;
+        assert!(succeeds, "{:?}: {run:?}", args.list());
         run.stdout
     }
 
@@ -171,12 +220,11 @@ impl Workdir {
     ///
     /// # Panics
     /// If it ends otherwise.
-    pub fn fail(&self, status: i32, args: &[&str]) -> String {
-        let run = self.run(args);
-        assert!(
-            run.status == status && run.stdout.is_empty() && !run.stderr.contains("panicked"),
-            "{args:?}: {run:?}"
-        );
+    pub fn fail(&self, status: i32, args: impl Arguments) -> String {
+        let run = self.run(&args);
+        let fails = run.status == status && run.stdout.is_empty();
+        let fails = fails && !run.stderr.contains("panicked");
+        assert!(fails, "{:?}: {run:?}", args.list());
         run.stderr
     }
 }

@@ -1,8 +1,8 @@
 //! Curves made without a table, from solves or from samples.
 
-use acceptance::{Contacts, larger, material, paper_system, relative_error, shipped};
+use acceptance::{Contacts, larger, material, paper_system, relative_error, shipped, solid};
 use contact::Contact;
-use interp::{Curve, Elastic, Material, Probe, Quantities, System, Table};
+use interp::{Curve, Material, Probe, Quantities, System, Table};
 use solve::Error;
 use solve::{A_OVER_T, solve};
 use solve::{CURVE_TOLERANCE as TOLERANCE, curve};
@@ -291,7 +291,7 @@ fn a_contact_takes_the_curve_of_its_material_or_an_equivalent_one_only() {
         own.nu0(),
     ]);
     let compressible = System {
-        film: Elastic::new(3.5e6, 0.4).expect("physical"),
+        film: solid(3.5e6, 0.4),
         ..system.clone()
     };
     let equivalent = compressible

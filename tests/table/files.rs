@@ -1,16 +1,15 @@
 //! The HDF5 file and the packed file of a table: each keeps every number, and a damaged or foreign
 //! file is an error.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use acceptance::{
     PREFIX, Workdir, all_bits, assert_names, nothing_starts, table, with_payload, workdir,
 };
+use hdf5::types::VarLenUnicode;
 use interp::Parameter;
 use interp::{Certificate, Error, Quantity, Table};
-use ndarray::{Array1, Array4};
 use tabulate::table::archive;
 
 const BOX: &str = "
@@ -23,6 +22,7 @@ const BOX: &str = "
     e0_over_e2 = { from = 10, to = 100, nodes = 2 }
     nu0        = 0.2
 ";
+
 const RIGID: &str = "
     title      = 'Rigid sphere and substrate'
     tolerance  = 1e-3
@@ -32,16 +32,21 @@ const RIGID: &str = "
     e0_over_e2 = inf
 ";
 
-static TABLE: LazyLock<Table> = LazyLock::new(|| table(BOX));
+pub static TABLE: LazyLock<Table> = LazyLock::new(|| table(BOX));
+
 static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| TABLE.to_packed().expect("a small table"));
 
-fn with_table() -> Workdir {
+pub fn with_table() -> Workdir {
     let workdir = workdir!();
     archive::write(&TABLE, &workdir.path("table.h5")).expect("written");
     workdir
 }
 
-fn assert_same(found: &Table, expected: &Table) {
+fn opened(workdir: &Workdir) -> Table {
+    Table::open(workdir.path("table.h5")).expect("a sound table")
+}
+
+pub fn assert_same(found: &Table, expected: &Table) {
     assert_eq!(found.description(), expected.description());
     assert_eq!(all_bits(found), all_bits(expected));
 }
@@ -64,7 +69,7 @@ fn bits_by_c_library(path: &Path) -> Vec<Option<Vec<u64>>> {
 }
 
 /// Copies the table's file to the file `name`, changes it by `alter` and returns its path.
-fn altered(
+pub fn altered(
     workdir: &Workdir,
     name: &str,
     alter: impl FnOnce(&hdf5::File) -> hdf5::Result<()>,
@@ -85,14 +90,8 @@ fn every_form_and_reader_gives_the_same_bits() {
     ] {
         let (table, workdir) = (table(scene), workdir!());
         archive::write(&table, &workdir.path("table.h5")).expect("written");
-        assert_eq!(
-            workdir.succeed(&["pack", "table.h5", "-o", "table.bin"]),
-            ""
-        );
-        assert_same(
-            &Table::open(workdir.path("table.h5")).expect("a sound table"),
-            &table,
-        );
+        assert_eq!(workdir.succeed("pack table.h5 -o table.bin"), "");
+        assert_same(&opened(&workdir), &table);
         assert_eq!(
             bits_by_c_library(&workdir.path("table.h5")),
             all_bits(&table)
@@ -112,7 +111,7 @@ fn every_form_and_reader_gives_the_same_bits() {
         // A note says why the fields of a quantity that is not held are empty.
         let query = |table: &str| {
             workdir
-                .run(&["query", table, "--points", "points.csv"])
+                .run(format!("query {table} --points points.csv"))
                 .stdout
         };
         let answer = query("table.h5");
@@ -136,15 +135,12 @@ fn a_certificate_is_kept_in_every_form() {
         let (workdir, mut table) = (with_table(), TABLE.clone());
         table.set_certificate(certificate);
         archive::write(&table, &workdir.path("table.h5")).expect("written");
-        assert_same(
-            &Table::open(workdir.path("table.h5")).expect("a sound table"),
-            &table,
-        );
+        assert_same(&opened(&workdir), &table);
         let packed = table.to_packed().expect("a small table");
         assert_same(&Table::from_packed(&packed).expect("a sound table"), &table);
-        workdir.succeed(&["pack", "table.h5", "-o", "table.bin"]);
+        workdir.succeed("pack table.h5 -o table.bin");
         assert_eq!(workdir.read("table.bin"), packed);
-        workdir.succeed(&["unpack", "table.bin", "-o", "again.h5"]);
+        workdir.succeed("unpack table.bin -o again.h5");
         assert_eq!(workdir.read("again.h5"), workdir.read("table.h5"));
     }
 }
@@ -255,10 +251,7 @@ fn a_file_of_something_else_is_foreign_to_every_reader() {
     workdir.write("text", "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n");
     workdir.write("image", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR");
     workdir.write("signature", b"\x89HDF\r\n\x1a\n");
-    altered(&workdir, "named.h5", |file| {
-        file.attr("format")?
-            .write_scalar(&"other".parse::<hdf5::types::VarLenUnicode>().expect("text"))
-    });
+    altered(&workdir, "named.h5", |file| named(file, "format", "other"));
     for name in [
         "empty",
         "text",
@@ -273,7 +266,7 @@ fn a_file_of_something_else_is_foreign_to_every_reader() {
             assert_names(&error.to_string(), &[&path.display().to_string()]);
             assert!(matches!(error.without_file(), Error::Foreign(_)), "{name}");
         }
-        let message = workdir.fail(1, &["info", name]);
+        let message = workdir.fail(1, format!("info {name}"));
         assert_names(&message, &[name, "not a coated-contact table"]);
     }
     // Each form is foreign to the reader of the other one, and the message names the right reader.
@@ -306,7 +299,7 @@ fn a_file_of_something_else_is_foreign_to_every_reader() {
         assert!(matches!(result, Err(Error::Io { path, .. }) if path == missing));
     }
     assert_names(
-        &workdir.fail(1, &["info", "missing"]),
+        &workdir.fail(1, "info missing"),
         &["missing", "No such file"],
     );
 }
@@ -347,7 +340,7 @@ fn every_error_of_a_files_content_carries_its_path() {
         let own = Table::from_packed(&bytes).expect_err(name).to_string();
         assert_eq!(message, format!("{}: {own}", path.display()));
         // The program prints the path once.
-        let printed = workdir.fail(1, &["info", name]);
+        let printed = workdir.fail(1, format!("info {name}"));
         assert_eq!(printed.matches(name).count(), 1, "{printed}");
     }
 }
@@ -355,191 +348,39 @@ fn every_error_of_a_files_content_carries_its_path() {
 #[test]
 fn another_version_is_an_error_that_names_both() {
     let workdir = with_table();
-    for (name, version) in [("table0.bin", 0_u32), ("table3.bin", 3), ("table5.bin", 5)] {
-        let mut packed = PACKED.clone();
-        packed[8..12].copy_from_slice(&version.to_le_bytes());
-        workdir.write(name, &packed);
-        match Table::from_packed(&packed) {
-            Err(Error::Version {
-                found,
-                supported: 4,
-            }) => assert_eq!(found, version),
-            other => panic!("{other:?}"),
-        }
-        assert_names(
-            &workdir.fail(1, &["info", name]),
-            &[
-                name,
-                &format!("format version {version}"),
-                "version 4",
-                "make the table again",
-            ],
-        );
-    }
-    for (name, version) in [("table1.h5", 1_u32), ("table3.h5", 3)] {
-        let path = altered(&workdir, name, |file| {
-            file.attr("format_version")?.write_scalar(&version)
-        });
-        match Table::open(&path).map_err(Error::without_file) {
-            Err(Error::Version {
-                found,
-                supported: 2,
-            }) => assert_eq!(found, version),
-            other => panic!("{other:?}"),
-        }
-        assert_names(
-            &workdir.fail(1, &["info", name]),
-            &[name, &format!("format version {version}"), "version 2"],
-        );
+    for (form, version, supported) in [
+        ("bin", 0_u32, 4),
+        ("bin", 3, 4),
+        ("bin", 5, 4),
+        ("h5", 1, 2),
+        ("h5", 3, 2),
+    ] {
+        let name = format!("other.{form}");
+        let result = if form == "bin" {
+            let packed = [&PACKED[..8], &version.to_le_bytes(), &PACKED[12..]].concat();
+            Table::read(workdir.write(&name, packed))
+        } else {
+            let version = |file: &hdf5::File| file.attr("format_version")?.write_scalar(&version);
+            Table::open(altered(&workdir, &name, version))
+        };
+        let error = result.expect_err("another version").without_file();
+        let Error::Version {
+            found,
+            supported: own,
+        } = error
+        else {
+            panic!("{error:?}")
+        };
+        assert_eq!((found, own), (version, supported));
+        let [found, own] = [version, supported].map(|number| format!("version {number}"));
+        let found = format!("format {found}");
+        let words = [&name, &found, &own, "make the table again"];
+        assert_names(&workdir.fail(1, format!("info {name}")), &words);
     }
 }
 
-/// Replaces a dataset of the file.
-fn replace<T: hdf5::H5Type, D: ndarray::Dimension>(
-    file: &hdf5::File,
-    name: &str,
-    data: &ndarray::Array<T, D>,
-) -> hdf5::Result<()> {
-    file.unlink(name)?;
-    file.new_dataset_builder()
-        .with_data(data)
-        .create(name)
-        .map(drop)
-}
-
-#[test]
-fn a_mistyped_misshapen_or_missing_part_is_malformed() {
-    type Change = fn(&hdf5::File) -> hdf5::Result<()>;
-    let changes: [(&str, Change); 19] = [
-        ("values of f32", |file| {
-            replace(
-                file,
-                "values/pi0",
-                &Array4::from_elem([5, 4, 3, 2], 1.0_f32),
-            )
-        }),
-        ("values of i64", |file| {
-            replace(file, "values/pi0", &Array4::from_elem([5, 4, 3, 2], 1_i64))
-        }),
-        ("values in another order", |file| {
-            replace(
-                file,
-                "values/pi0",
-                &Array4::from_elem([4, 5, 3, 2], 1.0_f64),
-            )
-        }),
-        ("values in one dimension", |file| {
-            replace(file, "values/pi0", &Array1::from_elem(120, 1.0_f64))
-        }),
-        ("a value that is not positive", |file| {
-            replace(
-                file,
-                "values/pi0",
-                &Array4::from_elem([5, 4, 3, 2], 0.0_f64),
-            )
-        }),
-        ("a value that is no number", |file| {
-            replace(
-                file,
-                "values/pi0",
-                &Array4::from_elem([5, 4, 3, 2], f64::NAN),
-            )
-        }),
-        ("no values", |file| {
-            ["pi0", "gamma", "delta0"]
-                .iter()
-                .try_for_each(|name| file.unlink(&format!("values/{name}")))
-        }),
-        ("no axis", |file| file.unlink("axes/nu1")),
-        ("an axis of f32", |file| {
-            replace(file, "axes/nu1", &ndarray::arr1(&[0.3_f32, 0.4, 0.5]))
-        }),
-        ("an axis too short", |file| {
-            replace(file, "axes/nu1", &ndarray::arr1(&[0.3, 0.5]))
-        }),
-        ("an axis that descends", |file| {
-            replace(file, "axes/nu1", &ndarray::arr1(&[0.5, 0.4, 0.3]))
-        }),
-        ("an axis outside physics", |file| {
-            replace(file, "axes/nu1", &ndarray::arr1(&[0.3, 0.4, 0.6]))
-        }),
-        ("an axis of two dimensions", |file| {
-            replace(file, "axes/nu1", &ndarray::arr2(&[[0.3], [0.4], [0.5]]))
-        }),
-        ("no certificate", |file| {
-            file.delete_attr("certified_max_error")
-        }),
-        ("a part of the certificate", |file| {
-            file.delete_attr("certified_worst_point")
-        }),
-        ("a worst point of three numbers", |file| {
-            file.delete_attr("certified_worst_point")?;
-            file.new_attr::<f64>()
-                .shape(3)
-                .create("certified_worst_point")?
-                .write(&ndarray::arr1(&[1.0, 1.0, 0.5]))
-        }),
-        ("a worst quantity that there is not", |file| {
-            let name = "pi1".parse::<hdf5::types::VarLenUnicode>().expect("text");
-            file.attr("certified_worst_quantity")?.write_scalar(&name)
-        }),
-        ("a number as f32", |file| {
-            file.delete_attr("nu0")?;
-            file.new_attr::<f32>()
-                .create("nu0")?
-                .write_scalar(&0.25_f32)
-        }),
-        ("an unknown normalisation", |file| {
-            let symbol = "E0*".parse::<hdf5::types::VarLenUnicode>().expect("text");
-            file.attr("normalised_by")?.write_scalar(&symbol)
-        }),
-    ];
-    let workdir = with_table();
-    let mut wrong = Vec::new();
-    for (what, change) in changes {
-        let path = altered(&workdir, "changed.h5", change);
-        let result = Table::open(&path).map_err(Error::without_file);
-        if !matches!(result, Err(Error::Malformed(_))) {
-            wrong.push(format!("{what}: {:?}", result.map(|table| table.shape())));
-        }
-    }
-    assert!(wrong.is_empty(), "{wrong:#?}");
-}
-
-#[test]
-fn a_truncated_hdf5_file_is_an_error_and_one_with_trailing_bytes_is_not_changed_by_them() {
-    let workdir = with_table();
-    let bytes = workdir.read("table.h5");
-    let mut complete = 0;
-    for length in (0..bytes.len()).step_by(97).chain([bytes.len() - 1]) {
-        let path = workdir.write("shorter.h5", &bytes[..length]);
-        match Table::open(&path).map_err(Error::without_file) {
-            Err(Error::Foreign(_) | Error::Malformed(_)) => {}
-            Err(error) => panic!("{length} bytes: {error}"),
-            // The last bytes of a file may be unused.
-            Ok(table) => {
-                assert_same(&table, &TABLE);
-                complete += 1;
-            }
-        }
-        fs::remove_file(path).expect("it is there");
-    }
-    println!("{complete} truncated files are complete");
-    // The superblock of HDF5 states the end of the file. Readers ignore the bytes after it.
-    let path = workdir.write("longer.h5", [bytes.as_slice(), &[0; 100]].concat());
-    assert_same(&Table::open(&path).expect("HDF5 allows it"), &TABLE);
-}
-
-#[test]
-fn text_that_is_no_utf_8_is_malformed() {
-    let workdir = with_table();
-    let mut bytes = workdir.read("table.h5");
-    let texts: Vec<usize> = (0..bytes.len())
-        .filter(|&at| bytes[at..].starts_with(b"E2*\0"))
-        .collect();
-    assert_eq!(texts.len(), 1);
-    bytes[texts[0] + 2] = 0xff;
-    let path = workdir.write("changed.h5", &bytes);
-    let result = Table::open(&path).map_err(Error::without_file);
-    assert!(matches!(result, Err(Error::Malformed(_))), "{result:?}");
+/// Changes a text of the file.
+pub fn named(file: &hdf5::File, attribute: &str, text: &str) -> hdf5::Result<()> {
+    let text = text.parse::<VarLenUnicode>().expect("text");
+    file.attr(attribute)?.write_scalar(&text)
 }

@@ -32,14 +32,7 @@ fn workdir() -> Workdir {
 #[test]
 fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
     let workdir = workdir();
-    let summary = workdir.succeed(&[
-        "generate",
-        "scene.toml",
-        "--certificate-points",
-        "50",
-        "--seed",
-        "7",
-    ]);
+    let summary = workdir.succeed("generate scene.toml --certificate-points 50 --seed 7");
     let found = Table::open(workdir.path("scene.h5")).expect("a sound table");
     assert_eq!(all_bits(&found), all_bits(&table(SCENE)));
     let description = found.description();
@@ -69,19 +62,8 @@ fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
         ],
     );
 
-    let other = [
-        "generate",
-        "scene.toml",
-        "-o",
-        "other.h5",
-        "--certificate-points",
-        "50",
-        "--seed",
-        "7",
-        "--tolerance",
-        "5e-2",
-    ];
-    workdir.succeed(&other);
+    let other = "generate scene.toml -o other.h5 --certificate-points 50 --seed 7 --tolerance 5e-2";
+    workdir.succeed(other);
     assert_eq!(
         Table::open(workdir.path("other.h5"))
             .expect("a sound table")
@@ -102,20 +84,12 @@ fn an_output_that_cannot_be_written_fails_before_any_solving() {
     let before = workdir.files();
     // This scene fails when it is solved. The output is refused before.
     for output in ["missing/table.h5", "folder", "scene.toml/table.h5"] {
-        let message = workdir.fail(1, &["generate", "out_of_reach.toml", "-o", output]);
+        let message = workdir.fail(1, format!("generate out_of_reach.toml -o {output}"));
         assert_names(&message, &["cannot write", output]);
         assert!(!message.contains("tolerance"), "{message}");
         let message = workdir.fail(
             1,
-            &[
-                "solve",
-                "--points",
-                "out_of_reach.csv",
-                "--tolerance",
-                "1e-13",
-                "-o",
-                output,
-            ],
+            format!("solve --points out_of_reach.csv --tolerance 1e-13 -o {output}"),
         );
         assert_names(&message, &["cannot write", output]);
         assert!(!message.contains("tolerance"), "{message}");
@@ -128,7 +102,7 @@ fn an_output_that_cannot_be_written_fails_before_any_solving() {
 fn an_output_that_is_named_like_a_packed_table_is_refused() {
     let workdir = workdir();
     for output in ["table.bin", "table.BIN"] {
-        let run = workdir.run(&["generate", "out_of_reach.toml", "-o", output]);
+        let run = workdir.run(format!("generate out_of_reach.toml -o {output}"));
         assert!(run.status != 0 && run.stdout.is_empty(), "{run:?}");
         assert_names(&run.stderr, &[output, ".h5", "tabulate pack"]);
     }
@@ -138,22 +112,15 @@ fn an_output_that_is_named_like_a_packed_table_is_refused() {
 #[test]
 fn a_failing_generate_leaves_the_table_that_was_there_and_nothing_else() {
     let workdir = workdir();
-    workdir.succeed(&[
-        "generate",
-        "scene.toml",
-        "-o",
-        "table.h5",
-        "--certificate-points",
-        "50",
-    ]);
+    workdir.succeed("generate scene.toml -o table.h5 --certificate-points 50");
     let (bytes, files) = (workdir.read("table.h5"), workdir.files());
-    let message = workdir.fail(1, &["generate", "out_of_reach.toml", "-o", "table.h5"]);
+    let message = workdir.fail(1, "generate out_of_reach.toml -o table.h5");
     assert_names(
         &message,
         &["tolerance", "is not reached", "estimated error"],
     );
     workdir.write("wrong.toml", "title = 1\n");
-    workdir.fail(1, &["generate", "wrong.toml", "-o", "table.h5"]);
+    workdir.fail(1, "generate wrong.toml -o table.h5");
     std::fs::remove_file(workdir.path("wrong.toml")).expect("it is there");
     assert_eq!(workdir.files(), files);
     assert!(workdir.read("table.h5") == bytes, "the table has changed");
@@ -163,14 +130,7 @@ fn a_failing_generate_leaves_the_table_that_was_there_and_nothing_else() {
 fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
     let workdir = workdir();
     workdir.write("coarse.toml", SCENE.replace("nodes = 8", "nodes = 4"));
-    let run = workdir.run(&[
-        "generate",
-        "coarse.toml",
-        "--tolerance",
-        "1e-5",
-        "--certificate-points",
-        "100",
-    ]);
+    let run = workdir.run("generate coarse.toml --tolerance 1e-5 --certificate-points 100");
     assert_eq!(run.status, 1, "{run:?}");
     let table = Table::open(workdir.path("coarse.h5")).expect("a sound table");
     let (error, tolerance) = (
@@ -198,7 +158,7 @@ fn a_few_points_are_off_the_nodes() {
     for points in ["1", "2", "10"] {
         assert_eq!(
             workdir
-                .run(&["generate", "scene.toml", "--certificate-points", points])
+                .run(format!("generate scene.toml --certificate-points {points}"))
                 .status,
             1,
             "{points} points"
@@ -218,8 +178,8 @@ fn a_few_points_are_off_the_nodes() {
 fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
     let workdir = workdir();
     workdir.write("steep.toml", "title = 'x'\ntolerance = 1e-8\na_over_t = 1\ne1_over_e2 = 1\nnu1 = { from = -0.999999999999999, to = 0.5 }\ne0_over_e2 = 10\n");
-    for more in [&[][..], &["--plan"]] {
-        let message = workdir.fail(1, &[&["generate", "steep.toml"][..], more].concat());
+    for more in ["", "--plan"] {
+        let message = workdir.fail(1, format!("generate steep.toml {more}"));
         assert_names(
             &message,
             &["nu1 would take", "nodes or more", "1e-8", "smaller range"],
@@ -244,9 +204,9 @@ fn a_plan_says_what_is_made_and_makes_nothing() {
             .replace("1e-1", "1e-4"),
     );
     let before = workdir.files();
-    let plan = workdir.succeed(&["generate", "box.toml", "--plan"]);
+    let plan = workdir.succeed("generate box.toml --plan");
     assert_eq!(workdir.files(), before);
-    workdir.succeed(&["generate", "box.toml", "--certificate-points", "50"]);
+    workdir.succeed("generate box.toml --certificate-points 50");
     let [n_a, n_e1, ..] = Table::open(workdir.path("box.h5"))
         .expect("a sound table")
         .shape();
@@ -373,7 +333,7 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
     for (line, change, words) in CHANGES.into_iter().chain([unknown]) {
         assert!(SCENE.contains(line));
         workdir.write("changed.toml", SCENE.replacen(line, change, 1));
-        let message = workdir.fail(1, &["generate", "changed.toml", "-o", "table.h5"]);
+        let message = workdir.fail(1, "generate changed.toml -o table.h5");
         let missing: Vec<&&str> = words
             .iter()
             .chain(&["changed.toml"])
@@ -385,7 +345,7 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
     }
     assert!(!workdir.files().contains(&"table.h5".to_owned()));
     assert_names(
-        &workdir.fail(1, &["generate", "missing.toml"]),
+        &workdir.fail(1, "generate missing.toml"),
         &["missing.toml", "No such file"],
     );
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -395,21 +355,14 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
 fn wrong_arguments_are_named() {
     let workdir = workdir();
     for (status, arguments, words) in [
-        (2, ["--jobs", "0"], ["--jobs", "0"]),
-        (
-            2,
-            ["--certificate-points", "0"],
-            ["--certificate-points", "0"],
-        ),
-        (1, ["--tolerance", "-1"], ["tolerance", "-1"]),
-        (1, ["--tolerance", "nan"], ["tolerance", "NaN"]),
-        (1, ["-o", "scene.toml"], ["scene.toml", "it is the input"]),
+        (2, "--jobs 0", ["--jobs", "0"]),
+        (2, "--certificate-points 0", ["--certificate-points", "0"]),
+        (1, "--tolerance -1", ["tolerance", "-1"]),
+        (1, "--tolerance nan", ["tolerance", "NaN"]),
+        (1, "-o scene.toml", ["scene.toml", "it is the input"]),
     ] {
         assert_names(
-            &workdir.fail(
-                status,
-                &[&["generate", "scene.toml"][..], &arguments].concat(),
-            ),
+            &workdir.fail(status, format!("generate scene.toml {arguments}")),
             &words,
         );
     }
@@ -432,12 +385,12 @@ fn only_files_are_replaced_and_links_stay_links() {
     };
     workdir.write("real.h5", "something else");
     std::os::unix::fs::symlink("real.h5", workdir.path("link.h5")).expect("a link");
-    workdir.succeed(&generate("link.h5"));
+    workdir.succeed(generate("link.h5"));
     assert!(workdir.path("link.h5").is_symlink());
     Table::open(workdir.path("real.h5")).expect("the table is behind the link");
     let _socket = std::os::unix::net::UnixListener::bind(workdir.path("socket")).expect("a socket");
     assert_names(
-        &workdir.fail(1, &generate("socket")),
+        &workdir.fail(1, generate("socket")),
         &["socket", "not a file"],
     );
 }

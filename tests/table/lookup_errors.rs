@@ -3,7 +3,7 @@
 use contact::Contact;
 use std::sync::LazyLock;
 
-use acceptance::{assert_names, ends, material, paper_system, table, workdir};
+use acceptance::{assert_names, ends, material, paper_system, solid, table, workdir};
 use interp::{
     Elastic, Error, Material, Mechanics, Parameter, Probe, Quantities, SubstratePoissonRatio,
     System, Table,
@@ -260,7 +260,7 @@ fn a_rigid_sphere_needs_a_table_of_its_own() {
         }
     }
     let solid = System {
-        substrate: Elastic::new(f64::INFINITY, 0.25).expect("rigid"),
+        substrate: solid(f64::INFINITY, 0.25),
         ..system(f64::INFINITY)
     };
     assert!(
@@ -329,8 +329,8 @@ fn a_table_for_a_rigid_substrate_holds_no_compliant_one() {
 #[test]
 fn the_work_of_adhesion_is_finite_and_not_negative() {
     let system = System {
-        film: Elastic::new(2e6, 0.3).expect("physical"),
-        substrate: Elastic::new(6e7, 0.25).expect("physical"),
+        film: solid(2e6, 0.3),
+        substrate: solid(6e7, 0.25),
         ..paper_system(1e-6)
     };
     let contact = Contact::in_table(&TABLE, &system).expect("inside");
@@ -400,7 +400,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
             },
         ));
     }
-    let rigid = Elastic::new(f64::INFINITY, 0.3).expect("a rigid solid is one");
+    let rigid = solid(f64::INFINITY, 0.3);
     broken.push((
         "film modulus",
         f64::INFINITY,
@@ -424,17 +424,7 @@ fn the_program_names_the_point_the_axis_and_the_range() {
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.3,30\n1,1,0.3,300\n",
     );
-    let message = workdir.fail(
-        1,
-        &[
-            "query",
-            "table.bin",
-            "--points",
-            "points.csv",
-            "-o",
-            "out.csv",
-        ],
-    );
+    let message = workdir.fail(1, "query table.bin --points points.csv -o out.csv");
     assert_names(
         &message,
         &["points.csv, line 3", "e0_over_e2", "300", "10", "100"],
@@ -446,7 +436,7 @@ fn the_program_names_the_point_the_axis_and_the_range() {
         "points.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1,1,-0.9,1,0.5\n",
     );
-    let message = workdir.fail(1, &["query", "table.bin", "--points", "points.csv"]);
+    let message = workdir.fail(1, "query table.bin --points points.csv");
     assert_names(
         &message,
         &["points.csv, line 2", "nu0 = 0.5", "tabulate solve"],

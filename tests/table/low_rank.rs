@@ -205,16 +205,9 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     let own = FOUR_AXES.description().certificate;
     let mut sizes = Vec::new();
     for tolerance in ["1e-3", "1e-4", "1e-5", "1e-6"] {
-        let summary = workdir.succeed(&[
-            "pack",
-            "table.h5",
-            "-o",
-            "table.bin",
-            "--tolerance",
-            tolerance,
-            "--points",
-            "1000",
-        ]);
+        let summary = workdir.succeed(format!(
+            "pack table.h5 -o table.bin --tolerance {tolerance} --points 1000"
+        ));
         let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
         let (value, ranks) = (
             tolerance.parse::<f64>().expect("a number"),
@@ -250,7 +243,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
             ],
         );
         assert_names(
-            &workdir.succeed(&["info", "table.bin"]),
+            &workdir.succeed("info table.bin"),
             &[&form, "30 nodes", "low rank"],
         );
 
@@ -267,7 +260,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         sizes.push(size);
 
         // The certificate holds for the values at the nodes as well.
-        workdir.succeed(&["unpack", "table.bin", "-o", "unpacked.h5"]);
+        workdir.succeed("unpack table.bin -o unpacked.h5");
         let unpacked = Table::open(workdir.path("unpacked.h5")).expect("a sound table");
         assert_eq!(unpacked.description(), description);
         assert_eq!(
@@ -276,7 +269,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         );
         for name in ["table.bin", "unpacked.h5"] {
             assert_names(
-                &workdir.succeed(&["check", name, "--points", "300"]),
+                &workdir.succeed(format!("check {name} --points 300")),
                 &["300 points", "certified max"],
             );
         }
@@ -296,12 +289,12 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     );
     assert_eq!(
         workdir
-            .succeed(&["query", "table.bin", "--points", "points.csv"])
+            .succeed("query table.bin --points points.csv")
             .lines()
             .count(),
         2
     );
-    assert_names(&workdir.succeed(&["check", "table.bin"]), &["10000 points"]);
+    assert_names(&workdir.succeed("check table.bin"), &["10000 points"]);
 }
 
 /// An axis of one node has small ranks, and its table is packed and checked like any other.
@@ -317,14 +310,9 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
         let dense = table(scene);
         archive::write(&dense, &workdir.path("table.h5")).expect("written");
         let tolerance = 2.0 * dense.description().certificate.max_error + 1e-9;
-        let text = workdir.succeed(&[
-            "pack",
-            "table.h5",
-            "-o",
-            "table.bin",
-            "--tolerance",
-            &format!("{tolerance:e}"),
-        ]);
+        let text = workdir.succeed(format!(
+            "pack table.h5 -o table.bin --tolerance {tolerance:e}"
+        ));
         assert_names(
             &text,
             &[
@@ -351,7 +339,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
             .map(|_| contacts.point_of(&packed))
             .map(|(x, material)| error_at(&packed, x, &material));
         assert!(fresh.fold(0.0, larger) <= tolerance);
-        workdir.succeed(&["check", "table.bin"]);
+        workdir.succeed("check table.bin");
     }
 }
 
@@ -395,7 +383,7 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
         ("nan", ["tolerance", "NaN", "1e-10 to 1e-1"]),
         ("1e-8", ["table.h5", &certified, "1e-8"]),
     ] {
-        assert_names(&workdir.fail(1, &pack(tolerance)), &words);
+        assert_names(&workdir.fail(1, pack(tolerance)), &words);
     }
     // A certificate that states too small an error is detected.
     let mut wrong = FOUR_AXES.clone();
@@ -408,21 +396,12 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
     archive::write(&wrong, &workdir.path("wrong.h5")).expect("written");
     let message = workdir.fail(
         1,
-        &[
-            "pack",
-            "wrong.h5",
-            "-o",
-            "table.bin",
-            "--tolerance",
-            "1e-8",
-            "--points",
-            "200",
-        ],
+        "pack wrong.h5 -o table.bin --tolerance 1e-8 --points 200",
     );
     assert_names(&message, &["wrong.h5", "measured error", "1e-8", "1.0e-12"]);
     for argument in ["--points", "--seed"] {
         assert_names(
-            &workdir.fail(2, &["pack", "table.h5", "-o", "table.bin", argument, "5"]),
+            &workdir.fail(2, format!("pack table.h5 -o table.bin {argument} 5")),
             &["--tolerance"],
         );
     }

@@ -5,6 +5,7 @@
 mod beyond;
 mod certificate;
 mod curve;
+mod damaged_hdf5;
 mod files;
 mod forged_forms;
 mod generate;

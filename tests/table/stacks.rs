@@ -345,7 +345,7 @@ fn a_mistake_in_a_scene_is_named() {
 fn generated() -> Workdir {
     let workdir = workdir!();
     workdir.write("scene.toml", scene());
-    workdir.succeed(&["generate", "scene.toml", "--certificate-points", "1000"]);
+    workdir.succeed("generate scene.toml --certificate-points 1000");
     workdir
 }
 
@@ -356,7 +356,7 @@ fn the_commands_take_it_or_refuse_it() {
     let error = largest_error(&Table::open(workdir.path("scene.h5")).expect("sound"));
     println!("scene.h5: {error:.1e}");
     assert!(error <= 1e-6);
-    let info = workdir.succeed(&["info", "scene.h5"]);
+    let info = workdir.succeed("info scene.h5");
     assert_names(
         &info,
         &[
@@ -366,21 +366,21 @@ fn the_commands_take_it_or_refuse_it() {
             "e0_over_e1",
         ],
     );
-    workdir.succeed(&["check", "scene.h5", "--points", "1000"]);
+    workdir.succeed("check scene.h5 --points 1000");
 
-    workdir.succeed(&["pack", "scene.h5", "-o", "dense.bin"]);
-    workdir.succeed(&["pack", "scene.h5", "-o", "small.bin", "--tolerance", "1e-5"]);
+    workdir.succeed("pack scene.h5 -o dense.bin");
+    workdir.succeed("pack scene.h5 -o small.bin --tolerance 1e-5");
     for (name, most) in [("dense.bin", 1e-6), ("small.bin", 1e-5)] {
         let packed = Table::read(workdir.path(name)).expect("sound");
         let error = largest_error(&packed);
         println!("{name}: {error:.1e}");
         assert!(error <= most);
     }
-    workdir.succeed(&["unpack", "small.bin", "-o", "again.h5"]);
+    workdir.succeed("unpack small.bin -o again.h5");
     assert!(largest_error(&Table::open(workdir.path("again.h5")).expect("sound")) <= 1e-5);
 
     workdir.write("points.csv", "a_over_t,e1_over_e2\n3,1.75\n");
-    let answer = workdir.succeed(&["query", "scene.h5", "--points", "points.csv"]);
+    let answer = workdir.succeed("query scene.h5 --points points.csv");
     let truth = solve_stack(3.0, &layers(), 2e6, 1e-11).expect("in reach");
     let row = answer.lines().nth(1).expect("a row");
     let numbers: Vec<f64> = row
@@ -397,45 +397,26 @@ fn the_commands_take_it_or_refuse_it() {
     );
     let refused = [
         (
-            &["query", "scene.h5", "--points", "films.csv"][..],
+            "query scene.h5 --points films.csv",
             "for a table of one stack of layers are a_over_t, e1_over_e2",
         ),
         (
-            &["query", "scene.h5", "--points", "points.csv", "--gradient"],
+            "query scene.h5 --points points.csv --gradient",
             "leave out --gradient",
         ),
-        (&["curve", "scene.h5"], "`pull-off` or `fit` as --stack"),
+        ("curve scene.h5", "`pull-off` or `fit` as --stack"),
         (
-            &["curve", "--stack", "scene.h5", "--tolerance", "1e-6"],
+            "curve --stack scene.h5 --tolerance 1e-6",
             "leave out --tolerance",
         ),
         (
-            &[
-                "simulate",
-                "--stack",
-                "scene.h5",
-                "--value",
-                "primer.modulus=1e6",
-                "--kind",
-                "load-radius",
-                "--from",
-                "5e-5",
-                "--to",
-                "1e-4",
-                "--noise",
-                "0",
-            ],
+            "simulate --stack scene.h5 --value primer.modulus=1e6 --kind load-radius \
+                 --from 5e-5 --to 1e-4 --noise 0",
             "do without the table: name a stack file",
         ),
-        (
-            &["report", "scene.h5", "-o", "page.html"],
-            "one stack of layers",
-        ),
-        (&["cost", "lookup", "scene.h5"], "this table has other axes"),
-        (
-            &["cost", "table", "scene.toml"],
-            "give a scene without [stack]",
-        ),
+        ("report scene.h5 -o page.html", "one stack of layers"),
+        ("cost lookup scene.h5", "this table has other axes"),
+        ("cost table scene.toml", "give a scene without [stack]"),
     ];
     for (arguments, part) in refused {
         assert_names(&workdir.fail(1, arguments), &[part]);
@@ -446,26 +427,16 @@ fn the_commands_take_it_or_refuse_it() {
 #[test]
 fn a_table_takes_the_place_of_a_stack_file() {
     let workdir = generated();
-    workdir.succeed(&["pack", "scene.h5", "-o", "scene.bin"]);
+    workdir.succeed("pack scene.h5 -o scene.bin");
     workdir.write("stack.toml", stack_file());
-    let commands: [&[&str]; 4] = [
-        &["curve", "--from", "5e-5", "--to", "2e-4", "--points", "9"],
-        &["pull-off", "--json"],
-        &["pull-off", "--json", "--interaction-range", "1e-9"],
-        &[
-            "simulate",
-            "--kind",
-            "load-radius",
-            "--from",
-            "8e-5",
-            "--to",
-            "1e-4",
-            "--noise",
-            "0",
-        ],
+    let commands = [
+        "curve --from 5e-5 --to 2e-4 --points 9",
+        "pull-off --json",
+        "pull-off --json --interaction-range 1e-9",
+        "simulate --kind load-radius --from 8e-5 --to 1e-4 --noise 0",
     ];
     for command in commands {
-        let of = |file: &str| numbers(&workdir.succeed(&[command, &["--stack", file]].concat()));
+        let of = |file: &str| numbers(&workdir.succeed(format!("{command} --stack {file}")));
         let truth = of("stack.toml");
         assert!(truth.len() >= 4, "{command:?}");
         for file in ["scene.h5", "scene.bin"] {
@@ -488,20 +459,10 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
     workdir.write("stack.toml", stack_file());
     let flags = "simulate --kind load-radius --from 4e-5 --to 1.3e-4 --noise 5e-6 --seed 3 \
                  --stack stack.toml -o data.csv";
-    workdir.succeed(&flags.split_whitespace().collect::<Vec<_>>());
+    workdir.succeed(flags);
     let fit = |file: &str| {
         let free = "sphere-modulus,work-of-adhesion";
-        let flags = [
-            "fit",
-            "data.csv",
-            "--json",
-            "--specimen",
-            "paper",
-            "--free",
-            free,
-            "--stack",
-            file,
-        ];
+        let flags = format!("fit data.csv --json --specimen paper --free {free} --stack {file}");
         let object: Value = serde_json::from_str(&workdir.succeed(&flags)).expect("JSON");
         ["sphere_modulus", "work_of_adhesion"].map(|name| {
             let parameter = &object["parameters"][name];
@@ -514,9 +475,8 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
         println!("{errors:?}");
         assert!(errors.iter().all(|error| error.abs() <= 1e-4), "{errors:?}");
     }
-    let flags = ["--free", "primer.modulus", "--specimen", "paper"];
-    let flags = [&["fit", "data.csv", "--stack", "scene.h5"][..], &flags];
-    let message = workdir.fail(1, &flags.concat());
+    let fit = "fit data.csv --stack scene.h5 --free primer.modulus --specimen paper";
+    let message = workdir.fail(1, fit);
     assert_names(
         &message,
         &["primer.modulus cannot be found", "name a stack file"],

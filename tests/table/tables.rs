@@ -287,16 +287,9 @@ fn neither_the_table_nor_its_file_depends_on_the_number_of_threads_or_the_time()
         while output == "two.h5" && second() == before {
             thread::sleep(Duration::from_millis(10));
         }
-        workdir.succeed(&[
-            "generate",
-            "box.toml",
-            "-o",
-            output,
-            "--jobs",
-            jobs,
-            "--certificate-points",
-            "300",
-        ]);
+        workdir.succeed(format!(
+            "generate box.toml -o {output} --jobs {jobs} --certificate-points 300"
+        ));
     }
     let one = workdir.read("one.h5");
     for other in ["two.h5", "again.h5"] {
@@ -338,7 +331,7 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
         std::fs::write(workdir.path("table.bin"), table.to_packed().expect("small"))
             .expect("written");
         for file in ["table.h5", "table.bin"] {
-            let run = workdir.run(&["check", file, "--points", "1000"]);
+            let run = workdir.run(format!("check {file} --points 1000"));
             assert_eq!(run.status, i32::from(word.is_some()), "{run:?}");
             assert!(
                 word.is_none_or(|word| run.stderr.contains(word)

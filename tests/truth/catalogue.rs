@@ -1,9 +1,9 @@
 //! The embedded table answers every system of a catalogue of the laboratory: load and penetration
 //! from independent direct solves, in `tests/data/systems.csv`.
 
-use acceptance::Data;
+use acceptance::{Data, solid};
 use contact::Contact;
-use interp::{Elastic, Probe, System, Table};
+use interp::{Probe, System, Table};
 
 /// Errors are relative to the sums of the sizes of the two terms of eq. 9, which may cancel. The
 /// table's tolerance is 1e-6.
@@ -16,7 +16,7 @@ fn every_system_of_the_catalogue_is_answered() {
         let elastic = |body: &str| {
             let [modulus, poisson] = ["modulus", "poisson_ratio"]
                 .map(|property| case.get(&format!("{body}_{property}")));
-            Elastic::new(modulus, poisson).expect("a catalogue of real materials")
+            solid(modulus, poisson)
         };
         let system = System {
             probe: Probe::Paraboloid {

@@ -1,8 +1,8 @@
 //! The attraction of finite range against values by two other programs, Maugis' closed form, the
 //! energy balance and the limits of long and of short ranges.
 
-use acceptance::{Case, Data, larger};
-use contact::{Contact, Control};
+use acceptance::{Case, Data, larger, solid, solved_contact};
+use contact::Control;
 use interp::{Elastic, Probe, System};
 use solve::cohesive::{Cohesive, CohesiveState, REACH};
 use solve::stack::{Layer, Stack};
@@ -13,14 +13,14 @@ pub const THICKNESS: f64 = 1e-6;
 pub const MODULUS: f64 = 1e6;
 
 /// Reads `E:nu`.
-fn solid(text: &str) -> Elastic {
+fn read_solid(text: &str) -> Elastic {
     let (young, poisson) = text.split_once(':').unwrap_or(("inf", "0.25"));
     let young: f64 = if text == "rigid" {
         f64::INFINITY
     } else {
         young.parse().expect("a modulus")
     };
-    Elastic::new(young * MODULUS, poisson.parse().expect("a Poisson ratio")).expect("physical")
+    solid(young * MODULUS, poisson.parse().expect("a Poisson ratio"))
 }
 
 /// The bodies of a row.
@@ -42,7 +42,7 @@ impl Bodies {
             .map(|layer| {
                 let (body, thickness) = layer.rsplit_once(':').expect("E:nu:h");
                 Layer::bonded(
-                    solid(body),
+                    read_solid(body),
                     thickness.parse::<f64>().expect("a thickness") * THICKNESS,
                 )
             })
@@ -53,7 +53,7 @@ impl Bodies {
         let sphere_radius = case.get("r_over_t") * THICKNESS;
         let work_of_adhesion = case.get("w") * unit * THICKNESS;
         Self {
-            stack: Stack::new(solid(case.text("base")), layers).expect("physical"),
+            stack: Stack::new(read_solid(case.text("base")), layers).expect("physical"),
             sphere_radius,
             sphere_modulus: if rigid { f64::INFINITY } else { MODULUS },
             work_of_adhesion,
@@ -133,7 +133,7 @@ fn states_and_pull_offs_agree_with_reference_values() {
 fn half_space(lambda: f64) -> (Cohesive, f64, f64) {
     const RADIUS: f64 = 1e-3;
     const WORK: f64 = 1e-6 * MODULUS * RADIUS;
-    let solid = Elastic::new(MODULUS, 0.0).expect("physical");
+    let solid = solid(MODULUS, 0.0);
     let layer = Layer::bonded(solid, RADIUS);
     let stack = Stack::new(solid, [layer]).expect("physical");
     let k = 4.0 / 3.0 * MODULUS;
@@ -191,8 +191,8 @@ fn on_film(lambda: f64, confined: bool) -> (Cohesive, f64, f64) {
     } else {
         (1.75, 1e5, MODULUS)
     };
-    let film = Elastic::new(young * MODULUS, 0.5).expect("physical");
-    let base = Elastic::new(base * MODULUS, 0.25).expect("physical");
+    let film = solid(young * MODULUS, 0.5);
+    let base = solid(base * MODULUS, 0.25);
     let layer = Layer::bonded(film, THICKNESS);
     let stack = Stack::new(base, [layer]).expect("physical");
     let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
@@ -340,7 +340,7 @@ fn a_short_range_is_the_limit_of_jkr() {
         println!("half-space: {excess}");
         assert!((excess / 0.1092 - 1.0).abs() < 0.02, "{excess}");
     }
-    let film = Elastic::new(1.75 * MODULUS, 0.5).expect("physical");
+    let film = solid(1.75 * MODULUS, 0.5);
     let system = System {
         probe: Probe::Paraboloid {
             radius: 100.0 * THICKNESS,
@@ -348,11 +348,9 @@ fn a_short_range_is_the_limit_of_jkr() {
         sphere_modulus: MODULUS,
         film,
         film_thickness: THICKNESS,
-        substrate: Elastic::new(1e5 * MODULUS, 0.25).expect("physical"),
+        substrate: solid(1e5 * MODULUS, 0.25),
     };
-    let material = system.material().expect("physical");
-    let curve = solve::curve(&material, [1e-2, 1e2], 1e-10).expect("within reach");
-    let contact = Contact::new(&system, curve).expect("its curve");
+    let contact = solved_contact(&system, [1e-2, 1e2], 1e-10);
     let excess = [20.0, 40.0].map(|lambda| {
         let (cohesive, _, w) = on_film(lambda, false);
         let jkr = contact.pull_off(w, Control::Load).expect("a pull-off").load;
@@ -405,7 +403,7 @@ fn values_outside_the_domain_are_named() {
         assert!(error.contains("contact radius"), "{error}");
     }
     let stack = |w: f64, range: f64| {
-        let film = Elastic::new(MODULUS, 0.5).expect("physical");
+        let film = solid(MODULUS, 0.5);
         let layer = Layer::bonded(film, THICKNESS);
         let stack = Stack::new(film, [layer]).expect("physical");
         Cohesive::on_stack(&stack, radius, MODULUS, w, range)
@@ -425,8 +423,8 @@ fn values_outside_the_domain_are_named() {
 /// The attraction before the contact is solved up to the reach; its cost grows with the radius.
 #[test]
 fn an_attraction_beyond_the_reach_is_refused() {
-    let film = Elastic::new(MODULUS, 0.5).expect("physical");
-    let base = Elastic::new(1e5 * MODULUS, 0.25).expect("physical");
+    let film = solid(MODULUS, 0.5);
+    let base = solid(1e5 * MODULUS, 0.25);
     let layer = Layer::bonded(film, THICKNESS);
     let stack = Stack::new(base, [layer]).expect("physical");
     let reach = REACH * THICKNESS;

@@ -1,8 +1,8 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
-use acceptance::{Data, larger, material, paper_system, relative_error, table};
+use acceptance::{Data, larger, material, paper_system, relative_error, solid, table};
 use contact::Contact;
-use interp::{Curve, Description, Elastic, Error, Parameter, Quantity, System, Table};
+use interp::{Curve, Description, Error, Parameter, Quantity, System, Table};
 use solve::solve;
 
 /// The tolerance of the tables of one material.
@@ -327,7 +327,7 @@ fn contacts_and_gradients_are_those_of_direct_solves() {
 
     let system = paper_system(1e-5);
     let system = System {
-        substrate: Elastic::new(40.0 * 2e6, 0.25).expect("physical"),
+        substrate: solid(40.0 * 2e6, 0.25),
         ..system
     };
     let contact = Contact::in_table_with_gradient(&table, &system).expect("inside");

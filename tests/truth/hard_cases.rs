@@ -1,4 +1,4 @@
-//! A catalogue of hard contacts, each with the tolerance that is reached; and random contacts from
+//! A catalogue of hard contacts, `data/hard_contacts.csv`, each with the tolerance that is reached; and random contacts from
 //! the corners of the domain, at which the solve neither panics nor returns NaN nor understates an
 //! error.
 
@@ -15,279 +15,6 @@ const NEARLY: f64 = 0.499_999_999_999;
 const AUXETIC: f64 = (-1.0_f64).next_up();
 /// The ratio of two moduli that are equal but for rounding.
 const APART: f64 = 1.0 + 1e-15;
-
-/// Name, `[e1_over_e2, nu1, e0_over_e2, nu0]`, `a/t` and tolerance: 1e-12, or the tightest decade
-/// that is reached.
-type Row = (&'static str, [f64; 4], f64, f64);
-
-const CASES: [Row; 46] = [
-    (
-        "the paper's material, thick",
-        [1.75, 0.5, 1e5, 0.25],
-        1e-6,
-        1e-12,
-    ),
-    ("the paper's material", [1.75, 0.5, 1e5, 0.25], 1.0, 1e-12),
-    (
-        "the paper's material, thin",
-        [1.75, 0.5, 1e5, 0.25],
-        1e6,
-        1e-12,
-    ),
-    (
-        "incompressible film, rigid base",
-        [1.0, 0.5, INF, 0.0],
-        100.0,
-        1e-12,
-    ),
-    (
-        "incompressible film, rigid base, thin",
-        [1.0, 0.5, INF, 0.0],
-        1e6,
-        1e-12,
-    ),
-    (
-        "as good as incompressible, rigid base",
-        [1.0, NEARLY, INF, 0.25],
-        1e3,
-        1e-12,
-    ),
-    (
-        "as good as incompressible, rigid base, thin",
-        [1.0, NEARLY, INF, 0.25],
-        1e6,
-        1e-12,
-    ),
-    (
-        "soft incompressible film, rigid base",
-        [1e-8, 0.5, INF, 0.0],
-        1.0,
-        1e-12,
-    ),
-    (
-        "soft incompressible film, rigid base",
-        [1e-8, 0.5, INF, 0.0],
-        10.0,
-        1e-11,
-    ),
-    (
-        "soft incompressible film, rigid base",
-        [1e-8, 0.5, INF, 0.0],
-        100.0,
-        1e-10,
-    ),
-    (
-        "soft incompressible film, rigid base",
-        [1e-8, 0.5, INF, 0.0],
-        1e3,
-        1e-11,
-    ),
-    (
-        "soft incompressible film, rigid base, thin",
-        [1e-8, 0.5, INF, 0.0],
-        1e6,
-        1e-12,
-    ),
-    (
-        "soft film, as good as incompressible, rigid base",
-        [1e-8, NEARLY, INF, 0.0],
-        100.0,
-        1e-10,
-    ),
-    (
-        "soft film on a base as hard as the sphere",
-        [1e-8, 0.5, 1.0, 0.5],
-        40.0,
-        1e-10,
-    ),
-    (
-        "incompressible film between rigid bodies, thick",
-        [0.0, 0.5, INF, 0.0],
-        1e-6,
-        1e-12,
-    ),
-    (
-        "incompressible film between rigid bodies",
-        [0.0, 0.5, INF, 0.0],
-        10.0,
-        1e-11,
-    ),
-    (
-        "incompressible film between rigid bodies",
-        [0.0, 0.5, INF, 0.0],
-        40.0,
-        1e-10,
-    ),
-    (
-        "incompressible film between rigid bodies",
-        [0.0, 0.5, INF, 0.0],
-        100.0,
-        1e-9,
-    ),
-    (
-        "incompressible film between rigid bodies",
-        [0.0, 0.5, INF, 0.0],
-        1e3,
-        1e-9,
-    ),
-    (
-        "incompressible film between rigid bodies, thin",
-        [0.0, 0.5, INF, 0.0],
-        1e6,
-        1e-9,
-    ),
-    (
-        "as good as incompressible, rigid bodies, thin",
-        [0.0, NEARLY, INF, 0.25],
-        1e6,
-        1e-9,
-    ),
-    (
-        "compressible film between rigid bodies",
-        [0.0, 0.3, INF, 0.25],
-        10.0,
-        1e-12,
-    ),
-    (
-        "compressible film between rigid bodies",
-        [0.0, 0.3, INF, 0.25],
-        1e3,
-        1e-10,
-    ),
-    (
-        "compressible film between rigid bodies, thin",
-        [0.0, 0.3, INF, 0.25],
-        1e6,
-        1e-10,
-    ),
-    (
-        "soft incompressible film, nearly rigid base",
-        [0.0, 0.5, 1e10, 0.5],
-        1e3,
-        1e-10,
-    ),
-    (
-        "stiff film on a soft base: E1/E0 = 1e8",
-        [1e4, 0.3, 1e-4, 0.25],
-        1.0,
-        1e-12,
-    ),
-    (
-        "stiff film on a soft base, bending",
-        [1e4, 0.3, 1e-4, 0.25],
-        464.0,
-        1e-12,
-    ),
-    (
-        "stiff film on a soft base, thin",
-        [1e4, 0.3, 1e-4, 0.25],
-        1e6,
-        1e-12,
-    ),
-    (
-        "stiff film, stiff sphere: E1/E0 = 1e8",
-        [1e2, 0.3, 1e-6, 0.25],
-        464.0,
-        1e-12,
-    ),
-    (
-        "the stiffest on the softest: E1/E0 = 1e14",
-        [1e8, 0.5, 1e-6, 0.0],
-        1e-3,
-        1e-12,
-    ),
-    (
-        "the stiffest on the softest",
-        [1e8, 0.5, 1e-6, 0.0],
-        100.0,
-        1e-10,
-    ),
-    (
-        "the stiffest on the softest, bending",
-        [1e8, 0.3, 1e-6, 0.25],
-        4.64e4,
-        1e-12,
-    ),
-    (
-        "the stiffest on the softest, thin",
-        [1e8, 0.5, 1e-6, 0.0],
-        1e6,
-        1e-12,
-    ),
-    (
-        "E1 = E0, nu1 = 0.5, nu0 = 0",
-        [1.0, 0.5, 1.0, 0.0],
-        1.0,
-        1e-12,
-    ),
-    (
-        "E1 = E0, nu1 = 0.5, nu0 = 0, thin",
-        [1.0, 0.5, 1.0, 0.0],
-        1e6,
-        1e-12,
-    ),
-    (
-        "E1 = E0, auxetic film, incompressible base",
-        [1.0, -0.99, 1.0, 0.5],
-        10.0,
-        1e-12,
-    ),
-    ("film = substrate", [1.0, 0.3, 1.0, 0.3], 1e6, 1e-12),
-    (
-        "film = substrate but for 1e-15",
-        [1.0, 0.3, APART, 0.3],
-        1.0,
-        1e-12,
-    ),
-    (
-        "film = substrate but for 1e-15, thin",
-        [1.0, 0.3, APART, 0.3],
-        1e6,
-        1e-12,
-    ),
-    (
-        "auxetic film: nu1 = -0.99",
-        [1.0, -0.99, 1e3, 0.25],
-        30.0,
-        1e-12,
-    ),
-    (
-        "auxetic film, rigid bodies",
-        [0.0, -0.99, INF, 0.25],
-        100.0,
-        1e-11,
-    ),
-    (
-        "auxetic throughout, the stiffest on the softest",
-        [1e8, -0.99, 1e-6, -0.99],
-        100.0,
-        1e-12,
-    ),
-    (
-        "auxetic throughout, the softest on the stiffest",
-        [1e-8, -0.99, 1e12, -0.99],
-        100.0,
-        1e-11,
-    ),
-    (
-        "film one ulp from nu1 = -1",
-        [1.0, AUXETIC, 1.0, 0.25],
-        1.0,
-        1e-12,
-    ),
-    (
-        "base one ulp from nu0 = -1",
-        [1.0, 0.3, 1.0, AUXETIC],
-        1.0,
-        1e-12,
-    ),
-    (
-        "softest film on the stiffest base, thick",
-        [1e-8, 0.5, 1e12, 0.5],
-        1e-6,
-        1e-12,
-    ),
-];
 
 /// Returns the condition number of the contact's operator: `max S/min S` of the symbol
 /// `S(q) = 1/E2* + X(q)/E1*` (`X/E1*` under a rigid sphere), over the wave numbers that a contact
@@ -354,8 +81,11 @@ fn the_catalogue_is_answered_within_the_tolerances_asked() {
         "--------:|".repeat(5)
     );
     let mut wrong = Vec::new();
-    for (name, parameters, x, tolerance) in CASES {
-        let material = material(parameters);
+    let catalogue = Data::read("hard_contacts");
+    assert_eq!(catalogue.cases().count(), 46);
+    for case in catalogue.cases() {
+        let (name, material) = (case.text("name"), case.material());
+        let [x, tolerance] = ["a_over_t", "tolerance"].map(|column| case.get(column));
         let solution = match solve(x, &material, tolerance) {
             Ok(solution) => solution,
             Err(error) => {
@@ -366,7 +96,8 @@ fn the_catalogue_is_answered_within_the_tolerances_asked() {
         // Both are rounded.
         let error =
             relative_error(&solution.quantities, &truth(x, &material, &files)).max(f64::EPSILON);
-        let [e1, nu1, e0, nu0] = parameters;
+        let [e1, nu1, e0, nu0] =
+            ["e1_over_e2", "nu1", "e0_over_e2", "nu0"].map(|column| case.get(column));
         println!(
             "| {name:47} | {:>7} | {:>7} | {:>7} | {:>7} | {:>7} | {:9.1e} | {tolerance:5e} | {:7.1e} | {error:7.1e} | {:17} |",
             short(e1),

@@ -14,6 +14,7 @@ mod equivalence;
 mod hard_cases;
 mod hayes;
 mod identities;
+mod interface_contacts;
 mod interface_limits;
 mod interfaces;
 mod limits;

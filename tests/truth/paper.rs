@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use acceptance::{Contacts, larger, paper_system, shipped};
+use acceptance::{Contacts, larger, paper_system, shipped, solid};
 use contact::{Contact, Control, JkrPoint};
 use interp::{Elastic, Mechanics, Probe, Quantities, System, Table};
 use solve::solve;
@@ -206,8 +206,7 @@ fn homogeneous(system: &System, a: f64, w: f64) -> (f64, f64) {
 fn homogeneous_systems(seed: u64) -> impl Iterator<Item = (System, f64, f64)> {
     let mut contacts = Contacts::new(seed);
     std::iter::repeat_with(move || {
-        let solid = Elastic::new(contacts.log_uniform(1e4, 1e12), contacts.uniform(-0.5, 0.5))
-            .expect("physical");
+        let solid = solid(contacts.log_uniform(1e4, 1e12), contacts.uniform(-0.5, 0.5));
         let system = System {
             probe: Probe::Paraboloid {
                 radius: contacts.log_uniform(1e-8, 1.0),
@@ -290,7 +289,7 @@ fn the_load_is_eq_9_in_its_reduced_form() {
     let mut worst = 0.0;
     let mut contacts = Contacts::new(61);
     for _ in 0..1000 {
-        let film = Elastic::new(contacts.log_uniform(3e4, 1e8), 0.5).expect("physical");
+        let film = solid(contacts.log_uniform(3e4, 1e8), 0.5);
         let system = System {
             film,
             ..paper_system(contacts.log_uniform(1e-7, 5e-6))
@@ -323,16 +322,15 @@ fn the_load_is_eq_9_in_its_reduced_form() {
 /// `force` newtons.
 fn in_units(system: &System, a: f64, w: f64, [length, force]: [f64; 2]) -> (System, f64, f64) {
     let (pressure, tension) = (force / (length * length), force / length);
-    let solid =
-        |solid: Elastic| Elastic::new(solid.young() / pressure, solid.poisson()).expect("physical");
+    let scaled = |one: Elastic| solid(one.young() / pressure, one.poisson());
     let system = System {
         probe: Probe::Paraboloid {
             radius: system.probe.radius().expect("a paraboloid") / length,
         },
         sphere_modulus: system.sphere_modulus / pressure,
-        film: solid(system.film),
+        film: scaled(system.film),
         film_thickness: system.film_thickness / length,
-        substrate: solid(system.substrate),
+        substrate: scaled(system.substrate),
     };
     (system, a / length, w / tension)
 }
@@ -364,7 +362,7 @@ fn a_change_of_units_changes_nothing() {
     let mut contacts = Contacts::new(62);
     let mut worst = 0.0;
     for _ in 0..200 {
-        let film = Elastic::new(contacts.log_uniform(3e4, 1e8), 0.5).expect("physical");
+        let film = solid(contacts.log_uniform(3e4, 1e8), 0.5);
         let system = System {
             film,
             ..paper_system(contacts.log_uniform(1e-6, 1e-3))

@@ -1,9 +1,9 @@
 //! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
-use acceptance::{cases, larger};
+use acceptance::{cases, larger, solid};
 use contact::{Contact, Control, FiniteRange};
-use interp::{Elastic, Probe, System};
+use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use solve::cohesive::{Cohesive, CohesiveState};
@@ -48,10 +48,6 @@ impl Case {
             stress: self.work_of_adhesion / self.range,
         }
     }
-}
-
-fn solid(young: f64, poisson: f64) -> Elastic {
-    Elastic::new(young, poisson).expect("physical")
 }
 
 /// A random film and sphere, soft or stiff, confined or not, with the length `zone` of its zone over

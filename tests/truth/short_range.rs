@@ -1,7 +1,7 @@
 //! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
-use acceptance::{Data, larger};
+use acceptance::{Data, larger, solid};
 use contact::{CohesiveEquilibrium, Contact, Control, FiniteRange, root};
 use interp::{Elastic, HalfSpace, Probe};
 use solve::cohesive::Cohesive;
@@ -87,7 +87,7 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
         let system = HalfSpace {
             probe,
             sphere_modulus: f64::INFINITY,
-            solid: Elastic::new(MODULUS, 0.0).expect("physical"),
+            solid: solid(MODULUS, 0.0),
         };
         let contact = Contact::half_space(&system).expect("physical");
         let a = 0.2 * radius;
@@ -167,7 +167,7 @@ fn short_ranges_agree_with_reference_values() {
 /// Stacks under a sphere: the stack, the radius and the modulus of the sphere and the work of
 /// adhesion, in units of the thickness and of `MODULUS`.
 fn systems() -> [(&'static str, Stack, f64, f64, f64); 5] {
-    let solid = |young: f64, poisson| Elastic::new(young * MODULUS, poisson).expect("physical");
+    let solid = |young: f64, poisson| solid(young * MODULUS, poisson);
     let stack = |base, layers: &[(Elastic, f64)]| {
         let layer =
             |&(solid, thickness): &(Elastic, f64)| Layer::bonded(solid, thickness * THICKNESS);
@@ -277,7 +277,7 @@ fn equilibria_are_the_states_of_their_radii() {
 #[test]
 fn long_zones_and_shapes_with_edges_are_refused() {
     let half_space = |probe| {
-        let solid = Elastic::new(MODULUS, 0.0).expect("physical");
+        let solid = solid(MODULUS, 0.0);
         let sphere_modulus = f64::INFINITY;
         Contact::half_space(&HalfSpace {
             probe,

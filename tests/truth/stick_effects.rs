@@ -3,9 +3,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::material;
+use acceptance::{material, rigid_probe, solid};
 use contact::{Contact, Control};
-use interp::{Curve, Elastic, Material, Probe, System};
+use interp::{Curve, Material, Probe, System};
 use solve::stick::{StickCurves, Sticking};
 use solve::{Error, solve};
 
@@ -13,13 +13,12 @@ use crate::stick::confined;
 
 /// The system of the pull-offs: a rigid sphere on an incompressible film on a rigid base.
 fn system() -> System {
-    System {
-        probe: Probe::Paraboloid { radius: 1.0 },
-        sphere_modulus: f64::INFINITY,
-        film: Elastic::new(0.75, 0.5).expect("physical"),
-        film_thickness: 1e-3,
-        substrate: Elastic::new(f64::INFINITY, 0.0).expect("physical"),
-    }
+    rigid_probe(
+        Probe::Paraboloid { radius: 1.0 },
+        solid(0.75, 0.5),
+        1e-3,
+        solid(f64::INFINITY, 0.0),
+    )
 }
 
 /// Pull-off loads over `pi w R` of the three histories, for `L = w R^2/(E1* t^3)`; the columns are
@@ -134,9 +133,9 @@ fn full_friction_does_not_explain_the_deviations_of_the_paper() {
         let system = System {
             probe: Probe::Paraboloid { radius: 1e-3 },
             sphere_modulus: 2e6,
-            film: Elastic::new(3.5e6, 0.5).expect("physical"),
+            film: solid(3.5e6, 0.5),
             film_thickness: 2e-6 * 150_f64.powf(f64::from(i) / 12.0),
-            substrate: Elastic::new(2e11, 0.25).expect("physical"),
+            substrate: solid(2e11, 0.25),
         };
         let [stick, slide] = curves.each_ref().map(|curve| {
             let contact = Contact::new(&system, curve.clone()).expect("its own curve");

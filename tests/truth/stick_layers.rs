@@ -1,7 +1,7 @@
 //! Layers that stick on top: films cut into layers, the shift of Dundurs, and films on springs or that
 //! slide below.
 
-use acceptance::{larger, material};
+use acceptance::{larger, material, solid};
 use interp::Elastic;
 use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
@@ -13,7 +13,7 @@ use crate::stick::relative;
 /// that of the sphere included, nothing changes.
 #[test]
 fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
-    let solid = |young: f64, nu: f64| Elastic::new(young, nu).expect("physical");
+    let solid = |young: f64, nu: f64| solid(young, nu);
     let (base, film) = (solid(20.0, 0.3), solid(2.0, 0.5));
     let layer = |solid: Elastic, thickness: f64| Layer {
         solid,
@@ -67,7 +67,7 @@ fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
 /// stiffer; springs that are stiff enough bond it.
 #[test]
 fn films_on_springs_may_stick_on_top() {
-    let solid = |young: f64, nu: f64| Elastic::new(young, nu).expect("physical");
+    let solid = |young: f64, nu: f64| solid(young, nu);
     let stack = |interface: Interface| {
         let film = Layer {
             solid: solid(2.0, 0.5),
@@ -105,7 +105,7 @@ fn films_on_springs_may_stick_on_top() {
 /// resolve. Measured: 1.1e-7 at a tangential stiffness of 1e-9 `E1*/t`.
 #[test]
 fn films_that_slide_below_may_stick_on_top() {
-    let solid = |young: f64, nu: f64| Elastic::new(young, nu).expect("physical");
+    let solid = |young: f64, nu: f64| solid(young, nu);
     let mut worst = 0.0;
     for (nu, base) in [(0.5, f64::INFINITY), (0.3, f64::INFINITY), (0.5, 40.0)] {
         let on = |interface: Interface| {

@@ -1,13 +1,15 @@
 //! Contacts in time against independently computed series, and against Lee and Radok's and Ting's
 //! closed forms on a half-space.
 
+mod elements;
+mod oscillation;
+mod refused;
+
 use std::f64::consts::PI;
 
-use acceptance::{Case, Data, assert_names};
-use contact::{
-    Contact, Control, Course, HistoryError, Hysteresis, Phase, RateDependent, Relaxation,
-};
-use interp::{Elastic, HalfSpace, Probe, System};
+use acceptance::{Case, Data, rigid_probe, solid, solved_contact};
+use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation};
+use interp::{HalfSpace, Probe, System};
 
 /// Returns a law as the file writes it.
 fn law(text: &str) -> Relaxation {
@@ -84,14 +86,12 @@ fn system(case: &Case<'_>) -> System {
         },
         _ => Probe::Paraboloid { radius: size },
     };
-    System {
+    rigid_probe(
         probe,
-        sphere_modulus: f64::INFINITY,
-        film: Elastic::new(case.get("reference_modulus"), case.get("poisson_ratio"))
-            .expect("a solid"),
-        film_thickness: case.get("film_thickness"),
-        substrate: Elastic::new(f64::INFINITY, 0.25).expect("a solid"),
-    }
+        solid(case.get("reference_modulus"), case.get("poisson_ratio")),
+        case.get("film_thickness"),
+        solid(f64::INFINITY, 0.25),
+    )
 }
 
 /// The protocols of the file, row after row.
@@ -110,9 +110,7 @@ fn protocols(data: &Data) -> Vec<Vec<Case<'_>>> {
 fn follow(rows: &[Case<'_>], tolerance: Option<f64>) -> Course {
     let first = &rows[0];
     let system = system(first);
-    let material = system.material().expect("a material");
-    let curve = solve::curve(&material, [1e-4, 8.0], 1e-10).expect("a curve");
-    let contact = Contact::new(&system, curve).expect("a contact");
+    let contact = solved_contact(&system, [1e-4, 8.0], 1e-10);
     let times: Vec<f64> = rows.iter().map(|row| row.get("time")).collect();
     let (control, program) = program(first.text("program"), times[times.len() - 1]);
     let history = contact.history(&law(first.text("law"))).expect("a law");
@@ -191,9 +189,17 @@ fn independent_series() {
     }
 }
 
+/// A solid that relaxes to 0.3 of its modulus in 0.6 s.
+fn solid_law() -> Relaxation {
+    Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.6]],
+    }
+}
+
 /// A rigid probe on a half-space with `E* = 1`.
 fn half_space(probe: Probe) -> Contact {
-    let solid = Elastic::new(0.75, 0.5).expect("a solid");
+    let solid = solid(0.75, 0.5);
     Contact::half_space(&HalfSpace {
         probe,
         sphere_modulus: f64::INFINITY,
@@ -282,10 +288,7 @@ fn approach_and_retract_at_constant_speeds() {
 #[test]
 fn a_hold_relaxes_by_the_law() {
     let contact = half_space(PARABOLOID);
-    let law = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    };
+    let law = solid_law();
     let program = [(0.0, 0.0), (1.0, 1e-2)];
     let times = [0.3, 1.0, 1.5, 4.0, 50.0];
     let history = contact.history(&law).expect("a law");
@@ -352,219 +355,11 @@ const fn power_law(exponent: f64) -> Relaxation {
     }
 }
 
-/// Elements and the integrals agree for one turn, where the elements are asked for by a second turn
-/// after the last time.
-#[test]
-fn elements_agree_with_the_integrals() {
-    let contact = half_space(PARABOLOID);
-    let laws = [
-        Relaxation::Prony {
-            relaxed: 0.3,
-            terms: vec![[0.7, 0.6]],
-        },
-        power_law(0.1),
-        power_law(0.2),
-        power_law(0.5),
-        power_law(0.8),
-        Relaxation::ModifiedPowerLaw {
-            relaxed: 0.2,
-            exponent: 0.5,
-            time: 0.1,
-        },
-        Relaxation::FractionalZener {
-            relaxed: 0.2,
-            exponent: 0.5,
-            time: 0.1,
-        },
-    ];
-    for law in laws {
-        let history = contact.history(&law).expect("a law");
-        let once = [(0.0, 0.0), (1.0, 1e-2), (1.5, 8e-3), (2.5, 0.0)];
-        let again = [once[0], once[1], once[2], once[3], (4.0, 1e-3)];
-        // The first two after the turn are steps in which hardly an element is released.
-        let times = [0.4, 1.0, 1.001, 1.002, 1.1, 1.3, 1.8, 2.2];
-        let of = |program: &[(f64, f64)], tolerance| {
-            history
-                .at(Control::Displacement, program, &times, Some(tolerance))
-                .expect("a course")
-        };
-        let (exact, own) = (of(&once, 1e-9), of(&again, 1e-5));
-        let largest = exact.states[1].state;
-        for (exact, own) in exact.states.iter().zip(&own.states) {
-            let load = (own.state.load - exact.state.load).abs() / largest.load;
-            let radius = (own.state.contact_radius - exact.state.contact_radius).abs()
-                / largest.contact_radius;
-            assert!(
-                load < 1e-5 && radius < 1e-5,
-                "{law:?} at {}: {load:.1e} {radius:.1e}",
-                own.time
-            );
-        }
-    }
-}
-
-/// Cuts each straight line of a program in two.
-fn cut(program: &[(f64, f64)]) -> Vec<(f64, f64)> {
-    let mut cut = vec![program[0]];
-    for pair in program.windows(2) {
-        let [(t0, v0), (t1, v1)] = [pair[0], pair[1]];
-        cut.extend([(t0 + 0.3 * (t1 - t0), v0 + 0.3 * (v1 - v0)), (t1, v1)]);
-    }
-    cut
-}
-
-/// An element that touches and is released within one straight line is no ring outside the contact: both programs are
-/// answered, and the same.
-#[test]
-fn an_element_that_touches_within_a_step_is_no_ring() {
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e-5 },
-        sphere_modulus: f64::INFINITY,
-        film: Elastic::new(1e3, 0.5).expect("a solid"),
-        film_thickness: 5e-6,
-        substrate: Elastic::new(f64::INFINITY, 0.25).expect("a solid"),
-    };
-    let material = system.material().expect("a material");
-    let curve = solve::curve(&material, [1e-4, 8.0], 1e-8).expect("a curve");
-    let contact = Contact::new(&system, curve).expect("a contact");
-    let law = Relaxation::PowerLaw {
-        exponent: 0.8712366898122368,
-        time: 1.0,
-    };
-    let program = [
-        (0.0, 0.0),
-        (0.07753188060455914, -3.302387599303665e-07),
-        (0.13780841206216754, 1.9889986174639647e-07),
-        (1.1639676597099524, -3.618665514663257e-07),
-        (1.2558288227859544, 4.4762828830413774e-07),
-        (1.2712708215669881, 4.2457568664236546e-07),
-        (2.62537464831824, -4.518779770727694e-07),
-        (2.895347899462901, 7.111341715619417e-07),
-        (2.913901690908775, 6.801921414092479e-07),
-    ];
-    let history = contact.history(&law).expect("a law");
-    let times: Vec<f64> = program[1..].iter().map(|(time, _)| *time).collect();
-    let of = |program: &[(f64, f64)]| {
-        let course = history.at(Control::Displacement, program, &times, Some(1e-2));
-        course.expect("one disc").states
-    };
-    let (whole, parts) = (of(&program), of(&cut(&program)));
-    let largest = whole.iter().map(|at| at.state.load).fold(0.0, f64::max);
-    assert!(largest > 0.0);
-    for (whole, parts) in whole.iter().zip(&parts) {
-        let error = (whole.state.load - parts.state.load).abs() / largest;
-        assert!(error < 1e-4, "at {}: {error:.1e}", whole.time);
-    }
-}
-
-/// A history cut in two by a point on its straight lines is the same history.
-#[test]
-fn a_history_cut_in_two() {
-    let contact = half_space(PARABOLOID);
-    let solid = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    };
-    let times = [0.5, 1.0, 1.2, 1.7, 2.0, 2.3];
-    let (once, twice) = (&CYCLES[..2], &CYCLES[..]);
-    for (law, program, tolerance, allowed) in [
-        (&solid, once, 1e-9, 1e-9),
-        (&solid, twice, 1e-5, 2e-5),
-        (&power_law(0.5), twice, 1e-5, 2e-5),
-        (&power_law(0.7), twice, 1e-5, 2e-5),
-    ] {
-        let history = contact.history(law).expect("a law");
-        let cut = cut(program);
-        let of = |program: &[(f64, f64)]| {
-            history
-                .at(Control::Displacement, program, &times, Some(tolerance))
-                .expect("a course")
-                .states
-        };
-        let (whole, cut) = (of(program), of(&cut));
-        let largest = whole.iter().map(|at| at.state.load).fold(0.0, f64::max);
-        for (whole, cut) in whole.iter().zip(&cut) {
-            let error = (whole.state.load - cut.state.load).abs() / largest;
-            assert!(error < allowed, "at {}: {error:.1e}", whole.time);
-        }
-    }
-}
-
-/// Other units of length, force and time change nothing.
-#[test]
-fn units() {
-    let [length, pressure, time] = [3e-6, 7e4, 2e-3];
-    let of = |l: f64, p: f64, s: f64, program: &[(f64, f64)], control: Control| {
-        let solid = Elastic::new(0.75 * p, 0.5).expect("a solid");
-        let probe = Probe::Paraboloid { radius: l };
-        let contact = Contact::half_space(&HalfSpace {
-            probe,
-            sphere_modulus: f64::INFINITY,
-            solid,
-        });
-        let law = Relaxation::ModifiedPowerLaw {
-            relaxed: 0.1,
-            exponent: 0.4,
-            time: 0.3 * s,
-        };
-        let value = |value: f64| {
-            if control == Control::Load {
-                value * l * l * p
-            } else {
-                value * l
-            }
-        };
-        let program: Vec<_> = program.iter().map(|&(t, v)| (t * s, value(v))).collect();
-        let course = contact
-            .expect("a contact")
-            .history(&law)
-            .expect("a law")
-            .run(control, &program, None);
-        course.expect("a course").states
-    };
-    let up = [(0.0, 0.0), (1.0, 1e-3), (2.0, 1e-3)];
-    let all = [
-        (&CYCLES[..], Control::Displacement),
-        (&up[..], Control::Load),
-        (&up[..2], Control::Displacement),
-    ];
-    for (program, control) in all {
-        let (own, other) = (
-            of(1.0, 1.0, 1.0, program, control),
-            of(length, pressure, time, program, control),
-        );
-        for (own, other) in own.iter().zip(&other) {
-            let close = |own: f64, other: f64| (own - other).abs() <= 1e-11 * own.abs() + 1e-16;
-            assert!(
-                close(
-                    own.state.load,
-                    other.state.load / (length * length * pressure)
-                ),
-                "{own:?} {other:?}"
-            );
-            assert!(
-                close(
-                    own.state.contact_radius,
-                    other.state.contact_radius / length
-                ),
-                "{own:?} {other:?}"
-            );
-            assert!(
-                close(own.state.penetration, other.state.penetration / length),
-                "{own:?} {other:?}"
-            );
-        }
-    }
-}
-
 /// The cantilever's balance holds, and a stiff one imposes the penetration.
 #[test]
 fn heights_of_a_cantilever() {
     let contact = half_space(PARABOLOID);
-    let law = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    };
+    let law = solid_law();
     let history = contact.history(&law).expect("a law");
     let program = [(0.0, -1e-3), (1.0, 1e-2), (2.0, 1e-2), (3.0, -5e-3)];
     let times = [0.05, 0.5, 1.0, 1.7, 2.2, 2.9];
@@ -615,10 +410,7 @@ fn heights_of_a_cantilever() {
 #[test]
 fn a_load_that_falls() {
     let contact = half_space(PARABOLOID);
-    let law = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    };
+    let law = solid_law();
     let history = contact.history(&law).expect("a law");
     let loads = [(0.0, 0.0), (1.0, 1e-3), (2.0, 0.0)];
     let times = [0.5, 1.0, 1.3, 1.6, 1.9];
@@ -649,8 +441,8 @@ fn a_load_that_falls() {
 /// On a thick film the contact is that of the half-space.
 #[test]
 fn a_thick_film() {
-    let film = Elastic::new(0.75, 0.5).expect("a solid");
-    let substrate = Elastic::new(f64::INFINITY, 0.25).expect("a solid");
+    let film = solid(0.75, 0.5);
+    let substrate = solid(f64::INFINITY, 0.25);
     let law = Relaxation::PowerLaw {
         exponent: 0.3,
         time: 1.0,
@@ -667,13 +459,7 @@ fn a_thick_film() {
     };
     let bare = of(&half_space(PARABOLOID));
     for thickness in [1e1, 1e2] {
-        let system = System {
-            probe: PARABOLOID,
-            sphere_modulus: f64::INFINITY,
-            film,
-            film_thickness: thickness,
-            substrate,
-        };
+        let system = rigid_probe(PARABOLOID, film, thickness, substrate);
         let curve = solve::curve(&system.material().expect("a material"), [1e-6, 1e-2], 1e-10)
             .expect("a curve");
         let film = of(&Contact::new(&system, curve).expect("a contact"));
@@ -684,247 +470,6 @@ fn a_thick_film() {
                 error > 0.0 && error < 3.0 * 1e-2 / thickness,
                 "{thickness}: {error:.1e}"
             );
-        }
-    }
-}
-
-/// A small oscillation sees the stiffness times the complex modulus; that of a power law has the
-/// loss tangent `tan(pi alpha/2)` at every frequency.
-#[test]
-fn complex_stiffness() {
-    let contact = half_space(PARABOLOID);
-    let stiffness = contact.stiffness(0.1).expect("a stiffness");
-    for omega in [1e-2, 1.0, 1e4] {
-        let law = Relaxation::PowerLaw {
-            exponent: 0.3,
-            time: 1.0,
-        };
-        let [storage, loss] = contact
-            .complex_stiffness(0.1, &law, omega)
-            .expect("a stiffness");
-        assert!((loss / storage - (0.15 * PI).tan()).abs() < 1e-13);
-        let law = Relaxation::Prony {
-            relaxed: 0.3,
-            terms: vec![[0.7, 0.6]],
-        };
-        let [storage, loss] = contact
-            .complex_stiffness(0.1, &law, omega)
-            .expect("a stiffness");
-        let x = omega * 0.6;
-        assert!((storage / stiffness - (0.3 + 0.7 * x * x / (1.0 + x * x))).abs() < 1e-14);
-        assert!((loss / stiffness - 0.7 * x / (1.0 + x * x)).abs() < 1e-14);
-        // Both laws tend to the Debye form, Gamma-weighted: the modified law with a large time is constant.
-        let law = Relaxation::ModifiedPowerLaw {
-            relaxed: 0.0,
-            exponent: 0.5,
-            time: 1e12,
-        };
-        let [storage, loss] = contact
-            .complex_stiffness(0.1, &law, omega)
-            .expect("a stiffness");
-        assert!(
-            (storage / stiffness - 1.0).abs() < 1e-6 && loss < 1e-6 * stiffness,
-            "{storage} {loss}"
-        );
-    }
-}
-
-/// The bound for bodies that do not relax, on both sides of the largest that is accepted.
-#[test]
-fn bodies_that_do_not_relax() {
-    let of = |substrate: f64| System {
-        probe: Probe::Paraboloid { radius: 1e-5 },
-        sphere_modulus: f64::INFINITY,
-        film: Elastic::new(1e3, 0.5).expect("a solid"),
-        film_thickness: 1e-5,
-        substrate: Elastic::new(substrate, 0.5).expect("a solid"),
-    };
-    let contact = |substrate: f64| {
-        let system = of(substrate);
-        let curve = solve::curve(&system.material().expect("a material"), [1e-4, 2.0], 1e-9)
-            .expect("a curve");
-        Contact::new(&system, curve).expect("a contact")
-    };
-    let rigid = contact(f64::INFINITY);
-    let law = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    };
-    let program = [(0.0, 0.0), (1.0, 1e-6), (2.0, 0.0)];
-    let run = |substrate: f64| {
-        let own = contact(substrate);
-        let history = own.history(&law).expect("a law").beside(&rigid);
-        history
-            .run(Control::Displacement, &program, None)
-            .map(|course| course.unlike_bodies)
-    };
-    let [soft, stiff] = [1e5, 1e7].map(|substrate| run(substrate).expect("a course"));
-    // The rise of the load is inversely proportional to the modulus of the base.
-    assert!(
-        soft > 1e-4 && soft < 2e-2 && (soft / stiff / 100.0 - 1.0).abs() < 0.05,
-        "{soft} {stiff}"
-    );
-    let refused = run(3e3).expect_err("too soft a base");
-    assert!(
-        matches!(refused, HistoryError::UnlikeBodies { .. }),
-        "{refused}"
-    );
-    assert_names(&refused.to_string(), &["do not relax", "2e-2", "rigid"]);
-}
-
-/// Each mistake has an error that says what to do.
-#[test]
-fn mistakes() {
-    let contact = half_space(PARABOLOID);
-    let law = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    };
-    let history = contact.history(&law).expect("a law");
-    let refuse = |control, program: &[(f64, f64)], times: &[f64], tolerance, names: &[&str]| {
-        let error = history
-            .at(control, program, times, tolerance)
-            .expect_err("a mistake");
-        assert_names(&error.to_string(), names);
-    };
-    let up = [(0.0, 0.0), (1.0, 1e-3)];
-    let depth = Control::Displacement;
-    refuse(depth, &up[..1], &[], None, &["two points", "1"]);
-    refuse(
-        depth,
-        &[up[1], up[0]],
-        &[],
-        None,
-        &["point 2", "times", "rise"],
-    );
-    refuse(
-        depth,
-        &[up[0], (0.0, 1e-3)],
-        &[],
-        None,
-        &["point 2", "close together"],
-    );
-    refuse(
-        depth,
-        &[up[0], (f64::NAN, 1e-3)],
-        &[],
-        None,
-        &["point 2", "finite"],
-    );
-    refuse(
-        depth,
-        &[(0.0, 1e-4), up[1]],
-        &[],
-        None,
-        &["begins in contact", "0.0001", "not known"],
-    );
-    refuse(depth, &up, &[-1.0], None, &["-1.0", "begins at 0.0"]);
-    refuse(depth, &up, &[f64::INFINITY], None, &["inf", "finite"]);
-    refuse(depth, &up, &[0.5], Some(1e-12), &["1e-12", "1e-10"]);
-    refuse(
-        Control::Spring { stiffness: 0.0 },
-        &up,
-        &[0.5],
-        None,
-        &["stiffness"],
-    );
-    let laws = [
-        (
-            Relaxation::PowerLaw {
-                exponent: 1.0,
-                time: 1.0,
-            },
-            "below 1",
-        ),
-        (
-            Relaxation::PowerLaw {
-                exponent: 0.5,
-                time: 0.0,
-            },
-            "relaxation time",
-        ),
-        (
-            Relaxation::Prony {
-                relaxed: 0.3,
-                terms: vec![[0.6, 1.0]],
-            },
-            "sum",
-        ),
-        (
-            Relaxation::Prony {
-                relaxed: -0.1,
-                terms: vec![[1.1, 1.0]],
-            },
-            "relaxed fraction",
-        ),
-        (
-            Relaxation::ModifiedPowerLaw {
-                relaxed: 0.1,
-                exponent: f64::NAN,
-                time: 1.0,
-            },
-            "exponent",
-        ),
-        (
-            Relaxation::FractionalZener {
-                relaxed: 0.1,
-                exponent: 1e-4,
-                time: 1.0,
-            },
-            "0.001",
-        ),
-    ];
-    for (law, name) in laws {
-        let error = contact.history(&law).expect_err("no solid");
-        assert_names(&error.to_string(), &[name]);
-    }
-    let punch = half_space(Probe::FlatPunch { radius: 1.0 });
-    assert_names(
-        &punch.history(&law).expect_err("a punch").to_string(),
-        &["punch"],
-    );
-    let growing = contact
-        .history(&law)
-        .expect("a law")
-        .receding(1e-4)
-        .expect_err("growing adhesion");
-    assert_names(&growing.to_string(), &["0.0001", "Hysteresis", "no law"]);
-    let slow = Hysteresis::new(0.0, 1e-4).expect("a law");
-    let rate = RateDependent::new(slow, 1e-6, 0.6).expect("a law");
-    let history = contact.history(&law).expect("a law");
-    let fast = history.receding(rate).expect_err("a speed").to_string();
-    assert_names(&fast, &["speed", "Hysteresis"]);
-    let adhesive = contact.history(&law).expect("a law");
-    let adhesive = adhesive
-        .receding(Hysteresis::new(0.0, 1e-6).expect("a law"))
-        .expect("receding alone");
-    for (control, program) in [(Control::Load, &up[..]), (depth, &CYCLES[..])] {
-        let error = adhesive
-            .at(control, program, &[0.5], None)
-            .expect_err("not served");
-        assert!(
-            matches!(error, HistoryError::AdhesiveProgram { .. }),
-            "{error}"
-        );
-    }
-}
-
-/// Two instants that nothing tells apart ask for no more exponentials than others do.
-#[test]
-fn instants_at_any_distance_are_answered() {
-    let contact = half_space(Probe::Paraboloid { radius: 1.0 });
-    let law = Relaxation::FractionalZener {
-        relaxed: 0.1,
-        exponent: 0.5,
-        time: 1.0,
-    };
-    let history = contact.history(&law).expect("a law");
-    let program = [(0.0, 0.0), (1.0, 1e-3), (1.0_f64.next_up(), 1e-3)];
-    for first in [1e-49, 1e-300, 5e-324] {
-        let found = history.at(Control::Displacement, &program, &[first, 1.0], Some(1e-2));
-        match found {
-            Ok(course) => assert_eq!(course.states.len(), 2),
-            Err(error) => assert_names(&error.to_string(), &["time"]),
         }
     }
 }

@@ -101,6 +101,19 @@ def all_of(states):
     return [number for state in states for number in numbers_of(state)]
 
 
+def stated(equilibria):
+    """The numbers of equilibria."""
+    return all_of(one.state for one in equilibria)
+
+
+def ranged(contact, w, z0):
+    return contact.adhesion_range(w, interaction_range=z0)
+
+
+def attracted(contact, w, stress):
+    return contact.finite_range(w, stress=stress)
+
+
 def gradient(contact, a, w):
     found = contact.gradient(a, w)
     return [found.load, found.penetration, found.by("film_modulus").load]
@@ -313,6 +326,16 @@ def on_table(table, numbers):
     return table.contact(system).load(a, w)
 
 
+def on_film(valid, function):
+    """Valid numbers, and a function of the contact of such bodies and further numbers."""
+    return [*BODIES, *valid], lambda *n: function(contact_of(n[:7]), *n[7:])
+
+
+def cohesive(valid, function):
+    """Valid numbers, and a function of an attraction between fixed bodies and further numbers."""
+    return [0.04, 1e-8, *valid], lambda *n: function(cohesive_of([*BODIES, *n[:2]]), *n[2:])
+
+
 def under(make, *valid, a=2e-6):
     """Valid numbers and the function of a contact under a probe."""
 
@@ -328,98 +351,56 @@ def under(make, *valid, a=2e-6):
 # function of them.
 FUNCTIONS = {
     "read_experiment": ([0.1, 1e-7], lambda *n: read(*n)),
-    "Contact.load": ([*BODIES, 65e-6, 0.04], lambda *n: contact_of(n[:7]).load(n[7], n[8])),
+    "Contact.load": on_film([65e-6, 0.04], Contact.load),
     "Contact.penetration": ([65e-6, 0.04], lambda *n: contact_of(BODIES).penetration(*n)),
-    "Contact.load_and_penetration": (
-        [*BODIES, 65e-6, 0.04],
-        lambda *n: contact_of(n[:7]).load_and_penetration(n[7], n[8]),
+    "Contact.load_and_penetration": on_film([65e-6, 0.04], Contact.load_and_penetration),
+    "Contact.stiffness": on_film([65e-6], Contact.stiffness),
+    "Contact.moving_stiffness": on_film([65e-6, 0.04], Contact.moving_stiffness),
+    "Contact.gradient": on_film([65e-6, 0.04], gradient),
+    "Contact.pull_off": on_film([0.04], lambda c, w: numbers_of(c.pull_off(w))),
+    "Contact.pull_off by a spring": on_film(
+        [0.04, 5.0], lambda c, w, k: numbers_of(c.pull_off(w, control=Spring(stiffness=k)))
     ),
-    "Contact.stiffness": ([*BODIES, 65e-6], lambda *n: contact_of(n[:7]).stiffness(n[7])),
-    "Contact.moving_stiffness": (
-        [*BODIES, 65e-6, 0.04],
-        lambda *n: contact_of(n[:7]).moving_stiffness(n[7], n[8]),
-    ),
-    "Contact.gradient": (
-        [*BODIES, 65e-6, 0.04],
-        lambda *n: gradient(contact_of(n[:7]), n[7], n[8]),
-    ),
-    "Contact.pull_off": ([*BODIES, 0.04], lambda *n: numbers_of(contact_of(n[:7]).pull_off(n[7]))),
-    "Contact.pull_off by a spring": (
-        [*BODIES, 0.04, 5.0],
-        lambda *n: numbers_of(contact_of(n[:7]).pull_off(n[7], control=Spring(stiffness=n[8]))),
-    ),
-    "Contact.equilibria": (
-        [*BODIES, 0.04, 1e-4],
-        lambda *n: all_of(one.state for one in contact_of(n[:7]).equilibria(n[7]).at(n[8])),
-    ),
-    "Contact.force_displacement": (
-        [*BODIES, 0.04, 1e-6, 5.0],
-        lambda *n: curve(contact_of(n[:7]).equilibria(n[7], control=Spring(stiffness=n[9])), n[8]),
+    "Contact.equilibria": on_film([0.04, 1e-4], lambda c, w, f: stated(c.equilibria(w).at(f))),
+    "Contact.force_displacement": on_film(
+        [0.04, 1e-6, 5.0],
+        lambda c, w, most, k: curve(c.equilibria(w, control=Spring(stiffness=k)), most),
     ),
     "Contact.half_space": (
         [1e-3, 2e6, 3.5e6, 0.45, 65e-6, 0.04],
         lambda *n: half_space_of(n[:4]).load_and_penetration(n[4], n[5]),
     ),
     "Contact.line": ([0.03, 0.05, 65e-6], lambda *n: numbers_of(line_of(n).state)),
-    "Contact.validity": ([*BODIES, 65e-6], lambda *n: validity(contact_of(n[:7]), n[7])),
-    "Contact.adhesion_range": (
-        [*BODIES, 0.04, 3e-10],
-        lambda *n: contact_of(n[:7]).adhesion_range(n[7], interaction_range=n[8]).tabor,
+    "Contact.validity": on_film([65e-6], validity),
+    "Contact.adhesion_range": on_film([0.04, 3e-10], lambda *n: ranged(*n).tabor),
+    "Contact.finite_range": on_film([0.04, 1e8], lambda *n: attracted(*n).zone),
+    "AdhesionRange.pull_off_error": on_film([0.04, 3e-10], lambda *n: ranged(*n).pull_off_error()),
+    "Equilibria.at": on_film(
+        [0.04, 1e-6], lambda c, w, d: stated(c.equilibria(w, control="displacement").at(d))
     ),
-    "Contact.finite_range": (
-        [*BODIES, 0.04, 1e8],
-        lambda *n: contact_of(n[:7]).finite_range(n[7], stress=n[8]).zone,
+    "Equilibria.loading": on_film(
+        [0.04, 1e-4], lambda c, w, f: numbers_of(c.equilibria(w).loading(f))
     ),
-    "AdhesionRange.pull_off_error": (
-        [*BODIES, 0.04, 3e-10],
-        lambda *n: contact_of(n[:7]).adhesion_range(n[7], interaction_range=n[8]).pull_off_error(),
+    "Equilibria.unloading": on_film(
+        [0.04, 1e-4], lambda c, w, f: numbers_of(c.equilibria(w).unloading(f))
     ),
-    "Equilibria.at": (
-        [*BODIES, 0.04, 1e-6],
-        lambda *n: all_of(
-            one.state for one in contact_of(n[:7]).equilibria(n[7], control="displacement").at(n[8])
-        ),
+    "Equilibria.pull_off": on_film(
+        [0.04], lambda c, w: numbers_of(c.equilibria(w, control="displacement").pull_off())
     ),
-    "Equilibria.loading": (
-        [*BODIES, 0.04, 1e-4],
-        lambda *n: numbers_of(contact_of(n[:7]).equilibria(n[7]).loading(n[8])),
+    "Equilibria.force_displacement": on_film(
+        [0.04, 1e-4], lambda c, w, most: curve(c.equilibria(w), most)
     ),
-    "Equilibria.unloading": (
-        [*BODIES, 0.04, 1e-4],
-        lambda *n: numbers_of(contact_of(n[:7]).equilibria(n[7]).unloading(n[8])),
+    "ShortRange.state": on_film(
+        [0.04, 1e8, 65e-6], lambda c, w, s, a: numbers_of(attracted(c, w, s).state(a))
     ),
-    "Equilibria.pull_off": (
-        [*BODIES, 0.04],
-        lambda *n: numbers_of(
-            contact_of(n[:7]).equilibria(n[7], control="displacement").pull_off()
-        ),
+    "ShortRange.pull_off": on_film(
+        [0.04, 1e8, 5.0],
+        lambda c, w, s, k: numbers_of(attracted(c, w, s).pull_off(control=Spring(stiffness=k))),
     ),
-    "Equilibria.force_displacement": (
-        [*BODIES, 0.04, 1e-4],
-        lambda *n: curve(contact_of(n[:7]).equilibria(n[7]), n[8]),
+    "ShortRange.equilibria": on_film(
+        [0.04, 1e8, 1e-4], lambda c, w, s, f: stated(attracted(c, w, s).equilibria(f))
     ),
-    "ShortRange.state": (
-        [*BODIES, 0.04, 1e8, 65e-6],
-        lambda *n: numbers_of(contact_of(n[:7]).finite_range(n[7], stress=n[8]).state(n[9])),
-    ),
-    "ShortRange.pull_off": (
-        [*BODIES, 0.04, 1e8, 5.0],
-        lambda *n: numbers_of(
-            contact_of(n[:7])
-            .finite_range(n[7], stress=n[8])
-            .pull_off(control=Spring(stiffness=n[9]))
-        ),
-    ),
-    "ShortRange.equilibria": (
-        [*BODIES, 0.04, 1e8, 1e-4],
-        lambda *n: all_of(
-            one.state for one in contact_of(n[:7]).finite_range(n[7], stress=n[8]).equilibria(n[9])
-        ),
-    ),
-    "Contact.history": (
-        [*BODIES, 0.2, 1.0, 1e-7, 0.3, 0.7, 1e-4],
-        lambda *n: followed(contact_of(n[:7]), *n[7:]),
-    ),
+    "Contact.history": on_film([0.2, 1.0, 1e-7, 0.3, 0.7, 1e-4], followed),
     "ContactLine.impose": ([0.03, 0.05, 65e-6, 1e-3], lambda *n: moved(line_of(n[:3]), n[3])),
     "ContactLine.ramp": ([0.04, 1e-6, 0.6, 5e-4, 1.0], lambda *n: ramped(n)),
     "RateDependent.energy_release_rate": (
@@ -436,28 +417,13 @@ FUNCTIONS = {
         [*BODIES, 0.04, 1e-6, 1e-6],
         lambda *n: numbers_of(cohesive_of(n[:9]).without_contact(n[9])),
     ),
-    "Cohesive.branch": (
-        [0.04, 1e-8, 5e-5, 7e-5],
-        lambda *n: all_of(cohesive_of([*BODIES, *n[:2]]).branch((n[2], n[3]), 2)),
+    "Cohesive.branch": cohesive([5e-5, 7e-5], lambda c, *ends: all_of(c.branch(ends, 2))),
+    "Cohesive.pull_off": cohesive(
+        [5.0], lambda c, k: numbers_of(c.pull_off(control=Spring(stiffness=k)))
     ),
-    "Cohesive.pull_off": (
-        [0.04, 1e-8, 5.0],
-        lambda *n: numbers_of(
-            cohesive_of([*BODIES, *n[:2]]).pull_off(control=Spring(stiffness=n[2]))
-        ),
-    ),
-    "Cohesive.pressure": (
-        [0.04, 1e-8, 65e-6, 1e-6],
-        lambda *n: cohesive_of([*BODIES, *n[:2]]).pressure(n[2], n[3]),
-    ),
-    "Cohesive.gap": (
-        [0.04, 1e-8, 65e-6, 65.1e-6],
-        lambda *n: cohesive_of([*BODIES, *n[:2]]).gap(n[2], n[3]),
-    ),
-    "solve": (
-        [1.5, 1.75, 0.45, 1e5, 0.25, 1e-6],
-        lambda *n: [solve(*n).gamma, solve(*n).error],
-    ),
+    "Cohesive.pressure": cohesive([65e-6, 1e-6], Cohesive.pressure),
+    "Cohesive.gap": cohesive([65e-6, 65.1e-6], Cohesive.gap),
+    "solve": ([1.5, 1.75, 0.45, 1e5, 0.25, 1e-6], lambda *n: [solve(*n).gamma, solve(*n).error]),
     "solve_stack": (
         [3.5e6, 0.45, 5e-6, 5e5, 2e11, 0.25, 1.5, 2e6],
         lambda *n: solve_stack(n[6], stack_of(n[:6]), n[7], 1e-6).eeq,
@@ -466,19 +432,15 @@ FUNCTIONS = {
         [1.0, 1.75, 0.5, 1e5, 0.25, 0.5, 1e-6],
         lambda *n: [solve_stick_punch(*n).eeq_s, solve_stick_punch(*n).gamma_eff],
     ),
-    "stick_stiffening": (
-        [*BODIES, 2e-5, 0.5, 1e-4],
-        lambda *n: [
-            stick_stiffening(
-                contact_of(n[:7]).system, n[7], sphere_poisson_ratio=n[8], tolerance=n[9]
-            )
-        ],
+    "stick_stiffening": on_film(
+        [2e-5, 0.5, 1e-4],
+        lambda c, a, nu2, t: stick_stiffening(c.system, a, sphere_poisson_ratio=nu2, tolerance=t),
     ),
-    "SolvedCurve.contact": (
-        [*BODIES, 0.5, 2.0, 1e-4],
-        lambda *n: (
-            SolvedCurve(a_over_t=(n[7], n[8]), tolerance=n[9])
-            .contact(contact_of(n[:7]).system)
+    "SolvedCurve.contact": on_film(
+        [0.5, 2.0, 1e-4],
+        lambda c, low, high, tolerance: (
+            SolvedCurve(a_over_t=(low, high), tolerance=tolerance)
+            .contact(c.system)
             .contact_radius_range
         ),
     ),

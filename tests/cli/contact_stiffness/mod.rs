@@ -2,43 +2,29 @@
 
 mod published;
 
-use acceptance::{Data, Workdir, assert_names, larger, workdir};
-use contact::Contact;
-use interp::{Probe, System, Table};
+use acceptance::{Data, Workdir, assert_names, larger, looked_up, solid, workdir};
+use interp::{Probe, System};
 use serde_json::Value;
 
 /// A diamond pyramid on an oxide on silicon.
-const OXIDE: [&str; 14] = [
-    "--sphere-modulus",
-    "1146.6GPa",
-    "--film-thickness",
-    "500nm",
-    "--film-modulus",
-    "72GPa",
-    "--film-poisson-ratio",
-    "0.17",
-    "--substrate-modulus",
-    "170GPa",
-    "--substrate-poisson-ratio",
-    "0.28",
-    "--beta",
-    "1.034",
-];
+const OXIDE: &str = "--sphere-modulus 1146.6GPa --film-thickness 500nm --film-modulus 72GPa \
+     --film-poisson-ratio 0.17 --substrate-modulus 170GPa --substrate-poisson-ratio 0.28 \
+     --beta 1.034";
 
-fn with<'a>(first: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
-    [first, &OXIDE[..], more].concat()
+fn with(first: &str, more: &str) -> String {
+    format!("{first} {OXIDE} {more}")
 }
 
 /// Returns value and standard error of a parameter, in SI units.
-fn found(workdir: &Workdir, args: &[&str], parameter: &str) -> [f64; 2] {
-    let text = workdir.succeed(&[args, &["--json"]].concat());
+fn found(workdir: &Workdir, args: &str, parameter: &str) -> [f64; 2] {
+    let text = workdir.succeed(format!("{args} --json"));
     let object: Value = serde_json::from_str(&text).expect("JSON");
     let of = &object["parameters"][parameter];
     ["value", "stderr"].map(|key| of[key].as_f64().unwrap_or(f64::NAN))
 }
 
 /// Returns the message of a call that fails.
-fn refused(workdir: &Workdir, args: &[&str]) -> String {
+fn refused(workdir: &Workdir, args: &str) -> String {
     let run = workdir.run(args);
     assert!(
         run.status != 0 && run.stdout.is_empty() && !run.stderr.contains("panicked"),
@@ -50,15 +36,15 @@ fn refused(workdir: &Workdir, args: &[&str]) -> String {
 #[test]
 fn curves_have_both_stiffnesses() {
     let workdir = workdir!();
-    let film = ["--specimen", "paper", "--film-thickness", "30um"];
-    let range = ["--from", "40um", "--to", "130um", "--points", "10"];
+    let film = "--specimen paper --film-thickness 30um";
+    let range = "--from 40um --to 130um --points 10";
     let system = System {
         film_thickness: 3e-5,
         ..acceptance::paper_system(1e-6)
     };
-    let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
-    for table in [&[][..], &["embedded"]] {
-        let text = workdir.succeed(&[&["curve"], table, &film, &range].concat());
+    let contact = looked_up(&system);
+    for table in ["", "embedded"] {
+        let text = workdir.succeed(format!("curve {table} {film} {range}"));
         let data = Data::parse("curve", &text);
         let mut worst: f64 = 0.0;
         for row in data.cases() {
@@ -71,20 +57,20 @@ fn curves_have_both_stiffnesses() {
         assert!(worst < 3e-5, "{worst:e}");
     }
     // Without adhesion they are one, and a punch has no second.
-    let none = ["--work-of-adhesion", "0"];
-    let text = workdir.succeed(&[&["curve"], &film[..], &range, &none].concat());
+    let none = "--work-of-adhesion 0";
+    let text = workdir.succeed(format!("curve {film} {range} {none}"));
     for row in Data::parse("curve", &text).cases() {
         assert_eq!(row.get("contact_stiffness"), row.get("moving_stiffness"));
     }
-    let punch = ["--probe", "flat-punch", "--sphere-radius", "20um"];
-    let text = workdir.succeed(&[&["curve"], &film[..], &punch].concat());
+    let punch = "--probe flat-punch --sphere-radius 20um";
+    let text = workdir.succeed(format!("curve {film} {punch}"));
     let row = Data::parse("curve", &text);
     let row = row.cases().next().expect("one row");
     let system = System {
         probe: Probe::FlatPunch { radius: 2e-5 },
         ..system
     };
-    let punch = Contact::in_table(Table::embedded(), &system).expect("in the table");
+    let punch = looked_up(&system);
     let expected = punch.stiffness(2e-5).expect("its radius");
     assert!((row.get("contact_stiffness") / expected - 1.0).abs() < 1e-5);
     assert!(row.get("moving_stiffness").is_nan());
@@ -98,62 +84,42 @@ fn simulated_stiffnesses_are_found_again() {
                  young_modulus = 72e9\npoisson_ratio = 0.17\nthickness = 500e-9\n";
     workdir.write("oxide.toml", stack);
     for (kind, from, to, more, parameters) in [
-        (
-            "stiffness-radius",
-            "50nm",
-            "1um",
-            &[][..],
-            &["film_modulus"][..],
-        ),
+        ("stiffness-radius", "50nm", "1um", "", &["film_modulus"][..]),
         (
             "stiffness-load",
             "0.1mN",
             "20mN",
-            &["--hardness", "10GPa"],
+            "--hardness 10GPa",
             &["film_modulus", "hardness"],
         ),
         (
             "stiffness-load",
             "0.1mN",
             "20mN",
-            &["--sphere-radius", "10um", "--work-of-adhesion", "0"],
+            "--sphere-radius 10um --work-of-adhesion 0",
             &["film_modulus"],
         ),
         (
             "stiffness-depth",
             "40nm",
             "220nm",
-            &[
-                "--hardness",
-                "10GPa",
-                "--tip-rounding",
-                "6nm",
-                "--thinning",
-                "0.333",
-            ],
+            "--hardness 10GPa --tip-rounding 6nm --thinning 0.333",
             &["film_modulus"],
         ),
     ] {
-        let ends = ["simulate", "--kind", kind, "--from", from, "--to", to];
-        let out = ["--noise", "1%", "-o", "made.csv"];
-        let args = [with(&ends, more), out.to_vec()].concat();
-        workdir.succeed(&args);
+        let ends = format!("simulate --kind {kind} --from {from} --to {to}");
+        workdir.succeed(with(&ends, &format!("{more} --noise 1% -o made.csv")));
         let free: Vec<String> = parameters
             .iter()
             .map(|name| name.replace('_', "-"))
             .collect();
         let free = free.join(",");
         let kinds = if kind == "stiffness-depth" {
-            &["--kind", kind][..]
+            "--kind stiffness-depth"
         } else {
-            &[]
+            ""
         };
-        let args = [
-            with(&["fit", "made.csv"], more),
-            kinds.to_vec(),
-            vec!["--free", &free],
-        ]
-        .concat();
+        let args = with("fit made.csv", &format!("{more} {kinds} --free {free}"));
         for (parameter, truth) in [("film_modulus", 72e9), ("hardness", 10e9)] {
             if parameters.contains(&parameter) {
                 let [value, error] = found(&workdir, &args, parameter);
@@ -165,17 +131,10 @@ fn simulated_stiffnesses_are_found_again() {
             }
         }
         // The same film as a stack of one layer.
-        let diamond = [
-            "fit",
-            "made.csv",
-            "--sphere-modulus",
-            "1146.6GPa",
-            "--beta",
-            "1.034",
-        ];
+        let diamond = "fit made.csv --sphere-modulus 1146.6GPa --beta 1.034";
         let free = free.replace("film-modulus", "oxide.modulus");
-        let stack = ["--stack", "oxide.toml", "--free", &free];
-        let on_stack = [&diamond[..], &stack, kinds, more].concat();
+        let stack = format!("--stack oxide.toml --free {free}");
+        let on_stack = format!("{diamond} {stack} {kinds} {more}");
         let [one, error] = found(&workdir, &on_stack, "oxide.modulus");
         let [other, _] = found(&workdir, &args, "film_modulus");
         assert!((one - other).abs() < 0.01 * error, "{kind}: {one} {other}");
@@ -186,26 +145,15 @@ fn simulated_stiffnesses_are_found_again() {
 #[test]
 fn the_errors_of_a_plan_are_those_of_its_fit() {
     let workdir = workdir!();
-    let plan = [
-        "simulate",
-        "--kind",
-        "stiffness-depth",
-        "--from",
-        "40nm",
-        "--to",
-        "220nm",
-    ];
-    let known = ["--hardness", "10GPa", "--noise", "1%"];
-    let free = ["--free", "film-modulus,tip-rounding"];
-    let plan = with(&plan, &known);
-    let expect = [&plan[..], &free, &["--expect"]].concat();
+    let plan = "simulate --kind stiffness-depth --from 40nm --to 220nm";
+    let known = "--hardness 10GPa --noise 1%";
+    let free = "--free film-modulus,tip-rounding";
+    let plan = with(plan, known);
+    let expect = format!("{plan} {free} --expect");
     let [_, expected] = found(&workdir, &expect, "film_modulus");
-    workdir.succeed(&[&plan[..], &["-o", "made.csv"]].concat());
-    let fit = with(
-        &["fit", "made.csv", "--kind", "stiffness-depth"],
-        &["--noise", "1%"],
-    );
-    let [_, error] = found(&workdir, &[&fit[..], &free].concat(), "film_modulus");
+    workdir.succeed(format!("{plan} -o made.csv"));
+    let fit = with("fit made.csv --kind stiffness-depth", "--noise 1%");
+    let [_, error] = found(&workdir, &format!("{fit} {free}"), "film_modulus");
     assert!((error / expected - 1.0).abs() < 0.05, "{error} {expected}");
 }
 
@@ -217,11 +165,11 @@ fn files_of_nanoindenters_are_read() {
     let system = System {
         probe: Probe::Paraboloid { radius: 0.1 },
         sphere_modulus: 1.1466e12,
-        film: interp::Elastic::new(7.2e10, 0.17).expect("physical"),
+        film: solid(7.2e10, 0.17),
         film_thickness: 5e-7,
-        substrate: interp::Elastic::new(1.7e11, 0.28).expect("physical"),
+        substrate: solid(1.7e11, 0.28),
     };
-    let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
+    let contact = looked_up(&system);
     let mut rows = Vec::new();
     for i in 1..=20 {
         let a = 5e-8 * f64::from(i);
@@ -256,8 +204,8 @@ fn files_of_nanoindenters_are_read() {
     workdir.write("csm.txt", csm);
     workdir.write("plain.txt", plain);
     workdir.write("hysitron.txt", hysitron);
-    let depth = ["--kind", "stiffness-depth"];
-    let args = with(&["fit", "csm.txt"], &depth);
+    let depth = "--kind stiffness-depth";
+    let args = with("fit csm.txt", depth);
     let [value, _] = found(&workdir, &args, "film_modulus");
     assert!((value / 7.2e10 - 1.0).abs() < 1e-4, "{value}");
     let text = workdir.succeed(&args);
@@ -271,23 +219,17 @@ fn files_of_nanoindenters_are_read() {
         ],
     );
     // No units at all: the message says what to type, and that works.
-    let args = with(&["fit", "plain.txt"], &depth);
+    let args = with("fit plain.txt", depth);
     let error = refused(&workdir, &args);
     assert_names(&error, &["unit"]);
-    let named = [
-        "--column",
-        "penetration=h [nm]",
-        "--column",
-        "load=P [mN]",
-        "--column",
-        "contact_stiffness=S=dP/dh [N/m]",
-    ];
-    let [value, _] = found(&workdir, &[&args[..], &named].concat(), "film_modulus");
+    let named = "--column 'penetration=h [nm]' --column 'load=P [mN]' --column \
+         'contact_stiffness=S=dP/dh [N/m]'";
+    let [value, _] = found(&workdir, &format!("{args} {named}"), "film_modulus");
     assert!((value / 7.2e10 - 1.0).abs() < 1e-4, "{value}");
     // The area as a column, and storage and loss.
-    let args = with(&["fit", "hysitron.txt"], &["--kind", "stiffness-radius"]);
+    let args = with("fit hysitron.txt", "--kind stiffness-radius");
     let object: Value =
-        serde_json::from_str(&workdir.succeed(&[&args[..], &["--json"]].concat())).expect("JSON");
+        serde_json::from_str(&workdir.succeed(format!("{args} --json"))).expect("JSON");
     let tangent = object["loss"]["tangent"].as_f64().expect("a number");
     // The film is 0.5 to 0.9 of the compliance.
     assert!(tangent > 0.1 && tangent < 0.3, "{tangent}");
@@ -309,111 +251,86 @@ fn wrong_first_calls_are_answered() {
         "radius.csv",
         "contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n",
     );
-    let depth = ["fit", "depth.csv", "--kind", "stiffness-depth"];
+    let depth = "fit depth.csv --kind stiffness-depth";
     for (args, words) in [
         // Nothing about the bodies.
         (
-            depth.to_vec(),
+            depth.to_owned(),
             &["--sphere-modulus", "--film-thickness"][..],
         ),
         // A noise in newtons per metre, one in per cent for loads.
+        (with(depth, "--noise 10"), &["--noise", "per cent", "1%"]),
         (
-            with(&depth, &["--noise", "10"]),
-            &["--noise", "per cent", "1%"],
-        ),
-        (
-            with(&["fit", "depth.csv", "--kind", "load-penetration"], &[]),
+            with("fit depth.csv --kind load-penetration", ""),
             &["--beta"],
         ),
         // Flags of depths with radii.
         (
-            with(&["fit", "radius.csv"], &["--epsilon", "1"]),
+            with("fit radius.csv", "--epsilon 1"),
             &["--epsilon", "stiffness-depth"],
         ),
-        (
-            with(&["fit", "radius.csv"], &["--thinning", "0.3"]),
-            &["--thinning"],
-        ),
+        (with("fit radius.csv", "--thinning 0.3"), &["--thinning"]),
         // The wrong kind for the columns.
         (
-            with(&["fit", "radius.csv", "--kind", "stiffness-depth"], &[]),
+            with("fit radius.csv --kind stiffness-depth", ""),
             &["penetration", "load"],
         ),
         // Units.
         (
-            with(&depth, &["--tip-rounding", "6GPa"]),
+            with(depth, "--tip-rounding 6GPa"),
             &["--tip-rounding", "a length"],
         ),
         (
-            with(&depth, &["--frame-compliance", "2nm"]),
+            with(depth, "--frame-compliance 2nm"),
             &["--frame-compliance", "a compliance"],
         ),
         (
-            with(&depth, &["--frame-compliance", "-1"]),
+            with(depth, "--frame-compliance -1"),
             &["frame-compliance", "at least 0"],
         ),
+        (with(depth, "--hardness 0"), &["hardness", "positive"]),
+        (with(depth, "--area 0"), &["--area", "positive"]),
         (
-            with(&depth, &["--hardness", "0"]),
-            &["hardness", "positive"],
-        ),
-        (with(&depth, &["--area", "0"]), &["--area", "positive"]),
-        (
-            with(&depth, &["--contact-depth", "hertz"]),
+            with(depth, "--contact-depth hertz"),
             &["oliver-pharr", "loubet"],
         ),
+        (with(depth, "--between 60nm"), &["--between", "60nm..250nm"]),
         (
-            with(&depth, &["--between", "60nm"]),
-            &["--between", "60nm..250nm"],
-        ),
-        (
-            with(&depth, &["--between", "250nm..60nm"]),
+            with(depth, "--between 250nm..60nm"),
             &["--between", "below"],
         ),
         (
-            with(&depth, &["--between", "1um..2um"]),
+            with(depth, "--between 1um..2um"),
             &["no point is left", "range"],
         ),
         // A sample of known modulus without its file, of another kind.
+        (with(depth, "--reference-modulus 170GPa"), &["--reference"]),
         (
-            with(&depth, &["--reference-modulus", "170GPa"]),
-            &["--reference"],
-        ),
-        (
-            with(&depth, &["--reference", "radius.csv"]),
+            with(depth, "--reference radius.csv"),
             &["radius.csv", "penetration"],
         ),
         // What these data cannot tell.
-        (with(&depth, &["--free", "hardness"]), &["hardness", "load"]),
+        (with(depth, "--free hardness"), &["hardness", "load"]),
         (
-            with(&["fit", "radius.csv"], &["--free", "tip-rounding"]),
+            with("fit radius.csv", "--free tip-rounding"),
             &["tip-rounding", "depth"],
         ),
         (
             with(
-                &["simulate", "--kind", "stiffness-depth"],
-                &["--from", "50nm", "--to", "200nm", "--noise", "1%"],
+                "simulate --kind stiffness-depth",
+                "--from 50nm --to 200nm --noise 1%",
             ),
             &["hardness"],
         ),
         (
             with(
-                &["simulate", "--kind", "stiffness-load"],
-                &["--from", "50nm", "--to", "200nm", "--noise", "1%"],
+                "simulate --kind stiffness-load",
+                "--from 50nm --to 200nm --noise 1%",
             ),
             &["--from", "a force"],
         ),
         (
-            vec![
-                "simulate",
-                "--kind",
-                "load-radius",
-                "--from",
-                "50um",
-                "--to",
-                "90um",
-                "--noise",
-                "1%",
-            ],
+            "simulate --kind load-radius --from 50um --to 90um --noise 1%".to_owned(),
             &["per cent"],
         ),
     ] {
@@ -427,41 +344,29 @@ fn wrong_first_calls_are_answered() {
 #[test]
 fn simulated_phases_give_their_loss_tangent_back() {
     let workdir = workdir!();
-    let bodies = |modulus: &'static str| {
-        [
-            "--specimen",
-            "paper",
-            "--sphere-modulus",
-            "1100GPa",
-            "--sphere-radius",
-            "1um",
-            "--film-modulus",
-            modulus,
-            "--film-poisson-ratio",
-            "0.2",
-            "--film-thickness",
-            "500nm",
-            "--substrate-modulus",
-            "170GPa",
-        ]
+    let bodies = |modulus: &str| {
+        format!(
+            "--specimen paper --sphere-modulus 1100GPa --sphere-radius 1um --film-modulus {modulus} \
+             --film-poisson-ratio 0.2 --film-thickness 500nm --substrate-modulus 170GPa"
+        )
     };
-    let of_depth = ["--hardness", "9GPa", "--frame-compliance", "1e-7"];
+    let of_depth = "--hardness 9GPa --frame-compliance 1e-7";
     for (kind, ends, known, used) in [
-        ("stiffness-radius", ["50nm", "400nm"], &[][..], &[][..]),
-        ("stiffness-load", ["0.1mN", "5mN"], &of_depth, &of_depth),
+        ("stiffness-radius", ["50nm", "400nm"], "", ""),
+        ("stiffness-load", ["0.1mN", "5mN"], of_depth, of_depth),
         (
             "stiffness-depth",
             ["60nm", "250nm"],
-            &of_depth,
-            &of_depth[2..],
+            of_depth,
+            "--frame-compliance 1e-7",
         ),
     ] {
-        let ends = ["--from", ends[0], "--to", ends[1]];
-        let plan = ["simulate", "--kind", kind, "--noise", "0.5%", "--seed", "1"];
-        let lossy = ["--loss-tangent", "0.6", "-o", "lossy.csv"];
-        workdir.succeed(&[&plan[..], &ends, &bodies("70GPa"), known, &lossy].concat());
-        let args = ["fit", "lossy.csv", "--kind", kind, "--json"];
-        let text = workdir.succeed(&[&args[..], &bodies("50GPa"), used].concat());
+        let ends = format!("--from {} --to {}", ends[0], ends[1]);
+        let plan = format!("simulate --kind {kind} --noise 0.5% --seed 1");
+        let lossy = "--loss-tangent 0.6 -o lossy.csv";
+        workdir.succeed(format!("{plan} {ends} {} {known} {lossy}", bodies("70GPa")));
+        let args = format!("fit lossy.csv --kind {kind} --json");
+        let text = workdir.succeed(format!("{args} {} {used}", bodies("50GPa")));
         let json: Value = serde_json::from_str(&text).expect("JSON");
         let near = |found: &Value, key: &str, truth: f64| {
             let [value, error] = [key, "stderr"].map(|key| found[key].as_f64().expect("a number"));
@@ -488,11 +393,9 @@ fn simulated_phases_give_their_loss_tangent_back() {
         ),
     ] {
         let noise = if kind == "load-radius" { "1uN" } else { "1%" };
-        let plan = [
-            "simulate", "--kind", kind, "--from", "50nm", "--to", "400nm",
-        ];
-        let lossy = ["--noise", noise, "--loss-tangent", tangent];
-        let run = workdir.run(&[&plan[..], &bodies("70GPa"), &lossy].concat());
+        let plan = format!("simulate --kind {kind} --from 50nm --to 400nm");
+        let lossy = format!("--noise {noise} --loss-tangent {tangent}");
+        let run = workdir.run(format!("{plan} {} {lossy}", bodies("70GPa")));
         assert_ne!(run.status, 0);
         assert_names(&run.stderr, &names);
     }

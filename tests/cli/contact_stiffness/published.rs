@@ -26,56 +26,35 @@ fn published_measurements_of_an_oxide_give_their_moduli() {
         return;
     };
     let workdir = workdir!();
-    let plain = ["--noise", "1%", "--abscissa-noise", "0"];
-    let depth = ["--kind", "stiffness-depth", "--between", "60nm..250nm"];
-    let bare = [
-        &[
-            "fit",
-            &silicon,
-            "--half-space",
-            "--sphere-modulus",
-            "1146.6GPa",
-            "--beta",
-            "1.034",
-        ],
-        &[
-            "--film-modulus",
-            "170GPa",
-            "--film-poisson-ratio",
-            "0.28",
-            "--free",
-            "tip-rounding",
-        ][..],
-        &depth,
-    ]
-    .concat();
+    let plain = "--noise 1% --abscissa-noise 0";
+    let depth = "--kind stiffness-depth --between 60nm..250nm";
+    let bare = format!(
+        "fit {silicon} --half-space --sphere-modulus 1146.6GPa --beta 1.034 --film-modulus \
+         170GPa --film-poisson-ratio 0.28 --free tip-rounding {depth}"
+    );
     let [rounding, _] = found(&workdir, &bare, "tip_rounding");
     assert!((rounding - 6.0e-9).abs() < 0.1e-9, "{rounding}");
     let rounding = format!("{rounding}");
-    let fixed = [&depth[..], &plain, &["--tip-rounding", &rounding]].concat();
-    let [by_depth, _] = found(&workdir, &with(&["fit", &oxide], &fixed), "film_modulus");
+    let fixed = format!("{depth} {plain} --tip-rounding {rounding}");
+    let [by_depth, _] = found(
+        &workdir,
+        &with(&format!("fit {oxide}"), &fixed),
+        "film_modulus",
+    );
     assert!((by_depth / 1e9 - 80.7).abs() < 1.0, "{by_depth}");
     // Both files in one fit.
-    let free = [
-        "--reference",
-        &silicon,
-        "--free",
-        "film-modulus,tip-rounding",
-    ];
-    let both = [&depth[..], &plain, &free].concat();
-    let [together, _] = found(&workdir, &with(&["fit", &oxide], &both), "film_modulus");
+    let free = format!("--reference {silicon} --free film-modulus,tip-rounding");
+    let both = format!("{depth} {plain} {free}");
+    let [together, _] = found(
+        &workdir,
+        &with(&format!("fit {oxide}"), &both),
+        "film_modulus",
+    );
     assert!((together / 1e9 - 80.7).abs() < 1.0, "{together}");
     // The loads of these depths.
-    let load = [
-        "--kind",
-        "stiffness-load",
-        "--between",
-        "0.7mN..10mN",
-        "--free",
-        "film-modulus,hardness",
-    ];
-    let load = [&load[..], &plain[2..]].concat();
-    let file_noise = with(&["fit", &oxide, "--noise", "0.74%"], &load);
+    let load = "--kind stiffness-load --between 0.7mN..10mN --free film-modulus,hardness";
+    let load = format!("{load} --abscissa-noise 0");
+    let file_noise = with(&format!("fit {oxide} --noise 0.74%"), &load);
     let [by_load, error] = found(&workdir, &file_noise, "film_modulus");
     assert!((by_load / 1e9 - 71.3).abs() < 1.0, "{by_load}");
     assert!((error / 1e9 - 1.4).abs() < 0.3, "{error}");
@@ -106,28 +85,25 @@ fn published_measurements_of_metals_are_doubted() {
     ] {
         let stack = format!("{metal}.toml");
         let modulus = format!("{metal}.modulus");
-        let free = ["--stack", &stack, "--free", &modulus];
-        let args = [
-            &["fit", file, "--kind", "stiffness-depth"][..],
-            &["--between", "60nm..250nm", "--sphere-modulus", "1146.6GPa"],
-            &["--beta", "1.034", "--noise", "1%", "--abscissa-noise", "0"],
-            &free[..],
-        ]
-        .concat();
+        let free = format!("--stack {stack} --free {modulus}");
+        let args = format!(
+            "fit {file} --kind stiffness-depth --between 60nm..250nm --sphere-modulus \
+             1146.6GPa --beta 1.034 --noise 1% --abscissa-noise 0 {free}"
+        );
         for (depth, rounding, expected) in [
             ("oliver-pharr", "6nm", by_pharr),
             ("loubet", "2nm", by_loubet),
         ] {
-            let known = ["--contact-depth", depth, "--tip-rounding", rounding];
-            let args = [&args[..], &known].concat();
+            let known = format!("--contact-depth {depth} --tip-rounding {rounding}");
+            let args = format!("{args} {known}");
             let [found, _] = found(&workdir, &args, &modulus);
             assert!(
                 (found / 1e9 - expected).abs() < 0.15,
                 "{metal}, {depth}: {found:e}"
             );
             let text = workdir.succeed(&args);
-            let doubts = ["oliver-pharr", "loubet", "plastic", "pile up"];
-            assert_names(&text, &[&doubts[..], &[modulus.as_str()]].concat());
+            let doubts = ["oliver-pharr", "loubet", "plastic", "pile up", &modulus];
+            assert_names(&text, &doubts);
         }
     }
 }

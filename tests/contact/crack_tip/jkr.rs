@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
+use acceptance::solid;
 use contact::{Contact, State};
-use interp::{Elastic, HalfSpace, Probe};
+use interp::{HalfSpace, Probe};
 
 /// Work of adhesion, J/m^2.
 pub const W: f64 = 0.04;
@@ -11,7 +12,7 @@ pub const W: f64 = 0.04;
 pub const R: f64 = 1e-3;
 
 pub fn half_space() -> Contact {
-    let solid = Elastic::new(2e11, 0.25).expect("physical");
+    let solid = solid(2e11, 0.25);
     Contact::half_space(&HalfSpace {
         probe: Probe::Paraboloid { radius: R },
         sphere_modulus: 2e6,

@@ -6,15 +6,14 @@ mod jkr;
 mod ramps;
 mod slow;
 
-use acceptance::paper_system;
+use acceptance::{looked_up, paper_system};
 use contact::Error;
 use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State};
-use interp::Table;
 
 use jkr::{W, half_space};
 
 fn film(thickness: f64) -> Contact {
-    Contact::in_table(Table::embedded(), &paper_system(thickness)).expect("in the table")
+    looked_up(&paper_system(thickness))
 }
 
 fn rate_dependent(v0: f64, n: f64) -> RateDependent {

@@ -7,7 +7,7 @@ use interp::{Probe, System, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use acceptance::{cases, larger, paper_system};
+use acceptance::{cases, larger, looked_up, paper_system};
 
 use super::{W, film, impose, rate_dependent};
 
@@ -169,7 +169,7 @@ fn a_flat_punch_has_no_line() {
         probe: Probe::FlatPunch { radius: 1e-5 },
         ..paper_system(1e-6)
     };
-    let contact = Contact::in_table(Table::embedded(), &system).expect("in the table");
+    let contact = looked_up(&system);
     let made = contact.line(W, 1e-5).expect_err("a punch").to_string();
     let state = State {
         contact_radius: 1e-5,

@@ -1,9 +1,9 @@
 //! Load and penetration as functions of every input in SI units.
 
-use acceptance::{larger, paper_system, shipped};
+use acceptance::{larger, paper_system, shipped, solid};
 use contact::Error;
 use contact::{Contact, Input};
-use interp::{Elastic, HalfSpace, Mechanics, Parameter, Probe, System, Table};
+use interp::{HalfSpace, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 
 use super::{SHARES, derivatives};
@@ -13,7 +13,7 @@ fn with(system: System, input: Input, value: f64) -> System {
     let System {
         film, substrate, ..
     } = system;
-    let elastic = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let elastic = |young, poisson| solid(young, poisson);
     match input {
         Input::SphereRadius => System {
             probe: Probe::Paraboloid { radius: value },
@@ -66,7 +66,7 @@ fn solved(system: System, a: f64, w: f64) -> [f64; 2] {
 /// one under a rigid sphere.
 #[test]
 fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
-    let elastic = |young, poisson| Elastic::new(young, poisson).expect("physical");
+    let elastic = |young, poisson| solid(young, poisson);
     let soft = System {
         film: elastic(1e6, 0.4),
         substrate: elastic(2e7, 0.3),
@@ -228,7 +228,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
     }
     // Derivatives with respect to the parameters of an equivalent are not those of the system.
     let system = System {
-        substrate: Elastic::new(2e11, 0.3).expect("physical"),
+        substrate: solid(2e11, 0.3),
         ..paper_system(1e-6)
     };
     let equivalent = system
@@ -270,7 +270,7 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     ];
     let own = [6e-5, 0.04, 1e-3, 2e6, 5e6, 0.3];
     let [a, w, sphere_radius, sphere_modulus, young, nu] = own;
-    let solid = Elastic::new(young, nu).expect("physical");
+    let solid = solid(young, nu);
     let contact = Contact::half_space(&HalfSpace {
         probe: Probe::Paraboloid {
             radius: sphere_radius,

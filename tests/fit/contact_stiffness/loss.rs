@@ -1,12 +1,11 @@
 //! Storage and loss: the modulus and the loss tangent of a film from stiffness and phase.
 
-use acceptance::{Data, larger};
+use acceptance::{Data, larger, rigid_probe, solid};
 use fit::{Bodies, Error, Kind, Parameter};
 use interp::{Probe, System};
 use rayon::prelude::*;
 
 use super::{at_radii, experiment, fitted, oxide};
-use crate::imagined::solid;
 
 /// The modulus and the loss tangent of a film from stiffness and phase, against solves with complex
 /// moduli by another program.
@@ -60,13 +59,12 @@ fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
 /// and a frame in series with the contact is taken out.
 #[test]
 fn a_film_alone_has_the_loss_tangent_of_its_stiffness() {
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e-4 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(1e6, 0.4),
-        film_thickness: 1e-6,
-        substrate: solid(f64::INFINITY, 0.3),
-    };
+    let system = rigid_probe(
+        Probe::Paraboloid { radius: 1e-4 },
+        solid(1e6, 0.4),
+        1e-6,
+        solid(f64::INFINITY, 0.3),
+    );
     for (phase, compliance) in [(0.2, 0.0), (0.7, 0.0), (0.4, 0.05)] {
         let mut measured = at_radii(&system, [3e-7, 5e-6], 8);
         let points = &mut measured.measurement.points;

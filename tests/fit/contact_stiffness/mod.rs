@@ -6,7 +6,7 @@ mod refused;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use acceptance::larger;
+use acceptance::{larger, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Layered,
@@ -18,7 +18,7 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 use solve::stack::Layer;
 
-use crate::imagined::{measurement, solid};
+use crate::imagined::{fit_all, measurement};
 use crate::recovery::{SETS, assert_coverage};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
@@ -35,8 +35,7 @@ fn oxide() -> System {
 /// The contact by direct solves, without the table.
 fn solved(system: &System, radii: [f64; 2]) -> Contact {
     let range = [0.5 * radii[0], 1.5 * radii[1]].map(|a| a / system.film_thickness);
-    let curve = solve::curve(&system.material().expect("physical"), range, 1e-10).expect("solved");
-    Contact::new(system, curve).expect("its own curve")
+    solved_contact(system, range, 1e-10)
 }
 
 fn evenly([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
@@ -96,7 +95,7 @@ fn recover(
             made
         });
         let made: Vec<Experiment> = made.collect();
-        fit::fit(Table::embedded(), &made, &frees, &Options::default()).expect("sound data")
+        fit_all(&made, &frees).expect("sound data")
     };
     let fits: Vec<Fit> = (0..SETS).into_par_iter().map(fit_of).collect();
     let truth = |parameter: Parameter, _| exact[0].get(parameter).expect("a value");
@@ -107,12 +106,7 @@ fn recover(
 
 /// Returns the fit of these parameters to one set of data.
 fn fitted<const N: usize>(measured: Experiment, free: [Parameter; N]) -> Result<Fit, Error> {
-    fit::fit(
-        Table::embedded(),
-        &[measured],
-        &free.map(Free::new),
-        &Options::default(),
-    )
+    fit_all(&[measured], &free.map(Free::new))
 }
 
 /// Stiffnesses at contact radii.
@@ -171,13 +165,12 @@ fn stiffness_at_loads_with_one_hardness() {
 
 #[test]
 fn stiffness_at_loads_of_an_elastic_contact() {
-    let film = System {
-        probe: Probe::Paraboloid { radius: 2e-5 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(2e6, 0.49),
-        film_thickness: 5e-6,
-        substrate: solid(7e10, 0.2),
-    };
+    let film = rigid_probe(
+        Probe::Paraboloid { radius: 2e-5 },
+        solid(2e6, 0.49),
+        5e-6,
+        solid(7e10, 0.2),
+    );
     let radii = [1e-6, 5e-6];
     let contact = solved(&film, radii);
     for (w, free) in [

@@ -1,0 +1,240 @@
+//! Power laws and spheres on films: the reference, and direct solves.
+
+use std::f64::consts::PI;
+
+use acceptance::{Contacts, Data, larger, rigid_probe, solid};
+use contact::Contact;
+use contact::Error;
+use interp::{Probe, System, Table};
+use solve::solve_power_laws;
+
+/// Power laws on films, by independent programs.
+#[test]
+fn power_laws_are_those_of_the_reference_to_the_accuracy_of_the_table() {
+    let table = Table::embedded();
+    let data = Data::read("shapes");
+    let kappa = |n: f64| match n as u32 {
+        1 => 0.5 * PI,
+        3 => 0.75 * PI,
+        4 => 8.0 / 3.0,
+        _ => 3.2,
+    };
+    let (t, unit) = (1e-6, 1e6);
+    let mut worst: f64 = 0.0;
+    for case in data.cases() {
+        let [x, e1, n] = ["a_over_t", "e1_over_e2", "n"].map(|name| case.get(name));
+        let film = solid(e1 * unit, case.get("nu1"));
+        let substrate = solid(case.get("e0_over_e2") * unit, case.get("nu0"));
+        let coefficient = if n == 1.0 { 0.1 } else { 1e3 };
+        let probe = if n == 1.0 {
+            Probe::Cone {
+                half_angle: 10_f64.atan(),
+            }
+        } else {
+            Probe::PowerLaw {
+                coefficient,
+                exponent: n,
+            }
+        };
+        let system = System {
+            sphere_modulus: unit,
+            ..rigid_probe(probe, film, t, substrate)
+        };
+        let contact = Contact::in_table(table, &system).expect("in the table");
+        let a = x * t;
+        let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+        let scale = coefficient * kappa(n) * a.powf(n);
+        let misses = [
+            load / (0.5 * scale * a * unit) / case.get("pi_n") - 1.0,
+            penetration / scale / case.get("delta_n") - 1.0,
+        ];
+        for miss in misses {
+            worst = larger(worst, miss.abs());
+            assert!(
+                miss.abs() < table.description().tolerance,
+                "r^{n} at {x} with {e1}: {misses:?}"
+            );
+        }
+    }
+    println!("worst: {worst:.1e}");
+    assert!(data.cases().count() > 30);
+}
+
+/// Returns the factor `kappa_n` of `b = kappa_n c s^n`, `n int_0^1 u^(n-1)/sqrt(1 - u^2) du`. With `u
+/// = sin(v)` the midpoint rule is exact to rounding for an exponent that is not small; smaller ones
+/// follow from `kappa_n = kappa_(n+2) (n + 1)/(n + 2)`.
+fn kappa(n: f64) -> f64 {
+    const COUNT: u32 = 1000;
+    let upper = n + 8.0;
+    let step = 0.5 * PI / f64::from(COUNT);
+    let sum: f64 = (0..COUNT)
+        .map(|i| (step * (f64::from(i) + 0.5)).sin().powf(upper - 1.0))
+        .sum();
+    let down: f64 = (0..4)
+        .map(|i| n + 2.0 * f64::from(i))
+        .map(|n| (n + 1.0) / (n + 2.0))
+        .product();
+    down * upper * sum * step
+}
+
+/// Returns the largest relative error of load and penetration without adhesion of a power law,
+/// against a direct solve to `tolerance`; `None` where the solve does not reach it, as at large
+/// exponents and radii.
+fn error_of_power_law(
+    contact: &Contact,
+    n: f64,
+    coefficient: f64,
+    (x, tolerance): (f64, f64),
+) -> Option<f64> {
+    let system = contact.system().expect("a film");
+    let a = x * system.film_thickness;
+    let material = system.material().expect("physical");
+    let (_, truth) = match solve_power_laws(x, &material, &[n], tolerance) {
+        Err(solve::Error::NotConverged { .. }) => return None,
+        truth => truth.expect("in the domain"),
+    };
+    let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+    let scale = coefficient * kappa(n) * a.powf(n);
+    let loads = load / (0.5 * scale * a * system.sphere_modulus) / truth[0].pi - 1.0;
+    let penetrations = penetration / scale / truth[0].delta - 1.0;
+    Some(larger(loads.abs(), penetrations.abs()))
+}
+
+/// Every exponent that is accepted, on films from a million times softer to a million times stiffer
+/// than their substrate, by the table and by a direct curve, against direct solves.
+#[test]
+fn power_laws_of_every_exponent_are_those_of_direct_solves() {
+    const CURVE: f64 = 1e-8;
+    let table = Table::embedded();
+    let mut contacts = Contacts::new(41);
+    let (t, unit) = (1e-6, 1e6);
+    let (mut worst, mut unsolved) = ([0.0; 2], 0);
+    for case in 0..60 {
+        let n = match case % 4 {
+            0 => 1.0,
+            1 => contacts.uniform(1.0, 2.0),
+            2 => contacts.uniform(2.0, 20.0),
+            _ => [10.0, 12.0, 14.0, 16.0, 18.0, 20.0][case / 4 % 6],
+        };
+        let (young, ratio) = (
+            unit * contacts.log_uniform(1e-3, 1e3),
+            contacts.log_uniform(1e-6, 1e6),
+        );
+        let (film, substrate) = (
+            solid(young, contacts.uniform(0.0, 0.5)),
+            solid(ratio * young, contacts.uniform(0.0, 0.5)),
+        );
+        let coefficient = 1e3;
+        let probe = Probe::PowerLaw {
+            coefficient,
+            exponent: n,
+        };
+        let system = System {
+            sphere_modulus: unit,
+            ..rigid_probe(probe, film, t, substrate)
+        };
+        let x = contacts.log_uniform(1e-3, 7e2);
+        let of_table = Contact::in_table(table, &system).expect("in the table");
+        let place = (x, 0.1 * table.description().tolerance);
+        let Some(error) = error_of_power_law(&of_table, n, coefficient, place) else {
+            unsolved += 1;
+            continue;
+        };
+        worst[0] = larger(worst[0], error);
+        assert!(
+            error < table.description().tolerance,
+            "r^{n} at {x}: {error:e}, {system:?}"
+        );
+        if case % 6 == 1 {
+            let material = system.material().expect("physical");
+            let Ok(curve) = solve::curve(&material, [1e-3, 1e3], CURVE) else {
+                continue;
+            };
+            let direct = Contact::new(&system, curve).expect("its material");
+            let place = (x, 0.1 * CURVE);
+            let Some(error) = error_of_power_law(&direct, n, coefficient, place) else {
+                continue;
+            };
+            worst[1] = larger(worst[1], error);
+            assert!(error < CURVE, "r^{n} at {x}: {error:e}, {system:?}");
+        }
+    }
+    println!(
+        "by the table {:.1e}, directly {:.1e}; {unsolved} not solved",
+        worst[0], worst[1]
+    );
+    assert!(unsolved < 6, "{unsolved}");
+    // A large exponent on a stiff film.
+    let (n, coefficient) = (20.0, 1e90);
+    let probe = Probe::PowerLaw {
+        coefficient,
+        exponent: n,
+    };
+    let system = System {
+        sphere_modulus: 1e20,
+        ..rigid_probe(probe, solid(7.33e7, 0.248), t, solid(4.086e5, 0.323))
+    };
+    let curve = solve::curve(&system.material().expect("physical"), [1e-2, 1e2], CURVE);
+    let direct = Contact::new(&system, curve.expect("converges")).expect("its material");
+    for x in [18.0, 19.0] {
+        let error = error_of_power_law(&direct, n, coefficient, (x, 0.1 * CURVE));
+        assert!(error.expect("solved") < CURVE, "{error:?}");
+    }
+}
+
+/// The sphere is a sum of even powers, `b = sum_k s^2k/((2k - 1) R^(2k - 1))`, by direct solves.
+#[test]
+fn the_sphere_is_the_sum_of_its_powers_up_to_the_largest_contact() {
+    let table = Table::embedded();
+    let mut contacts = Contacts::new(43);
+    let exponents: [f64; 10] = std::array::from_fn(|k| 2.0 * (k + 1) as f64);
+    let (r, unit) = (1e-5, 1e6);
+    let mut worst: f64 = 0.0;
+    for _ in 0..30 {
+        let young = unit * contacts.log_uniform(1e-3, 1e3);
+        let film = solid(young, contacts.uniform(0.0, 0.5));
+        let substrate = solid(contacts.log_uniform(1e-4, 1e6) * young, 0.3);
+        let (alpha, t) = (
+            contacts.uniform(0.3, 0.55),
+            r * contacts.log_uniform(1e-2, 1e2),
+        );
+        let system = System {
+            sphere_modulus: unit,
+            ..rigid_probe(Probe::Sphere { radius: r }, film, t, substrate)
+        };
+        let contact = Contact::in_table(table, &system).expect("in the table");
+        let a = alpha * r;
+        let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+        let material = system.material().expect("physical");
+        let (_, powers) =
+            solve_power_laws(a / t, &material, &exponents, 1e-10).expect("in the domain");
+        let (mut sums, mut rest) = ([0.0; 2], alpha.atanh());
+        for (k, power) in powers.iter().enumerate() {
+            let odd = 2 * k as i32 + 1;
+            // What is left of the series counts as the last power.
+            let last = k + 1 == powers.len();
+            let term = if last {
+                rest
+            } else {
+                alpha.powi(odd) / f64::from(odd)
+            };
+            rest -= term;
+            sums[0] += term * power.pi;
+            sums[1] += term * power.delta;
+        }
+        let misses = [
+            load / (0.5 * unit * a * a * sums[0]) - 1.0,
+            penetration / (a * sums[1]) - 1.0,
+        ];
+        for miss in misses {
+            worst = larger(worst, miss.abs());
+            assert!(miss.abs() < 1e-6, "{alpha}: {misses:?}, {system:?}");
+        }
+        // Farther out nothing is computed.
+        assert!(matches!(
+            contact.load_and_penetration(0.56 * r, 0.0),
+            Err(Error::Table(interp::Error::BeyondProbe { limit, .. })) if (limit / (0.55 * r) - 1.0).abs() < 1e-12
+        ));
+    }
+    println!("worst: {worst:.1e}");
+}
