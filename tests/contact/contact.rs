@@ -356,14 +356,14 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     assert_eq!(half_space().validity(5e-5).expect("physical").film, None);
 
     let (w, z0): (f64, f64) = (0.04, 3e-10);
-    let range = contact.adhesion_range(w, z0).expect("physical");
+    let range = contact.zone_size(w, z0).expect("physical");
     let es = 0.7 * 2e6;
     assert!((range.tabor / (1e-3 * w * w / (es * es * z0.powi(3))).cbrt() - 1.0).abs() < 1e-13);
     // Dugdale: pi K_I^2 / (8 stress^2).
     let k = contact.stress_intensity(5e-5, w).expect("in range");
     assert!((range.cohesive_zone / (PI * k * k / 8.0 / (w / z0).powi(2)) - 1.0).abs() < 1e-13);
     assert!(range.is_jkr() && range.is_short_beside(1e-10) && !range.is_short_beside(1e-11));
-    assert!(!contact.adhesion_range(w, 1e-6).expect("physical").is_jkr());
+    assert!(!contact.zone_size(w, 1e-6).expect("physical").is_jkr());
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn every_function_answers_any_number_with_a_finite_result_or_an_error() {
                 .into_iter()
                 .for_each(|(a, g)| held(&[a, g], "from F and delta"));
             contact
-                .adhesion_range(a, b)
+                .zone_size(a, b)
                 .into_iter()
                 .for_each(|range| held(&[range.tabor, range.cohesive_zone], "range"));
             contact
@@ -199,16 +199,8 @@ fn numbers_out_of_bounds_are_named() {
             "work of adhesion",
             w,
         );
-        assert_names(
-            contact.adhesion_range(w, 1e-9).map(drop),
-            "work of adhesion",
-            w,
-        );
-        assert_names(
-            contact.adhesion_range(0.04, w).map(drop),
-            "interaction range",
-            w,
-        );
+        assert_names(contact.zone_size(w, 1e-9).map(drop), "work of adhesion", w);
+        assert_names(contact.zone_size(0.04, w).map(drop), "interaction range", w);
         let equilibria = contact
             .equilibria(0.04, Control::Displacement)
             .expect("physical");

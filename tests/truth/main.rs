@@ -6,6 +6,7 @@
 mod approximations;
 mod catalogue;
 mod cohesive;
+mod cohesive_zone;
 mod compliance;
 mod contacts;
 mod derived;
@@ -23,7 +24,6 @@ mod power_laws;
 mod pull_off;
 mod reference;
 mod regimes;
-mod short_range;
 mod stack_limits;
 mod stacks;
 mod stick;

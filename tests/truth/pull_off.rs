@@ -2,7 +2,7 @@
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
 use acceptance::{cases, larger, solid};
-use contact::{Contact, Control, FiniteRange};
+use contact::{CohesiveZone, Contact, Control};
 use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -43,8 +43,8 @@ impl Case {
         Contact::new(&self.system, curve).expect("its curve")
     }
 
-    fn finite_range(&self) -> FiniteRange {
-        FiniteRange {
+    fn cohesive_zone(&self) -> CohesiveZone {
+        CohesiveZone {
             stress: self.work_of_adhesion / self.range,
         }
     }
@@ -176,7 +176,7 @@ enum Compared {
 
 fn compared(seed: u64, case: &Case) -> Compared {
     let jkr = case.jkr();
-    let Ok(short) = jkr.finite_range(case.work_of_adhesion, case.finite_range()) else {
+    let Ok(short) = jkr.cohesive_zone(case.work_of_adhesion, case.cohesive_zone()) else {
         return Compared::None;
     };
     let Ok(state) = short.pull_off(case.control) else {
@@ -371,7 +371,7 @@ fn stacks_have_the_pull_off_of_the_first_order() {
             let es = jkr.mechanics().sphere_film_modulus();
             let stress = (0.25 * PI * es * w / zone).sqrt();
             let short = jkr
-                .finite_range(w, FiniteRange { stress })
+                .cohesive_zone(w, CohesiveZone { stress })
                 .expect("a short zone");
             let Ok(expected) = short.pull_off(control) else {
                 continue;

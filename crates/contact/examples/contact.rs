@@ -55,7 +55,7 @@ fn main() -> Result<(), contact::Error> {
     report += &format!("JKR without a film errs by {modulus:+.1} % in E*, {adhesion:+.1} % in w; ");
     report += &format!("above 3 %: {large}\n");
     // An attraction over 1 nm.
-    let range = contact.adhesion_range(w, 1e-9)?;
+    let range = contact.zone_size(w, 1e-9)?;
     let (ratio, tabor) = (contact.validity(a)?.a_over_r, range.tabor);
     let jkr = range.is_jkr();
     report += &format!("a/R = {ratio:.3}, Tabor's parameter {tabor:.0}, in the JKR limit: {jkr}\n");

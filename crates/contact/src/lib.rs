@@ -42,14 +42,14 @@
 //! * [`Contact::gradient`] has the derivatives with respect to every parameter, of a contact made by
 //!   [`Contact::in_table_with_gradient`].
 //! * [`Contact::film_bias`] tells whether the film matters to a fit of JKR; [`Contact::validity`]
-//!   and [`Contact::adhesion_range`] tell whether the assumptions of the model hold.
+//!   and [`Contact::zone_size`] tell whether the assumptions of the model hold.
 //! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the
 //!   simplest. Advancing and receding lines may have different energies ([`Hysteresis`]), or
 //!   energies that depend on the speed ([`RateDependent`]). The line moves slowly
 //!   ([`ContactLine::impose`]) or in time ([`ContactLine::ramp`]).
 //! * [`Contact::history`] follows a penetration, a load or a spring in time where the bodies relax
 //!   ([`Relaxation`]).
-//! * [`Contact::finite_range`] corrects for an attraction that acts over a short distance.
+//! * [`Contact::cohesive_zone`] corrects for an attraction that acts over a short distance.
 //! * [`Contact::half_space`] is JKR: no film, no table.
 //!
 //! Above the nodes in `a/t` of a table there are no derivatives, and equilibria are not sought. Any
@@ -63,13 +63,14 @@
 //! `energy_release` starts from measured values, `moving_stiffness` is the slope of the force
 //! curve, `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
 //! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
-//! steps of `implicit_step`. `finite_range` corrects for an attraction of short range by the
+//! steps of `implicit_step`. `cohesive_zone` corrects for a short cohesive zone by the
 //! `line_energy` of such a law. `history` holds bodies that relax. `root` finds zeros for all of them.
 
 #![forbid(unsafe_code)]
 
 mod bodies;
 mod branch;
+mod cohesive_zone;
 mod contact;
 mod contact_line;
 mod crack_tip;
@@ -77,7 +78,6 @@ mod dynamics;
 mod energy_release;
 mod equilibria;
 mod error;
-mod finite_range;
 mod force_displacement;
 mod gradient;
 mod history;
@@ -92,13 +92,13 @@ mod turning_points;
 mod validity;
 
 pub use branch::Branch;
+pub use cohesive_zone::{CohesiveEquilibrium, CohesiveState, CohesiveZone, ShortZone};
 pub use contact::{Contact, State};
 pub use contact_line::ContactLine;
 pub use crack_tip::{CrackTip, Hysteresis, RateDependent};
 pub use dynamics::TimedState;
 pub use equilibria::{Control, Equilibria, Equilibrium};
 pub use error::Error;
-pub use finite_range::{CohesiveEquilibrium, CohesiveState, FiniteRange, ShortRange};
 pub use force_displacement::{ForceDisplacement, Jump};
 pub use gradient::{ContactGradient, Derivatives, Input};
 pub use history::{
@@ -107,4 +107,4 @@ pub use history::{
 };
 pub use jkr_fit::{FilmBias, JkrFit, JkrPoint};
 pub use root::root;
-pub use validity::{AdhesionRange, FilmValidity, Neglected, Validity};
+pub use validity::{FilmValidity, Neglected, Validity, ZoneSize};

@@ -4,7 +4,7 @@
 /// rest.
 ///
 /// Eq. 8 is `l = 0`. A short zone of attraction of the length `l` raises `G` by a term per length
-/// of line; `finite_range` derives it.
+/// of line; `cohesive_zone` derives it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineEnergy {
     work_of_adhesion: f64,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::finite_range::short;
+use super::cohesive_zone::short;
 use crate::Error;
 use crate::{Contact, Control};
 #[cfg(doc)]
@@ -131,10 +131,10 @@ impl FilmValidity {
     }
 }
 
-/// The range of the attraction, compared with the JKR limit, in which it is zero. The model assumes
-/// this limit.
+/// The size of the cohesive zone in which the attraction acts. The model assumes JKR's limit, in which
+/// it is zero.
 #[derive(Clone, Copy, Debug)]
-pub struct AdhesionRange<'a> {
+pub struct ZoneSize<'a> {
     /// Tabor's parameter `mu = (R w^2 / (Es*^2 z0^3))^{1/3}`, with the compound modulus `Es*` of
     /// sphere and film. The attraction acts at the edge: if its zone is small beside the film
     /// thickness, it deforms the sphere and the film alone.
@@ -147,7 +147,7 @@ pub struct AdhesionRange<'a> {
     work_of_adhesion: f64,
 }
 
-impl AdhesionRange<'_> {
+impl ZoneSize<'_> {
     /// The value of Tabor's parameter from which JKR holds (Johnson and Greenwood, J. Colloid
     /// Interface Sci. 192, 326, 1997).
     pub const JKR: f64 = 5.0;
@@ -155,12 +155,12 @@ impl AdhesionRange<'_> {
     /// The largest part of a contact radius or film thickness that counts as small.
     pub const SMALL_ZONE: f64 = 0.1;
 
-    /// Tells whether Tabor's parameter is at least [`AdhesionRange::JKR`].
+    /// Tells whether Tabor's parameter is at least [`ZoneSize::JKR`].
     pub fn is_jkr(&self) -> bool {
         self.tabor >= Self::JKR
     }
 
-    /// Tells whether the zone of attraction is at most [`AdhesionRange::SMALL_ZONE`] of a `length`
+    /// Tells whether the zone of attraction is at most [`ZoneSize::SMALL_ZONE`] of a `length`
     /// (m), such as contact radius or film thickness.
     pub fn is_short_beside(&self, length: f64) -> bool {
         self.cohesive_zone <= Self::SMALL_ZONE * length
@@ -175,14 +175,14 @@ impl AdhesionRange<'_> {
     ///
     /// `F_JKR`, `a` and the term `S |delta_fp|` of eq. 9 belong to the pull-off of
     /// [`Contact::pull_off`] under an imposed load. The load is stationary there, so that to first
-    /// order it feels only the energy `w (1 + l/(6 a))` of the line ([`Contact::finite_range`]).
+    /// order it feels only the energy `w (1 + l/(6 a))` of the line ([`Contact::cohesive_zone`]).
     /// `z0` is the distance at which Dugdale's traction ends.
     ///
-    /// Measured (`tests/truth/short_range.rs`): 6 % of itself too large at most where `l` is a
+    /// Measured (`tests/truth/cohesive_zone.rs`): 6 % of itself too large at most where `l` is a
     /// twentieth of the shorter of contact radius and film thickness, and 22 % where it is a fifth.
     ///
     /// # Errors
-    /// As [`Contact::pull_off`] and [`Contact::finite_range`]: [`Error::LongZone`] for a zone that
+    /// As [`Contact::pull_off`] and [`Contact::cohesive_zone`]: [`Error::LongZone`] for a zone that
     /// is not short.
     pub fn pull_off_error(&self) -> Result<f64, Error> {
         let (contact, w, zone) = (self.contact, self.work_of_adhesion, self.cohesive_zone);
@@ -259,11 +259,7 @@ impl Contact {
     /// # Errors
     /// [`interp::Error::Unphysical`] unless `w` and `interaction_range` are positive and finite, and for a
     /// result that overflows an f64.
-    pub fn adhesion_range(
-        &self,
-        w: f64,
-        interaction_range: f64,
-    ) -> Result<AdhesionRange<'_>, Error> {
+    pub fn zone_size(&self, w: f64, interaction_range: f64) -> Result<ZoneSize<'_>, Error> {
         positive("work of adhesion", w)?;
         positive("interaction range", interaction_range)?;
         let radius = self.with_radius_of_curvature("Tabor's parameter")?;
@@ -279,7 +275,7 @@ impl Contact {
             interaction_range,
             "such that Tabor's parameter and the length of the zone do not overflow an f64",
         )?;
-        Ok(AdhesionRange {
+        Ok(ZoneSize {
             tabor,
             cohesive_zone,
             contact: self,

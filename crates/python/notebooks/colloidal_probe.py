@@ -40,7 +40,7 @@ contact
 # %%
 pull_off = contact.pull_off(1e-3, control=Spring(stiffness=0.1))
 validity = contact.validity(pull_off.contact_radius)
-attraction = contact.adhesion_range(1e-3)
+attraction = contact.zone_size(1e-3)
 print(f"a/R {validity.a_over_r:.2f}, a/t {validity.a_over_t:.2f}, Tabor {attraction.tabor:.0f}")
 
 # %% [markdown]

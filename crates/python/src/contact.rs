@@ -280,7 +280,7 @@ impl Contact {
     }
 
     /// Returns Tabor's parameter and the length of the zone of attraction.
-    fn adhesion_range<'py>(
+    fn zone_size<'py>(
         &self,
         py: Python<'py>,
         points: Points,
@@ -288,7 +288,7 @@ impl Contact {
         z0: Input<'_>,
     ) -> PyResult<[Output<'py>; 2]> {
         points.evaluate(py, [&w, &z0], |[w, z0]| {
-            let range = self.contact.adhesion_range(w, z0)?;
+            let range = self.contact.zone_size(w, z0)?;
             Ok::<_, Error>([range.tabor, range.cohesive_zone])
         })
     }
@@ -302,7 +302,7 @@ impl Contact {
         z0: Input<'_>,
     ) -> PyResult<[Output<'py>; 1]> {
         points.evaluate(py, [&w, &z0], |[w, z0]| {
-            let range = self.contact.adhesion_range(w, z0)?;
+            let range = self.contact.zone_size(w, z0)?;
             range.pull_off_error().map(|error| [error])
         })
     }

@@ -3,7 +3,7 @@
 //! It is thin. The Python layer beside it checks types, broadcasts, documents and annotates; this
 //! module takes flat arrays of f64 and evaluates them with the interpreter's lock released. Data
 //! flows `contact → table → bodies`, all through `arrays`, and where it may take long through
-//! `interruption`; `likelihood`, `line`, `history`, `short_range`, `read`, `fit`, `model`, `generate`, `solve` and
+//! `interruption`; `likelihood`, `line`, `history`, `cohesive_zone`, `read`, `fit`, `model`, `generate`, `solve` and
 //! `cohesive` stand beside them. `experiment`, with its `indentation` and what makes its
 //! `contacts_on_layers`, and `parameter` hold what fits are given. `error` makes Python's exceptions
 //! of all of them.
@@ -13,6 +13,7 @@
 mod arrays;
 mod bodies;
 mod cohesive;
+mod cohesive_zone;
 mod contact;
 mod contacts_on_layers;
 mod error;
@@ -27,7 +28,6 @@ mod line;
 mod model;
 mod parameter;
 mod read;
-mod short_range;
 mod solve;
 mod table;
 
@@ -43,6 +43,8 @@ mod _core {
     };
     #[pymodule_export]
     use super::cohesive::Cohesive;
+    #[pymodule_export]
+    use super::cohesive_zone::{zone_equilibria, zone_length, zone_pull_off, zone_states};
     #[pymodule_export]
     use super::contact::Contact;
     #[pymodule_export]
@@ -62,10 +64,6 @@ mod _core {
     #[pymodule_export]
     use super::read::read_file;
     #[pymodule_export]
-    use super::short_range::{
-        short_range_equilibria, short_range_pull_off, short_range_states, short_range_zone,
-    };
-    #[pymodule_export]
     use super::solve::{solve, solve_stack, solve_stick_punch, stick_stiffening};
     #[pymodule_export]
     use super::table::Table;
@@ -76,7 +74,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         ::solve::parallel::prepare_for_forks();
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-        module.add("LONGEST_ZONE", ::contact::FiniteRange::LONGEST)?;
+        module.add("LONGEST_ZONE", ::contact::CohesiveZone::LONGEST)?;
         module.add("writes_hdf5", tabulate::table::archive::WRITES_HDF5)
     }
 }

@@ -107,11 +107,11 @@ def stated(equilibria):
 
 
 def ranged(contact, w, z0):
-    return contact.adhesion_range(w, interaction_range=z0)
+    return contact.zone_size(w, interaction_range=z0)
 
 
 def attracted(contact, w, stress):
-    return contact.finite_range(w, stress=stress)
+    return contact.cohesive_zone(w, stress=stress)
 
 
 def gradient(contact, a, w):
@@ -372,9 +372,9 @@ FUNCTIONS = {
     ),
     "Contact.line": ([0.03, 0.05, 65e-6], lambda *n: numbers_of(line_of(n).state)),
     "Contact.validity": on_film([65e-6], validity),
-    "Contact.adhesion_range": on_film([0.04, 3e-10], lambda *n: ranged(*n).tabor),
-    "Contact.finite_range": on_film([0.04, 1e8], lambda *n: attracted(*n).zone),
-    "AdhesionRange.pull_off_error": on_film([0.04, 3e-10], lambda *n: ranged(*n).pull_off_error()),
+    "Contact.zone_size": on_film([0.04, 3e-10], lambda *n: ranged(*n).tabor),
+    "Contact.cohesive_zone": on_film([0.04, 1e8], lambda *n: attracted(*n).zone),
+    "ZoneSize.pull_off_error": on_film([0.04, 3e-10], lambda *n: ranged(*n).pull_off_error()),
     "Equilibria.at": on_film(
         [0.04, 1e-6], lambda c, w, d: stated(c.equilibria(w, control="displacement").at(d))
     ),
@@ -390,14 +390,14 @@ FUNCTIONS = {
     "Equilibria.force_displacement": on_film(
         [0.04, 1e-4], lambda c, w, most: curve(c.equilibria(w), most)
     ),
-    "ShortRange.state": on_film(
+    "ShortZone.state": on_film(
         [0.04, 1e8, 65e-6], lambda c, w, s, a: numbers_of(attracted(c, w, s).state(a))
     ),
-    "ShortRange.pull_off": on_film(
+    "ShortZone.pull_off": on_film(
         [0.04, 1e8, 5.0],
         lambda c, w, s, k: numbers_of(attracted(c, w, s).pull_off(control=Spring(stiffness=k))),
     ),
-    "ShortRange.equilibria": on_film(
+    "ShortZone.equilibria": on_film(
         [0.04, 1e8, 1e-4], lambda c, w, s, f: stated(attracted(c, w, s).equilibria(f))
     ),
     "Contact.history": on_film([0.2, 1.0, 1e-7, 0.3, 0.7, 1e-4], followed),
@@ -557,11 +557,11 @@ def test_a_table_of_a_stack(stack):
 OTHERS = {
     "Contact": (),
     "Equilibria": (),
-    "ShortRange": (),
+    "ShortZone": (),
     "Cohesive": (),
     "ContactLine": (),
     "RateDependent": (),
-    "AdhesionRange": ("is_short_beside",),
+    "ZoneSize": ("is_short_beside",),
     "Stack": ("read",),
     "SolvedCurve": (),
 }

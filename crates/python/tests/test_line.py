@@ -157,13 +157,13 @@ def test_compressibility(contact):
 def test_the_range_of_the_attraction(jkr):
     """Tabor (R w^2/(E*^2 z0^3))^(1/3); zone (pi/4) E* z0^2/w."""
     w, z0 = 0.04, 1e-9
-    found = jkr.adhesion_range(w, interaction_range=z0)
+    found = jkr.zone_size(w, interaction_range=z0)
     assert found.tabor == pytest.approx(
         (RADIUS * w**2 / (MODULUS**2 * z0**3)) ** (1 / 3), rel=1e-12
     )
     assert found.cohesive_zone == pytest.approx(pi / 4 * MODULUS * z0**2 / w, rel=1e-12)
     assert found.is_jkr
     assert found.is_short_beside(1e-6)
-    assert jkr.adhesion_range([w, 1e-9], interaction_range=1e-6).is_jkr.tolist() == [False, False]
+    assert jkr.zone_size([w, 1e-9], interaction_range=1e-6).is_jkr.tolist() == [False, False]
     with pytest.raises(InputError, match="work of adhesion"):
-        jkr.adhesion_range(0.0)
+        jkr.zone_size(0.0)

@@ -107,7 +107,7 @@ CASES = {
         "`ContactLine.impose`",
     ),
     "a zone that is long": (
-        lambda _: bare(sphere_radius=1e-6).finite_range(0.04, stress=1e3),
+        lambda _: bare(sphere_radius=1e-6).cohesive_zone(0.04, stress=1e3),
         "`Cohesive`",
     ),
     "a stack without layers": (

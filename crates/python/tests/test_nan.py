@@ -22,14 +22,14 @@ def made(contact):
     )
     cohesive = Cohesive(system=make_system(), work_of_adhesion=0.04, interaction_range=1e-6)
     return [
-        contact.adhesion_range([0.04, -1.0], interaction_range=[1e-9, 1e-9], errors="nan"),
-        contact.adhesion_range(0.04, interaction_range=[1e-9, 1.0], errors="nan"),
+        contact.zone_size([0.04, -1.0], interaction_range=[1e-9, 1e-9], errors="nan"),
+        contact.zone_size(0.04, interaction_range=[1e-9, 1.0], errors="nan"),
         contact.validity([5e-5, 1.0], errors="nan"),
         contact.gradient([5e-5, 1.0], 0.04, errors="nan"),
         contact.gradient([5e-5, 6e-5], [0.04, 0.0], errors="nan"),
         contact.equilibria(0.04).unloading([0.0, -1.0], errors="nan"),
         contact.equilibria(0.04).loading([0.0, -1.0], errors="nan"),
-        contact.finite_range(0.04, stress=1e8).state([5e-5, 1.0], errors="nan"),
+        contact.cohesive_zone(0.04, stress=1e8).state([5e-5, 1.0], errors="nan"),
         cohesive.state([3e-5, 1.0], errors="nan"),
         cohesive.without_contact([1e-6, 1.0], errors="nan"),
         solve([1.0, -1.0], 1.75, 0.5, 1e5, errors="nan"),
@@ -63,14 +63,14 @@ def test_no_method_raises(made):
 
 def test_the_pull_off_error_is_nan_where_it_is_not_known(contact):
     ranges = [1e-9, 1.0]
-    found = contact.adhesion_range(0.04, interaction_range=ranges, errors="nan")
+    found = contact.zone_size(0.04, interaction_range=ranges, errors="nan")
     error = found.pull_off_error()
     assert np.isnan(error).tolist() == [False, True]
-    assert error[0] == contact.adhesion_range(0.04, interaction_range=1e-9).pull_off_error()
+    assert error[0] == contact.zone_size(0.04, interaction_range=1e-9).pull_off_error()
     # Each way to ask for another answer.
     with pytest.raises(InputError):
         found.pull_off_error(errors="raise")
-    strict = contact.adhesion_range(0.04, interaction_range=ranges)
+    strict = contact.zone_size(0.04, interaction_range=ranges)
     with pytest.raises(InputError):
         strict.pull_off_error()
     assert np.isnan(strict.pull_off_error(errors="nan")).tolist() == [False, True]

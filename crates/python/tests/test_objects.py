@@ -62,7 +62,7 @@ def objects(system, contact, stack):
         SolvedCurve(a_over_t=(0.1, 2)),
         stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 2)),
         Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8),
-        contact.finite_range(0.04, stress=1e8),
+        contact.cohesive_zone(0.04, stress=1e8),
         Hysteresis(advancing=0.04, receding=0.1),
         RateDependent(slow=0.04, v0=1e-6, n=0.6),
         Free(parameter="film_modulus", bounds=(1e5, 1e7)),

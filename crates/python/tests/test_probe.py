@@ -293,7 +293,7 @@ def test_questions_about_the_wrong_shape_are_errors():
     with pytest.raises(InputError, match="contact line"):
         punch.line(W, 3e-6)
     with pytest.raises(InputError, match="Tabor's parameter makes no sense for a cone"):
-        cone.adhesion_range(W)
+        cone.zone_size(W)
     with pytest.raises(InputError, match="sphere radius"):
         cone.gradient(2e-6, W).by("sphere_radius")
 

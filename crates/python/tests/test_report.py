@@ -98,7 +98,7 @@ def results(measured):
         contact.gradient(A, 0.04),
         contact.gradient(A, 0.04).by("film_modulus"),
         contact.validity(A),
-        contact.adhesion_range(np.linspace(0.01, 0.1, 20)),
+        contact.zone_size(np.linspace(0.01, 0.1, 20)),
         timed.ramp("load", 1e-3, duration=1.0, tolerance=1e-3),
         solve([[1.0, 2.0]], 1.75, 0.5, 1e5),
         Paraboloid(radius=1e-3),

@@ -97,7 +97,7 @@ def test_a_contact_answers_what_one_of_a_film_answers(stack):
     assert equilibria.unloading(1e-6).contact_radius > pulled.contact_radius
     curve = contact.force_displacement(w, most=1e-6, points=20)
     assert curve.jumps
-    assert contact.adhesion_range(w).tabor > 5
+    assert contact.zone_size(w).tabor > 5
     line = contact.line(w, 65e-6)
     assert line.impose("load", 1e-4).load == pytest.approx(1e-4, rel=1e-9)
     validity = contact.validity(65e-6)

@@ -77,7 +77,10 @@ def test_a_contact_answers_what_a_solved_one_does(table, stack):
     contact = table.contact(on(stack))
     solved = stack.contact(sphere_radius=1e-3, sphere_modulus=2e6, a_over_t=(0.05, 20))
     assert contact.validity(65e-6).compressibility == stack.compressibility * 6.5**2
-    found, expected = contact.finite_range(0.04, stress=1e8), solved.finite_range(0.04, stress=1e8)
+    found, expected = (
+        contact.cohesive_zone(0.04, stress=1e8),
+        solved.cohesive_zone(0.04, stress=1e8),
+    )
     assert found.zone == expected.zone
     assert found.pull_off().load == pytest.approx(expected.pull_off().load, rel=1e-4)
     assert pickle.loads(pickle.dumps(contact)) == contact

@@ -91,7 +91,7 @@ def test_what_is_not_solved_is_refused(gel):
     with pytest.raises(InputError, match="paraboloid"):
         CURVE.contact(replace(gel, probe=Sphere(radius=1.0)))
     with pytest.raises(InputError, match="finite range"):
-        CURVE.contact(gel).finite_range(1e-9, stress=1e3).pull_off()
+        CURVE.contact(gel).cohesive_zone(1e-9, stress=1e3).pull_off()
     with pytest.raises(ContactError, match=r"1\.5"):
         replace(CURVE, advancing=1.5).contact(gel)
     with pytest.raises(ValueError, match="stick"):

@@ -72,7 +72,7 @@ def many(contact):
     cohesive = Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8)
     return [
         (contact.pull_off(np.linspace(0.01, 0.1, 20)), "penetration"),
-        (contact.finite_range(0.04, stress=1e8).state([[5e-5, 6e-5, 7e-5]]), "penetration"),
+        (contact.cohesive_zone(0.04, stress=1e8).state([[5e-5, 6e-5, 7e-5]]), "penetration"),
         (cohesive.branch((1e-6, 2e-6), 3), "penetration"),
         (timed.ramp("load", 1e-3, duration=1.0, tolerance=1e-3), "time"),
     ]

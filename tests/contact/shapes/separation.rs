@@ -241,7 +241,7 @@ fn a_flat_punch_has_one_contact_radius() {
             contact.line(W, radius).map(drop),
             contact.radius_and_energy_release_rate(0.0, 0.0).map(drop),
             contact.jkr_fit(W, [radius, radius], 2).map(drop),
-            contact.adhesion_range(W, 1e-9).map(drop),
+            contact.zone_size(W, 1e-9).map(drop),
         ] {
             assert!(
                 matches!(result, Err(Error::Table(interp::Error::OtherProbe { .. }))),

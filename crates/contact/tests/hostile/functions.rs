@@ -5,7 +5,7 @@
 
 use std::array::from_fn;
 
-use contact::{Contact, CrackTip, FiniteRange, Hysteresis, JkrFit, JkrPoint, RateDependent};
+use contact::{CohesiveZone, Contact, CrackTip, Hysteresis, JkrFit, JkrPoint, RateDependent};
 use interp::{
     Certificate, Curve, Elastic, Error, HalfSpace, Material, Mechanics, Parameter, Probe,
     Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
@@ -186,21 +186,21 @@ pub const FUNCTIONS: &[Function] = &[
             Ok([&[validity.a_over_r], &film[..]].concat())
         })
     }),
-    ("Contact::adhesion_range", &[0.04, 1e-9], |x| {
+    ("Contact::zone_size", &[0.04, 1e-9], |x| {
         each(|contact| {
-            let range = contact.adhesion_range(x[0], x[1])?;
+            let range = contact.zone_size(x[0], x[1])?;
             let _ = range.is_short_beside(x[1]);
             let error = range.pull_off_error().unwrap_or_default();
             Ok(vec![range.tabor, range.cohesive_zone, error])
         })
     }),
     (
-        "Contact::finite_range",
+        "Contact::cohesive_zone",
         &[0.04, 1e6, 6e-5, -1e-5, 50.0],
         |x| {
             each(|contact| {
-                let range = FiniteRange { stress: x[1] };
-                let attraction = contact.finite_range(x[0], range)?;
+                let range = CohesiveZone { stress: x[1] };
+                let attraction = contact.cohesive_zone(x[0], range)?;
                 let mut found: Vec<_> = attraction.state(x[2]).into_iter().collect();
                 for control in controls(x[4]) {
                     found.extend(attraction.pull_off(control));

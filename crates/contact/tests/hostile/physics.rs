@@ -3,7 +3,7 @@
 
 use std::sync::LazyLock;
 
-use contact::{Contact, Control, FiniteRange};
+use contact::{CohesiveZone, Contact, Control};
 use interp::Parameter;
 use interp::{Curve, Elastic, Material, Probe, Quantity, System, Table};
 use piecewise::bspline::{Basis, TABLE_DEGREE};
@@ -141,9 +141,9 @@ proptest! {
             let zone = 0.05 * jkr.contact_radius.min(contact.system().expect("a film").film_thickness);
             let modulus = contact.mechanics().sphere_film_modulus();
             let stress = (0.25 * std::f64::consts::PI * modulus * w / zone).sqrt();
-            let attraction = contact.finite_range(w, FiniteRange { stress }).expect("a short zone");
+            let attraction = contact.cohesive_zone(w, CohesiveZone { stress }).expect("a short zone");
             if let Ok(state) = attraction.pull_off(Control::Load) {
-                let range = contact.adhesion_range(w, w / stress).expect("physical");
+                let range = contact.zone_size(w, w / stress).expect("physical");
                 let told = range.pull_off_error().expect("a short zone");
                 let excess = state.load / jkr.load - 1.0;
                 prop_assert!(excess > 0.0 && (told / excess - 1.0).abs() < 0.1, "{told}, {excess}");

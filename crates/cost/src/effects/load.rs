@@ -3,7 +3,7 @@
 use interp::{Material, Normalisation, Quantities};
 
 use super::Effect;
-use super::finite_range::error_of_jkr;
+use super::cohesive_zone::error_of_jkr;
 use super::friction::error_without;
 use super::interface::sliding;
 use super::relaxation::error_of_elastic;

@@ -1,12 +1,12 @@
 //! The effects of a scene: the cost of each, and the error of the load without it.
 //!
 //! `effect` names the effects, `load` computes the error of the
-//! load, `shape` that of the paraboloid and the time that the sphere itself takes, `finite_range` that
+//! load, `shape` that of the paraboloid and the time that the sphere itself takes, `cohesive_zone` that
 //! of JKR's pull-off and the time of its correction, `interface` a film that slides, `friction` full
 //! friction, `relaxation` a modulus that falls in time, `summary` prints the rows.
 
+mod cohesive_zone;
 mod effect;
-mod finite_range;
 mod friction;
 mod interface;
 mod load;
@@ -16,8 +16,8 @@ mod summary;
 
 use serde::{Deserialize, Serialize};
 
+pub use self::cohesive_zone::TABOR;
 pub use self::effect::Effect;
-pub use self::finite_range::TABOR;
 pub use self::friction::WIDEST;
 pub use self::load::{STRENGTHS, errors};
 pub use self::relaxation::EXPONENT;
@@ -89,7 +89,7 @@ impl Effect {
     pub fn time_ratio(self, timing: Timing) -> Result<Option<f64>, Error> {
         let ratio = match self {
             Self::Shape => shape::time_ratio,
-            Self::FiniteRange => finite_range::time_ratio,
+            Self::FiniteRange => cohesive_zone::time_ratio,
             Self::Interface => interface::time_ratio,
             Self::Friction => friction::time_ratio,
             Self::Relaxation => relaxation::time_ratio,

@@ -1,6 +1,6 @@
 //! The doubts about a result.
 
-use contact::{AdhesionRange, Validity};
+use contact::{Validity, ZoneSize};
 use interp::Probe;
 use nalgebra::DVector;
 
@@ -447,7 +447,7 @@ fn geometry(
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;
         };
-        let Ok(range) = contact.adhesion_range(w, options.interaction_range) else {
+        let Ok(range) = contact.zone_size(w, options.interaction_range) else {
             continue;
         };
         if !range.is_jkr() {
@@ -459,7 +459,7 @@ fn geometry(
                      contact, too. {}",
                     options.interaction_range,
                     range.tabor,
-                    AdhesionRange::JKR,
+                    ZoneSize::JKR,
                     error_of_jkr(&range)
                 ),
             );
@@ -468,7 +468,7 @@ fn geometry(
 }
 
 /// Says by how much the model is wrong where the attraction has a range.
-fn error_of_jkr(range: &AdhesionRange<'_>) -> String {
+fn error_of_jkr(range: &ZoneSize<'_>) -> String {
     match range.pull_off_error() {
         Ok(error) => format!(
             "The pull-off load of the model is too small by {:.1} %; a direct solve \

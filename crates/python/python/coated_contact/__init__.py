@@ -29,6 +29,7 @@ The names are those of the Rust crate ``interp``, and so are the numbers, bit fo
 from ._afm import read_afm
 from ._bodies import Elastic, HalfSpace, System
 from ._cohesive import Cohesive
+from ._cohesive_zone import ShortZone
 from ._contact import Contact, SolvedCurve
 from ._control import Spring
 from ._core import __version__
@@ -86,15 +87,13 @@ from ._results import (
     State,
     States,
 )
-from ._short_range import ShortRange
 from ._solve import Solution, solve, solve_stack
 from ._stack import Layer, Springs, Stack, StackSystem
 from ._stick import StickPunch, solve_stick_punch, stick_stiffening
 from ._table import Table
-from ._validity import AdhesionRange, Validity
+from ._validity import Validity, ZoneSize
 
 __all__ = [
-    "AdhesionRange",
     "Cohesive",
     "CohesiveEquilibrium",
     "CohesiveState",
@@ -141,7 +140,7 @@ __all__ = [
     "RateDependent",
     "Relaxation",
     "RoundedCone",
-    "ShortRange",
+    "ShortZone",
     "Solution",
     "SolveError",
     "SolvedCurve",
@@ -159,6 +158,7 @@ __all__ = [
     "TimedStates",
     "Validity",
     "WithoutFilm",
+    "ZoneSize",
     "__version__",
     "branches",
     "design",

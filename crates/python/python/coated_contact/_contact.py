@@ -10,13 +10,13 @@ from numpy.typing import ArrayLike
 from . import _core, _html
 from ._arrays import Errors, evaluate, number, scalar_or_array
 from ._bodies import HalfSpace, System
+from ._cohesive_zone import ShortZone
 from ._columns import Array
 from ._control import Control, native_control
 from ._equilibria import Equilibria
 from ._results import INPUTS, ForceDisplacement, Gradient, State, States, states
-from ._short_range import ShortRange
 from ._stack import StackSystem
-from ._validity import AdhesionRange, Validity, validity
+from ._validity import Validity, ZoneSize, validity
 from ._values import Remade, set_field, set_numbers
 
 if TYPE_CHECKING:
@@ -460,9 +460,9 @@ class Contact(Remade):
         found = evaluate(self._native.validity, errors, contact_radius=a)
         return validity(found, self, a, errors)
 
-    def adhesion_range(
+    def zone_size(
         self, w: ArrayLike, *, interaction_range: ArrayLike = 3e-10, errors: Errors = "raise"
-    ) -> AdhesionRange:
+    ) -> ZoneSize:
         """Compare an attraction of a given range with the JKR limit, which the model assumes.
 
         Parameters
@@ -477,19 +477,19 @@ class Contact(Remade):
 
         Returns
         -------
-        AdhesionRange
+        ZoneSize
             Tabor's parameter and the length of the cohesive zone.
         """
         found = evaluate(
-            self._native.adhesion_range,
+            self._native.zone_size,
             errors,
             work_of_adhesion=w,
             interaction_range=interaction_range,
         )
         tabor, zone = map(scalar_or_array, found)
-        return AdhesionRange(tabor, zone, self, w, interaction_range, errors)
+        return ZoneSize(tabor, zone, self, w, interaction_range, errors)
 
-    def finite_range(self, w: float, *, stress: float) -> ShortRange:
+    def cohesive_zone(self, w: float, *, stress: float) -> ShortZone:
         """Correct the contact for an attraction of short, finite range, to first order.
 
         Parameters
@@ -501,7 +501,7 @@ class Contact(Remade):
 
         Returns
         -------
-        ShortRange
+        ShortZone
             The contact with its zone of attraction: states, equilibria and pull-off.
 
         Raises
@@ -518,11 +518,11 @@ class Contact(Remade):
         >>> gel = Elastic(young_modulus=1e7, poisson_ratio=0.5)
         >>> system = HalfSpace(sphere_radius=1e-6, sphere_modulus=float("inf"), solid=gel)
         >>> contact = Contact.half_space(system)
-        >>> corrected = contact.finite_range(0.05, stress=1e7).pull_off()
+        >>> corrected = contact.cohesive_zone(0.05, stress=1e7).pull_off()
         >>> f"{contact.pull_off(0.05).load:.4e} N, {corrected.load:.4e} N"
         '-2.3562e-07 N, -2.3649e-07 N'
         """
-        return ShortRange(contact=self, work_of_adhesion=w, stress=stress)
+        return ShortZone(contact=self, work_of_adhesion=w, stress=stress)
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: the bodies, drawn to scale, and their moduli."""

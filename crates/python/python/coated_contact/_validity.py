@@ -139,7 +139,7 @@ class Validity(OneLine):
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class AdhesionRange(OneLine):
+class ZoneSize(OneLine):
     """The range of the attraction, compared with the JKR limit, in which it is zero.
 
     Attributes
@@ -172,7 +172,7 @@ class AdhesionRange(OneLine):
         """Return the part by which the pull-off load of JKR is too small, under an imposed load.
 
         It is for Dugdale's law, and to first order in the length of the cohesive zone: on a
-        half-space ``0.0859 / tabor^2``. Measured (``tests/truth/short_range.rs``): at most 6 % of
+        half-space ``0.0859 / tabor^2``. Measured (``tests/truth/cohesive_zone.rs``): at most 6 % of
         itself too large where the zone is a twentieth of the shorter of contact radius and film
         thickness, and 22 % where it is a fifth.
 
@@ -180,7 +180,7 @@ class AdhesionRange(OneLine):
         ----------
         errors : {"raise", "nan"}, optional
             What a point with an error gives; by default what was given to
-            ``Contact.adhesion_range``.
+            ``Contact.zone_size``.
 
         Returns
         -------
@@ -198,7 +198,7 @@ class AdhesionRange(OneLine):
         >>> from coated_contact import Contact, Elastic, HalfSpace
         >>> gel = Elastic(young_modulus=1e7, poisson_ratio=0.5)
         >>> system = HalfSpace(sphere_radius=1e-6, sphere_modulus=float("inf"), solid=gel)
-        >>> attraction = Contact.half_space(system).adhesion_range(0.05, interaction_range=5e-9)
+        >>> attraction = Contact.half_space(system).zone_size(0.05, interaction_range=5e-9)
         >>> f"{attraction.pull_off_error():.2e}", f"{0.0859 / attraction.tabor**2:.2e}"
         ('3.69e-03', '3.69e-03')
         """

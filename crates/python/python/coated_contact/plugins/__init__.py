@@ -139,7 +139,7 @@ class Plugin:
             values = fitted.valuesdict()
             if values["work_of_adhesion"] > 0:
                 contact = Table.embedded().contact(system(values))
-                found["tabor"] = contact.adhesion_range(
+                found["tabor"] = contact.zone_size(
                     values["work_of_adhesion"], interaction_range=INTERACTION_RANGE
                 ).tabor
         if found["tabor"] < 5:

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use contact::{AdhesionRange, Contact, Control, FiniteRange};
+use contact::{CohesiveZone, Contact, Control, ZoneSize};
 use interp::{Elastic, Material, Probe, Quantities, System, Table};
 
 use crate::clock::{Times, Timing};
@@ -10,7 +10,7 @@ use solve::Error;
 use solve::{A_OVER_T, solve};
 
 /// Tabor's parameter at which the range is judged: the smallest at which a contact counts as JKR's.
-pub const TABOR: f64 = AdhesionRange::JKR;
+pub const TABOR: f64 = ZoneSize::JKR;
 
 /// The seconds spent on measuring the time of each pull-off once.
 const SECONDS: f64 = 0.02;
@@ -19,7 +19,7 @@ const ROUNDS: usize = 20;
 
 /// Returns the part by which JKR's pull-off load under a sphere that pulls off at the contact radius
 /// `a` is too small, at Tabor's parameter [`TABOR`] and to first order in the length of the zone of
-/// attraction, see [`AdhesionRange::pull_off_error`].
+/// attraction, see [`ZoneSize::pull_off_error`].
 ///
 /// The load is `A/R - B w^{1/2}` with `A = a^3 Pi0/2` and `B = 4 a (Eeq/Gamma) (pi a Es*/2)^{1/2}` in
 /// units of the thickness and of the modulus that normalises the quantities. It is stationary where
@@ -77,14 +77,14 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     let contacts = (0..FILMS)
         .map(contact)
         .collect::<Result<Vec<Contact>, Error>>()?;
-    let range = FiniteRange { stress: 1e9 };
+    let range = CohesiveZone { stress: 1e9 };
     let jkr = |contact: &Contact| {
         contact
             .pull_off(WORK, Control::Load)
             .map(|state| state.load)
     };
     let corrected = |contact: &Contact| {
-        let attraction = contact.finite_range(WORK, range)?;
+        let attraction = contact.cohesive_zone(WORK, range)?;
         attraction.pull_off(Control::Load).map(|state| state.load)
     };
     for contact in &contacts {

@@ -1,4 +1,4 @@
-"""An attraction of short range, as a correction of JKR's contact."""
+"""A short cohesive zone, as a correction of JKR's contact."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ if TYPE_CHECKING:
 
 @final
 @dataclass(frozen=True, kw_only=True, slots=True)
-class ShortRange:
-    """A contact with an attraction of short range, which ``Contact.finite_range`` makes.
+class ShortZone:
+    """A contact with a short cohesive zone, which ``Contact.cohesive_zone`` makes.
 
     The attraction is a constant traction over a finite range (Dugdale's law). It acts in a zone of
     the length ``l = pi Es* w / (4 stress^2)`` outside the contact, with the compound modulus Es* of
     probe and film, or top layer. JKR's contact is corrected to first order in ``l`` over the
     contact radius and over the thickness of the film, or top layer, at the cost of JKR.
 
-    Measured (``tests/truth/short_range.rs``): the pull-off load errs by at most 0.6 % where ``l``
+    Measured (``tests/truth/cohesive_zone.rs``): the pull-off load errs by at most 0.6 % where ``l``
     is a fifth of the shorter of contact radius and thickness, and by 0.05 % where it is a
     twentieth. At a given contact radius load and penetration err by more. :class:`Cohesive` solves
     zones of any length.
@@ -68,7 +68,7 @@ class ShortRange:
 
     def __post_init__(self) -> None:
         set_numbers(self, "work_of_adhesion", "stress")
-        _core.short_range_zone(*self._native)
+        _core.zone_length(*self._native)
 
     @property
     def _native(self) -> tuple[Any, tuple[float, float]]:
@@ -77,7 +77,7 @@ class ShortRange:
     @property
     def zone(self) -> float:
         """The length of the zone of attraction, m."""
-        return _core.short_range_zone(*self._native)
+        return _core.zone_length(*self._native)
 
     @overload
     def state(self, a: float, *, errors: Errors = "raise") -> CohesiveState: ...
@@ -100,7 +100,7 @@ class ShortRange:
         ContactError
             As ``Contact.load``.
         """
-        native = partial(_core.short_range_states, *self._native)
+        native = partial(_core.zone_states, *self._native)
         return cohesive_states(evaluate(native, errors, contact_radius=a))
 
     def pull_off(self, *, control: Control = "load") -> CohesiveState:
@@ -118,7 +118,7 @@ class ShortRange:
         NoContactError
             If the contact radius is out of range.
         """
-        return CohesiveState(*_core.short_range_pull_off(*self._native, native_control(control)))
+        return CohesiveState(*_core.zone_pull_off(*self._native, native_control(control)))
 
     def equilibria(self, imposed: float, *, control: Control = "load") -> list[CohesiveEquilibrium]:
         """Return the equilibria at an imposed value, in ascending order of contact radius.
@@ -139,7 +139,7 @@ class ShortRange:
         NoContactError
             If a stable equilibrium has a contact radius out of range.
         """
-        found = _core.short_range_equilibria(
+        found = _core.zone_equilibria(
             *self._native, native_control(control), number("imposed", imposed)
         )
         return [CohesiveEquilibrium(CohesiveState(*numbers), stable) for numbers, stable in found]

@@ -1,7 +1,7 @@
 //! An attraction of short range, as a correction of JKR's contact.
 
 use ::contact::Error;
-use ::contact::{FiniteRange, ShortRange};
+use ::contact::{CohesiveZone, ShortZone};
 use pyo3::prelude::*;
 
 use crate::arrays::{Input, Output, Points};
@@ -13,13 +13,13 @@ use crate::error::OrRaise as _;
 type Attraction = (f64, f64);
 
 /// Corrects a contact.
-fn corrected(contact: &Contact, (w, stress): Attraction) -> Result<ShortRange<'_>, Error> {
-    contact.contact.finite_range(w, FiniteRange { stress })
+fn corrected(contact: &Contact, (w, stress): Attraction) -> Result<ShortZone<'_>, Error> {
+    contact.contact.cohesive_zone(w, CohesiveZone { stress })
 }
 
 /// Accepts an attraction, and returns the length of its zone.
 #[pyfunction]
-pub fn short_range_zone(
+pub fn zone_length(
     py: Python<'_>,
     contact: &Bound<'_, Contact>,
     attraction: Attraction,
@@ -30,7 +30,7 @@ pub fn short_range_zone(
 
 /// Returns the states at contact radii.
 #[pyfunction]
-pub fn short_range_states<'py>(
+pub fn zone_states<'py>(
     py: Python<'py>,
     contact: &Bound<'py, Contact>,
     attraction: Attraction,
@@ -43,7 +43,7 @@ pub fn short_range_states<'py>(
 
 /// Returns the state in which the contact separates.
 #[pyfunction]
-pub fn short_range_pull_off(
+pub fn zone_pull_off(
     py: Python<'_>,
     contact: &Bound<'_, Contact>,
     attraction: Attraction,
@@ -56,7 +56,7 @@ pub fn short_range_pull_off(
 
 /// Returns all equilibria at one imposed value, each with its stability.
 #[pyfunction]
-pub fn short_range_equilibria(
+pub fn zone_equilibria(
     py: Python<'_>,
     contact: &Bound<'_, Contact>,
     attraction: Attraction,

@@ -2,7 +2,7 @@
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
 use acceptance::{Data, larger, solid};
-use contact::{CohesiveEquilibrium, Contact, Control, FiniteRange, root};
+use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, root};
 use interp::{Elastic, HalfSpace, Probe};
 use solve::cohesive::Cohesive;
 use solve::stack::{Layer, Stack};
@@ -95,8 +95,8 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
         let scale = contact.load(a, 0.0).expect("a contact") - jkr;
         let errors = [0.0125, 0.003125, 0.000_781_25].map(|zone| {
             let stress = stress(MODULUS, WORK, zone * a);
-            let range = FiniteRange { stress };
-            let attraction = contact.finite_range(WORK, range).expect("a short zone");
+            let range = CohesiveZone { stress };
+            let attraction = contact.cohesive_zone(WORK, range).expect("a short zone");
             assert!((attraction.zone() / (zone * a) - 1.0).abs() < 1e-14);
             let state = attraction.state(a).expect("a contact");
             assert_eq!(state.contact_radius, a);
@@ -131,10 +131,10 @@ fn short_ranges_agree_with_reference_values() {
     for case in data.cases() {
         let bodies = Bodies::new(&case);
         let contact = contact_of(&bodies.stack, bodies.sphere_radius, bodies.sphere_modulus);
-        let range = FiniteRange {
+        let range = CohesiveZone {
             stress: bodies.work_of_adhesion / bodies.range,
         };
-        let Ok(attraction) = contact.finite_range(bodies.work_of_adhesion, range) else {
+        let Ok(attraction) = contact.cohesive_zone(bodies.work_of_adhesion, range) else {
             continue;
         };
         let a = case.get("a_over_t") * THICKNESS;
@@ -205,7 +205,7 @@ fn pull_offs_on_films_approach_those_of_the_whole_annulus() {
         let [long, middle, short] = [0.2, 0.05, 0.0125].map(|zone| {
             let stress = stress(modulus, w, zone * shortest);
             let attraction = contact
-                .finite_range(w, FiniteRange { stress })
+                .cohesive_zone(w, CohesiveZone { stress })
                 .expect("a short zone");
             let found = attraction.pull_off(Control::Load).expect("a pull-off");
             let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, w / stress);
@@ -213,7 +213,7 @@ fn pull_offs_on_films_approach_those_of_the_whole_annulus() {
                 .and_then(|cohesive| cohesive.pull_off(Control::Load))
                 .unwrap_or_else(|e| panic!("{e}"));
             let error = contact
-                .adhesion_range(w, w / stress)
+                .zone_size(w, w / stress)
                 .and_then(|range| range.pull_off_error())
                 .expect("a short zone");
             let excess = whole.load / jkr.load - 1.0;
@@ -238,9 +238,9 @@ fn equilibria_are_the_states_of_their_radii() {
     let (radius, w) = (radius * THICKNESS, w * MODULUS * THICKNESS);
     let contact = contact_of(&stack, radius, sphere_modulus * MODULUS);
     let attraction = contact
-        .finite_range(
+        .cohesive_zone(
             w,
-            FiniteRange {
+            CohesiveZone {
                 stress: 0.1 * MODULUS,
             },
         )
@@ -288,21 +288,21 @@ fn long_zones_and_shapes_with_edges_are_refused() {
     };
     let paraboloid = half_space(Probe::Paraboloid { radius: 1e-4 });
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let range = FiniteRange { stress: bad };
+        let range = CohesiveZone { stress: bad };
         let error = paraboloid
-            .finite_range(WORK, range)
+            .cohesive_zone(WORK, range)
             .expect_err("a bad stress");
         assert!(
             error.to_string().contains("stress of the attraction"),
             "{error}"
         );
         let error = paraboloid
-            .finite_range(bad, FiniteRange { stress: 1e5 })
+            .cohesive_zone(bad, CohesiveZone { stress: 1e5 })
             .expect_err("a bad work of adhesion");
         assert!(error.to_string().contains("work of adhesion"), "{error}");
     }
     // A zone as long as the sphere, one as long as the contact, one as long as the film.
-    let error = |stress| paraboloid.finite_range(WORK, FiniteRange { stress });
+    let error = |stress| paraboloid.cohesive_zone(WORK, CohesiveZone { stress });
     let long = error(stress(MODULUS, WORK, 1e-4))
         .expect_err("a long zone")
         .to_string();
@@ -323,10 +323,10 @@ fn long_zones_and_shapes_with_edges_are_refused() {
     let w = w * MODULUS * THICKNESS;
     // The top layer has three quarters of the thickness.
     for (zone, holds) in [(0.187, true), (0.188, false)] {
-        let range = FiniteRange {
+        let range = CohesiveZone {
             stress: stress(modulus, w, zone * THICKNESS),
         };
-        assert_eq!(contact.finite_range(w, range).is_ok(), holds);
+        assert_eq!(contact.cohesive_zone(w, range).is_ok(), holds);
     }
     for probe in [
         Probe::FlatPunch { radius: 1e-5 },
@@ -341,7 +341,7 @@ fn long_zones_and_shapes_with_edges_are_refused() {
     ] {
         let name = probe.name();
         let contact = half_space(probe);
-        let error = contact.finite_range(WORK, FiniteRange { stress: 1e6 });
+        let error = contact.cohesive_zone(WORK, CohesiveZone { stress: 1e6 });
         let error = error.expect_err("an edge").to_string();
         assert!(error.contains(name) && error.contains("smooth"), "{error}");
     }

@@ -17,7 +17,7 @@ from coated_contact import (
     InputError,
     NoContactError,
     Paraboloid,
-    ShortRange,
+    ShortZone,
     Spring,
     StackSystem,
     Table,
@@ -50,7 +50,7 @@ def full(contact, stress):
 def test_the_remainder_is_of_second_order(contact):
     """The zone is proportional to 1/stress^2: twice the stress leaves a sixteenth of the error."""
     errors = [
-        contact.finite_range(W, stress=stress).pull_off().load / full(contact, stress) - 1
+        contact.cohesive_zone(W, stress=stress).pull_off().load / full(contact, stress) - 1
         for stress in (1.5e6, 3e6)
     ]
     assert 1e-5 < abs(errors[0]) < 6e-3
@@ -61,7 +61,7 @@ def test_a_stack_is_corrected_with_its_top_layer(stack):
     system = StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
     contact = stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.05, 5))
     stress = 3e5
-    corrected = contact.finite_range(W, stress=stress)
+    corrected = contact.cohesive_zone(W, stress=stress)
     modulus = 1 / (1 / 2e6 + 0.75 / 3.5e6)
     assert corrected.zone == pytest.approx(pi * modulus * W / (4 * stress**2), rel=1e-12)
     jkr = contact.pull_off(W).load
@@ -72,7 +72,7 @@ def test_a_stack_is_corrected_with_its_top_layer(stack):
 
 
 def test_a_state_is_that_of_jkr_at_the_tip_of_the_crack(contact):
-    corrected = contact.finite_range(W, stress=1e8)
+    corrected = contact.cohesive_zone(W, stress=1e8)
     a = np.array([[2e-6, 3e-6, 4e-6]])
     states = corrected.state(a)
     tip = a + 2 / 3 * corrected.zone
@@ -94,7 +94,7 @@ CONTROLS = {
 @pytest.mark.parametrize("name", ["contact", "gel"])
 def test_equilibria_end_at_the_pull_off(name, request):
     contact = request.getfixturevalue(name)
-    corrected = contact.finite_range(W, stress=1e8)
+    corrected = contact.cohesive_zone(W, stress=1e8)
     for control, imposed_at in CONTROLS.items():
         pulled = corrected.pull_off(control=control)
         imposed = imposed_at(pulled)
@@ -106,7 +106,7 @@ def test_equilibria_end_at_the_pull_off(name, request):
         assert corrected.equilibria(imposed - step, control=control) == []
     # Under a high stress the state is that of JKR.
     jkr = contact.pull_off(W)
-    short = contact.finite_range(W, stress=1e12).pull_off()
+    short = contact.cohesive_zone(W, stress=1e12).pull_off()
     assert (short.load, short.contact_radius) == pytest.approx(
         (jkr.load, jkr.contact_radius), rel=1e-6
     )
@@ -115,17 +115,17 @@ def test_equilibria_end_at_the_pull_off(name, request):
 def test_the_error_of_jkr_on_a_half_space(gel):
     """Maugis' equations expanded about JKR: 0.1092/lambda^2, lambda = 2 s (R/(pi w K^2))^(1/3)."""
     ranges = np.array([1e-9, 2e-9])
-    attraction = gel.adhesion_range(W, interaction_range=ranges)
+    attraction = gel.zone_size(W, interaction_range=ranges)
     k = 4 / 3 * gel.system.compound_modulus
     lam = 2 * W / ranges * (1e-6 / (pi * W * k**2)) ** (1 / 3)
     assert attraction.pull_off_error() == pytest.approx(0.1092 / lam**2, rel=1e-3)
-    one = gel.adhesion_range(W, interaction_range=1e-9)
+    one = gel.zone_size(W, interaction_range=1e-9)
     assert one.pull_off_error() == attraction.pull_off_error()[0]
-    load = gel.finite_range(W, stress=W / 1e-9).pull_off().load
+    load = gel.cohesive_zone(W, stress=W / 1e-9).pull_off().load
     assert load / gel.pull_off(W).load - 1 == pytest.approx(one.pull_off_error(), rel=0.03)
     again = pickle.loads(pickle.dumps(attraction))
     assert np.array_equal(again.pull_off_error(), attraction.pull_off_error())
-    long = gel.adhesion_range(W, interaction_range=[1e-9, 1e-7])
+    long = gel.zone_size(W, interaction_range=[1e-9, 1e-7])
     with pytest.raises(InputError) as caught:
         long.pull_off_error()
     assert caught.value.index == (1,)
@@ -134,12 +134,12 @@ def test_the_error_of_jkr_on_a_half_space(gel):
 
 def test_what_is_not_short_is_named(contact, gel):
     with pytest.raises(InputError, match=r"more than 0\.25 times the thickness of") as caught:
-        contact.finite_range(W, stress=5e5)
+        contact.cohesive_zone(W, stress=5e5)
     error = caught.value
     assert (error.axis, error.range) == ("zone", (0.0, 0.25e-6))
     assert error.value > 0.25e-6
-    corrected = contact.finite_range(W, stress=2e6)
-    least = corrected.zone / ShortRange.LONGEST
+    corrected = contact.cohesive_zone(W, stress=2e6)
+    least = corrected.zone / ShortZone.LONGEST
     corrected.state(least * 1.001)
     with pytest.raises(InputError, match="contact radius") as caught:
         corrected.state([2e-6, least * 0.999])
@@ -147,13 +147,13 @@ def test_what_is_not_short_is_named(contact, gel):
     assert np.isnan(corrected.state([2e-6, least / 2], errors="nan").load).tolist() == [False, True]
     for numbers in ({"w": 0.0, "stress": 1e8}, {"w": W, "stress": -1.0}, {"w": W, "stress": inf}):
         with pytest.raises(InputError):
-            contact.finite_range(**numbers)
+            contact.cohesive_zone(**numbers)
     punch = Table.embedded().contact(replace(contact.system, probe=FlatPunch(radius=1e-6)))
     with pytest.raises(InputError, match="finite range"):
-        punch.finite_range(W, stress=1e8)
+        punch.cohesive_zone(W, stress=1e8)
     with pytest.raises(NoContactError):
         corrected.equilibria(1.0)
     with pytest.raises(ContactError, match="control"):
         corrected.pull_off(control="weight")
     with pytest.raises(TypeError, match="positional"):
-        contact.finite_range(W, 1e8)
+        contact.cohesive_zone(W, 1e8)

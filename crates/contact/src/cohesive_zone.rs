@@ -1,4 +1,4 @@
-//! An attraction of short range, as a correction of JKR's contact.
+//! A short cohesive zone around a contact, as a correction of JKR's contact.
 //!
 //! Dugdale's law is a constant traction `sigma0` where the gap is below `w/sigma0`. Under it the
 //! attraction acts in a zone outside the contact, `a < r < c`, and no stress is singular (Maugis,
@@ -27,14 +27,14 @@ use crate::{Contact, Control};
 use interp::Probe;
 use interp::check::positive;
 
-/// A constant attraction over a finite range (Dugdale's law).
+/// The law of a cohesive zone: a constant attraction over a finite range (Dugdale).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FiniteRange {
+pub struct CohesiveZone {
     /// The traction `sigma0`, Pa. It acts where the gap is below `w/sigma0`.
     pub stress: f64,
 }
 
-impl FiniteRange {
+impl CohesiveZone {
     /// The longest zone of attraction that counts as short, over the contact radius and over the
     /// thickness of the film, or of the top layer of a stack.
     pub const LONGEST: f64 = 0.25;
@@ -62,9 +62,9 @@ pub struct CohesiveEquilibrium {
     pub stable: bool,
 }
 
-/// A contact with an attraction of short range, from [`Contact::finite_range`].
+/// A contact with a short cohesive zone, from [`Contact::cohesive_zone`].
 #[derive(Clone, Debug)]
-pub struct ShortRange<'a> {
+pub struct ShortZone<'a> {
     contact: &'a Contact,
     energy: LineEnergy,
     /// The length of the zone `l`, m.
@@ -76,7 +76,7 @@ impl Contact {
     ///
     /// The correction is exact to first order in the length `l` of the zone of attraction over the
     /// contact radius and over the thickness of the film, or of the top layer of a stack. It costs
-    /// as much as JKR. Measured for pull-off loads (`tests/truth/short_range.rs`: five films and
+    /// as much as JKR. Measured for pull-off loads (`tests/truth/cohesive_zone.rs`: five films and
     /// stacks, soft, stiff and confined): the error is at most 0.6 % where `l` is a fifth of the
     /// shorter of contact radius and thickness, and 0.05 % where it is a twentieth; it falls with
     /// the square of `l`. At a given contact radius load and penetration err by more, on
@@ -88,11 +88,11 @@ impl Contact {
     /// ```
     /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, HalfSpace, Probe};
-    /// use contact::{Contact, Control, FiniteRange};
+    /// use contact::{Contact, Control, CohesiveZone};
     ///
     /// let system = HalfSpace { probe: Probe::Paraboloid { radius: 1e-6 }, sphere_modulus: f64::INFINITY, solid: Elastic::new(1e7, 0.5)? };
     /// let contact = Contact::half_space(&system)?;
-    /// let attraction = contact.finite_range(0.05, FiniteRange { stress: 1e7 })?;
+    /// let attraction = contact.cohesive_zone(0.05, CohesiveZone { stress: 1e7 })?;
     /// let (jkr, pull_off) = (contact.pull_off(0.05, Control::Load)?, attraction.pull_off(Control::Load)?);
     /// assert!(pull_off.load < jkr.load && pull_off.outer_radius > pull_off.contact_radius);
     /// # Ok(()) }
@@ -100,9 +100,9 @@ impl Contact {
     ///
     /// # Errors
     /// [`interp::Error::Unphysical`] unless `w` and the stress are positive and finite; [`Error::LongZone`]
-    /// for a zone longer than [`FiniteRange::LONGEST`] times the film, or top layer, or largest
+    /// for a zone longer than [`CohesiveZone::LONGEST`] times the film, or top layer, or largest
     /// contact; [`interp::Error::OtherProbe`] for a shape with edges or bends.
-    pub fn finite_range(&self, w: f64, range: FiniteRange) -> Result<ShortRange<'_>, Error> {
+    pub fn cohesive_zone(&self, w: f64, range: CohesiveZone) -> Result<ShortZone<'_>, Error> {
         positive("work of adhesion", w)?;
         positive("stress of the attraction", range.stress)?;
         let modulus = self.mechanics().sphere_film_modulus();
@@ -110,7 +110,7 @@ impl Contact {
     }
 
     /// Corrects the contact for a zone of attraction of the length `zone`, m.
-    pub(crate) fn with_zone(&self, w: f64, zone: f64) -> Result<ShortRange<'_>, Error> {
+    pub(crate) fn with_zone(&self, w: f64, zone: f64) -> Result<ShortZone<'_>, Error> {
         self.smooth_probe()?;
         self.without_stick(
             "an attraction of finite range",
@@ -122,7 +122,7 @@ impl Contact {
         if let Some(thickness) = self.top_thickness() {
             short(zone, thickness, "thickness of the film or top layer")?;
         }
-        Ok(ShortRange {
+        Ok(ShortZone {
             contact: self,
             energy: LineEnergy::with_zone(w, zone),
             zone,
@@ -158,7 +158,7 @@ impl Contact {
     }
 }
 
-impl ShortRange<'_> {
+impl ShortZone<'_> {
     /// Returns the length `l = pi Es* w/(4 sigma0^2)` of the zone of attraction, m.
     pub const fn zone(&self) -> f64 {
         self.zone
@@ -168,7 +168,7 @@ impl ShortRange<'_> {
     ///
     /// # Errors
     /// As [`Contact::load_and_penetration`]; [`Error::LongZone`] for a contact radius that is below
-    /// the zone over [`FiniteRange::LONGEST`].
+    /// the zone over [`CohesiveZone::LONGEST`].
     pub fn state(&self, a: f64) -> Result<CohesiveState, Error> {
         self.contact.mechanics().check_radius(a)?;
         short(self.zone, a, "contact radius")?;
@@ -186,7 +186,7 @@ impl ShortRange<'_> {
     ///
     /// # Errors
     /// As [`Contact::pull_off`]; [`Error::LongZone`] for a contact radius that is below the zone
-    /// over [`FiniteRange::LONGEST`].
+    /// over [`CohesiveZone::LONGEST`].
     pub fn pull_off(&self, control: Control) -> Result<CohesiveState, Error> {
         let tip = self
             .contact
@@ -199,7 +199,7 @@ impl ShortRange<'_> {
     /// (m), in ascending order of contact radius.
     ///
     /// They are those of [`Equilibria::at`](crate::Equilibria::at). Unstable ones whose contact
-    /// radius is below the zone over [`FiniteRange::LONGEST`] are left out.
+    /// radius is below the zone over [`CohesiveZone::LONGEST`] are left out.
     ///
     /// # Errors
     /// As [`Contact::equilibria`] and [`Equilibria::at`](crate::Equilibria::at);
@@ -236,7 +236,7 @@ impl ShortRange<'_> {
 
 /// Accepts a zone (m) that is short beside a `length` (m), which `what` names.
 pub(crate) fn short(zone: f64, length: f64, what: &'static str) -> Result<(), Error> {
-    let most = FiniteRange::LONGEST;
+    let most = CohesiveZone::LONGEST;
     if zone <= most * length {
         return Ok(());
     }
@@ -271,7 +271,7 @@ mod tests {
             let jkr = contact.pull_off(0.05, control).expect("a pull-off");
             for stress in [1e7, 1e9, 1e12] {
                 let corrected = contact
-                    .finite_range(0.05, FiniteRange { stress })
+                    .cohesive_zone(0.05, CohesiveZone { stress })
                     .expect("a short zone");
                 let found = corrected.pull_off(control).expect("a pull-off");
                 let part = corrected.zone() / jkr.contact_radius;
