@@ -215,3 +215,26 @@ impl<'a> Density<'a> {
         }
     }
 }
+
+impl Exponentials {
+    /// Takes the law for times in `[shortest, longest]` with a relative error of about `tolerance`.
+    pub fn new(law: &Relaxation, times: [f64; 2], tolerance: f64) -> Self {
+        match Density::of(law) {
+            None => Self::of_terms(law),
+            Some(density) => density
+                .sum(&density.grid(times, tolerance))
+                .compared_with(law, times, tolerance),
+        }
+    }
+
+    /// Takes the law for integrals over functions that are smooth over the shortest time before each
+    /// time at which they are evaluated: faster exponentials act as impulses of two orders.
+    pub fn of_steps(law: &Relaxation, times: [f64; 2], tolerance: f64) -> Self {
+        match Density::of(law) {
+            None => Self::of_terms(law),
+            Some(density) => density
+                .sum(&density.grid_of_steps(times, tolerance))
+                .compared_with(law, times, tolerance),
+        }
+    }
+}

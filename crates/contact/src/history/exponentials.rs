@@ -6,7 +6,6 @@
 //! at any time is `2 |Gamma(alpha + 2 pi i/step)|/Gamma(alpha)`.
 
 use super::Relaxation;
-use super::density::Density;
 use crate::root;
 
 /// `constant + sum weight exp(-rate t) + impulse delta(t)` in place of `phi(t)`, for times in a
@@ -31,29 +30,8 @@ const NEGLIGIBLE: f64 = 1e-16;
 const COMPARISONS: i32 = 16;
 
 impl Exponentials {
-    /// Takes the law for times in `[shortest, longest]` with a relative error of about `tolerance`.
-    pub fn new(law: &Relaxation, times: [f64; 2], tolerance: f64) -> Self {
-        match Density::of(law) {
-            None => Self::of_terms(law),
-            Some(density) => density
-                .sum(&density.grid(times, tolerance))
-                .compared_with(law, times, tolerance),
-        }
-    }
-
-    /// Takes the law for integrals over functions that are smooth over the shortest time before each
-    /// time at which they are evaluated: faster exponentials act as impulses of two orders.
-    pub fn of_steps(law: &Relaxation, times: [f64; 2], tolerance: f64) -> Self {
-        match Density::of(law) {
-            None => Self::of_terms(law),
-            Some(density) => density
-                .sum(&density.grid_of_steps(times, tolerance))
-                .compared_with(law, times, tolerance),
-        }
-    }
-
     /// Adds the largest relative error found.
-    fn compared_with(
+    pub(super) fn compared_with(
         self,
         law: &Relaxation,
         [shortest, longest]: [f64; 2],
@@ -73,7 +51,7 @@ impl Exponentials {
     }
 
     /// Takes a law that is a sum of exponentials; of other laws the constant alone.
-    fn of_terms(law: &Relaxation) -> Self {
+    pub(super) fn of_terms(law: &Relaxation) -> Self {
         let (relaxed, mut terms) = match law {
             Relaxation::Prony { relaxed, terms } => (*relaxed, terms.clone()),
             _ => (0.0, Vec::new()),
