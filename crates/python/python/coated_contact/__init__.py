@@ -46,10 +46,10 @@ from ._errors import (
 )
 from ._experiment import Experiment, Free
 from ._fit import fit, fit_map
+from ._fit_map import FitMap
 from ._fit_results import (
     Estimate,
     Fit,
-    FitMap,
     FittedExperiment,
     FitWarning,
     FixedValue,

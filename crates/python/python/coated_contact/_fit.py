@@ -13,9 +13,9 @@ from ._arrays import Errors, number
 from ._distributed import unordered
 from ._errors import ContactError
 from ._experiment import Experiment, Free, ParameterName, one_of
+from ._fit_map import FitMap
 from ._fit_results import (
     Fit,
-    FitMap,
     FittedExperiment,
     correlation_of,
     estimates_of,

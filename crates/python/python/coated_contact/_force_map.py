@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-    from ._fit_results import FitMap
+    from ._fit_map import FitMap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
