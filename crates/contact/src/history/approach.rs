@@ -1,7 +1,7 @@
 //! The steps of a measured history up to the turn.
 
-use super::measured::Setting;
 use super::one_turn::Step;
+use super::setting::Setting;
 use super::{HistoryError, Phase, TimedContact};
 use crate::{Derivatives, State};
 

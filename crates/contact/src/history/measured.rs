@@ -17,9 +17,10 @@ use super::elastic::{self, ElasticCurve};
 use super::exponentials::Exponentials;
 use super::program::Program;
 use super::return_steps::Return;
-use super::variation::{Variation, with_derivatives};
+use super::setting::Setting;
+use super::variation::with_derivatives;
 use super::{History, HistoryError, LawParameter, TimedContact};
-use crate::{Contact, Control, Input};
+use crate::{Control, Input};
 use interp::check::finite_result;
 
 /// The fewest steps of a history; longer steps between points are divided.
@@ -50,36 +51,6 @@ pub struct MeasuredHistory {
     pub derivatives: Vec<f64>,
 }
 
-/// What all steps need.
-pub(super) struct Setting<'a> {
-    pub contact: &'a Contact,
-    pub curve: ElasticCurve,
-    pub law: Exponentials,
-    pub variations: Vec<Variation>,
-    pub inputs: &'a [Input],
-    /// The compliance of the spring, m/N; 0 without one.
-    pub compliance: f64,
-    /// The number of derivatives; 0 if none are asked for.
-    pub width: usize,
-}
-
-impl Setting<'_> {
-    /// Completes the derivatives of a step: `of_fixed` with the parts that do not depend on the
-    /// change of the penetration at its end, of which the load changes by `stiffness`. Returns the
-    /// derivatives of the penetration.
-    pub fn complete(&self, load: f64, stiffness: f64, of_fixed: &mut [f64], moved: &mut [f64]) {
-        for (column, (by, moved)) in of_fixed.iter_mut().zip(moved).enumerate() {
-            let place = match column {
-                0 => 1.0,
-                1 => load * self.compliance * self.compliance,
-                _ => 0.0,
-            };
-            *by = (*by + stiffness * place) / (1.0 + stiffness * self.compliance);
-            *moved = place - *by * self.compliance;
-        }
-    }
-}
-
 impl History<'_> {
     /// Follows measured penetrations (m) or positions of a spring (m) in time (s), joined by straight
     /// lines, and returns the states at the points, with the derivatives of the loads if `inputs` are
@@ -93,7 +64,7 @@ impl History<'_> {
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
     /// retract; [`HistoryError::MeasuredLoad`] for imposed loads; [`interp::Error::FixedParameter`](interp::Error::FixedParameter)
     /// and [`interp::Error::NoGradient`](interp::Error::NoGradient) as
-    /// [`Contact::gradient`].
+    /// [`Contact::gradient`](crate::Contact::gradient).
     pub fn measured(
         &self,
         control: Control,

@@ -3,12 +3,13 @@
 //! Lee and Radok's and Ting's reduction of the half-space is exact on films of any thickness, and so
 //! is any number of turning points: the contact is arithmetic on the elastic curve. `relaxation`
 //! holds the laws, `exponentials` writes them as sums of exponentials, `elastic` is the elastic
-//! curve, `program` what is imposed. `one_turn` (with `retract`) and `growing_load` have many digits,
+//! curve, `program` what is imposed. `one_turn` (with `retract` and its `adhesion`) and `growing_load` have many digits,
 //! `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses among them and refines. `density` and `variation` hold the
 //! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
-//! them `measured`, in the steps of `approach` and `return_steps`, follows measured points and
+//! them `measured`, in the steps of `approach` and `return_steps`, which share a `setting`, follows measured points and
 //! differentiates their loads. `moments` and `gamma` are functions for them.
 
+mod adhesion;
 mod approach;
 mod density;
 mod elastic;
@@ -31,6 +32,7 @@ mod retract;
 mod return_steps;
 mod rim;
 mod run;
+mod setting;
 mod variation;
 
 pub use self::error::HistoryError;

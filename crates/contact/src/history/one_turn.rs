@@ -14,11 +14,11 @@
 //! approach. A step of the approach lies on one piece of the elastic curve, whose load is a cubic
 //! polynomial of the penetration, and so of the time: its integral has a closed form.
 
+use super::adhesion::Adhesion;
 use super::elastic::ElasticCurve;
 use super::exponentials::Exponentials;
 use super::moments::moments;
 use super::program::{Instant, Program};
-use super::retract::Adhesion;
 use super::{HistoryError, Phase, TimedContact};
 use crate::State;
 

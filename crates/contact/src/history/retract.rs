@@ -3,11 +3,12 @@
 
 use std::iter::Peekable;
 
+use super::adhesion::Adhesion;
 use super::exponentials::Exponentials;
 use super::one_turn::{OneTurn, Step};
 use super::program::Instant;
 use super::{HistoryError, Phase, TimedContact};
-use crate::{Contact, State};
+use crate::State;
 
 /// The lag times the rate beyond which an exponential is 0.
 const FORGOTTEN: f64 = 45.0;
@@ -18,29 +19,6 @@ const ROUNDING: f64 = 1e-9;
 const CONVERGED: f64 = 1e-8;
 /// The most steps of Newton's method; halvings of the interval are among them.
 const NEWTON: usize = 80;
-
-/// Adhesion of the receding line.
-#[derive(Clone, Copy)]
-pub(super) struct Adhesion<'a> {
-    pub contact: &'a Contact,
-    /// The energy at which the line recedes, J/m^2.
-    pub work: f64,
-}
-
-impl Adhesion<'_> {
-    /// Returns the flat-punch penetration (m) by which adhesion lowers a contact of a radius (m).
-    fn lowers(self, radius: f64) -> Result<f64, HistoryError> {
-        if radius <= 0.0 {
-            return Ok(0.0);
-        }
-        let mechanics = self.contact.mechanics();
-        let edge = mechanics.edge_singularity(radius, self.work)?;
-        let quantities = self.contact.quantities(radius)?;
-        Ok(mechanics
-            .lowered_by(radius, edge, quantities.eeq, quantities.gamma)
-            .penetration)
-    }
-}
 
 impl OneTurn<'_> {
     /// Follows the retract. Returns false if the contact grows again.

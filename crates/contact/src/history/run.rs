@@ -1,10 +1,10 @@
 //! The choice of the method, and the refinement of elements until two refinements agree.
 
+use super::adhesion::Adhesion;
 use super::elastic::{self, ElasticCurve};
 use super::elements::Elements;
 use super::exponentials::Exponentials;
 use super::program::Program;
-use super::retract::Adhesion;
 use super::{Course, History, HistoryError, TimedContact, growing_load, one_turn};
 use crate::{Control, CrackTip, State};
 

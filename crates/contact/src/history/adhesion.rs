@@ -1,0 +1,27 @@
+//! What adhesion adds to a contact that recedes.
+
+use super::HistoryError;
+use crate::Contact;
+
+/// Adhesion of the receding line.
+#[derive(Clone, Copy)]
+pub(super) struct Adhesion<'a> {
+    pub contact: &'a Contact,
+    /// The energy at which the line recedes, J/m^2.
+    pub work: f64,
+}
+
+impl Adhesion<'_> {
+    /// Returns the flat-punch penetration (m) by which adhesion lowers a contact of a radius (m).
+    pub fn lowers(self, radius: f64) -> Result<f64, HistoryError> {
+        if radius <= 0.0 {
+            return Ok(0.0);
+        }
+        let mechanics = self.contact.mechanics();
+        let edge = mechanics.edge_singularity(radius, self.work)?;
+        let quantities = self.contact.quantities(radius)?;
+        Ok(mechanics
+            .lowered_by(radius, edge, quantities.eeq, quantities.gamma)
+            .penetration)
+    }
+}

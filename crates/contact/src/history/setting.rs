@@ -1,0 +1,36 @@
+//! What all steps of a measured history need.
+
+use super::elastic::ElasticCurve;
+use super::exponentials::Exponentials;
+use super::variation::Variation;
+use crate::{Contact, Input};
+
+/// What all steps need.
+pub(super) struct Setting<'a> {
+    pub contact: &'a Contact,
+    pub curve: ElasticCurve,
+    pub law: Exponentials,
+    pub variations: Vec<Variation>,
+    pub inputs: &'a [Input],
+    /// The compliance of the spring, m/N; 0 without one.
+    pub compliance: f64,
+    /// The number of derivatives; 0 if none are asked for.
+    pub width: usize,
+}
+
+impl Setting<'_> {
+    /// Completes the derivatives of a step: `of_fixed` with the parts that do not depend on the
+    /// change of the penetration at its end, of which the load changes by `stiffness`. Returns the
+    /// derivatives of the penetration.
+    pub fn complete(&self, load: f64, stiffness: f64, of_fixed: &mut [f64], moved: &mut [f64]) {
+        for (column, (by, moved)) in of_fixed.iter_mut().zip(moved).enumerate() {
+            let place = match column {
+                0 => 1.0,
+                1 => load * self.compliance * self.compliance,
+                _ => 0.0,
+            };
+            *by = (*by + stiffness * place) / (1.0 + stiffness * self.compliance);
+            *moved = place - *by * self.compliance;
+        }
+    }
+}
