@@ -98,7 +98,7 @@ def first_page(app: Sphinx, error: Exception | None) -> None:
 
 
 def crates(app: Sphinx, error: Exception | None) -> None:
-    """Adds the documentation of the crates, and accepts the links to it."""
+    """Adds the documentation of the crates, and checks the links to it."""
     if error is not None:
         return
     folder = app.outdir / "rust"
@@ -108,7 +108,10 @@ def crates(app: Sphinx, error: Exception | None) -> None:
     linked = re.findall(r'href="\.\./\.\./rust/([^"]+)"', page)
     dead = [path for path in linked if not (folder / path).exists()]
     if dead or not linked:
-        message = f"the first page links to {dead or 'none'} of the crates' documentation in {folder}"
+        message = (
+            f"the first page links to {dead or 'nothing'}, and {folder} holds the documentation of the crates: "
+            f"correct the links rust:NAME in {root_doc}.md"
+        )
         raise ExtensionError(message)
 
 

@@ -3,17 +3,13 @@
 use acceptance::{larger, looked_up, paper_system, table};
 use contact::Error;
 use contact::{Contact, Control, State};
-use interp::{Probe, System};
+use interp::{Probe, System, Table};
 
 use crate::equilibria::{CONTROLS, imposed};
 
-#[test]
-fn a_state_out_of_range_is_an_error_with_the_radii() {
-    let contact_on = |t: f64| looked_up(&paper_system(t));
-    let w = 0.04;
-    // A film so thin that the table ends before the pull-off radius; one so thick that a table
-    // begins beyond it, and with too large an a/t for the expansion.
-    let thick = table(
+/// Returns a table that begins at an `a/t` of 1.
+pub fn thin_films() -> Table {
+    table(
         "
         title      = 'Thin films'
         tolerance  = 1e-4
@@ -22,7 +18,16 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
         nu1        = 0.5
         e0_over_e2 = 1e5
     ",
-    );
+    )
+}
+
+#[test]
+fn a_state_out_of_range_is_an_error_with_the_radii() {
+    let contact_on = |t: f64| looked_up(&paper_system(t));
+    let w = 0.04;
+    // A film so thin that the table ends before the pull-off radius; one so thick that a table
+    // begins beyond it, and with too large an a/t for the expansion.
+    let thick = thin_films();
     let wide = System {
         probe: Probe::Paraboloid { radius: 1.0 },
         ..paper_system(1e-2)

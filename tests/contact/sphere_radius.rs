@@ -2,16 +2,14 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, looked_up, paper_system, solid, table};
+use acceptance::{larger, looked_up, paper_system, solid};
 use contact::Error;
 use contact::{Contact, Control, State};
 use interp::{HalfSpace, Probe, System, Table};
 
-const CONTROLS: [Control; 3] = [
-    Control::Load,
-    Control::Displacement,
-    Control::Spring { stiffness: 3.0 },
-];
+use crate::equilibria::CONTROLS;
+use crate::outside::thin_films;
+
 /// The radius of the sphere, m.
 const R: f64 = 1e-3;
 
@@ -198,17 +196,7 @@ fn a_sphere_smaller_than_the_first_node_is_that_on_a_half_space_of_film() {
 
 #[test]
 fn a_curve_without_a_radius_below_the_spheres_has_no_contacts() {
-    let thin_films = table(
-        "
-        title      = 'Thin films'
-        tolerance  = 1e-4
-        a_over_t   = { from = 1, to = 10 }
-        e1_over_e2 = 1.75
-        nu1        = 0.5
-        e0_over_e2 = 1e5
-    ",
-    );
-    let contact = Contact::in_table(&thin_films, &paper_system(1e-2));
+    let contact = Contact::in_table(&thin_films(), &paper_system(1e-2));
     let contact = contact.expect("in the table");
     let [from, to] = contact.contact_radius_range();
     assert!(from > to);

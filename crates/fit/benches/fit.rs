@@ -1,5 +1,6 @@
 //! Measures the time of fits: `cargo bench -p coated-contact-fit`. Only ratios within one run are meaningful.
 
+use std::env;
 use std::hint::black_box;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -187,7 +188,12 @@ fn fits(criterion: &mut Criterion) {
     for (name, _, case) in &cases {
         criterion.bench_function(name, |b| b.iter(|| one(&case.0, &case.1)));
     }
-    for (name, curves, case) in &cases {
+    // As of the single fits, only those that are asked for.
+    let filter = env::args()
+        .skip(1)
+        .find(|argument| !argument.starts_with('-'));
+    let is_asked_for = |name: &str| filter.as_deref().is_none_or(|part| name.contains(part));
+    for (name, curves, case) in cases.iter().filter(|(name, ..)| is_asked_for(name)) {
         let time = map(case, *curves).as_secs_f64();
         println!("{curves} curves on all cores, {name}: {time:.1} s");
     }

@@ -5,6 +5,7 @@ pub mod bspline;
 mod fitting;
 mod functions;
 mod grid;
+pub mod lanes;
 mod resampler;
 pub mod series;
 mod spans;

@@ -12,7 +12,8 @@ use fearless_simd::{Level, dispatch, f64x4};
 use crate::bspline::Basis;
 use crate::functions::{Piecewise, Polynomials};
 use crate::grid::{Grid, Position};
-use crate::series::{Lanes, Series, exponential};
+use crate::lanes::Lanes;
+use crate::series::{Series, exponential};
 use crate::spans::Spans;
 use crate::{FUNCTION_TERMS, SPLINE_TERMS};
 
@@ -99,7 +100,7 @@ impl Resampler {
     }
 
     /// Returns the polynomials of the spline of a single function on a group of
-    /// [pieces](crate::series::LANES), from its coefficients. The last piece is repeated until its
+    /// [pieces](crate::lanes::LANES), from its coefficients. The last piece is repeated until its
     /// group is full.
     #[inline(always)]
     pub fn spline_on_group<S: Simd>(

@@ -6,7 +6,8 @@
 //! ```
 //! use fearless_simd::prelude::*;
 //! use fearless_simd::{Level, dispatch};
-//! use piecewise::series::{Lanes, Series, integral, product};
+//! use piecewise::lanes::Lanes;
+//! use piecewise::series::{Series, integral, product};
 //!
 //! // The integral of `(1 + t)^2` from 0, on eight pieces: `t + t^2 + t^3/3`.
 //! let terms = dispatch!(Level::new(), simd => {
@@ -22,16 +23,8 @@
 use std::f64::consts::LOG2_E;
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f64x4, f64x8};
 
-/// The number of pieces that are computed side by side.
-///
-/// A term of a series waits for the terms before it. With eight pieces a processor has enough to do
-/// in the meantime, even one whose vectors hold four numbers.
-pub const LANES: usize = 8;
-
-/// A number for each of [`LANES`] pieces.
-pub type Lanes<S> = f64x8<S>;
+use crate::lanes::{LANES, Lanes, rows_of_lanes};
 
 /// The first `N` coefficients of several series, of `1, t, t^2, ...`
 pub type Series<V, const N: usize> = [V; N];
@@ -351,39 +344,6 @@ pub fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
     sum * power
 }
 
-/// Transposes eight rows of eight numbers.
-#[inline(always)]
-pub(crate) fn transposed_lanes<S: Simd>(mut rows: [Lanes<S>; LANES]) -> [Lanes<S>; LANES] {
-    // Each step is a perfect shuffle of all numbers. Three of them exchange rows and columns.
-    for _ in 0..3 {
-        let before = rows;
-        for i in 0..LANES / 2 {
-            (rows[2 * i], rows[2 * i + 1]) = before[i].interleave(before[i + LANES / 2]);
-        }
-    }
-    rows
-}
-
-/// Returns the row of four numbers of each piece.
-#[inline(always)]
-fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
-    let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
-    let (first, second) = ac.interleave(bd);
-    let (third, fourth) = ac_high.interleave(bd_high);
-    let ((p, q), (r, s)) = (first.split(), second.split());
-    let ((t, u), (v, w)) = (third.split(), fourth.split());
-    [p, q, r, s, t, u, v, w]
-}
-
-/// Returns four numbers for each piece from a row of them for each piece.
-#[inline(always)]
-pub fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]) -> [Lanes<S>; 4] {
-    let (ac, bd) = p.combine(q).deinterleave(r.combine(s));
-    let (ac_high, bd_high) = t.combine(u).deinterleave(v.combine(w));
-    let ((a, c), (b, d)) = (ac.deinterleave(ac_high), bd.deinterleave(bd_high));
-    [a, b, c, d]
-}
-
 /// Writes the coefficients of four series to a row for each piece.
 #[inline(always)]
 pub fn write_by_piece<S: Simd, const N: usize>(
@@ -497,13 +457,6 @@ mod tests {
                 expected += right[0][lane] - left[0][lane];
             }
             assert!((at - expected).abs() < 1e-14);
-            let rows = std::array::from_fn(|i| a[i]);
-            let columns = transposed_lanes(rows).map(|row| *row.as_array());
-            assert_eq!(columns, std::array::from_fn(|i| std::array::from_fn(|k| left[k][i])));
-            let rows = rows_of_lanes([a[0], a[1], a[2], a[3]]).map(|row| *row.as_array());
-            let row = |lane: usize| std::array::from_fn(|k| left[k][lane]);
-            assert_eq!(rows, std::array::from_fn(row));
-            assert_eq!(lanes_of_rows(rows.map(|row| f64x4::simd_from(simd, row))).map(|lanes| *lanes.as_array()), std::array::from_fn(|k| left[k]));
         });
     }
 

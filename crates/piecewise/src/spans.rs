@@ -7,7 +7,8 @@ use fearless_simd::{f64x4, f64x8};
 use crate::SPLINE_TERMS;
 use crate::bspline::Basis;
 use crate::grid::Grid;
-use crate::series::{LANES, Lanes, Series, transposed_lanes};
+use crate::lanes::{LANES, Lanes, transposed_lanes};
+use crate::series::Series;
 
 /// The B-splines on all pieces of a grid, as polynomials.
 #[derive(Clone, Debug)]

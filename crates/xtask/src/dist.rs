@@ -13,7 +13,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{hdf5, succeed, tabulate, wheel, workspace};
+use crate::{hdf5, selection, succeed, wheel, workspace};
 
 /// The version of the release.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -49,8 +49,8 @@ pub fn dist() -> Result<(), String> {
     let [wheel, source] = [put(&wheel, &folder)?, put(&source, &folder)?];
     metadata::recipe_of(&source, &folder.join("recipe.yaml"))?;
 
-    let features = format!("{}/hdf5-static", tabulate::PACKAGE);
-    let made = zig.build(STATIC, tabulate::PACKAGE, &["--features", &features])?;
+    let features = format!("{}/hdf5-static", selection::TABULATE);
+    let made = zig.build(STATIC, selection::TABULATE, &["--features", &features])?;
     let program = archive(
         &folder,
         &format!("tabulate-{VERSION}-x86_64-linux"),

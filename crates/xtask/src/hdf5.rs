@@ -8,7 +8,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::{python, selection, tabulate, workspace};
+use crate::{python, selection, workspace};
 
 /// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
@@ -23,7 +23,10 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
     command.arg(subcommand);
     if !system_library() && selection::has_tabulate(args)? {
         command
-            .args(["--features", &format!("{}/hdf5-static", tabulate::PACKAGE)])
+            .args([
+                "--features",
+                &format!("{}/hdf5-static", selection::TABULATE),
+            ])
             .env("CMAKE", cmake()?);
         if !runs(Command::new("make").arg("--version"))
             && !runs(Command::new("ninja").arg("--version"))

@@ -4,7 +4,10 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::{tabulate, workspace};
+use crate::workspace;
+
+/// The package of the program `tabulate`.
+pub const TABULATE: &str = "coated-contact-tabulate";
 
 /// The arguments of cargo that name a package.
 const PACKAGE: [&str; 2] = ["--package", "-p"];
@@ -45,7 +48,7 @@ fn any_has_tabulate(args: &[&str], members: &[Value], folder: &Path) -> bool {
     };
     let uses = |member: &Value| {
         let dependencies = member["dependencies"].as_array();
-        let is_tabulate = |package: &Value| package["name"] == tabulate::PACKAGE;
+        let is_tabulate = |package: &Value| package["name"] == TABULATE;
         is_tabulate(member) || dependencies.is_some_and(|all| all.iter().any(is_tabulate))
     };
     members.iter().filter(is_selected).any(uses)
@@ -86,8 +89,8 @@ mod tests {
         };
         let members = [
             member("interp", "crates/interp", &["serde"]),
-            member(tabulate::PACKAGE, "crates/tabulate", &["interp"]),
-            member("acceptance", "tests", &["interp", tabulate::PACKAGE]),
+            member(TABULATE, "crates/tabulate", &["interp"]),
+            member("acceptance", "tests", &["interp", TABULATE]),
         ];
         let cases: [(&[&str], &str, bool); 15] = [
             (&["bench"], "/w", true),
@@ -100,28 +103,16 @@ mod tests {
                 false,
             ),
             (&["bench", "--package=interp@0.1.0"], "/w", false),
-            (
-                &["bench", "-p", "interp", "-p", tabulate::PACKAGE],
-                "/w",
-                true,
-            ),
-            (&["bench", "-p", tabulate::PACKAGE], "/w", true),
+            (&["bench", "-p", "interp", "-p", TABULATE], "/w", true),
+            (&["bench", "-p", TABULATE], "/w", true),
             (&["test", "-p", "acceptance"], "/w", true),
             (&["test", "--workspace"], "/w/crates/interp", true),
-            (&["test", "-p", tabulate::PACKAGE], "/w/crates/interp", true),
+            (&["test", "-p", TABULATE], "/w/crates/interp", true),
             (&["test"], "/w/crates/interp/src", false),
             (&["test"], "/w/crates", true),
             // The arguments of the program are none of cargo's.
-            (
-                &["run", "-p", "interp", "--", "-p", tabulate::PACKAGE],
-                "/w",
-                false,
-            ),
-            (
-                &["run", "-p", tabulate::PACKAGE, "--", "-p", "interp"],
-                "/w",
-                true,
-            ),
+            (&["run", "-p", "interp", "--", "-p", TABULATE], "/w", false),
+            (&["run", "-p", TABULATE, "--", "-p", "interp"], "/w", true),
         ];
         for (args, folder, expected) in cases {
             let found = any_has_tabulate(args, &members, Path::new(folder));
@@ -136,7 +127,7 @@ mod tests {
             ("coated-contact-interp", false),
             ("coated-contact-fit", false),
             ("xtask", false),
-            (tabulate::PACKAGE, true),
+            (TABULATE, true),
             ("acceptance", true),
             ("coated-contact-python", true),
         ] {

@@ -8,9 +8,6 @@ use serde_json::Value;
 
 use crate::{hdf5, succeed, workspace};
 
-/// The name of its package.
-pub const PACKAGE: &str = "coated-contact-tabulate";
-
 /// The build of the program. It selects the whole workspace, and one of the targets that need what
 /// only tests need: so all dependencies have the features that they have in the tests, for which
 /// nothing is then compiled again.

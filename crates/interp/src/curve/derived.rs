@@ -64,9 +64,10 @@
 
 use fearless_simd::prelude::*;
 
+use piecewise::lanes::{LANES, Lanes};
 use piecewise::series::{
-    LANES, Lanes, Series, constants_of_integration, difference, divided_by_powers, economised, exp,
-    exponential, first_terms, integral, limits, product, quotient, scale, sum, write_by_piece,
+    Series, constants_of_integration, difference, divided_by_powers, economised, exp, exponential,
+    first_terms, integral, limits, product, quotient, scale, sum, write_by_piece,
 };
 use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use piecewise::bspline::Basis;
-use piecewise::series::LANES;
+use piecewise::lanes::LANES;
 use piecewise::{FUNCTION_TERMS, Piecewise, Polynomials, Resampler, SPLINE_TERMS};
 
 use crate::Quantity;

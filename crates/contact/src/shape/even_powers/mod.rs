@@ -51,7 +51,8 @@ use std::sync::Arc;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
 use interp::{Curve, Error, Quantity};
-use piecewise::series::{LANES, economised, product, quotient};
+use piecewise::lanes::LANES;
+use piecewise::series::{economised, product, quotient};
 use piecewise::{FUNCTION_TERMS, Piecewise, Polynomials};
 
 use self::beginning::Beginning;

@@ -1,6 +1,4 @@
-//! Stacks of layers as TOML gives them: a file of a stack, or the table `[stack]` of a scene.
-
-mod interface;
+//! The text of a stack, and the stack with the names of its layers.
 
 use std::io::Read;
 use std::path::Path;
@@ -8,6 +6,7 @@ use std::path::Path;
 use interp::Elastic;
 use serde::Deserialize;
 
+use super::interface;
 use crate::{Error, input};
 use solve::stack::{Layer, Stack};
 

@@ -1,0 +1,68 @@
+//! A number for each of several pieces, side by side, and rows of four numbers for each piece.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f64x4, f64x8};
+
+/// The number of pieces that are computed side by side.
+///
+/// A term of a series waits for the terms before it. With eight pieces a processor has enough to do
+/// in the meantime, even one whose vectors hold four numbers.
+pub const LANES: usize = 8;
+
+/// A number for each of [`LANES`] pieces.
+pub type Lanes<S> = f64x8<S>;
+
+/// Transposes eight rows of eight numbers.
+#[inline(always)]
+pub(crate) fn transposed_lanes<S: Simd>(mut rows: [Lanes<S>; LANES]) -> [Lanes<S>; LANES] {
+    // Each step is a perfect shuffle of all numbers. Three of them exchange rows and columns.
+    for _ in 0..3 {
+        let before = rows;
+        for i in 0..LANES / 2 {
+            (rows[2 * i], rows[2 * i + 1]) = before[i].interleave(before[i + LANES / 2]);
+        }
+    }
+    rows
+}
+
+/// Returns the row of four numbers of each piece.
+#[inline(always)]
+pub(crate) fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
+    let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
+    let (first, second) = ac.interleave(bd);
+    let (third, fourth) = ac_high.interleave(bd_high);
+    let ((p, q), (r, s)) = (first.split(), second.split());
+    let ((t, u), (v, w)) = (third.split(), fourth.split());
+    [p, q, r, s, t, u, v, w]
+}
+
+/// Returns four numbers for each piece from a row of them for each piece.
+#[inline(always)]
+pub fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]) -> [Lanes<S>; 4] {
+    let (ac, bd) = p.combine(q).deinterleave(r.combine(s));
+    let (ac_high, bd_high) = t.combine(u).deinterleave(v.combine(w));
+    let ((a, c), (b, d)) = (ac.deinterleave(ac_high), bd.deinterleave(bd_high));
+    [a, b, c, d]
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::*;
+
+    #[test]
+    fn rows_and_columns_are_exchanged() {
+        let numbers: [[f64; LANES]; LANES] =
+            std::array::from_fn(|k| std::array::from_fn(|lane| (LANES * k + lane) as f64));
+        dispatch!(Level::new(), simd => {
+            let a = numbers.map(|row| Lanes::simd_from(simd, row));
+            let columns = transposed_lanes(a).map(|row| *row.as_array());
+            assert_eq!(columns, std::array::from_fn(|i| std::array::from_fn(|k| numbers[k][i])));
+            let rows = rows_of_lanes([a[0], a[1], a[2], a[3]]).map(|row| *row.as_array());
+            assert_eq!(rows, std::array::from_fn(|lane| std::array::from_fn(|k| numbers[k][lane])));
+            let lanes = lanes_of_rows(rows.map(|row| f64x4::simd_from(simd, row)));
+            assert_eq!(lanes.map(|lanes| *lanes.as_array()), [0, 1, 2, 3].map(|k| numbers[k]));
+        });
+    }
+}
