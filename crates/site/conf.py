@@ -15,7 +15,7 @@ from pathlib import Path
 from docutils import nodes
 from latex2mathml.converter import convert
 from sphinx.application import Sphinx
-from sphinx.errors import ExtensionError
+from sphinx.util import logging
 from sphinx.writers.html5 import HTML5Translator
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -53,6 +53,9 @@ autodoc_typehints = "none"
 napoleon_google_docstring = False
 html_math_renderer = "mathml"
 
+logger = logging.getLogger(__name__)
+RUST = Path(os.environ["RUST_DOCUMENTATION"])
+CRATE = re.compile(r"\(rust:(\w+)\)")
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = re.compile(r"\[([^\]\[]+)\]\(([^)\s#:]+)\)")
 LINK = re.compile(r"(?<=\])\(([^)\s#:]+)(#[^)\s]*)?\)")
@@ -97,28 +100,24 @@ def first_page(app: Sphinx, error: Exception | None) -> None:
         (app.outdir / "index.html").write_text(page, encoding="utf-8")
 
 
-def crates(app: Sphinx, error: Exception | None) -> None:
-    """Adds the documentation of the crates, and checks the links to it."""
-    if error is not None:
-        return
-    folder = app.outdir / "rust"
-    shutil.rmtree(folder, ignore_errors=True)
-    shutil.copytree(os.environ["RUST_DOCUMENTATION"], folder)
-    page = (app.outdir / f"{root_doc}.html").read_text(encoding="utf-8")
-    linked = re.findall(r'href="\.\./\.\./rust/([^"]+)"', page)
-    dead = [path for path in linked if not (folder / path).exists()]
-    if dead or not linked:
-        message = (
-            f"the first page links to {dead or 'nothing'}, and {folder} holds the documentation of the crates: "
-            f"correct the links rust:NAME in {root_doc}.md"
-        )
-        raise ExtensionError(message)
+def links_to_crates(_app: Sphinx, name: str, source: list[str]) -> None:
+    """Warns of a link to the documentation of a crate that has none."""
+    for crate in CRATE.findall(source[0]):
+        if not (RUST / crate / "index.html").exists():
+            logger.warning("%s holds no crate %s: correct the link rust:%s", RUST, crate, crate, location=name)
+
+
+def documentation_of_crates(app: Sphinx, error: Exception | None) -> None:
+    """Adds the documentation of the crates."""
+    if error is None:
+        shutil.copytree(RUST, app.outdir / "rust", dirs_exist_ok=True)
 
 
 def setup(app: Sphinx) -> None:
     """Adds the links, the notebooks, the formulas, which a browser draws without a script, and the first page."""
     app.connect("build-finished", first_page)
-    app.connect("build-finished", crates)
+    app.connect("build-finished", documentation_of_crates)
+    app.connect("source-read", links_to_crates)
     app.connect("source-read", pages_of_folders)
     app.connect("source-read", run_notebooks)
     app.add_html_math_renderer("mathml", (inline_math, None), (display_math, None))
