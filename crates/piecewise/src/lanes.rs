@@ -27,7 +27,7 @@ pub(crate) fn transposed_lanes<S: Simd>(mut rows: [Lanes<S>; LANES]) -> [Lanes<S
 
 /// Returns the row of four numbers of each piece.
 #[inline(always)]
-pub(crate) fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
+fn rows_of_lanes<S: Simd>([a, b, c, d]: [Lanes<S>; 4]) -> [f64x4<S>; LANES] {
     let ((ac, ac_high), (bd, bd_high)) = (a.interleave(c), b.interleave(d));
     let (first, second) = ac.interleave(bd);
     let (third, fourth) = ac_high.interleave(bd_high);
@@ -43,6 +43,36 @@ pub fn lanes_of_rows<S: Simd>([p, q, r, s, t, u, v, w]: [f64x4<S>; LANES]) -> [L
     let (ac_high, bd_high) = t.combine(u).deinterleave(v.combine(w));
     let ((a, c), (b, d)) = (ac.deinterleave(ac_high), bd.deinterleave(bd_high));
     [a, b, c, d]
+}
+
+/// Writes the coefficients of four series to a row for each piece.
+#[inline(always)]
+pub fn write_by_piece<S: Simd, const N: usize>(
+    [a, b, c, d]: [&[Lanes<S>; N]; 4],
+    pieces: &mut [[[f64; 4]; N]; LANES],
+) {
+    for k in 0..N {
+        let rows = rows_of_lanes([a[k], b[k], c[k], d[k]]);
+        for (piece, row) in pieces.iter_mut().zip(rows) {
+            row.store_slice(&mut piece[k]);
+        }
+    }
+}
+
+/// Returns the coefficients of two series on each piece, in pairs.
+#[inline(always)]
+pub fn pairs_by_lane<S: Simd, const N: usize>(
+    first: &[Lanes<S>; N],
+    second: &[Lanes<S>; N],
+) -> [[[f64; 2]; N]; LANES] {
+    let mut pieces = [[[0.0; 2]; N]; LANES];
+    for k in 0..N {
+        let (first, second) = (*first[k].as_array(), *second[k].as_array());
+        for lane in 0..LANES {
+            pieces[lane][k] = [first[lane], second[lane]];
+        }
+    }
+    pieces
 }
 
 #[cfg(test)]

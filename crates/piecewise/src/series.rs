@@ -24,7 +24,7 @@ use std::f64::consts::LOG2_E;
 
 use fearless_simd::prelude::*;
 
-use crate::lanes::{LANES, Lanes, rows_of_lanes};
+use crate::lanes::{LANES, Lanes};
 
 /// The first `N` coefficients of several series, of `1, t, t^2, ...`
 pub type Series<V, const N: usize> = [V; N];
@@ -342,36 +342,6 @@ pub fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
     // The bits of `2^n`: those of the whole number, as the exponent.
     let power = Lanes::from_bits((shifted.to_bits() + 1023) << 52);
     sum * power
-}
-
-/// Writes the coefficients of four series to a row for each piece.
-#[inline(always)]
-pub fn write_by_piece<S: Simd, const N: usize>(
-    [a, b, c, d]: [&Series<Lanes<S>, N>; 4],
-    pieces: &mut [[[f64; 4]; N]; LANES],
-) {
-    for k in 0..N {
-        let rows = rows_of_lanes([a[k], b[k], c[k], d[k]]);
-        for (piece, row) in pieces.iter_mut().zip(rows) {
-            row.store_slice(&mut piece[k]);
-        }
-    }
-}
-
-/// Returns the coefficients of two series on each piece, in pairs.
-#[inline(always)]
-pub fn pairs_by_lane<S: Simd, const N: usize>(
-    first: &Series<Lanes<S>, N>,
-    second: &Series<Lanes<S>, N>,
-) -> [[[f64; 2]; N]; LANES] {
-    let mut pieces = [[[0.0; 2]; N]; LANES];
-    for k in 0..N {
-        let (first, second) = (*first[k].as_array(), *second[k].as_array());
-        for lane in 0..LANES {
-            pieces[lane][k] = [first[lane], second[lane]];
-        }
-    }
-    pieces
 }
 
 #[cfg(test)]

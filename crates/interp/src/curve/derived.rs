@@ -64,10 +64,10 @@
 
 use fearless_simd::prelude::*;
 
-use piecewise::lanes::{LANES, Lanes};
+use piecewise::lanes::{LANES, Lanes, write_by_piece};
 use piecewise::series::{
     Series, constants_of_integration, difference, divided_by_powers, economised, exp, exponential,
-    first_terms, integral, limits, product, quotient, scale, sum, write_by_piece,
+    first_terms, integral, limits, product, quotient, scale, sum,
 };
 use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
 

@@ -2,10 +2,10 @@
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
-use piecewise::lanes::{LANES, Lanes, lanes_of_rows};
+use piecewise::lanes::{LANES, Lanes, lanes_of_rows, pairs_by_lane};
 use piecewise::series::{
-    Series, continued, divided_by_powers, economised, integral, pairs_by_lane, product, quotient,
-    scale, times_linear,
+    Series, continued, divided_by_powers, economised, integral, product, quotient, scale,
+    times_linear,
 };
 use piecewise::{FUNCTION_TERMS, Polynomials};
 
