@@ -5,7 +5,7 @@ use acceptance::{assert_names, workdir};
 #[test]
 fn quantities_with_a_unit_are_those_in_si_units() {
     let workdir = workdir!();
-    let pairs: [[&str; 2]; 4] = [
+    let pairs: [[&str; 2]; 5] = [
         [
             "curve embedded --film-thickness 1e-5 --film-modulus 3.5e6 --film-poisson-ratio 0.5 --substrate-modulus 2e11 \
              --substrate-poisson-ratio 0.25 --sphere-radius 1e-3 --sphere-modulus 2e6 --work-of-adhesion 0.04 \
@@ -29,6 +29,12 @@ fn quantities_with_a_unit_are_those_in_si_units() {
         [
             "solve --stack stack.toml --sphere-modulus 2e6 --a-over-t 6.5",
             "solve --stack stack.toml --sphere-modulus 2MPa --a-over-t 6.5",
+        ],
+        [
+            "history --specimen paper --sphere-modulus inf --film-modulus 2e4 --relaxation prony --relaxed-fraction 0.2 \
+             --relaxation-time 0.002,0.5 --relaxation-weight 0.3,0.5 --program 'penetration 0:0 0.001:1e-8 2:0' --at 5e-4,1.5",
+            "history --specimen paper --sphere-modulus inf --film-modulus 20kPa --relaxation prony --relaxed-fraction 0.2 \
+             --relaxation-time 2ms,500ms --relaxation-weight 0.3,0.5 --program 'penetration 0s:0 1ms:10nm 2:0' --at 500us,1.5s",
         ],
     ];
     let stack = "base = { young_modulus = inf }\n[[layers]]\nyoung_modulus = 1e6\npoisson_ratio = 0.5\nthickness = 1e-5\n";

@@ -61,7 +61,7 @@
 //! `equilibria` and `force_displacement` find the states under a load, a penetration or a spring,
 //! `branch` those at many values, `radii` the contact radii among which they search.
 //! `energy_release` starts from measured values, `moving_stiffness` is the slope of the force
-//! curve, `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the limits of the model. `crack_tip`,
+//! curve, `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the limits of the model, and `magnitude` its numbers with what contacts have. `crack_tip`,
 //! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
 //! steps of `implicit_step`. `cohesive_zone` corrects for a short cohesive zone by the
 //! `line_energy` of such a law. `history` holds bodies that relax. `root` finds zeros for all of them.
@@ -84,6 +84,7 @@ mod history;
 mod implicit_step;
 mod jkr_fit;
 mod line_energy;
+pub mod magnitude;
 mod moving_stiffness;
 mod radii;
 mod root;

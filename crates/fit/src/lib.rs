@@ -75,7 +75,6 @@ pub use estimate::{
     Forecast, LeftOut, LeftOutReason, Likelihood, ModulusBias, Warning, WarningKind, WithoutFilm,
     fit, forecast, starts_from_data,
 };
-pub use magnitude::Magnitude;
 pub use model::{
     AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
     Free, Indentation, Interruptible, Kind, Known, LayerName, Layered, LayeredSolver, Loss,

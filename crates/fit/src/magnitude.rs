@@ -1,22 +1,12 @@
-//! Whether numbers have the magnitudes of a contact experiment.
+//! Whether an experiment, and what is found by it, have the [magnitudes](Magnitude) of contacts.
 //!
-//! A wrong unit is wrong by a factor of a thousand or more. These checks name what no experiment has,
-//! and the likely mistake. They are wide: what may be, if seldom, is only warned of
-//! ([`WarningKind::Implausible`](crate::WarningKind::Implausible)).
+//! What may be, if seldom, is only warned of ([`WarningKind::Implausible`](crate::WarningKind::Implausible)).
 
-use std::borrow::Cow;
-use std::fmt;
-
+use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
 use crate::{Bodies, Estimate, Experiment, Fit, Kind, Parameter};
 
-/// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
-pub const MODULI: [f64; 2] = [1.0, 2e12];
-/// The lengths of the bodies of a contact, m: from an atom to the largest lens.
-pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
-/// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.
-pub const LARGEST_WORK: f64 = 20.0;
 /// The stiffnesses of cantilevers and load cells, N/m.
 pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
 /// The largest load, N.
@@ -32,78 +22,39 @@ const TOO_THIN: f64 = 1e3;
 /// The standard error over the value from which on data do not determine the value.
 const UNDETERMINED: f64 = 0.5;
 
-/// A number that a contact experiment does not have, or hardly has.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Magnitude {
-    /// What it is, in words.
-    pub what: Cow<'static, str>,
-    /// The number, in SI units.
-    pub value: f64,
-    /// The SI unit.
-    pub unit: &'static str,
-    /// What is wrong with it, and the likely mistake.
-    pub reason: Cow<'static, str>,
-}
-
-impl fmt::Display for Magnitude {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            what,
-            value,
-            unit,
-            reason,
-        } = self;
-        write!(f, "{what} = {} {unit} {reason}", short(*value))
-    }
-}
-
 impl Bodies {
     /// Names what no contact has of the radius, the thickness and the moduli of the bodies, and of
     /// the work of adhesion (J/m^2) between them. Infinite moduli are rigid bodies.
     pub fn magnitudes(&self, work_of_adhesion: f64) -> Vec<Magnitude> {
-        let mut lengths = Vec::new();
-        if let Some(radius) = self.probe().radius() {
-            lengths.push(("the radius of the sphere", radius));
-        }
-        match self {
-            Self::Coated(system) => lengths.push(("the film thickness", system.film_thickness)),
-            Self::HalfSpace(_) => {}
-            Self::Layered(layered) => {
-                let layers = layered.layers.iter();
-                lengths.extend(
-                    layers.map(|named| ("the thickness of a layer", named.layer.thickness)),
-                );
-            }
-        }
-        let moduli: Vec<(&'static str, f64)> = match self {
-            Self::Coated(system) => vec![
-                ("the sphere's modulus", system.sphere_modulus),
-                ("the film's modulus", system.film.young()),
-                ("the substrate's modulus", system.substrate.young()),
-            ],
+        let radius = |probe: &Probe| {
+            let radius = probe.radius()?;
+            Magnitude::length("the radius of the sphere", radius)
+        };
+        let sphere_modulus = |value| Magnitude::modulus("the sphere's modulus", value);
+        let work = Magnitude::work_of_adhesion("the work of adhesion", work_of_adhesion);
+        let found = match self {
+            Self::Coated(system) => return Magnitude::of_system(system, work_of_adhesion),
             Self::HalfSpace(half_space) => vec![
-                ("the sphere's modulus", half_space.sphere_modulus),
-                ("the half-space's modulus", half_space.solid.young()),
+                radius(&half_space.probe),
+                sphere_modulus(half_space.sphere_modulus),
+                Magnitude::modulus("the half-space's modulus", half_space.solid.young()),
+                work,
             ],
             Self::Layered(layered) => {
-                let layers = layered.layers.iter();
-                let moduli =
-                    layers.map(|named| ("the modulus of a layer", named.layer.solid.young()));
+                let layers = || layered.layers.iter().map(|named| &named.layer);
+                let lengths = layers()
+                    .map(|layer| Magnitude::length("the thickness of a layer", layer.thickness));
+                let moduli = layers()
+                    .map(|layer| Magnitude::modulus("the modulus of a layer", layer.solid.young()));
                 let others = [
-                    ("the sphere's modulus", layered.sphere_modulus),
-                    ("the modulus of the base", layered.base.young()),
+                    sphere_modulus(layered.sphere_modulus),
+                    Magnitude::modulus("the modulus of the base", layered.base.young()),
                 ];
-                others.into_iter().chain(moduli).collect()
+                let lengths = [radius(&layered.probe)].into_iter().chain(lengths);
+                lengths.chain(others).chain(moduli).chain([work]).collect()
             }
         };
-        let finite = moduli.into_iter().filter(|(_, value)| value.is_finite());
-        let lengths = lengths
-            .into_iter()
-            .filter_map(|(what, value)| length(what.into(), value));
-        lengths
-            .chain(finite.filter_map(|(what, value)| modulus(what.into(), value)))
-            .chain(work("the work of adhesion".into(), work_of_adhesion))
-            .collect()
+        found.into_iter().flatten().collect()
     }
 }
 
@@ -114,8 +65,11 @@ impl Experiment {
     pub fn magnitudes(&self) -> Vec<Magnitude> {
         let mut found = self.bodies.magnitudes(self.work_of_adhesion);
         let receding = self.work_of_adhesion_receding;
-        found
-            .extend(receding.and_then(|value| work("the receding work of adhesion".into(), value)));
+        found.extend(
+            receding.and_then(|value| {
+                Magnitude::work_of_adhesion("the receding work of adhesion", value)
+            }),
+        );
         let [least, most] = STIFFNESSES;
         if let Some(value) = self.stiffness.filter(|k| !(least..=most).contains(k)) {
             found.push(Magnitude {
@@ -255,16 +209,6 @@ impl Fit {
     }
 }
 
-/// Writes a number with at most six digits.
-fn short(value: f64) -> String {
-    let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    if (1e-3..1e5).contains(&value.abs()) {
-        format!("{value}")
-    } else {
-        format!("{value:e}")
-    }
-}
-
 /// Checks what a fit has found.
 pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
     let Estimate {
@@ -276,11 +220,15 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
     let name = parameter.name();
     let (found, mistake) = match parameter {
         Parameter::SphereModulus | Parameter::FilmModulus | Parameter::LayerModulus(_) => (
-            modulus(name, value)?,
+            Magnitude::modulus(name, value)?,
             "; mN or uN taken for N, or mm or um for m, give such a result",
         ),
-        Parameter::FilmThickness | Parameter::LayerThickness(_) => (length(name, value)?, ""),
-        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => (work(name, value)?, ""),
+        Parameter::FilmThickness | Parameter::LayerThickness(_) => {
+            (Magnitude::length(name, value)?, "")
+        }
+        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => {
+            (Magnitude::work_of_adhesion(name, value)?, "")
+        }
         _ => return None,
     };
     let undetermined = if standard_error < UNDETERMINED * value {
@@ -291,60 +239,5 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
     Some(Magnitude {
         reason: format!("{}{mistake}{undetermined}", found.reason).into(),
         ..found
-    })
-}
-
-/// Checks a length of a body.
-fn length(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
-    let [least, most] = LENGTHS;
-    let reason = if value > most {
-        let value = short(value);
-        format!("is above {most} m: {value} mm, {value} um or {value} nm was probably meant")
-    } else if value < least && value > 0.0 {
-        format!("is below {least:?} m, the size of an atom: check its unit")
-    } else {
-        return None;
-    };
-    Some(Magnitude {
-        what,
-        value,
-        unit: "m",
-        reason: reason.into(),
-    })
-}
-
-/// Checks a modulus.
-fn modulus(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
-    let [least, most] = MODULI;
-    let side = if value > most {
-        "above"
-    } else if value < least && value > 0.0 {
-        "below"
-    } else {
-        return None;
-    };
-    Some(Magnitude {
-        what,
-        value,
-        unit: "Pa",
-        reason: format!(
-            "is {side} the moduli of all solids, {least} Pa to {} GPa: check the units",
-            most / 1e9
-        )
-        .into(),
-    })
-}
-
-/// Checks a work of adhesion.
-fn work(what: Cow<'static, str>, value: f64) -> Option<Magnitude> {
-    (value > LARGEST_WORK).then(|| Magnitude {
-        what,
-        value,
-        unit: "J/m^2",
-        reason: format!(
-            "is above {LARGEST_WORK} J/m^2, more than any two solids have: mN were probably taken \
-             for N, or mJ/m^2 for J/m^2"
-        )
-        .into(),
     })
 }

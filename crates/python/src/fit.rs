@@ -3,11 +3,10 @@
 use std::sync::atomic::Ordering;
 
 use ::solve::parallel;
+use contact::magnitude::Magnitude;
 use fit::data::Notes;
 use fit::report::{JkrPlotPoint, jkr_plot, report};
-use fit::{
-    Direction, Estimate, Experiment, Fit, Free, Known, Loss, Magnitude, Options, WithoutFilm,
-};
+use fit::{Direction, Estimate, Experiment, Fit, Free, Known, Loss, Options, WithoutFilm};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::unit::{Dimension, Unit};
+use units::{Dimension, Unit};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

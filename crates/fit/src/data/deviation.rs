@@ -3,8 +3,8 @@
 use super::failure::{Failure, Problem};
 use super::heading::Heading;
 use super::source::{Columns, Source};
-use super::unit::Unit;
 use crate::Direction;
+use units::Unit;
 
 /// The words of which one makes the heading of a quantity that of its standard deviations.
 const WORDS: [&str; 12] = [

@@ -5,8 +5,8 @@ use std::fmt;
 use std::io;
 
 use super::column::Role;
-use super::unit::Unit;
 use crate::Kind;
+use units::Unit;
 
 /// The longest line, in bytes. A longer one is not a row of a measurement.
 pub const LONGEST: usize = 1 << 16;

@@ -2,7 +2,7 @@
 
 use super::Cantilever;
 use super::cells::comment;
-use super::unit::{Dimension, Unit};
+use units::{Dimension, Unit};
 
 /// A value that a line above the rows names.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The heading of a column: a name, a unit and perhaps a direction.
 
-use super::unit::Unit;
 use crate::Direction;
+use units::Unit;
 
 /// A heading, read.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use super::column::Role;
 use super::failure::Problem;
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
-use super::unit::Unit;
+use units::Unit;
 
 /// The number of equal lines in a row that are taken for rows of numbers.
 const ROWS: usize = 3;

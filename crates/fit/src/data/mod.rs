@@ -18,8 +18,8 @@
 //! `standard deviation` alone is that of the ordinate. Percentages are not read.
 //!
 //! `lines` reads the lines, `head` what they tell of the cantilever, `layout` finds the rows and
-//! their headings, `cells` and `number` read a row, `heading`, `names` and `unit` read a heading,
-//! `quantity` reads a number with a unit. `source` finds the column of a quantity, `deviation` that of
+//! their headings, `cells` and `number` read a row, `heading` and `names` read a heading.
+//! `source` finds the column of a quantity, `deviation` that of
 //! its standard deviations and `beside` those of a contact stiffness, and `assignment` decides by them
 //! what is measured. `rows` reads the rows, `segment` finds their directions, `points` joins and checks
 //! their points, and `remedy` tells what a user can give where a file is not read.
@@ -37,13 +37,11 @@ mod lines;
 mod names;
 mod number;
 mod points;
-mod quantity;
 mod remedy;
 mod rows;
 mod segment;
 mod sign;
 mod source;
-mod unit;
 
 use std::fmt;
 use std::fs::File;
@@ -54,11 +52,11 @@ pub use assignment::roles;
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
-pub use quantity::{Quantity, QuantityError};
 pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
 pub use source::Source;
-pub use unit::{Dimension, Unit, prefix};
+
+use units::Dimension;
 
 use crate::{Direction, Kind, Measurement, PointErrors};
 

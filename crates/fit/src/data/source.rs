@@ -4,9 +4,9 @@
 use super::column::{Column, Role};
 use super::failure::{Failure, Found, Problem};
 use super::heading::Heading;
-use super::unit::{Dimension, Unit};
 use super::{Cantilever, Format};
 use crate::Direction;
+use units::{Dimension, Unit};
 
 /// Where a quantity comes from.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,6 @@
 //! The doubts about a result.
 
+use contact::magnitude::LARGEST_WORK;
 use contact::{Validity, ZoneSize};
 use interp::Probe;
 use nalgebra::DVector;
@@ -14,7 +15,7 @@ use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
 use super::{agreement, cycle, friction, indentation, interfaces, relaxing, wanted};
-use crate::magnitude::{self, LARGEST_WORK, STIFFNESSES};
+use crate::magnitude::{self, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
     Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,

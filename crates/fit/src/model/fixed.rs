@@ -6,7 +6,7 @@ use interp::{Elastic, Probe};
 
 use super::{Bodies, Experiment, LayerName, NamedLayer, Parameter};
 use crate::Error;
-use crate::data::Dimension;
+use units::Dimension;
 
 /// A value that a fit takes as given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use super::LayerName;
 use crate::Error;
-use crate::data::Dimension;
+use units::Dimension;
 
 /// The ends of the names of the parameters of a layer.
 const MODULUS: &str = ".modulus";

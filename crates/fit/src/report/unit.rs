@@ -1,7 +1,7 @@
 //! Numbers for people: a unit with a prefix, and as many digits as the error leaves.
 
 use crate::Parameter;
-use crate::data::prefix;
+use units::prefix;
 
 /// The unit in which a report shows a parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,7 @@ pub fn unit(parameter: Parameter, value: f64, error: f64, asked: &[UnitOf]) -> (
 
 /// Returns a unit with a prefix, and its size, so that the number before it is at least 1.
 pub fn scaled(unit: &str, value: f64) -> (String, f64) {
-    let sizes = PREFIXES.map(|prefix| (prefix, crate::data::prefix(prefix).unwrap_or(1.0)));
+    let sizes = PREFIXES.map(|prefix| (prefix, units::prefix(prefix).unwrap_or(1.0)));
     let usual = || sizes.into_iter().find(|(_, size)| value.abs() >= *size);
     match unit {
         "1" => (String::new(), 1.0),

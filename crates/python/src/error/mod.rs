@@ -62,7 +62,7 @@ impl Failure {
     }
 
     /// The error of numbers that no experiment has; `None` without any.
-    pub fn magnitudes(name: &str, found: &[fit::Magnitude]) -> Option<Self> {
+    pub fn magnitudes(name: &str, found: &[contact::magnitude::Magnitude]) -> Option<Self> {
         let first = found.first()?;
         let texts: Vec<String> = found.iter().map(ToString::to_string).collect();
         let message = format!(

@@ -14,10 +14,13 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
             ::solve::Error::Contact(error) => Some(error),
             _ => None,
         });
+        #[cfg(feature = "fit")]
         let of_fit = cause.downcast_ref().and_then(|error| match error {
             ::fit::Error::Contact(error) => Some(error),
             _ => None,
         });
+        #[cfg(not(feature = "fit"))]
+        let of_fit = None;
         let of_history = cause.downcast_ref().and_then(|error| match error {
             contact::HistoryError::Contact(error) => Some(error),
             _ => None,

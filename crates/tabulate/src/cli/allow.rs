@@ -1,8 +1,8 @@
 //! What a person means although it is doubtful.
 
-use ::fit::Magnitude;
 use anyhow::bail;
 use clap::ValueEnum;
+use contact::magnitude::Magnitude;
 
 /// A doubt that is no error where it is allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueHint;
+use contact::magnitude::Magnitude;
 use interp::System;
 
 use super::allow::{self, Allowed};
@@ -82,8 +83,8 @@ impl BodiesArguments {
     /// those of a contact. An error names the file and the body.
     pub fn read_checked(&self) -> anyhow::Result<Bodies> {
         let bodies = self.read()?;
-        let touching = fit::Bodies::Coated(bodies.system.clone());
-        allow::magnitudes(&touching.magnitudes(bodies.work_of_adhesion), &self.allow)?;
+        let found = Magnitude::of_system(&bodies.system, bodies.work_of_adhesion);
+        allow::magnitudes(&found, &self.allow)?;
         Ok(bodies)
     }
 

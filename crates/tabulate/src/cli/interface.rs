@@ -1,9 +1,9 @@
 //! What joins one film to its substrate, as the command line gives it.
 
-use ::fit::data::Dimension;
 use clap::ValueEnum;
 use interp::System;
 use solve::stack::{Interface, Stack};
+use units::Dimension;
 
 use super::quantity;
 use crate::stack::NamedStack;

@@ -16,6 +16,7 @@ mod cost;
 mod curve;
 #[cfg(feature = "figures")]
 mod default_table;
+#[cfg(feature = "figures")]
 mod fit;
 mod friction;
 mod generate;
@@ -37,6 +38,7 @@ mod quantity;
 mod query;
 #[cfg(feature = "figures")]
 mod report;
+#[cfg(feature = "figures")]
 mod simulate;
 #[cfg(feature = "figures")]
 mod sized_probe;
@@ -49,6 +51,7 @@ mod unpack;
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{Parser, Subcommand};
 
 use self::output::Output;
@@ -68,6 +71,9 @@ const MOST_POINTS: i64 = 1_000_000;
 
 /// The name of the program.
 const NAME: &str = "tabulate";
+
+/// The commands that a program without the feature `figures` does not have.
+const OF_FIGURES: [&str; 5] = ["fit", "simulate", "report", "plot", "cost"];
 
 /// Adhesive contact of a sphere (2) on a film (1) bonded to a substrate (0): solve it, tabulate it,
 /// look it up.
@@ -105,7 +111,9 @@ enum Command {
     Curve(curve::Arguments),
     PullOff(pull_off::Arguments),
     History(Box<history::Arguments>),
+    #[cfg(feature = "figures")]
     Fit(Box<fit::Arguments>),
+    #[cfg(feature = "figures")]
     Simulate(Box<simulate::Arguments>),
     Solve(solve::Arguments),
     Query(query::Arguments),
@@ -145,6 +153,14 @@ fn explain(answer: clap::Error) -> anyhow::Result<ExitCode> {
     if answer.use_stderr() {
         // There is nowhere else to say that standard error is closed.
         let _ = answer.print();
+        if let Some(ContextValue::String(name)) = answer.get(ContextKind::InvalidSubcommand)
+            && OF_FIGURES.contains(&name.as_str())
+        {
+            note(&format!(
+                "this program was built without {name}; `cargo xtask cargo install --locked --path \
+                 crates/tabulate` installs the program with all its commands"
+            ));
+        }
         return Ok(ExitCode::from(2));
     }
     let text = if io::stdout().is_terminal() {
@@ -162,7 +178,9 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
         Command::Curve(arguments) => curve::run(&arguments),
         Command::PullOff(arguments) => pull_off::run(&arguments),
         Command::History(arguments) => history::run(&arguments),
+        #[cfg(feature = "figures")]
         Command::Fit(arguments) => fit::run(&arguments),
+        #[cfg(feature = "figures")]
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Query(arguments) => query::run(&arguments),
@@ -191,4 +209,20 @@ fn print(text: &[u8]) -> anyhow::Result<()> {
 /// Writes a line to standard error if that is open: `eprintln` panics where it is closed.
 fn note(text: &str) {
     let _ = writeln!(io::stderr(), "{NAME}: {}", printable::lines(text));
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    use super::*;
+
+    #[test]
+    fn commands_of_figures_are_there_with_that_feature_alone() {
+        let program = Arguments::command();
+        for name in OF_FIGURES {
+            let is_there = program.find_subcommand(name).is_some();
+            assert_eq!(is_there, cfg!(feature = "figures"), "{name}");
+        }
+    }
 }

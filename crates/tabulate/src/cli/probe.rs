@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Dimension, Unit};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueEnum, ValueHint};
 use interp::{Probe, Profile};
+use units::{Dimension, Unit};
 
 use super::quantity::number;
 

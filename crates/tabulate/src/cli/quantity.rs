@@ -1,6 +1,6 @@
 //! Numbers with a unit, as the command line gives them: `30um`, `70GPa`, or `3e-5` in SI units.
 
-use ::fit::data::{Dimension, Quantity};
+use units::{Dimension, Quantity};
 
 /// Reads a length.
 pub fn length(text: &str) -> Result<f64, String> {
@@ -17,11 +17,6 @@ pub fn force_per_length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::ForcePerLength))
 }
 
-/// Reads the sensitivity of a deflection.
-pub fn sensitivity(text: &str) -> Result<f64, String> {
-    read(text, Some(Dimension::LengthPerVoltage))
-}
-
 /// Reads a number without a unit.
 pub fn number(text: &str) -> Result<f64, String> {
     read(text, None)
@@ -35,8 +30,7 @@ pub fn any(text: &str) -> Result<Quantity, String> {
 
 /// Reads a quantity of a dimension, or a plain number.
 pub fn read(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
-    no_flag(text)?;
-    Quantity::read(text, wanted).map_err(|error| error.to_string())
+    any(text)?.of(wanted).map_err(|error| error.to_string())
 }
 
 /// Refuses the next flag in place of a value that is missing.

@@ -3,7 +3,7 @@
 use std::env;
 use std::path::PathBuf;
 
-use ::fit::data::{Dimension, Quantity, Role, roles};
+use ::fit::data::{Role, roles};
 use ::fit::report::{self, UnitOf};
 use ::fit::{
     Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate_experiment,
@@ -12,6 +12,7 @@ use anyhow::{Context, ensure};
 use clap::builder::TypedValueParser;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
+use units::{Dimension, Quantity};
 
 use super::allow;
 use super::fit::experiments::{FreeArguments, KnownArguments, forget_shapes};

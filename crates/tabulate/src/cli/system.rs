@@ -5,7 +5,6 @@
 
 use std::io::{self, Write};
 
-use ::fit::{Fixed, Parameter};
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use interp::{Elastic, System};
@@ -101,38 +100,6 @@ impl Value {
         self.flag().trim_start_matches('-').replace('-', "_")
     }
 
-    /// Returns the question that the value answers.
-    const fn question(self) -> &'static str {
-        match self {
-            Self::SphereRadius => {
-                "what is the radius of the sphere, or of the end of the probe? For example 1mm"
-            }
-            Self::SphereModulus => {
-                "how stiff is the sphere? Its reduced modulus E/(1 - nu^2), for example 2MPa, or inf \
-                 if it is rigid beside the sample"
-            }
-            Self::FilmThickness => "how thick is the film? For example 30um",
-            Self::FilmModulus => {
-                "what is Young's modulus of the film? For example 3.5MPa. Under a rigid sphere \
-                 (--sphere-modulus inf) the fit finds it"
-            }
-            Self::FilmPoissonRatio => {
-                "what is the Poisson ratio of the film? Some 0.5 for elastomers and gels, 0.2 to 0.4 \
-                 for other solids"
-            }
-            Self::SubstrateModulus => {
-                "what is Young's modulus of the substrate? For example 70GPa, or inf if it is rigid \
-                 beside the film"
-            }
-            Self::SubstratePoissonRatio => {
-                "what is the Poisson ratio of the substrate? Some 0.25 for glass and silicon"
-            }
-            Self::WorkOfAdhesion => {
-                "what is the work of adhesion? For example 40mJ/m^2, or 0 without adhesion"
-            }
-        }
-    }
-
     /// Returns the value of Barthel's Tables 1 and 2, as the command line takes it.
     const fn of_paper(self) -> (&'static str, f64) {
         match self {
@@ -171,30 +138,8 @@ impl Value {
         Ok(given)
     }
 
-    /// Returns the value of a fit that this is.
-    pub const fn fixed(self) -> Fixed {
-        match self {
-            Self::SphereRadius => Fixed::SphereRadius,
-            Self::SphereModulus => Fixed::Parameter(Parameter::SphereModulus),
-            Self::FilmThickness => Fixed::Parameter(Parameter::FilmThickness),
-            Self::FilmModulus => Fixed::Parameter(Parameter::FilmModulus),
-            Self::FilmPoissonRatio => Fixed::Parameter(Parameter::FilmPoissonRatio),
-            Self::SubstrateModulus => Fixed::SubstrateModulus,
-            Self::SubstratePoissonRatio => Fixed::SubstratePoissonRatio,
-            Self::WorkOfAdhesion => Fixed::Parameter(Parameter::WorkOfAdhesion),
-        }
-    }
-
-    /// Returns the parameter of a fit that is this value, if there is one.
-    pub const fn parameter(self) -> Option<Parameter> {
-        match self.fixed() {
-            Fixed::Parameter(parameter) => Some(parameter),
-            _ => None,
-        }
-    }
-
     /// Tells whether the value is one of the film or of the substrate.
-    const fn is_of_sample(self) -> bool {
+    pub const fn is_of_sample(self) -> bool {
         matches!(
             self,
             Self::FilmThickness
@@ -275,30 +220,4 @@ pub fn name_example(missing: &[Value]) {
         "# taken from the paper's example (--specimen paper): {}",
         values.join(", ")
     );
-}
-
-/// Lists what is missing, with a question for each. `guessed` tells whether a guess will do, because
-/// the fit only starts from the value.
-pub fn questions(missing: &[Value], guessed: impl Fn(Value) -> bool) -> Vec<String> {
-    let question = |&value: &Value| {
-        let guess = if guessed(value) {
-            ". It is free, and the fit starts from it: a guess will do"
-        } else {
-            ""
-        };
-        format!("{} is missing: {}{guess}", value.flag(), value.question())
-    };
-    let mut lines: Vec<String> = missing.iter().map(question).collect();
-    if missing.iter().any(|value| value.is_of_sample()) {
-        lines
-            .push("without a film give --half-space, for several layers --stack STACK.toml".into());
-    }
-    if !missing.is_empty() {
-        lines.push(
-            "a value that the data are to tell is found by --free; --specimen paper takes all values \
-             that are not given from the paper's example"
-                .into(),
-        );
-    }
-    lines
 }

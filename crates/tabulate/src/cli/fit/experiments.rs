@@ -12,6 +12,7 @@ use interp::HalfSpace;
 use super::indentation::{IndentationArguments, forget_shape, has_no_shape};
 use super::relaxing::{self, RelaxingArguments};
 use super::setting::{Bounds, Given, Known, Values};
+use super::value::{fixed, parameter, questions};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
 use crate::cli::quantity::force_per_length;
@@ -50,7 +51,7 @@ impl KnownArguments {
     fn missing(&self) -> Vec<Value> {
         let mut missing = self.bodies.missing(self.half_space);
         let of = |parameter| self.values.iter().rfind(|set| set.parameter == parameter);
-        missing.retain(|value| value.parameter().and_then(of).is_none());
+        missing.retain(|value| parameter(*value).and_then(of).is_none());
         if self.relaxing.is_given() {
             missing.retain(|value| *value != Value::WorkOfAdhesion);
         }
@@ -88,13 +89,13 @@ impl KnownArguments {
     ) -> anyhow::Result<()> {
         let is_free = |value: Value| {
             let free = |parameter| free.iter().any(|one| one.parameter == parameter);
-            value.parameter().is_some_and(free)
+            parameter(value).is_some_and(free)
         };
         let is_known = |value: &Value| {
             let starts = |parameter| starts_from_data(parameter, experiments, free);
             self.bodies.system.specimen.is_some()
-                || value.parameter().is_some_and(starts)
-                || given.iter().any(|one| one.quantity == value.fixed())
+                || parameter(*value).is_some_and(starts)
+                || given.iter().any(|one| one.quantity == fixed(*value))
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));
@@ -111,7 +112,7 @@ impl KnownArguments {
                 one.measurement.name
             ));
         }
-        lines.extend(system::questions(&missing, is_free));
+        lines.extend(questions(&missing, is_free));
         ensure!(lines.is_empty(), lines.join("\n"));
         Ok(())
     }

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use ::fit::data::{Dimension, Quantity};
 use ::fit::{
     AreaFunction, Bodies, ContactDepth, DirectSolver, Experiment, Free, Indentation, Kind, Layered,
     Measurement, Parameter, Reach,
@@ -11,6 +10,7 @@ use ::fit::{
 use anyhow::{Context, ensure};
 use clap::ValueHint;
 use interp::{Elastic, Probe};
+use units::{Dimension, Quantity};
 
 use super::one_of;
 use crate::cli::quantity::{any, length, modulus, number, read};

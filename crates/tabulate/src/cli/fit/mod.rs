@@ -2,20 +2,17 @@
 //!
 //! `setting` reads settings of parameters, and `experiments` joins them with the measurements.
 //! `fit::report` writes the result as a report, `object` and `table` as JSON and as CSV;
-//! `picture` draws it.
+//! `picture` draws it. `value` asks for a value of the bodies that is missing.
 
 pub mod experiments;
 pub mod indentation;
 pub mod object;
-#[cfg(feature = "figures")]
-mod picture;
-#[cfg(not(feature = "figures"))]
-#[path = "no_picture.rs"]
 mod picture;
 pub mod reading;
 pub mod relaxing;
 pub mod setting;
 pub mod table;
+mod value;
 
 use std::path::{Path, PathBuf};
 
@@ -26,6 +23,7 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
+use units::Dimension;
 
 use self::experiments::{FreeArguments, KnownArguments};
 use self::indentation::{Noise, Range, ReferenceArguments};
@@ -36,7 +34,7 @@ use super::allow::{self, Allowed};
 use super::json;
 use super::output::Output;
 use super::print;
-use super::quantity::{length, number, sensitivity};
+use super::quantity::{length, number, read};
 use super::table_name::{self, TableName};
 use crate::printable;
 
@@ -213,6 +211,11 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
         let chosen = choices.iter().find(|(name, _)| *name == given);
         chosen.expect("clap accepts these names only").1
     })
+}
+
+/// Reads the sensitivity of a deflection.
+fn sensitivity(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::LengthPerVoltage))
 }
 
 impl Arguments {

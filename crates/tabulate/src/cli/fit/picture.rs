@@ -1,4 +1,4 @@
-//! The picture of a fit, where the program draws figures.
+//! The picture of a fit.
 
 use std::path::{Path, PathBuf};
 

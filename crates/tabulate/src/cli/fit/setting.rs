@@ -2,9 +2,9 @@
 
 use std::str::FromStr;
 
-use ::fit::data::Dimension;
 use ::fit::report::UnitOf;
 use ::fit::{Fixed, Parameter};
+use units::Dimension;
 
 use crate::cli::quantity::read;
 

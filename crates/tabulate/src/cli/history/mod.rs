@@ -61,7 +61,7 @@ pub struct Arguments {
     relaxation: RelaxationArguments,
     /// What is imposed: `penetration`, `load` or `height` and points time:value, joined by straight
     /// lines, for example "penetration 0:0 1:1um 2:0"; or a CSV file with the columns time and one of
-    /// these. Times are in seconds. The height is the distance by which the base of the cantilever has
+    /// these. Times are in seconds, or have a unit. The height is the distance by which the base of the cantilever has
     /// moved towards the sample since the first touch: penetration + load/stiffness
     #[arg(short, long, value_name = "TEXT|FILE")]
     program: String,
@@ -73,7 +73,7 @@ pub struct Arguments {
     points: u32,
     /// Times to print, s, separated by commas. The last value of the program is held as long as a time
     /// is asked for
-    #[arg(long, value_name = "S,...", value_delimiter = ',', conflicts_with = "points", value_parser = quantity::number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S,...", value_delimiter = ',', conflicts_with = "points", value_parser = quantity::time, allow_hyphen_values = true)]
     at: Vec<f64>,
     /// Work of adhesion of a receding line, J/m^2. The line advances without adhesion
     #[arg(long, value_name = "J/M2", value_parser = force_per_length, allow_hyphen_values = true)]

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail, ensure};
+use units::Dimension;
 
-use super::super::quantity::{number, read};
+use super::super::quantity::{read, time};
 use crate::input;
 use crate::printable;
-use ::fit::data::Dimension;
 
 /// The largest number of bytes of a file.
 const LONGEST: u64 = 1 << 28;
@@ -71,16 +71,16 @@ impl Program {
             )
         })?;
         let point = |word: &str| {
-            let (time, value) = word.split_once(':').ok_or_else(|| {
+            let (at, value) = word.split_once(':').ok_or_else(|| {
                 anyhow!("--program: {word:?} is no point: write time:value, for example 1:1um")
             })?;
-            let time = number(time).map_err(|error| {
+            let at = time(at).map_err(|error| {
                 anyhow!("--program: the time of {word:?}: {error}; times are in seconds")
             })?;
             let value = read(value, Some(imposed.dimension())).map_err(|error| {
                 anyhow!("--program: the {} of {word:?}: {error}", imposed.word())
             })?;
-            anyhow::Ok((time, value))
+            anyhow::Ok((at, value))
         };
         let points = words.map(point).collect::<anyhow::Result<_>>()?;
         Ok(Self { imposed, points })

@@ -4,7 +4,7 @@ use anyhow::{Context, bail, ensure};
 use clap::ValueEnum;
 use contact::Relaxation;
 
-use super::super::quantity::number;
+use super::super::quantity::{number, time};
 
 /// The flags of a relaxation function.
 #[derive(clap::Args, Clone)]
@@ -17,13 +17,13 @@ pub struct RelaxationArguments {
     #[arg(short = 'n', long, value_parser = number, allow_hyphen_values = true)]
     relaxation_exponent: Option<f64>,
     /// Time at which the modulus of a power law is that of the film, s [default: 1]
-    #[arg(long, value_name = "S", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = time, allow_hyphen_values = true)]
     reference_time: Option<f64>,
     /// Part of the modulus that is left in the end, from 0 to 1
     #[arg(long, value_parser = number, allow_hyphen_values = true)]
     relaxed_fraction: Option<f64>,
     /// Relaxation times, s, separated by commas
-    #[arg(long, value_name = "S,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S,...", value_delimiter = ',', value_parser = time, allow_hyphen_values = true)]
     relaxation_time: Vec<f64>,
     /// Weights of the relaxation times; with the relaxed fraction they sum to 1 [default for one
     /// time: 1 less the relaxed fraction]

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::unit::{Dimension, Unit, power_of_ten};
+use crate::unit::{Dimension, Unit, power_of_ten};
 
 /// The longest text that is read as a number, in bytes.
 const LONGEST: usize = 400;
@@ -127,7 +127,7 @@ impl Quantity {
     /// [`QuantityError`] naming the text, and the dimension wanted.
     ///
     /// ```
-    /// use fit::data::{Dimension, Quantity};
+    /// use units::{Dimension, Quantity};
     ///
     /// assert_eq!(Quantity::read("30um", Some(Dimension::Length)), Ok(3e-5));
     /// assert_eq!(Quantity::read("3e-5", Some(Dimension::Length)), Ok(3e-5));

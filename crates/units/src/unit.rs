@@ -176,7 +176,7 @@ fn time(text: &str) -> Option<f64> {
 }
 
 /// Returns the dimension of a unit, and the power of ten that it is in the SI unit.
-pub(super) fn power_of_ten(text: &str) -> Option<(Dimension, i32)> {
+pub(crate) fn power_of_ten(text: &str) -> Option<(Dimension, i32)> {
     let text = text.trim();
     let word = text.to_lowercase();
     let word = word.strip_suffix('s').unwrap_or(&word);

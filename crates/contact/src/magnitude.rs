@@ -1,0 +1,125 @@
+//! Whether numbers have the magnitudes of a contact experiment.
+//!
+//! A wrong unit is wrong by a factor of a thousand or more. These checks name what no experiment has,
+//! and the likely mistake. They are wide: what may be, if seldom, is not named.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use interp::System;
+
+/// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
+const MODULI: [f64; 2] = [1.0, 2e12];
+/// The lengths of the bodies of a contact, m: from an atom to the largest lens.
+pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
+/// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.
+pub const LARGEST_WORK: f64 = 20.0;
+
+/// A number that a contact experiment does not have, or hardly has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Magnitude {
+    /// What it is, in words.
+    pub what: Cow<'static, str>,
+    /// The number, in SI units.
+    pub value: f64,
+    /// The SI unit.
+    pub unit: &'static str,
+    /// What is wrong with it, and the likely mistake.
+    pub reason: Cow<'static, str>,
+}
+
+impl fmt::Display for Magnitude {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            what,
+            value,
+            unit,
+            reason,
+        } = self;
+        write!(f, "{what} = {} {unit} {reason}", short(*value))
+    }
+}
+
+impl Magnitude {
+    /// Names what no contact has of the radius, the thickness and the moduli of a system, and of the
+    /// work of adhesion (J/m^2) between its bodies.
+    pub fn of_system(system: &System, work_of_adhesion: f64) -> Vec<Self> {
+        let radius = system.probe.radius();
+        [
+            radius.and_then(|radius| Self::length("the radius of the sphere", radius)),
+            Self::length("the film thickness", system.film_thickness),
+            Self::modulus("the sphere's modulus", system.sphere_modulus),
+            Self::modulus("the film's modulus", system.film.young()),
+            Self::modulus("the substrate's modulus", system.substrate.young()),
+            Self::work_of_adhesion("the work of adhesion", work_of_adhesion),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    /// Checks a length of a body, m.
+    pub fn length(what: impl Into<Cow<'static, str>>, value: f64) -> Option<Self> {
+        let [least, most] = LENGTHS;
+        let reason = if value > most {
+            let value = short(value);
+            format!("is above {most} m: {value} mm, {value} um or {value} nm was probably meant")
+        } else if value < least && value > 0.0 {
+            format!("is below {least:?} m, the size of an atom: check its unit")
+        } else {
+            return None;
+        };
+        Some(Self {
+            what: what.into(),
+            value,
+            unit: "m",
+            reason: reason.into(),
+        })
+    }
+
+    /// Checks a modulus, Pa. An infinite one is that of a rigid body.
+    pub fn modulus(what: impl Into<Cow<'static, str>>, value: f64) -> Option<Self> {
+        let [least, most] = MODULI;
+        let side = if value > most && value.is_finite() {
+            "above"
+        } else if value < least && value > 0.0 {
+            "below"
+        } else {
+            return None;
+        };
+        Some(Self {
+            what: what.into(),
+            value,
+            unit: "Pa",
+            reason: format!(
+                "is {side} the moduli of all solids, {least} Pa to {} GPa: check the units",
+                most / 1e9
+            )
+            .into(),
+        })
+    }
+
+    /// Checks a work of adhesion, J/m^2.
+    pub fn work_of_adhesion(what: impl Into<Cow<'static, str>>, value: f64) -> Option<Self> {
+        (value > LARGEST_WORK).then(|| Self {
+            what: what.into(),
+            value,
+            unit: "J/m^2",
+            reason: format!(
+                "is above {LARGEST_WORK} J/m^2, more than any two solids have: mN were probably taken \
+                 for N, or mJ/m^2 for J/m^2"
+            )
+            .into(),
+        })
+    }
+}
+
+/// Writes a number with at most six digits.
+fn short(value: f64) -> String {
+    let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if (1e-3..1e5).contains(&value.abs()) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}

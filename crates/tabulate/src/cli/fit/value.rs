@@ -1,0 +1,85 @@
+//! The values of the bodies as a fit takes them, and what it asks where one is missing.
+
+use ::fit::{Fixed, Parameter};
+
+use crate::cli::system::Value;
+
+/// Returns the value of a fit that one of the bodies is.
+pub const fn fixed(value: Value) -> Fixed {
+    match value {
+        Value::SphereRadius => Fixed::SphereRadius,
+        Value::SphereModulus => Fixed::Parameter(Parameter::SphereModulus),
+        Value::FilmThickness => Fixed::Parameter(Parameter::FilmThickness),
+        Value::FilmModulus => Fixed::Parameter(Parameter::FilmModulus),
+        Value::FilmPoissonRatio => Fixed::Parameter(Parameter::FilmPoissonRatio),
+        Value::SubstrateModulus => Fixed::SubstrateModulus,
+        Value::SubstratePoissonRatio => Fixed::SubstratePoissonRatio,
+        Value::WorkOfAdhesion => Fixed::Parameter(Parameter::WorkOfAdhesion),
+    }
+}
+
+/// Returns the parameter of a fit that a value is, if there is one.
+pub const fn parameter(value: Value) -> Option<Parameter> {
+    match fixed(value) {
+        Fixed::Parameter(parameter) => Some(parameter),
+        _ => None,
+    }
+}
+
+/// Returns the question that the value answers.
+const fn question(value: Value) -> &'static str {
+    match value {
+        Value::SphereRadius => {
+            "what is the radius of the sphere, or of the end of the probe? For example 1mm"
+        }
+        Value::SphereModulus => {
+            "how stiff is the sphere? Its reduced modulus E/(1 - nu^2), for example 2MPa, or inf \
+             if it is rigid beside the sample"
+        }
+        Value::FilmThickness => "how thick is the film? For example 30um",
+        Value::FilmModulus => {
+            "what is Young's modulus of the film? For example 3.5MPa. Under a rigid sphere \
+             (--sphere-modulus inf) the fit finds it"
+        }
+        Value::FilmPoissonRatio => {
+            "what is the Poisson ratio of the film? Some 0.5 for elastomers and gels, 0.2 to 0.4 \
+             for other solids"
+        }
+        Value::SubstrateModulus => {
+            "what is Young's modulus of the substrate? For example 70GPa, or inf if it is rigid \
+             beside the film"
+        }
+        Value::SubstratePoissonRatio => {
+            "what is the Poisson ratio of the substrate? Some 0.25 for glass and silicon"
+        }
+        Value::WorkOfAdhesion => {
+            "what is the work of adhesion? For example 40mJ/m^2, or 0 without adhesion"
+        }
+    }
+}
+
+/// Lists what is missing, with a question for each. `guessed` tells whether a guess will do, because
+/// the fit only starts from the value.
+pub fn questions(missing: &[Value], guessed: impl Fn(Value) -> bool) -> Vec<String> {
+    let question = |&value: &Value| {
+        let guess = if guessed(value) {
+            ". It is free, and the fit starts from it: a guess will do"
+        } else {
+            ""
+        };
+        format!("{} is missing: {}{guess}", value.flag(), question(value))
+    };
+    let mut lines: Vec<String> = missing.iter().map(question).collect();
+    if missing.iter().any(|value| value.is_of_sample()) {
+        lines
+            .push("without a film give --half-space, for several layers --stack STACK.toml".into());
+    }
+    if !missing.is_empty() {
+        lines.push(
+            "a value that the data are to tell is found by --free; --specimen paper takes all values \
+             that are not given from the paper's example"
+                .into(),
+        );
+    }
+    lines
+}
