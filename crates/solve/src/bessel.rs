@@ -16,6 +16,8 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use interp::once::Lazy;
 
+use crate::sine::sine_and_versine;
+
 /// The number of arguments handled at once. The recurrences of a group are independent and fill the
 /// processor's vector registers.
 pub const LANES: usize = 8;
@@ -62,9 +64,11 @@ impl EvenBessel {
     fn fill_with<S: Simd>(&self, simd: S, z: &Group, values: &mut [f64], stride: usize, at: usize) {
         let splat = |value: f64| f64x8::splat(simd, value);
         let one = splat(1.0);
-        let mut store = |n: usize, group: f64x8<S>, factor: f64x8<S>| {
-            let column = &mut values[n * stride + at..][..LANES];
-            (factor * self.scale[n] * group).store_slice(column);
+        let mut columns = Columns {
+            values,
+            stride,
+            at,
+            scale: &self.scale,
         };
         let arguments = f64x8::simd_from(simd, *z);
         let square = arguments * arguments;
@@ -72,7 +76,7 @@ impl EvenBessel {
             // J_n = (-1)^n sqrt(4n+1) z^2n/(4n+1)!!, where 1/z^2 might overflow.
             let mut power = one;
             for n in 0..self.modes {
-                store(n, power, one);
+                columns.store(n, power, one);
                 power *= square / ((4 * n + 3) * (4 * n + 5)) as f64;
             }
             return;
@@ -83,14 +87,15 @@ impl EvenBessel {
         if z[0] >= 2.0 * self.modes as f64 {
             let (mut sines, mut cosines) = (arguments, arguments);
             for l in 0..LANES {
-                (sines[l], cosines[l]) = z[l].sin_cos();
+                let [sine, versine] = sine_and_versine(z[l]);
+                (sines[l], cosines[l]) = (sine, 1.0 - versine);
             }
             let j0 = sines / arguments;
             let j2 = (inverse_square * 3.0 - 1.0) * j0 - cosines * 3.0 * inverse_square;
-            store(0, j0, one);
+            columns.store(0, j0, one);
             let (mut before, mut now) = (j0, j2);
             for (n, step) in steps.iter().enumerate().take(self.modes).skip(1) {
-                store(n, now, one);
+                columns.store(n, now, one);
                 let Step { alpha, gamma, .. } = *step;
                 let next = (inverse_square * alpha - (1.0 + gamma)) * now - before * gamma;
                 (before, now) = (now, next);
@@ -118,8 +123,26 @@ impl EvenBessel {
         }
         let factor = one / (sums + now);
         for (n, order) in orders[..self.modes].iter().enumerate() {
-            store(n, *order, factor);
+            columns.store(n, *order, factor);
         }
+    }
+}
+
+/// Where the values of a group of arguments belong.
+struct Columns<'a> {
+    values: &'a mut [f64],
+    stride: usize,
+    at: usize,
+    scale: &'a [f64],
+}
+
+impl Columns<'_> {
+    /// Stores `J_n`, which is `(-1)^n sqrt(4n+1)` times `factor` times `group`.
+    // A closure would be compiled without the vector instructions of its function.
+    #[inline(always)]
+    fn store<S: Simd>(&mut self, n: usize, group: f64x8<S>, factor: f64x8<S>) {
+        let column = &mut self.values[n * self.stride + self.at..][..LANES];
+        (factor * self.scale[n] * group).store_slice(column);
     }
 }
 

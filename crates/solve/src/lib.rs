@@ -4,7 +4,7 @@
 //! one layer, `joint`, its lower interface, `minors`, `exponential`, `excess`, a bound, and `sampled`, its
 //! interpolation); `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
-//! `quadrature`, `bessel`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
+//! `quadrature`, `bessel`, `sine`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
 //! (with `path`, `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
 //! `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
@@ -61,6 +61,7 @@ mod power_law;
 mod quadrature;
 mod read_out;
 mod sampled;
+mod sine;
 mod slab;
 mod slope;
 mod solution;

@@ -17,8 +17,9 @@ use std::f64::consts::FRAC_PI_2;
 use interp::once::{Lazy, Once};
 
 use crate::bessel::LANES;
-use crate::cohesive::waves::{self, sine_and_versine};
+use crate::cohesive::waves;
 use crate::quadrature::{GaussLegendre, legendre};
+use crate::sine::sine_and_versine;
 
 /// The `c/a` from which on an annulus is wide.
 pub const WIDE: f64 = 1.3;
