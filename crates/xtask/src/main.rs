@@ -67,7 +67,7 @@ fn main() -> ExitCode {
         Some("figures") if rest == ["--check"] => figures::check(),
         Some("test") => test(&rest),
         Some("wheel") if rest.is_empty() => wheel::build(),
-        Some("wheel") if rest == ["--test"] => wheel::test(),
+        Some("wheel") if rest == ["--test"] => python_tests::of_wheel(),
         Some("dist") if rest.is_empty() => dist::dist(),
         Some("dist") if rest == ["--check"] => dist::check(),
         Some("site") if rest.is_empty() => site::site(),

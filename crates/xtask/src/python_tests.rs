@@ -28,9 +28,14 @@ pub fn in_place() -> Result<(), String> {
     }
     if !cfg!(target_os = "linux") {
         // Modules are linked in another way there, which maturin knows.
-        return wheel::test();
+        return of_wheel();
     }
     run(&venv::interpreter()?, Some(&package()?))
+}
+
+/// Builds the wheel, and tests the package that it installs.
+pub fn of_wheel() -> Result<(), String> {
+    run(&wheel::installed()?, None)
 }
 
 /// Puts the package together as it stands in the workspace, with the module that is compiled for the
@@ -57,7 +62,7 @@ pub fn package() -> Result<PathBuf, String> {
 }
 
 /// Runs tests and checks with an interpreter, on the package that it has or that of a folder.
-pub fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
+fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
     let source = |[name, version, variable]: [&'static str; 3]| match python::source(name, version)
     {
         Ok(folder) => Some((variable, folder)),
