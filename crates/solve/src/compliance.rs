@@ -29,18 +29,18 @@
 //! The contact's symbol adds the sphere: `S = sphere + film X` with two constants `sphere >= 0` and
 //! `film > 0`. Where its zeros lie follows from `N` and `D` and is therefore found here.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 use fearless_simd::prelude::*;
 use interp::Material;
-use num_complex::ComplexFloat;
+use num_complex::{Complex64, ComplexFloat};
 
 use crate::exponential::exponential;
 use crate::surface::{
     AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,
 };
 
-/// A real or complex wave number: `f64` or [`Complex64`](num_complex::Complex64).
+/// A real or complex wave number: `f64` or [`Complex64`].
 pub trait WaveNumber:
     ComplexFloat<Real = f64> + Add<f64, Output = Self> + Mul<f64, Output = Self>
 {
@@ -97,10 +97,7 @@ impl Compliance {
             let [n, d] = self.fraction(q);
             n / d
         } else {
-            let (sum, product) = (self.a + self.b, self.a * self.b);
-            let e = (q * -2.0).exp();
-            let numerator = ((q * q + q) * (4.0 * self.b) + sum) * e + e * e * (-2.0 * product);
-            let denominator = (q * q * (4.0 * self.b) + sum) * e * -1.0 + e * e * product + 1.0;
+            let [[numerator, denominator], _] = self.exponential_fraction(q, (q * -2.0).exp());
             numerator / denominator + 1.0
         }
     }
@@ -124,20 +121,53 @@ impl Compliance {
     /// `e^{-2q}`.
     #[inline(always)]
     fn exponential_samples<S: Simd>(&self, q: S::f64s, e: S::f64s) -> [S::f64s; 2] {
-        let (sum, product, b) = (self.a + self.b, self.a * self.b, self.b);
-        let (square, e_square) = (q * q, e * e);
-        let of_numerator = (square + q) * (4.0 * b) + sum;
-        let of_denominator = square * (4.0 * b) + sum;
-        let numerator = of_numerator * e - e_square * (2.0 * product);
-        let denominator = e_square * product - of_denominator * e + 1.0;
-        let numerator_prime =
-            (q * (8.0 * b) + 4.0 * b - of_numerator * 2.0) * e + e_square * (8.0 * product);
-        let denominator_prime =
-            (of_denominator * 2.0 - q * (8.0 * b)) * e - e_square * (4.0 * product);
+        let [
+            [numerator, denominator],
+            [numerator_prime, denominator_prime],
+        ] = self.exponential_fraction(q, e);
         let excess = numerator / denominator;
         [
             excess,
             q * (numerator_prime - excess * denominator_prime) / denominator,
+        ]
+    }
+
+    /// Returns the numerator and the denominator of `X`, and their slopes at a zero of their sum
+    /// with any weights. Beyond the switch of the two forms all have another factor.
+    pub(crate) fn fraction_and_slopes(&self, q: Complex64) -> [[Complex64; 2]; 2] {
+        if q.norm() <= SWITCH {
+            [self.fraction(q), self.slopes(q)]
+        } else {
+            self.exponential_fraction(q, (q * -2.0).exp())
+                .map(|[numerator, denominator]| [numerator + denominator, denominator])
+        }
+    }
+
+    /// Returns the numerator and the denominator of `X - 1` by exponential functions, for
+    /// `|q| > 1`, and their slopes. `e` is `e^{-2q}`.
+    #[inline(always)]
+    fn exponential_fraction<T>(&self, q: T, e: T) -> [[T; 2]; 2]
+    where
+        T: Copy
+            + Add<Output = T>
+            + Sub<Output = T>
+            + Mul<Output = T>
+            + Add<f64, Output = T>
+            + Mul<f64, Output = T>,
+    {
+        let (sum, product, b) = (self.a + self.b, self.a * self.b, self.b);
+        let (square, e_square) = (q * q, e * e);
+        let of_numerator = (square + q) * (4.0 * b) + sum;
+        let of_denominator = square * (4.0 * b) + sum;
+        [
+            [
+                of_numerator * e - e_square * (2.0 * product),
+                e_square * product - of_denominator * e + 1.0,
+            ],
+            [
+                (q * (8.0 * b) + 4.0 * b - of_numerator * 2.0) * e + e_square * (8.0 * product),
+                (of_denominator * 2.0 - q * (8.0 * b)) * e - e_square * (4.0 * product),
+            ],
         ]
     }
 
@@ -355,6 +385,7 @@ mod tests {
 
     use super::*;
     use crate::surface::tests::assert_that_the_cut_off_bounds_the_rest;
+    use crate::zero::{REACH, nearest_zero};
 
     /// Returns how often a function winds around 0 along the boundary of the sector
     /// `arg q <= angle`, `inner <= |q| <= outer`.
@@ -462,6 +493,61 @@ mod tests {
         println!("{free} symbols of 1000 have discs without a zero");
         // Measured: 999.
         assert!(free > 500);
+    }
+
+    /// The node of a zero on the imaginary axis relies on this: within [`REACH`] there is one zero at
+    /// most, and it is the one that is found. Zeros next to the axis are not sought.
+    #[test]
+    fn there_is_one_zero_within_reach_at_most() {
+        let mut random = Pcg64Mcg::seed_from_u64(4);
+        let (mut with_zero, mut found) = (0, 0);
+        for _ in 0..1000 {
+            let sum = Sum::random(&mut random);
+            let Sum {
+                compliance,
+                sphere,
+                film,
+            } = sum;
+            let scale = compliance.smallest_scale_of_sum(sphere, film);
+            if scale == 0.0 {
+                // `S(0) = 0` between rigid bodies, which the method avoids.
+                continue;
+            }
+            let numerator = |q: Complex64| {
+                let [[n, d], _] = compliance.fraction_and_slopes(q);
+                let factor = if q.norm() > SWITCH {
+                    q * 2.0
+                } else {
+                    0.0.into()
+                };
+                (n * film + d * sphere) * factor.exp()
+            };
+            let turns = winding(numerator, FRAC_PI_2, 1e-3 * scale.max(1e-20), REACH);
+            assert!(turns < 1.0 + 1e-6, "{turns} turns: {sum:?}");
+            with_zero += usize::from(turns > 0.5);
+            let free = compliance.zero_free_radius(sphere, film);
+            if let Some(zero) = nearest_zero(&compliance, sphere, film, free) {
+                found += 1;
+                assert!(
+                    (turns - 1.0).abs() < 1e-6,
+                    "{turns} turns, {zero:?}: {sum:?}"
+                );
+                // The slope is that of the numerator over the denominator.
+                let sum = |q: Complex64| {
+                    let [[n, d], _] = compliance.fraction_and_slopes(q);
+                    n * film + d * sphere
+                };
+                let step = 1e-5 * zero.at;
+                let [[_, d], _] = compliance.fraction_and_slopes(zero.at);
+                let slope = (sum(zero.at + step) - sum(zero.at - step)) / (2.0 * step * d);
+                assert!(
+                    (slope / zero.slope - 1.0).norm() < 1e-7,
+                    "{zero:?}, {slope}: {compliance:?}"
+                );
+            }
+        }
+        println!("{found} zeros found of {with_zero}");
+        assert!(found > 300);
     }
 
     /// Beyond the cut-off, `X - 1` and `q X'` are below the tolerance for all films. Measured: at

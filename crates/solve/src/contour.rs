@@ -49,6 +49,8 @@ pub struct Contour {
     pub own: Vec<Complex64>,
     /// The abscissae and steps of the whole integral of `ln S`.
     logarithm: Logarithm,
+    /// The knee.
+    knee: f64,
     /// The line for profiles that are not even powers of the radius, made when it is needed.
     turned_line: Once<TurnedLine>,
 }
@@ -118,8 +120,7 @@ impl Contour {
     /// Divides `path` for an error of `e^{-digits}`.
     fn new(path: Path, digits: f64, knee: f64) -> Self {
         let direction = path.direction();
-        let decayed = 0.5 * digits / direction.im;
-        let (radii, steps) = path.rule().nodes(digits, knee, decayed);
+        let (radii, steps) = path.rule().nodes(digits, knee, path.end(digits));
         let nodes: Vec<Complex64> = radii.iter().map(|radius| direction * radius).collect();
         let weight = |(zeta, step): (&Complex64, &f64)| {
             (2.0 * Complex64::I * zeta).exp() * direction * step / (2.0 * PI * Complex64::I)
@@ -162,6 +163,7 @@ impl Contour {
             factor: Matrix::from_columns(unknowns + READOUTS, &factor),
             own,
             logarithm,
+            knee,
             turned_line: Once::new(),
         }
     }
@@ -169,6 +171,24 @@ impl Contour {
     /// Returns the abscissae `t` at which `ln S` is needed, ascending.
     pub fn abscissae(&self) -> &[f64] {
         &self.logarithm.abscissae[..self.logarithm.kept]
+    }
+
+    /// Returns `ln S_+` at a point `q` that is further from the real axis than the strip of the rule
+    /// for `ln S`.
+    pub fn log_factor(&self, logs: &[f64], q: Complex64) -> Complex64 {
+        let shares = logs.iter().enumerate();
+        shares
+            .map(|(i, log)| log * self.logarithm.share(q, i))
+            .sum()
+    }
+
+    /// Returns the share of the residue of a pole at `zeta` that the sum over the nodes leaves out
+    /// ([`share_of_pole`](crate::path::Rule::share_of_pole)).
+    pub fn share_of_pole(&self, zeta: Complex64) -> Complex64 {
+        let (digits, path) = (self.logarithm.digits, self.path);
+        let radius = zeta / path.direction();
+        path.rule()
+            .share_of_pole(digits, self.knee, path.end(digits), radius)
     }
 
     /// Returns the line on which `S Y` is needed for profiles that are not even powers of the

@@ -119,8 +119,8 @@ pub fn shared_abscissae<'a, C: SurfaceCompliance + 'a>(
 /// Estimates the time for one contact roughly, in microseconds, to choose between methods: a fit to
 /// the bench `accuracy`.
 pub fn cost(x: f64, tolerance: f64) -> f64 {
-    let digits = tolerance.ln() * x;
-    10.0 + 1e-4 * digits * digits
+    let digits = -tolerance.ln() * x;
+    5.0 + 0.035 * digits + 2.5e-5 * digits * digits
 }
 
 /// The smallest tolerance of truncation and quadrature that is of use: below it, rounding is the

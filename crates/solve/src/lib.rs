@@ -5,7 +5,7 @@
 //! interpolation); `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
 //! `quadrature`, `bessel`, `sine`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
-//! (with `path`, `contour`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
+//! (with `path`, `contour`, `zero`, `zero_node`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
 //! `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
 //! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
@@ -30,6 +30,7 @@
 //! | `x(q)` | the value `X(q)`, real or complex |
 //! | `smallest_scale_of_sum(sphere, film)` | the smallest scale of `S = sphere + film X` |
 //! | `zero_free_radius(sphere, film)` | the disc in which `S` has no zero, for the imaginary axis |
+//! | `fraction_and_slopes(q)` | numerator and denominator, for the zero of `S` nearest to 0 |
 //! | `SINE_OF_FREE_ANGLE` | the sector in which `S` has neither zeros nor poles, for the ray and the panels |
 
 #![forbid(unsafe_code)]
@@ -72,6 +73,8 @@ mod surface;
 mod symbol;
 mod turned_line;
 mod wiener_hopf;
+mod zero;
+mod zero_node;
 
 pub use adaptive_curve::{CURVE_TOLERANCE, curve};
 pub use batch::Batch;

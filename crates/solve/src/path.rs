@@ -57,6 +57,11 @@ impl Path {
         }
     }
 
+    /// Returns the radius where the kernel has fallen to `e^{-digits}`.
+    pub fn end(self, digits: f64) -> f64 {
+        0.5 * digits / self.direction().im
+    }
+
     /// Returns the rule for the nodes.
     ///
     /// Beyond the strip, `e^{2 i zeta}` grows towards the real axis and `S` has zeros towards the
@@ -135,9 +140,32 @@ impl Logarithm {
 }
 
 impl Rule {
+    /// Returns by how much the sum over the [nodes](Self::nodes) counts too little of the residue
+    /// of a pole at `radius` right of the imaginary axis, where the line is this axis and the pole
+    /// is below it: all of it but what the rule has of it by its finite step.
+    ///
+    /// With the nodes at `u_0 - j h` and the pole at `u` the share is `1/(1 - e^{-2 pi i (u - u_0)/h})`.
+    pub fn share_of_pole(&self, digits: f64, knee: f64, end: f64, radius: Complex64) -> Complex64 {
+        const STEPS: usize = 5;
+        let log = (radius / knee).ln();
+        let mut u = log;
+        for _ in 0..STEPS {
+            let bend = (1.0 + (-u).exp()).ln();
+            u -= (u - self.thinning * bend * bend - log)
+                / (1.0 + 2.0 * self.thinning * bend / (1.0 + u.exp()));
+        }
+        let turns = (u - (end / knee).ln()) / self.step(digits);
+        1.0 / (1.0 - (-2.0 * PI * Complex64::I * turns).exp())
+    }
+
+    /// Returns the step in `u` for an error of `e^{-digits}`.
+    fn step(&self, digits: f64) -> f64 {
+        2.0 * PI * self.strip / digits
+    }
+
     /// Returns the nodes, descending from `end`, and the length that each one represents.
     pub fn nodes(&self, digits: f64, knee: f64, end: f64) -> (Vec<f64>, Vec<f64>) {
-        let h = 2.0 * PI * self.strip / digits;
+        let h = self.step(digits);
         let mut nodes = (Vec::new(), Vec::new());
         let mut u = (end / knee).ln();
         loop {

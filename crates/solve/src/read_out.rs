@@ -9,6 +9,8 @@ use crate::moment::Moment;
 use crate::power_law::PowerLaw;
 use crate::symbol::Symbol;
 use crate::turned_line::LineFields;
+use crate::wiener_hopf::Strengths;
+use crate::zero_node::ZeroNode;
 
 /// The solution of the equation of the edges for one contact.
 pub struct Fields<'a> {
@@ -23,7 +25,9 @@ pub struct Fields<'a> {
     /// The phases of `S_+` at the readouts, without [`Contour::own`].
     pub phases: &'a [f64],
     /// The strengths of the nodes, for the even and for the odd fields.
-    pub strengths: &'a [Vec<f64>; 2],
+    pub strengths: &'a [Strengths; 2],
+    /// The node of a zero of `S`.
+    pub zero: Option<&'a ZeroNode>,
 }
 
 /// A sum and the size of its terms. The rounding error is proportional to the size.
@@ -147,10 +151,16 @@ impl Fields<'_> {
         let contour = self.contour;
         let mut v = [[Complex64::ONE; 2]; READOUTS];
         let [even, odd] = self.strengths;
-        for ((even, odd), row) in even.iter().zip(odd).zip(&contour.readout) {
+        for ((even, odd), row) in even.nodes.iter().zip(&odd.nodes).zip(&contour.readout) {
             for (v, influence) in v.iter_mut().zip(row) {
                 v[0] += influence * even;
                 v[1] -= influence * odd;
+            }
+        }
+        if let Some(zero) = self.zero {
+            for (v, &z) in v.iter_mut().zip(&contour.readouts.z) {
+                v[0] += zero.influence(even.zero, Complex64::from(z));
+                v[1] -= zero.influence(odd.zero, Complex64::from(z));
             }
         }
         std::array::from_fn(|m| {
@@ -176,7 +186,7 @@ impl Fields<'_> {
     /// Returns the fields on the contour's turned line.
     fn on_turned_line(&self) -> LineFields {
         let line = self.contour.turned_line();
-        line.fields(self.x, self.symbol, self.logs, self.strengths)
+        line.fields(self.x, self.symbol, self.logs, self.strengths, self.zero)
     }
 }
 

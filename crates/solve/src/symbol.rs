@@ -14,6 +14,7 @@ use interp::Material;
 
 use crate::compliance::{Compliance, WaveNumber};
 use crate::surface::SurfaceCompliance;
+use crate::zero::{Zero, nearest_zero};
 
 /// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
 /// [`SurfaceCompliance`] `C`.
@@ -101,5 +102,11 @@ impl Symbol {
     /// 0 if the radius would be tiny.
     pub fn zero_free_radius(&self) -> f64 {
         self.compliance.zero_free_radius(self.sphere, self.film)
+    }
+
+    /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if
+    /// there is one clear of the imaginary axis. None is within `free` of 0.
+    pub fn nearest_zero(&self, free: f64) -> Option<Zero> {
+        nearest_zero(&self.compliance, self.sphere, self.film, free)
     }
 }

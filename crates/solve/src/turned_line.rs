@@ -19,6 +19,8 @@ use crate::matrix::Matrix;
 use crate::path::{Logarithm, Path, RAY, influence};
 use crate::quadrature::GaussLegendre;
 use crate::symbol::Symbol;
+use crate::wiener_hopf::Strengths;
+use crate::zero_node::ZeroNode;
 
 /// The place at which the line leaves the real axis. The polynomial through the readouts serves up
 /// to there: its coefficients would cancel further out, and the integrands vary faster closer to 0.
@@ -93,13 +95,14 @@ impl TurnedLine {
     }
 
     /// Returns the fields from `ln S` at the abscissae of the contour, and from the strengths of its
-    /// nodes for the even and for the odd fields.
+    /// nodes and of the node of a `zero` for the even and for the odd fields.
     pub fn fields(
         &self,
         x: f64,
         symbol: &Symbol,
         logs: &[f64],
-        strengths: &[Vec<f64>; 2],
+        strengths: &[Strengths; 2],
+        zero: Option<&ZeroNode>,
     ) -> LineFields {
         let n = self.nodes.len();
         let mut log_factors = vec![0.0; 2 * n];
@@ -114,8 +117,14 @@ impl TurnedLine {
             .collect();
         let [even, odd] = [(&strengths[0], 1.0), (&strengths[1], -1.0)].map(|(strengths, sign)| {
             let mut v = vec![0.0; 2 * n];
-            self.readout.multiply(strengths, &mut v);
-            let field = |j: usize| waves[j] * (1.0 + sign * Complex64::new(v[j], v[n + j]));
+            self.readout.multiply(&strengths.nodes, &mut v);
+            let of_zero = |j: usize| {
+                zero.map_or(Complex64::ZERO, |zero| {
+                    zero.influence(strengths.zero, self.nodes[j])
+                })
+            };
+            let value = |j: usize| Complex64::new(v[j], v[n + j]) + of_zero(j);
+            let field = |j: usize| waves[j] * (1.0 + sign * value(j));
             (0..n).map(field).collect()
         });
         LineFields { even, odd }

@@ -36,7 +36,8 @@
 //!   cancel: `1/S(0)` leaves a kernel that is weak where `a/t` is large.
 //! * **The imaginary axis**, both sides of it. There `V` is real and `1/S` leaves
 //!   `2 i Im 1/S(i p + 0)`: a quarter of the work. Zeros at a height `eta` are left out with an
-//!   error like `e^{-2 eta a/t}`, so that `a/t` must be large enough ([`left_out`]).
+//!   error like `e^{-2 eta a/t}`, so that `a/t` must be large enough ([`left_out`]), but for the
+//!   nearest one, which may be a node of its own ([`ZeroNode`]).
 //!
 //! Nodes, weights and all factors of values of `S` are stored in a [`Contour`]. Equation (2) is
 //! solved for both parities at once by minimal residuals ([`krylov`]), in a few steps as its kernel
@@ -85,18 +86,83 @@ use crate::krylov;
 use crate::path::Path;
 use crate::read_out::Fields;
 use crate::symbol::Symbol;
+use crate::zero::{REACH, Zero};
+use crate::zero_node::ZeroNode;
 
-/// Returns the relative error of the imaginary axis from the zeros of `S` that it leaves out.
+/// What a path makes of the zeros of `S`.
+#[derive(Clone, Copy)]
+struct Zeros {
+    /// The one that is a node of its own.
+    node: Option<Zero>,
+    /// The relative error from all others above the path, which are left out.
+    left_out: f64,
+}
+
+impl Zeros {
+    /// Makes of the zeros what a solve to `tolerance` needs. A ray passes below all of them; of those
+    /// off the imaginary axis, the nearest one is a node if it counts.
+    fn above(path: Path, x: f64, symbol: &Symbol, tolerance: f64) -> Self {
+        if path == Path::Ray {
+            return Self {
+                node: None,
+                left_out: 0.0,
+            };
+        }
+        let share = SHARE_OF_ZEROS * tolerance;
+        let free = symbol.zero_free_radius();
+        let (all, others) = (left_out(x, free), left_out(x, REACH));
+        let node = if others <= share && share < all {
+            symbol.nearest_zero(free)
+        } else {
+            None
+        };
+        Self {
+            node,
+            left_out: if node.is_some() { others } else { all },
+        }
+    }
+}
+
+/// The share of the tolerance that the zeros left out may use up.
+const SHARE_OF_ZEROS: f64 = 0.05;
+
+/// Returns whether the zeros of `S` that the imaginary axis leaves out allow `tolerance`.
+pub fn axis_reaches(x: f64, symbol: &Symbol, tolerance: f64) -> bool {
+    Zeros::above(Path::Axis, x, symbol, tolerance).left_out <= SHARE_OF_ZEROS * tolerance
+}
+
+/// Returns the relative error of the imaginary axis from zeros of `S` that it leaves out, of which
+/// none is within `radius`.
 ///
 /// A zero at the height `eta` leaves an error of some `e^{-2 eta x}`. Measured over 4900 materials,
 /// the factor is at most 6.
-pub fn left_out(x: f64, symbol: &Symbol) -> f64 {
-    10.0 * (-2.0 * SINE_OF_FREE_ANGLE * symbol.zero_free_radius() * x).exp()
+fn left_out(x: f64, radius: f64) -> f64 {
+    10.0 * (-2.0 * SINE_OF_FREE_ANGLE * radius * x).exp()
+}
+
+/// Estimates the time of the imaginary axis for one contact roughly, in microseconds, to choose
+/// between methods: 0 where no zero needs a node, as it is then faster than any other method.
+pub fn axis_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
+    /// The ratio of the strips of both paths, and of the unknowns of a node.
+    const UNKNOWNS_OF_RAY: f64 = 5.8;
+    if left_out(x, symbol.zero_free_radius()) <= SHARE_OF_ZEROS * tolerance {
+        return 0.0;
+    }
+    let (unknowns, spheres) = unknowns_of_ray(x, symbol, tolerance);
+    let unknowns = unknowns / UNKNOWNS_OF_RAY;
+    spheres * (20.0 + 0.25 * unknowns + 0.004 * unknowns * unknowns)
 }
 
 /// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
 /// methods: a fit to the bench `accuracy`.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
+    let (unknowns, spheres) = unknowns_of_ray(x, symbol, tolerance);
+    0.0023 * spheres * unknowns * unknowns
+}
+
+/// Estimates the number of unknowns along the ray, and the time of all spheres over that of the
+/// first.
+fn unknowns_of_ray(x: f64, symbol: &Symbol, tolerance: f64) -> (f64, f64) {
     /// The time of the second sphere over that of the first.
     const SECOND_SPHERE: f64 = 0.7;
     let (symbol, spheres) = match softening(x, symbol) {
@@ -104,8 +170,7 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
         None => (*symbol, 1.0),
     };
     let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
-    let unknowns = scales * (8.0 - tolerance.ln());
-    0.0023 * spheres * unknowns * unknowns
+    (scales * (8.0 - tolerance.ln()), spheres)
 }
 
 /// The compliance that is added to a sphere between bodies that are nearly rigid, over `S(t/a)`. The
@@ -138,7 +203,8 @@ pub fn solve(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, tolerance: 
     let share = tolerance / 3.0;
     let (mut extrapolated, level) = converge(x, &soft, exponents, path, share);
     let softer = if extrapolated.error <= share {
-        let softer = on_contour(x, &softer, exponents, path, level);
+        let zeros = Zeros::above(path, x, &softer, share);
+        let softer = on_contour(x, &softer, exponents, path, zeros.node, level);
         Estimate {
             error: larger(extrapolated.error, softer.error),
             ..softer
@@ -178,11 +244,7 @@ fn converge(
     path: Path,
     tolerance: f64,
 ) -> (Estimate, usize) {
-    let left_out = if path == Path::Axis {
-        left_out(x, symbol)
-    } else {
-        0.0
-    };
+    let zeros = Zeros::above(path, x, symbol, tolerance);
     let contrast = (symbol.at(0.0) / symbol.at(1.0 / x)).ln().abs();
     let further = usize::from(contrast > STRONG);
     let first = LEVELS
@@ -192,13 +254,13 @@ fn converge(
         .clamp(1, LEVELS.len() - 1);
     let mut best = Estimate {
         error: f64::INFINITY,
-        ..on_contour(x, symbol, exponents, path, first - 1)
+        ..on_contour(x, symbol, exponents, path, zeros.node, first - 1)
     };
     let mut last = first;
     for level in first..LEVELS.len() {
-        let next = on_contour(x, symbol, exponents, path, level);
+        let next = on_contour(x, symbol, exponents, path, zeros.node, level);
         let difference = next.difference(&best);
-        let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + left_out;
+        let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + zeros.left_out;
         best = Estimate { error, ..next };
         last = level;
         if error <= tolerance {
@@ -209,14 +271,22 @@ fn converge(
 }
 
 /// Solves with one contour. The error of the estimate is that of rounding only.
-fn on_contour(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, level: usize) -> Estimate {
+fn on_contour(
+    x: f64,
+    symbol: &Symbol,
+    exponents: &[f64],
+    path: Path,
+    zero: Option<Zero>,
+    level: usize,
+) -> Estimate {
     /// The knee over the smallest scale.
     const BELOW: f64 = 0.3;
     let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
     let logs = logarithms(x, symbol, contour);
     let log_factors = log_factors(&logs, contour);
     let couplings = couplings(x, symbol, contour, &log_factors);
-    let strengths = solve_coupling(contour, &couplings, (-LEVELS[level]).exp());
+    let zero = zero.map(|zero| ZeroNode::new(x, zero, contour, &logs));
+    let strengths = solve_coupling(contour, &couplings, zero.as_ref(), (-LEVELS[level]).exp());
     let fields = Fields {
         x,
         symbol,
@@ -224,6 +294,7 @@ fn on_contour(x: f64, symbol: &Symbol, exponents: &[f64], path: Path, level: usi
         logs: &logs,
         phases: &log_factors[contour.unknowns()..],
         strengths: &strengths,
+        zero: zero.as_ref(),
     };
     fields.read_out(exponents)
 }
@@ -295,21 +366,47 @@ fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec
     }
 }
 
+/// The strengths of the nodes of one parity.
+pub struct Strengths {
+    /// Those of the contour, in the layout of the unknowns.
+    pub nodes: Vec<f64>,
+    /// That of the zero; 0 without one.
+    pub zero: Complex64,
+}
+
 /// Solves (2) and returns the strengths of the nodes, for the even and for the odd fields.
-fn solve_coupling(contour: &Contour, couplings: &[Complex64], accuracy: f64) -> [Vec<f64>; 2] {
+fn solve_coupling(
+    contour: &Contour,
+    couplings: &[Complex64],
+    zero: Option<&ZeroNode>,
+    accuracy: f64,
+) -> [Strengths; 2] {
     /// The residual over the accuracy of the contour, as far as rounding allows.
     const SHARE: f64 = 0.01;
     let unknowns = contour.unknowns();
     let mut one = vec![1.0; contour.nodes.len()];
     one.resize(unknowns, 0.0);
+    if zero.is_some() {
+        one.extend([1.0, 0.0]);
+    }
     let mut work = Vec::with_capacity(unknowns);
     let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
+        let (v, v_of_zero) = v.split_at(unknowns);
+        let (out, out_of_zero) = out.split_at_mut(unknowns);
         strengths(contour.path, couplings, v, &mut work);
         contour.kernel.multiply(&work, out);
+        if let Some(zero) = zero {
+            let value = zero.couple(zero.strength(v_of_zero), &work, out);
+            out_of_zero.copy_from_slice(&[value.re, value.im]);
+        }
     });
     solutions.map(|v| {
-        let mut result = Vec::with_capacity(unknowns);
-        strengths(contour.path, couplings, &v, &mut result);
-        result
+        let (v, v_of_zero) = v.split_at(unknowns);
+        let mut nodes = Vec::with_capacity(unknowns);
+        strengths(contour.path, couplings, v, &mut nodes);
+        Strengths {
+            nodes,
+            zero: zero.map_or(Complex64::ZERO, |zero| zero.strength(v_of_zero)),
+        }
     })
 }
