@@ -115,7 +115,7 @@ impl Equilibria<'_> {
         }
         let terms = self.contact.terms(a, self.energy.work_of_adhesion())?;
         let unknown = |input: Input| Error::from(interp::Error::FixedParameter(input.name()));
-        let by = |input: Input| terms.by(input).ok_or_else(|| unknown(input));
+        let by = |input: Input| terms.by_one(input).ok_or_else(|| unknown(input));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed
         // value: `F = S delta`.
         let punch = self.contact.is_punch().then(|| terms.stiffness());

@@ -40,7 +40,8 @@
 //!   [`Contact::energy_release_rate_at_load`], [`Contact::energy_release_rate_at_penetration`] and
 //!   [`Contact::radius_and_energy_release_rate`].
 //! * [`Contact::gradient`] has the derivatives with respect to every parameter, of a contact made by
-//!   [`Contact::in_table_with_gradient`].
+//!   [`Contact::in_table_with_gradient`]. [`Contact::in_table_with_derivatives`] takes less time for
+//!   some of them.
 //! * [`Contact::film_bias`] tells whether the film matters to a fit of JKR; [`Contact::validity`]
 //!   and [`Contact::zone_size`] tell whether the assumptions of the model hold.
 //! * [`Contact::line`] moves the contact line by a [`CrackTip`] law, of which eq. 8 is the

@@ -184,11 +184,11 @@ pub enum Error {
         /// The relative tolerance of the table.
         tolerance: f64,
     },
-    /// A derivative that is unknown, in most cases because the scene of the table fixes the
-    /// parameter.
+    /// A derivative that is unknown, because the scene of the table fixes the parameter or because the
+    /// curve was made without it.
     #[error(
         "there is no derivative with respect to {0}: the contact does not depend on it, it is at \
-         the end of its domain, or the table fixes a parameter that the derivative needs; in the \
+         the end of its domain, the curve was made without it, or the table fixes a parameter that the derivative needs; in the \
          last case make a table whose scene gives e1_over_e2, nu1 and e0_over_e2 as ranges"
     )]
     FixedParameter(&'static str),

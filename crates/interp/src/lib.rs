@@ -39,8 +39,8 @@
 //!   (packed) and `Table::open` (HDF5, feature `hdf5`) load another one.
 //! * [`Table::curve`] makes the [`Curve`] of one [`Material`]: the quantities as functions of
 //!   `a/t`. The Poisson ratios may differ from the table's: Dundurs' equivalence is exact.
-//!   [`Table::curve_with_gradient`] adds the derivatives with respect to every parameter:
-//!   [`Curve::gradient`].
+//!   [`Table::curve_with_gradient`] adds the derivatives with respect to every parameter,
+//!   [`Table::curve_with_derivatives`] some of them: [`Curve::gradient`].
 //! * [`Curve::through`] uses quantities solved elsewhere in place of a table, and
 //!   [`Curve::spline`] converts a curve to a spline of the crate `splines`, for other programs.
 //! * [`ForceCurve`] is eq. 9 for one [`System`] in SI units. [`Mechanics`] is its arithmetic.

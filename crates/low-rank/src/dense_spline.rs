@@ -51,18 +51,43 @@ impl DenseSpline {
     /// Returns the coefficients of the splines of the functions at these values of the variables 1, 2
     /// and 3: a group of the functions for each B-spline.
     pub fn coefficients(&self, coordinates: [f64; 3]) -> Vec<f64> {
-        let [sum] = self.sums(&self.weights(coordinates), [[false; 3]]);
-        sum
+        let [value, ..] = self.coefficients_and_slopes(coordinates, [false; 3]);
+        value
     }
 
     /// Returns these coefficients, followed by their derivatives with respect to the three
-    /// coordinates.
-    pub fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
-        let by = |axis: usize| array::from_fn(|i| i == axis);
-        self.sums(
-            &self.weights(coordinates),
-            [[false; 3], by(0), by(1), by(2)],
-        )
+    /// coordinates; those that are not `wanted` are empty.
+    pub fn coefficients_and_slopes(
+        &self,
+        coordinates: [f64; 3],
+        wanted: [bool; 3],
+    ) -> [Vec<f64>; 4] {
+        let weights = self.weights(coordinates);
+        let [n1, n2, n3] = self.bases.each_ref().map(Basis::count);
+        let width = self.rows.len() / (n1 * n2 * n3);
+        let [first, second, third] = &weights;
+        // The axis with respect to which each sum is a derivative.
+        let sums = [None, Some(0), Some(1), Some(2)];
+        let is_wanted = |by: Option<usize>| by.is_none_or(|axis| wanted[axis]);
+        let mut all = sums.map(|by| vec![0.0; if is_wanted(by) { width } else { 0 }]);
+        // Each row is read once for all sums.
+        for (i, j) in (0..first.count).flat_map(|i| (0..second.count).map(move |j| (i, j))) {
+            let row = ((first.first + i) * n2 + second.first + j) * n3 + third.first;
+            let rows = &self.rows[row * width..];
+            for (sum, by) in all.iter_mut().zip(sums).filter(|(_, by)| is_wanted(*by)) {
+                let [of_first, of_second, of_third] = array::from_fn(|axis| {
+                    if by == Some(axis) {
+                        &weights[axis].slopes
+                    } else {
+                        &weights[axis].values
+                    }
+                });
+                let row_weights: [f64; LARGEST_DEGREE + 1] =
+                    array::from_fn(|k| of_first[i] * of_second[j] * of_third[k]);
+                add_rows(sum, &row_weights[..third.count], rows, width);
+            }
+        }
+        all
     }
 
     /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
@@ -92,38 +117,6 @@ impl DenseSpline {
     /// Evaluates the B-splines of the variables 1, 2 and 3.
     fn weights(&self, coordinates: [f64; 3]) -> [Weights; 3] {
         array::from_fn(|axis| self.bases[axis].weights(coordinates[axis]))
-    }
-
-    /// Returns weighted sums of the rows around one place.
-    ///
-    /// Sum `i` has the slopes of axis `j` in place of its values if `slopes[i][j]`. Each row is
-    /// read once for all sums.
-    fn sums<const N: usize>(
-        &self,
-        weights: &[Weights; 3],
-        slopes: [[bool; 3]; N],
-    ) -> [Vec<f64>; N] {
-        let [n1, n2, n3] = self.bases.each_ref().map(Basis::count);
-        let width = self.rows.len() / (n1 * n2 * n3);
-        let [first, second, third] = weights;
-        let mut sums = array::from_fn(|_| vec![0.0; width]);
-        for (i, j) in (0..first.count).flat_map(|i| (0..second.count).map(move |j| (i, j))) {
-            let row = ((first.first + i) * n2 + second.first + j) * n3 + third.first;
-            let rows = &self.rows[row * width..];
-            for (sum, slopes) in sums.iter_mut().zip(slopes) {
-                let [of_first, of_second, of_third] = array::from_fn(|axis| {
-                    if slopes[axis] {
-                        &weights[axis].slopes
-                    } else {
-                        &weights[axis].values
-                    }
-                });
-                let row_weights: [f64; LARGEST_DEGREE + 1] =
-                    array::from_fn(|k| of_first[i] * of_second[j] * of_third[k]);
-                add_rows(sum, &row_weights[..third.count], rows, width);
-            }
-        }
-        sums
     }
 }
 
@@ -181,7 +174,7 @@ mod tests {
         };
         for i in 0..50 {
             let [y, u, v, w] = [0.618, 0.414, 0.732, 0.236].map(|step| f64::from(i) * step % 1.0);
-            let [value, by @ ..] = spline.coefficients_and_slopes([u, v, w]);
+            let [value, by @ ..] = spline.coefficients_and_slopes([u, v, w], [true; 3]);
             assert_eq!(value, spline.coefficients([u, v, w]));
             close(at(&value, y), functions([y, u, v, w]));
             for (by, expected) in by.iter().zip(slopes([y, u, v, w])) {

@@ -34,7 +34,7 @@
 //! // The value and the slopes along the last three variables, at one place.
 //! let basis = Basis::of_table(&nodes);
 //! let prepared = PreparedTrain::new(&train, [[0.0, 1.0]; 4], &nodes, &basis, 1e-6);
-//! let [value, by_u, _, _] = prepared.coefficients_and_slopes([0.3, 0.7, 0.2]);
+//! let [value, by_u, _, _] = prepared.coefficients_and_slopes([0.3, 0.7, 0.2], [true, false, false]);
 //! let at = |coefficients: &[f64], y: f64| {
 //!     let weights = basis.weights(y);
 //!     let used = &coefficients[weights.first..][..weights.count];

@@ -146,19 +146,6 @@ impl MixedPrecision {
         sum
     }
 
-    /// Returns `N` sums of the rows, each with its weights, as vectors of their own.
-    #[inline(always)]
-    pub(crate) fn separate_sums<S: Simd, const N: usize>(
-        &self,
-        simd: S,
-        weights: [&RowWeights; N],
-    ) -> [Vec<f64>; N] {
-        let mut sums = [(); N].map(|()| vec![0.0; self.length.next_multiple_of(BLOCK)]);
-        self.sums(simd, weights, sums.each_mut().map(Vec::as_mut_slice));
-        sums.iter_mut().for_each(|sum| sum.truncate(self.length));
-        sums
-    }
-
     /// Writes the `columns` of the sum of the rows, each times its weight.
     #[inline(always)]
     pub(crate) fn sum_of_columns<S: Simd>(
@@ -205,7 +192,7 @@ impl MixedPrecision {
     /// Writes `N` sums of the rows, each with its weights, padded to whole blocks. A row is read
     /// once for all of them.
     #[inline(always)]
-    pub(crate) fn sums<S: Simd, const N: usize>(
+    fn sums<S: Simd, const N: usize>(
         &self,
         simd: S,
         weights: [&RowWeights; N],
@@ -239,15 +226,28 @@ impl MixedPrecision {
             for (i, weights) in weights.iter_mut().enumerate().take(count) {
                 weights.set(&[1.0], vectors.get(first + i));
             }
-            let [a, b, c, d] = &weights;
-            match count {
-                1 => self.sum_blocks(simd, 0, a, sums.padded_mut(first)),
-                2 => self.sums(simd, [a, b], sums.several_mut(first)),
-                3 => self.sums(simd, [a, b, c], sums.several_mut(first)),
-                _ => self.sums(simd, [a, b, c, d], sums.several_mut(first)),
-            }
+            self.few_sums(simd, &weights[..count], first, &mut sums);
         }
         sums
+    }
+
+    /// Writes the sums of the rows with up to four weights to the vectors of `sums` from the number
+    /// `first` on.
+    #[inline(always)]
+    pub(crate) fn few_sums<S: Simd>(
+        &self,
+        simd: S,
+        weights: &[RowWeights],
+        first: usize,
+        sums: &mut Vectors,
+    ) {
+        match weights {
+            [] => {}
+            [a] => self.sum_blocks(simd, 0, a, sums.padded_mut(first)),
+            [a, b] => self.sums(simd, [a, b], sums.several_mut(first)),
+            [a, b, c] => self.sums(simd, [a, b, c], sums.several_mut(first)),
+            [a, b, c, d, ..] => self.sums(simd, [a, b, c, d], sums.several_mut(first)),
+        }
     }
 }
 

@@ -161,9 +161,13 @@ impl PreparedTrain {
     }
 
     /// Returns these coefficients, followed by their derivatives with respect to the three
-    /// coordinates.
-    pub fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
-        dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates))
+    /// coordinates; those that are not `wanted` are empty.
+    pub fn coefficients_and_slopes(
+        &self,
+        coordinates: [f64; 3],
+        wanted: [bool; 3],
+    ) -> [Vec<f64>; 4] {
+        dispatch!(Level::new(), simd => self.value_and_slopes(simd, coordinates, wanted))
     }
 
     /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
@@ -192,23 +196,24 @@ impl PreparedTrain {
     }
 
     #[inline(always)]
-    fn value_and_slopes<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
-        let [first, second, third] = &self.cores;
-        let at = |core: &Core| coordinates[core.axis];
+    fn value_and_slopes<S: Simd>(
+        &self,
+        simd: S,
+        coordinates: [f64; 3],
+        wanted: [bool; 3],
+    ) -> [Vec<f64>; 4] {
         // The product of the cores so far, and its derivatives with respect to their coordinates.
-        let vectors = first.products::<S, 2>(simd, at(first), &Vectors::one());
-        let vectors = second.products::<S, 3>(simd, at(second), &vectors);
-        let vectors = third.products::<S, 4>(simd, at(third), &vectors);
-        let mut weights = [const { RowWeights::EMPTY }; 4];
-        for (i, weights) in weights.iter_mut().enumerate() {
-            weights.set(&[1.0], vectors.get(i));
+        let mut vectors = Vectors::one();
+        for core in &self.cores {
+            vectors = core.products(simd, coordinates[core.axis], wanted[core.axis], &vectors);
         }
-        let [value, slopes @ ..] = self.last.separate_sums(simd, weights.each_ref());
-        let mut sums = [value, Vec::new(), Vec::new(), Vec::new()];
-        for (core, by_axis) in self.cores.iter().zip(slopes) {
-            sums[1 + core.axis] = by_axis;
+        let sums = self.last.sum_all(simd, &vectors);
+        let mut all = [sums.get(0).to_vec(), Vec::new(), Vec::new(), Vec::new()];
+        let differentiated = self.cores.iter().filter(|core| wanted[core.axis]);
+        for (core, i) in differentiated.zip(1..) {
+            all[1 + core.axis] = sums.get(i).to_vec();
         }
-        sums
+        all
     }
 
     #[inline(always)]
@@ -311,22 +316,23 @@ impl Core {
         after
     }
 
-    /// Multiplies vectors over the bond before by the core at `u`, and the first of them by its
-    /// derivative, which comes last. `N` is the number of results.
+    /// Multiplies up to three vectors over the bond before by the core at `u`, and `with_slope` the
+    /// first of them by its derivative, which comes last.
     #[inline(always)]
-    fn products<S: Simd, const N: usize>(&self, simd: S, u: f64, before: &Vectors) -> Vectors {
+    fn products<S: Simd>(&self, simd: S, u: f64, with_slope: bool, before: &Vectors) -> Vectors {
         let interval = self.interval(u);
         let (values, slopes) = interval.functions.evaluate(u);
         let count = interval.functions.count;
-        let mut weights = [const { RowWeights::EMPTY }; N];
-        let (of_slope, of_values) = weights.split_last_mut().expect("a value and a slope");
-        for (i, weights) in of_values.iter_mut().enumerate() {
+        let mut weights = [const { RowWeights::EMPTY }; 4];
+        for (i, weights) in weights.iter_mut().enumerate().take(before.count()) {
             weights.set(&values[..count], before.get(i));
         }
-        of_slope.set(&slopes[..count], before.get(0));
-        let mut after = Vectors::zeros(N, self.scales.len());
-        let target = after.several_mut(0);
-        interval.rows.sums(simd, weights.each_ref(), target);
+        if with_slope {
+            weights[before.count()].set(&slopes[..count], before.get(0));
+        }
+        let weights = &weights[..before.count() + usize::from(with_slope)];
+        let mut after = Vectors::zeros(weights.len(), self.scales.len());
+        interval.rows.few_sums(simd, weights, 0, &mut after);
         after.scale(&self.scales);
         after
     }

@@ -72,7 +72,7 @@ impl Evaluated {
     fn at(&self, [y, u, v, w]: [f64; 4]) -> [[f64; 2]; 4] {
         let weights = self.basis.weights(y);
         self.prepared
-            .coefficients_and_slopes([u, v, w])
+            .coefficients_and_slopes([u, v, w], [true; 3])
             .map(|coefficients| {
                 [0, 1].map(|function| {
                     let of = |k: usize| coefficients[2 * (weights.first + k) + function];

@@ -20,7 +20,7 @@ pub type Polynomials<const N: usize> = [[f64; 4]; N];
 #[derive(Clone, Debug)]
 pub struct Piecewise<const N: usize> {
     grid: Arc<Grid>,
-    pieces: Arc<[Polynomials<N>]>,
+    pieces: Arc<Vec<Polynomials<N>>>,
 }
 
 /// Its evaluations are inlined: a caller that needs some of the functions computes no others.
@@ -29,7 +29,7 @@ impl<const N: usize> Piecewise<N> {
     ///
     /// # Panics
     /// If the number of pieces is not that of the grid.
-    pub fn new(grid: Arc<Grid>, pieces: Arc<[Polynomials<N>]>) -> Self {
+    pub fn new(grid: Arc<Grid>, pieces: Vec<Polynomials<N>>) -> Self {
         const {
             assert!(
                 N >= 2 && N.is_multiple_of(2),
@@ -37,7 +37,10 @@ impl<const N: usize> Piecewise<N> {
             )
         };
         assert_eq!(pieces.len(), grid.count(), "pieces of another grid");
-        Self { grid, pieces }
+        Self {
+            grid,
+            pieces: Arc::new(pieces),
+        }
     }
 
     /// Returns the grid.
@@ -48,7 +51,7 @@ impl<const N: usize> Piecewise<N> {
 
     /// Returns the polynomials on the pieces.
     #[inline]
-    pub fn pieces(&self) -> &Arc<[Polynomials<N>]> {
+    pub fn pieces(&self) -> &[Polynomials<N>] {
         &self.pieces
     }
 
@@ -82,7 +85,7 @@ impl<const N: usize> Piecewise<N> {
         values: &mut [f64],
         outside: impl Fn(f64) -> Result<f64, E>,
     ) -> Result<(), E> {
-        let (grid, pieces, [from, to]) = (&*self.grid, &*self.pieces, self.grid.range());
+        let (grid, pieces, [from, to]) = (&*self.grid, &self.pieces[..], self.grid.range());
         dispatch!(Level::new(), simd => {
             // Once, not for each coefficient.
             assert!(function < 4, "there are four functions");
@@ -110,26 +113,46 @@ impl<const N: usize> Piecewise<N> {
         evaluate_all(&self.pieces[position.piece], position)
     }
 
-    /// Returns the derivatives of all four functions with respect to the position `t` on its piece.
-    #[inline]
-    pub fn derivatives_at(&self, position: Position) -> [f64; 4] {
-        let piece = &self.pieces[position.piece];
-        std::array::from_fn(|function| {
-            (1..N).rev().fold(0.0, |sum, k| {
-                sum * position.t + k as f64 * piece[k][function]
-            })
-        })
-    }
-
     /// Returns the values of all four functions at `x`, and their logarithmic slopes `x df/dx`.
     #[inline]
     pub fn values_and_slopes(&self, x: f64) -> [[f64; 4]; 2] {
-        let position = self.grid.locate(x);
-        let speed = self.grid.logarithmic_speed(x);
-        let slopes = self
-            .derivatives_at(position)
-            .map(|derivative| speed * derivative);
-        [self.values_at(position), slopes]
+        let (position, speed) = (self.grid.locate(x), self.grid.logarithmic_speed(x));
+        dispatch!(Level::new(), simd => {
+            let [values, derivatives] = self.values_and_derivatives(simd, position);
+            [*values.as_array(), *(derivatives * speed).as_array()]
+        })
+    }
+
+    /// Returns the values of all four functions at a position on the grid, side by side.
+    #[inline(always)]
+    pub fn values_side_by_side<S: Simd>(&self, simd: S, position: Position) -> f64x4<S> {
+        let piece = &self.pieces[position.piece];
+        let t = f64x4::splat(simd, position.t);
+        let square = t * t;
+        let mut sum = f64x4::splat(simd, 0.0);
+        for pair in piece.as_chunks::<2>().0.iter().rev() {
+            let [even, odd] = [0, 1].map(|i| f64x4::from_slice(simd, &pair[i]));
+            sum = sum.mul_add(square, odd.mul_add(t, even));
+        }
+        sum
+    }
+
+    /// Returns the values of all four functions at a position on the grid, and their derivatives with
+    /// respect to `t`, side by side.
+    #[inline(always)]
+    pub fn values_and_derivatives<S: Simd>(&self, simd: S, position: Position) -> [f64x4<S>; 2] {
+        let t = f64x4::splat(simd, position.t);
+        let square = t * t;
+        // Sums over pairs of terms in `t^2`, the derivative of the first with respect to `t^2`, and the
+        // derivatives of the pairs. The first has the rounding of `evaluate`.
+        let [mut sum, mut rate, mut slopes] = [f64x4::splat(simd, 0.0); 3];
+        for pair in self.pieces[position.piece].as_chunks::<2>().0.iter().rev() {
+            let [even, odd] = [0, 1].map(|i| f64x4::from_slice(simd, &pair[i]));
+            rate = rate.mul_add(square, sum);
+            slopes = slopes.mul_add(square, odd);
+            sum = sum * square + (even + odd * t);
+        }
+        [sum, rate.mul_add(t + t, slopes)]
     }
 
     /// Returns the value of a function at `x`, and its derivative with respect to `x`.

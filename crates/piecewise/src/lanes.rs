@@ -59,22 +59,6 @@ pub fn write_by_piece<S: Simd, const N: usize>(
     }
 }
 
-/// Returns the coefficients of two series on each piece, in pairs.
-#[inline(always)]
-pub fn pairs_by_lane<S: Simd, const N: usize>(
-    first: &[Lanes<S>; N],
-    second: &[Lanes<S>; N],
-) -> [[[f64; 2]; N]; LANES] {
-    let mut pieces = [[[0.0; 2]; N]; LANES];
-    for k in 0..N {
-        let (first, second) = (*first[k].as_array(), *second[k].as_array());
-        for lane in 0..LANES {
-            pieces[lane][k] = [first[lane], second[lane]];
-        }
-    }
-    pieces
-}
-
 #[cfg(test)]
 mod tests {
     use fearless_simd::{Level, dispatch};

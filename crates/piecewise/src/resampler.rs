@@ -67,13 +67,15 @@ impl Resampler {
     /// If there are fewer groups than B-splines.
     pub fn splines(&self, coefficients: &[f64]) -> Piecewise<SPLINE_TERMS> {
         let rows = self.rows_of_four(coefficients);
-        let mut pieces = self.zeros();
+        let mut pieces = Vec::with_capacity(self.grid.count());
         dispatch!(Level::new(), simd => {
-            for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
+            let mut piece = [[0.0; 4]; SPLINE_TERMS];
+            for i in 0..self.grid.count() {
                 let splines = self.spans.on_piece(simd, i, &rows);
                 for (row, term) in piece.iter_mut().zip(splines) {
                     term.store_slice(row);
                 }
+                pieces.push(piece);
             }
         });
         Piecewise::new(self.grid.clone(), pieces)
@@ -90,10 +92,13 @@ impl Resampler {
         scales: [f64; 4],
     ) -> Piecewise<FUNCTION_TERMS> {
         let rows = self.rows_of_four(coefficients);
-        let mut pieces = self.zeros();
+        let mut pieces = Vec::with_capacity(self.grid.count());
         dispatch!(Level::new(), simd => {
-            for (i, piece) in Arc::make_mut(&mut pieces).iter_mut().enumerate() {
-                exponentials(simd, self.spans.on_piece(simd, i, &rows), scales, piece);
+            let mut piece = [[0.0; 4]; FUNCTION_TERMS];
+            for i in 0..self.grid.count() {
+                let logarithms = self.spans.on_piece(simd, i, &rows);
+                exponentials(simd, logarithms, scales, &mut piece);
+                pieces.push(piece);
             }
         });
         Piecewise::new(self.grid.clone(), pieces)
@@ -127,11 +132,6 @@ impl Resampler {
         let fourth = f64x4::splat(simd, t * t * t * t);
         let [constant, linear, quadratic, cubic] = *high.mul_add(fourth, low).as_array();
         constant + t * (linear + t * (quadratic + t * cubic))
-    }
-
-    /// Returns polynomials of zero on all pieces.
-    pub fn zeros<const N: usize>(&self) -> Arc<[Polynomials<N>]> {
-        (0..self.grid.count()).map(|_| [[0.0; 4]; N]).collect()
     }
 
     /// Returns a row of all four functions for each B-spline, with 0 for a function that is not given.
@@ -185,8 +185,8 @@ mod tests {
             exponentials(simd, logarithms, [2.0, 1.0, 1.0, 3.0], &mut values)
         });
         let grid = Arc::new(Grid::over([3.0, 3.0], &[0, 0]));
-        let of = Piecewise::new(grid.clone(), Arc::new([logarithms]));
-        let values = Piecewise::new(grid, Arc::new([values]));
+        let of = Piecewise::new(grid.clone(), vec![logarithms]);
+        let values = Piecewise::new(grid, vec![values]);
         for t in [-1.0, -0.3, 0.0, 0.5, 1.0] {
             let position = Position { piece: 0, t };
             let (found, of) = (values.values_at(position), of.values_at(position));

@@ -2,7 +2,7 @@
 //! that normalises the contact and to the parameters of its material.
 
 use super::Input;
-use interp::{HalfSpace, LoadAndPenetration, Material, Normalisation, System};
+use interp::{HalfSpace, LoadAndPenetration, System};
 
 /// Returns the derivatives of a contact with a half-space, of which the `compound` modulus `E*` is
 /// the unit; `None` for an input that it does not have. `by_modulus` holds those with respect to
@@ -24,30 +24,43 @@ pub(super) fn of_half_space(
     Some(by_modulus.times(factor))
 }
 
-/// Returns the derivatives of a coated contact of a `material`; `None` if they are not known.
-/// `by_modulus` holds those with respect to the logarithm of the modulus that normalises, and `by`
-/// returns those with respect to a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
+/// Returns which derivatives with respect to parameters of the material, numbered as for [`of_coated`],
+/// those with respect to `inputs` need.
+pub(crate) fn parameters_of(system: &System, inputs: &[Input]) -> [bool; 4] {
+    let is_asked_for = |input: Input| inputs.contains(&input);
+    let rigid = system.sphere_modulus == f64::INFINITY;
+    let of_sphere = !rigid && is_asked_for(Input::SphereModulus);
+    let of_film = is_asked_for(Input::FilmModulus);
+    [
+        of_sphere || !rigid && of_film,
+        is_asked_for(Input::FilmPoisson),
+        of_sphere || rigid && of_film || is_asked_for(Input::SubstrateModulus),
+        is_asked_for(Input::SubstratePoisson),
+    ]
+}
+
+/// Returns the derivatives of a coated contact; `None` if they are not known. `by_modulus` holds those
+/// with respect to the logarithm of the modulus that normalises, and `by` returns those with respect to
+/// a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
 #[inline(always)]
 pub(super) fn of_coated(
     system: &System,
-    material: &Material,
     input: Input,
     by_modulus: LoadAndPenetration,
     by: impl Fn(usize) -> Option<LoadAndPenetration>,
 ) -> Option<LoadAndPenetration> {
     let (film, substrate) = (system.film.young(), system.substrate.young());
-    Some(match (input, material.normalisation()) {
-        (Input::SphereModulus, Normalisation::Sphere) => {
+    let rigid = system.sphere_modulus == f64::INFINITY;
+    Some(match (input, rigid) {
+        (Input::SphereModulus, false) => {
             let others = by(0)?.plus(by(2)?).times(-1.0);
             by_modulus.plus(others).times(1.0 / system.sphere_modulus)
         }
-        (Input::FilmModulus, Normalisation::Sphere) => by(0)?.times(1.0 / film),
-        (Input::FilmModulus, Normalisation::Film) => {
-            by_modulus.plus(by(2)?.times(-1.0)).times(1.0 / film)
-        }
-        (Input::FilmPoisson, Normalisation::Sphere) => by(1)?,
-        (Input::FilmPoisson, Normalisation::Film) => {
-            let own = by_modulus.times(logarithmic_slope(material.nu1()));
+        (Input::FilmModulus, false) => by(0)?.times(1.0 / film),
+        (Input::FilmModulus, true) => by_modulus.plus(by(2)?.times(-1.0)).times(1.0 / film),
+        (Input::FilmPoisson, false) => by(1)?,
+        (Input::FilmPoisson, true) => {
+            let own = by_modulus.times(logarithmic_slope(system.film.poisson()));
             own.plus(by(1)?)
         }
         (Input::SubstrateModulus, _) => by(2)?.times(1.0 / substrate),

@@ -6,6 +6,8 @@
 mod elastic;
 mod terms;
 
+pub(crate) use elastic::parameters_of;
+
 use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
@@ -109,9 +111,10 @@ impl ContactGradient {
     ///
     /// # Errors
     /// [`interp::Error::FixedParameter`] for an input whose derivative needs a parameter of the material
-    /// that the table fixes; for an input of the film on a half-space; for the radius of a probe
-    /// that has none, and the contact radius of a flat punch, which is that of the punch; and for
-    /// the work of adhesion if it is below 2.3e-308 J/m^2, because the load falls like its square root.
+    /// that the table fixes, or that the curve has no derivative with respect to; for an input of the
+    /// film on a half-space; for the radius of a probe that has none, and the contact radius of a flat
+    /// punch, which is that of the punch; and for the work of adhesion if it is below 2.3e-308 J/m^2,
+    /// because the load falls like its square root.
     pub fn by(&self, input: Input) -> Result<Derivatives, Error> {
         self.derivatives[input as usize]
             .ok_or_else(|| interp::Error::FixedParameter(input.name()).into())
@@ -165,13 +168,14 @@ impl Contact {
             terms.by(Input::SubstratePoisson),
         ];
         // Infinity or NaN if one of the numbers is.
-        let zeros = derivatives
-            .iter()
-            .flatten()
-            .fold(0.0, |sum, by| sum + 0.0 * by.load + 0.0 * by.penetration);
+        let mut zeros = Derivatives::ZERO;
+        for by in derivatives.iter().flatten() {
+            zeros.load += 0.0 * by.load;
+            zeros.penetration += 0.0 * by.penetration;
+        }
         Ok(ContactGradient {
-            load: finite_result(a, terms.load + zeros)?,
-            penetration: finite_result(a, terms.penetration)?,
+            load: finite_result(a, terms.load + zeros.load)?,
+            penetration: finite_result(a, terms.penetration + zeros.penetration)?,
             derivatives,
         })
     }
@@ -194,7 +198,7 @@ impl Contact {
         self.same_material()?;
         let terms = self.terms(a, w)?;
         for (derivatives, &input) in derivatives.iter_mut().zip(inputs) {
-            let by = terms.by(input);
+            let by = terms.by_one(input);
             let by = by.ok_or_else(|| interp::Error::FixedParameter(input.name()))?;
             finite_result(a, by.load)?;
             finite_result(a, by.penetration)?;

@@ -10,6 +10,7 @@ use interp::{LoadAndPenetration, Quantities, QuantityGradient};
 impl Contact {
     /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from
     /// which any derivative follows. [`Self::same_material`] must have accepted the curve.
+    #[inline(always)]
     pub(crate) fn terms(&self, a: f64, w: f64) -> Result<Terms<'_>, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
         let (values, gradient) = match &self.bodies {
@@ -28,10 +29,11 @@ impl Contact {
             _ => self.adhesionless(a)?,
         };
         let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
-        let by_a_over_t = gradient.map_or([0.0; 4], |gradient| {
+        let mut by_a_over_t = [0.0; 4];
+        if let Some(gradient) = &gradient {
             let [values, slopes] = [gradient.values().to_array(), gradient.slopes().to_array()];
-            std::array::from_fn(|i| slopes[i] / values[i])
-        });
+            by_a_over_t = std::array::from_fn(|i| slopes[i] / values[i]);
+        }
         Ok(Terms {
             contact: self,
             a,
@@ -94,6 +96,13 @@ impl Terms<'_> {
         Some(Derivatives { load, penetration })
     }
 
+    /// Returns what [`Self::by`] does. Loops over inputs call it: in a loop `by` would compute what any
+    /// input needs before the first one.
+    #[inline(never)]
+    pub(crate) fn by_one(&self, input: Input) -> Option<Derivatives> {
+        self.by(input)
+    }
+
     /// Returns the stiffness of the contact, N/m.
     pub(crate) fn stiffness(&self) -> f64 {
         self.stiffness
@@ -133,8 +142,7 @@ impl Terms<'_> {
     ) -> Option<LoadAndPenetration> {
         match &self.contact.bodies {
             Bodies::Coated { system, .. } => {
-                let material = self.gradient.as_ref()?.material();
-                elastic::of_coated(system, material, input, by_modulus, by_parameter)
+                elastic::of_coated(system, input, by_modulus, by_parameter)
             }
             Bodies::HalfSpace(system) => {
                 let compound = self.contact.mechanics.sphere_film_modulus();

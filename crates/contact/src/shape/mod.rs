@@ -328,6 +328,9 @@ impl Contact {
 
     /// Returns the derivatives of load and penetration without adhesion with respect to a parameter
     /// of the material by number, at a fixed modulus of sphere and film.
+    ///
+    /// It is not inlined, because shapes that do not need it would take its registers.
+    #[inline(never)]
     pub(super) fn by_parameter(
         &self,
         parameter: usize,

@@ -15,7 +15,7 @@ use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use crate::model::Bodies;
 use crate::statistics::{normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, WarningKind};
+use crate::{Branch, Experiment, Kind, Parameter, WarningKind};
 
 /// The part of the largest penetration, or of the largest area of contact, below which curves are
 /// not compared: there a contact forms and ends.
@@ -149,7 +149,8 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let predicted = if at_radii {
         Vec::new()
     } else {
-        let contact_of = |bodies: &Bodies, gradient| problem.contact(bodies, gradient);
+        let contact_of =
+            |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
         let order = &assigned.order;
         let predicted = experiment.predict_with(&contact_of, &branches, order, None);
         predicted.ok()?.values

@@ -12,7 +12,7 @@ use super::problem::{Assigned, Problem};
 use super::slot::Slot;
 use super::uncertainty::Uncertainty;
 use crate::model::Bodies;
-use crate::{Branch, Error, Fit, Fixed, FixedValue, Known};
+use crate::{Branch, Error, Fit, Fixed, FixedValue, Known, Parameter};
 
 /// The relative change of a given value, and the change of a Poisson ratio.
 const STEP: f64 = 0.01;
@@ -176,7 +176,8 @@ fn residuals_with(
         if let Some(own) = assigned.experiment.value_of(quantity) {
             let mut experiment = assigned.experiment.clone();
             experiment.replace_fixed(quantity, value(own)).ok()?;
-            let contact_of = |bodies: &Bodies, gradient| bodies.contact(problem.table, gradient);
+            let contact_of =
+                |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(problem.table, by);
             let branches = &assigned.branches;
             let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, None);
             let predicted = predicted.ok()?;

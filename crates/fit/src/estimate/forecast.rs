@@ -71,7 +71,7 @@ pub fn forecast(
             experiment.make(table)?;
             experiment.accept_stiffness()?;
         }
-        let contact = experiment.bodies.contact(table, true)?;
+        let contact = experiment.bodies.contact(table, None)?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
         assigned.push(Assigned {
             experiment,

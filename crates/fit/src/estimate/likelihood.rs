@@ -64,7 +64,7 @@ impl Likelihood {
                 }
             }
         }
-        let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
         for own in &mut assigned {
             let (of, branches) = (&own.experiment, &own.branches);
             let parts = of.abscissa_parts(&contact_of, branches, &own.order)?;
@@ -175,7 +175,7 @@ impl Likelihood {
             for (&slot, &parameter) in slots.iter().zip(parameters) {
                 experiment.replace(parameter, values[slot]).ok()?;
             }
-            let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+            let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
             let wanted = gradient.is_some().then_some(parameters.as_slice());
             let predicted = experiment
                 .predict_with(&contact_of, &own.branches, &own.order, wanted)

@@ -249,7 +249,7 @@ fn farthest(best: &Problem<'_>) -> f64 {
     let unknown = if known {
         0.0
     } else {
-        least * (MARGIN / best.rows().count() as f64).exp_m1()
+        least * (MARGIN / best.counting() as f64).exp_m1()
     };
     least + unknown.max(MARGIN)
 }

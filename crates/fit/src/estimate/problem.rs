@@ -222,11 +222,13 @@ impl<'a> Problem<'a> {
             order,
             ..
         } = &self.assigned[experiment];
-        let contact_of = |bodies: &Bodies, gradient| self.contact(bodies, gradient);
+        let contact_of =
+            |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
         experiment.predict_with(&contact_of, branches, order, parameters)
     }
 
-    /// Returns the contact of bodies, a new one only if they are new.
+    /// Returns the contact of bodies, with the derivatives with respect to the slots if they are asked
+    /// for. It is a new one only if the bodies are new.
     pub fn contact(&self, bodies: &Bodies, gradient: bool) -> Result<Contact, Error> {
         let mut contacts = self.contacts.borrow_mut();
         let known = contacts
@@ -235,7 +237,8 @@ impl<'a> Problem<'a> {
         if let Some((_, _, contact)) = known {
             return Ok(contact.clone());
         }
-        let contact = bodies.contact(self.table, gradient)?;
+        let parameters: Vec<Parameter> = self.slots.iter().map(|slot| slot.parameter).collect();
+        let contact = bodies.contact(self.table, gradient.then_some(&parameters))?;
         // On layers the derivatives need two more contacts for each value.
         let most = if bodies.has_derivatives() {
             2
@@ -255,7 +258,8 @@ impl<'a> Problem<'a> {
         let mut largest = 0.0_f64;
         for e in 0..self.assigned.len() {
             let own = &self.assigned[e];
-            let contact_of = |bodies: &Bodies, gradient| self.contact(bodies, gradient);
+            let contact_of =
+                |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
             let parts = own
                 .experiment
                 .abscissa_parts(&contact_of, &own.branches, &own.order)?;
@@ -288,11 +292,16 @@ impl<'a> Problem<'a> {
         })
     }
 
+    /// Returns the number of points that count.
+    pub fn counting(&self) -> usize {
+        self.assigned.iter().map(Assigned::counting).sum()
+    }
+
     /// Returns the residuals of the points that count, model less data, in units of the noise, and
     /// those of the priors.
     pub fn plain_residuals(&self) -> Option<DVector<f64>> {
         let predicted = self.predicted.as_ref()?;
-        let mut residuals = Vec::with_capacity(self.rows().count() + self.slots.len());
+        let mut residuals = Vec::with_capacity(self.counting() + self.slots.len());
         for (assigned, predicted) in self.assigned.iter().zip(predicted) {
             for (i, branch) in assigned.branches.iter().enumerate() {
                 if *branch != Branch::LeftOut {
@@ -312,7 +321,7 @@ impl<'a> Problem<'a> {
     /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values of the
     /// slots.
     pub fn plain_jacobian(&self) -> Option<DMatrix<f64>> {
-        let rows = self.rows().count();
+        let rows = self.counting();
         let priors = self
             .slots
             .iter()
@@ -450,7 +459,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
                     .iter()
                     .filter(|slot| slot.prior.is_some())
                     .count();
-                DVector::from_element(self.rows().count() + priors, REFUSED)
+                DVector::from_element(self.counting() + priors, REFUSED)
             }
         })
     }

@@ -166,7 +166,7 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
 /// Returns the sum of squares with the best factor of the loads, and this factor; `None` where the
 /// model has no contact.
 fn misfit(table: &Table, experiment: &Experiment, is_free: bool) -> Option<(f64, f64)> {
-    let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+    let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
     let predicted = experiment.predict_with(&contact_of, &[], &[], None).ok()?;
     let points = &experiment.measurement.points;
     let pairs = points.iter().zip(&predicted.values);

@@ -5,7 +5,7 @@ use super::problem::{Assigned, Ending, Problem};
 use super::uncertainty::Uncertainty;
 use crate::model::Assignment;
 use crate::statistics::{excess, median};
-use crate::{Bodies, Branch, Experiment, Kind, Loss};
+use crate::{Bodies, Branch, Experiment, Kind, Loss, Parameter};
 
 /// The most evaluations over the number of parameters + 1.
 pub(super) const PATIENCE: usize = 60;
@@ -310,7 +310,8 @@ pub(super) fn ends(
     // With all points that may count, the variance will be smaller.
     let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
     let end = |branch: Branch| {
-        let contact_of = |bodies: &Bodies, gradient| problem.contact(bodies, gradient);
+        let contact_of =
+            |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
         let end = experiment.branch_end_with(&contact_of, branch, &parameters);
         let end = end.ok().flatten()?;
         let mut variance = 0.0;

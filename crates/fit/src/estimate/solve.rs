@@ -83,7 +83,8 @@ pub fn fit(
 
 /// Returns the loss angle of each experiment with phases.
 fn losses(problem: &Problem<'_>) -> Result<Vec<Option<LossAngle>>, Error> {
-    let contact_of = |bodies: &Bodies, gradient| problem.contact(bodies, gradient);
+    let contact_of =
+        |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
     let of = |one: &Assigned| one.experiment.loss_angle(&contact_of, &one.branches);
     problem.assigned.iter().map(of).collect()
 }

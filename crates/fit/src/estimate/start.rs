@@ -279,7 +279,7 @@ fn starts(
 fn compound(experiment: &Experiment, table: &Table) -> Result<f64, Error> {
     let contact = experiment
         .bodies
-        .contact(table, false)
+        .contact(table, None)
         .map_err(|cause| Error::Start {
             experiment: experiment.measurement.name.clone(),
             cause: Box::new(cause),
@@ -338,7 +338,7 @@ fn matching_modulus(
             .clone()
             .with(parameter, logarithm.exp())
             .ok()?;
-        let contact = bodies.contact(table, false).ok()?;
+        let contact = bodies.contact(table, None).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {
             contact.load(radius, w).ok()?

@@ -114,7 +114,7 @@ pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> (Option<
         return (None, 0);
     }
     let exact = exact(problem);
-    let part = exact.rows().count() as f64 / problem.rows().count() as f64;
+    let part = exact.counting() as f64 / problem.counting() as f64;
     for slot in slots {
         let error = uncertainty.relative_error(slot);
         if error > UNDETERMINED {

@@ -17,8 +17,10 @@ const BODY_STEP: f64 = 1e-3;
 /// The step of other values, relative to themselves or to the range of the data.
 const STEP: f64 = 1e-5;
 
-/// Makes the contact of bodies, with its derivatives if they are asked for and known.
-pub(crate) type ContactOf<'a> = dyn Fn(&Bodies, bool) -> Result<Contact, Error> + 'a;
+/// Makes the contact of bodies, with its derivatives with respect to parameters if they are asked for and
+/// known.
+pub(crate) type ContactOf<'a> =
+    dyn Fn(&Bodies, Option<&[Parameter]>) -> Result<Contact, Error> + 'a;
 
 impl Experiment {
     /// Tells whether the derivatives of its predictions are exact, so that they need no further contacts.
@@ -42,7 +44,7 @@ impl Experiment {
             return self.stiffness_and_differences(contact_of, branches, parameters);
         }
         let exact = self.bodies.has_derivatives();
-        let contact = contact_of(&self.bodies, exact && parameters.is_some())?;
+        let contact = contact_of(&self.bodies, parameters.filter(|_| exact))?;
         let Some(columns) = parameters.filter(|_| !exact) else {
             return Ok(self.predict(&contact, branches, order, parameters)?);
         };
@@ -50,7 +52,7 @@ impl Experiment {
         predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
         for (column, &parameter) in columns.iter().enumerate() {
             let values = |experiment: &Self| {
-                let contact = contact_of(&experiment.bodies, false)?;
+                let contact = contact_of(&experiment.bodies, None)?;
                 Ok(experiment.predict(&contact, branches, order, None)?.values)
             };
             let by = self.differences(parameter, values)?;
@@ -93,7 +95,7 @@ impl Experiment {
         columns: &[Parameter],
     ) -> Result<Option<BranchEnd>, Error> {
         let exact = self.bodies.has_derivatives();
-        let contact = contact_of(&self.bodies, exact)?;
+        let contact = contact_of(&self.bodies, exact.then_some(columns))?;
         if exact {
             return Ok(self.branch_end(&contact, branch, columns)?);
         }
@@ -101,7 +103,7 @@ impl Experiment {
             return Ok(None);
         };
         let abscissa = |experiment: &Self| {
-            let contact = contact_of(&experiment.bodies, false)?;
+            let contact = contact_of(&experiment.bodies, None)?;
             let end = experiment.branch_end(&contact, branch, &[])?;
             Ok(end.into_iter().map(|end| end.abscissa).collect())
         };

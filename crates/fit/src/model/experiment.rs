@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use contact::Contact;
+use contact::{Contact, Input};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use super::{
@@ -147,14 +147,38 @@ impl Bodies {
         Ok(self)
     }
 
-    /// Makes the contact, with the derivatives of the curve if asked for. Contacts on layers have
-    /// none.
-    pub(crate) fn contact(&self, table: &Table, gradient: bool) -> Result<Contact, Error> {
-        Ok(match self {
-            Self::Coated(system) if gradient => Contact::in_table_with_gradient(table, system)?,
-            Self::Coated(system) => Contact::in_table(table, system)?,
-            Self::HalfSpace(half_space) => Contact::half_space(half_space)?,
-            Self::Layered(layered) => layered.solver.contact(layered).map_err(Error::Layers)?,
+    /// Returns the input of the contact that a parameter is.
+    pub(crate) const fn input(&self, parameter: Parameter) -> Option<Input> {
+        let coated = matches!(self, Self::Coated(_));
+        Some(match parameter {
+            Parameter::SphereModulus => Input::SphereModulus,
+            Parameter::FilmModulus if coated => Input::FilmModulus,
+            Parameter::FilmModulus => Input::SubstrateModulus,
+            Parameter::FilmPoissonRatio if coated => Input::FilmPoisson,
+            Parameter::FilmPoissonRatio => Input::SubstratePoisson,
+            Parameter::FilmThickness => Input::FilmThickness,
+            _ => return None,
+        })
+    }
+
+    /// Makes the contact, with the derivatives with respect to some parameters if they are asked for.
+    /// Contacts on layers have none.
+    pub(crate) fn contact(
+        &self,
+        table: &Table,
+        derivatives: Option<&[Parameter]>,
+    ) -> Result<Contact, Error> {
+        Ok(match (self, derivatives) {
+            (Self::Coated(system), Some(parameters)) => {
+                let inputs = parameters.iter().filter_map(|&one| self.input(one));
+                let inputs: Vec<Input> = inputs.collect();
+                Contact::in_table_with_derivatives(table, system, &inputs)?
+            }
+            (Self::Coated(system), None) => Contact::in_table(table, system)?,
+            (Self::HalfSpace(half_space), _) => Contact::half_space(half_space)?,
+            (Self::Layered(layered), _) => {
+                layered.solver.contact(layered).map_err(Error::Layers)?
+            }
         })
     }
 }

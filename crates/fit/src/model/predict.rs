@@ -25,7 +25,6 @@ impl Experiment {
     ) -> Result<Predicted, contact::Error> {
         let points = &self.measurement.points;
         let columns = parameters.unwrap_or_default();
-        let width = columns.len();
         let mut predicted = Predicted {
             values: points
                 .iter()
@@ -34,15 +33,9 @@ impl Experiment {
             radii: vec![0.0; points.len()],
             beyond: vec![false; points.len()],
             pinned: vec![false; points.len()],
-            derivatives: Vec::with_capacity(points.len() * width),
+            derivatives: vec![0.0; points.len() * columns.len()],
         };
-        for point in points {
-            predicted.derivatives.extend(
-                columns
-                    .iter()
-                    .map(|&parameter| self.baseline_derivative(parameter, point.abscissa)),
-            );
-        }
+        self.add_baseline_derivatives(columns, &mut predicted.derivatives);
         match self.measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius => {
                 self.predict_at_radii(contact, branches, parameters, &mut predicted)?;
@@ -81,7 +74,7 @@ impl Experiment {
             let (mut inputs, mut input_columns) = self.inputs_on(branch, columns);
             if w == 0.0 {
                 // The load falls like the root of `w`.
-                input_columns.retain(|&column| self.input(columns[column]).is_some());
+                input_columns.retain(|&column| self.bodies.input(columns[column]).is_some());
                 inputs.retain(|&input| input != Input::WorkOfAdhesion);
             }
             let mut by = vec![Derivatives::ZERO; inputs.len()];

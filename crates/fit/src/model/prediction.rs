@@ -80,12 +80,12 @@ impl Experiment {
             // The measured stiffness tells the contact depth.
             self.accept_stiffness()?;
         }
-        let contact = self.bodies.contact(table, true)?;
-        let contact_of = |bodies: &Bodies, gradient| {
+        let contact = self.bodies.contact(table, Some(parameters))?;
+        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| {
             if bodies == &self.bodies {
                 Ok(contact.clone())
             } else {
-                bodies.contact(table, gradient)
+                bodies.contact(table, by)
             }
         };
         let (of_model, order) = self.branches_of_model(&contact)?;

@@ -2,7 +2,7 @@
 
 use contact::{Control, Input};
 
-use super::{Bodies, Branch, Experiment, Kind, Parameter};
+use super::{Branch, Experiment, Kind, Parameter};
 
 impl Experiment {
     /// Returns the work of adhesion of a branch.
@@ -53,26 +53,12 @@ impl Experiment {
         }
     }
 
-    /// Returns the input of the contact that a parameter of the bodies is.
-    pub(super) fn input(&self, parameter: Parameter) -> Option<Input> {
-        let coated = matches!(self.bodies, Bodies::Coated(_));
-        Some(match parameter {
-            Parameter::SphereModulus => Input::SphereModulus,
-            Parameter::FilmModulus if coated => Input::FilmModulus,
-            Parameter::FilmModulus => Input::SubstrateModulus,
-            Parameter::FilmPoissonRatio if coated => Input::FilmPoisson,
-            Parameter::FilmPoissonRatio => Input::SubstratePoisson,
-            Parameter::FilmThickness => Input::FilmThickness,
-            _ => return None,
-        })
-    }
-
     /// Returns the input of the contact on a branch that a parameter is.
     pub(super) fn input_on(&self, parameter: Parameter, branch: Branch) -> Option<Input> {
         if self.is_work_of(parameter, branch) {
             Some(Input::WorkOfAdhesion)
         } else {
-            self.input(parameter)
+            self.bodies.input(parameter)
         }
     }
 
@@ -86,17 +72,36 @@ impl Experiment {
         }
     }
 
-    /// Returns the derivative of the reading without a contact.
-    pub(super) fn baseline_derivative(&self, parameter: Parameter, abscissa: f64) -> f64 {
+    /// Returns the derivative of the reading without a contact: a constant, and the factor of the distance
+    /// of the abscissa from the contact point.
+    pub(super) const fn baseline_derivative(&self, parameter: Parameter) -> [f64; 2] {
         match (self.measurement.kind, parameter) {
-            (Kind::PenetrationRadius, Parameter::ContactPoint) => 1.0,
-            (Kind::PenetrationRadius, _) => 0.0,
-            (_, Parameter::LoadOffset) => 1.0,
-            (Kind::LoadRadius, _) => 0.0,
-            (_, Parameter::Baseline) => 1.0,
-            (_, Parameter::BaselineSlope) => abscissa - self.contact_point,
-            (_, Parameter::ContactPoint) => -self.baseline_slope,
-            _ => 0.0,
+            (Kind::PenetrationRadius, Parameter::ContactPoint) => [1.0, 0.0],
+            (Kind::PenetrationRadius, _) => [0.0; 2],
+            (_, Parameter::LoadOffset) => [1.0, 0.0],
+            (Kind::LoadRadius, _) => [0.0; 2],
+            (_, Parameter::Baseline) => [1.0, 0.0],
+            (_, Parameter::BaselineSlope) => [0.0, 1.0],
+            (_, Parameter::ContactPoint) => [-self.baseline_slope, 0.0],
+            _ => [0.0; 2],
+        }
+    }
+
+    /// Adds the derivatives of the readings without a contact to `derivatives`, with a column for each
+    /// parameter.
+    pub(super) fn add_baseline_derivatives(
+        &self,
+        parameters: &[Parameter],
+        derivatives: &mut [f64],
+    ) {
+        for (column, &parameter) in parameters.iter().enumerate() {
+            let [constant, slope] = self.baseline_derivative(parameter);
+            if [constant, slope] != [0.0; 2] {
+                let rows = derivatives.chunks_exact_mut(parameters.len());
+                for (point, row) in self.measurement.points.iter().zip(rows) {
+                    row[column] += constant + slope * (point.abscissa - self.contact_point);
+                }
+            }
         }
     }
 

@@ -227,7 +227,7 @@ impl Experiment {
             Bodies::HalfSpace(half_space) => half_space.sphere_modulus = f64::INFINITY,
             Bodies::Layered(_) => return Ok(None),
         }
-        rigid.contact(table, false).map(Some)
+        rigid.contact(table, None).map(Some)
     }
 
     /// Returns what is imposed on the contact in time. Noise of the abscissae must not turn it around:
@@ -283,12 +283,12 @@ impl Experiment {
         let points = &self.measurement.points;
         let columns = parameters.unwrap_or_default();
         let exact = self.bodies.has_derivatives();
-        let contact = contact_of(&self.bodies, exact && parameters.is_some())?;
+        let contact = contact_of(&self.bodies, parameters.filter(|_| exact))?;
         let program = self.program();
         let (mut inputs, mut law): (Vec<Input>, Vec<LawParameter>) = (Vec::new(), Vec::new());
         for &parameter in columns {
             law.extend(of_law(parameter));
-            inputs.extend(self.input(parameter).filter(|_| exact));
+            inputs.extend(self.bodies.input(parameter).filter(|_| exact));
         }
         let asked = parameters.is_some().then_some(HistoryInputs {
             contact: &inputs,
@@ -326,18 +326,17 @@ impl Experiment {
             Parameter::ContactPoint => (Some(0), -sense),
             Parameter::Stiffness => (Some(1), 1.0),
             _ if of_law(parameter).is_some() => (next(&mut of_laws), 1.0),
-            _ if exact && self.input(parameter).is_some() => (next(&mut of_inputs), 1.0),
+            _ if exact && self.bodies.input(parameter).is_some() => (next(&mut of_inputs), 1.0),
             _ => (None, 1.0),
         };
         let taken: Vec<(Option<usize>, f64)> = columns.iter().copied().map(taken).collect();
-        for (point, row) in points.iter().zip(found.derivatives.chunks_exact(width)) {
-            let of = |(&parameter, &(column, sign)): (&Parameter, &(Option<usize>, f64))| {
-                let load = column.map_or(0.0, |column| sign * row[column]);
-                load + self.baseline_derivative(parameter, point.abscissa)
+        for row in found.derivatives.chunks_exact(width) {
+            let load = |&(column, sign): &(Option<usize>, f64)| {
+                column.map_or(0.0, |column| sign * row[column])
             };
-            let row = columns.iter().zip(&taken).map(of);
-            predicted.derivatives.extend(row);
+            predicted.derivatives.extend(taken.iter().map(load));
         }
+        self.add_baseline_derivatives(columns, &mut predicted.derivatives);
         if exact {
             return Ok(predicted);
         }

@@ -6,7 +6,7 @@ use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Bodies, Branch, Direction, Experiment, Measurement};
+use super::{Bodies, Branch, Direction, Experiment, Measurement, Parameter};
 use crate::Error;
 
 /// Makes the measurement that the values of an experiment would give.
@@ -78,10 +78,10 @@ impl Experiment {
     /// Gives the points the ordinates of the model.
     pub(crate) fn make(&mut self, table: &Table) -> Result<(), Error> {
         if self.measurement.kind.is_stiffness() {
-            return self.make_stiffness(&|bodies, gradient| bodies.contact(table, gradient));
+            return self.make_stiffness(&|bodies, by| bodies.contact(table, by));
         }
-        let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
-        let contact = contact_of(&self.bodies, true)?;
+        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
+        let contact = contact_of(&self.bodies, None)?;
         let (branches, order) = self.branches_of_model(&contact)?;
         let predicted = self.predict_with(&contact_of, &branches, &order, None)?;
         for (point, value) in self.measurement.points.iter_mut().zip(predicted.values) {

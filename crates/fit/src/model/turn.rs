@@ -50,7 +50,7 @@ impl Experiment {
             for &parameter in columns {
                 let input = match parameter {
                     Parameter::WorkOfAdhesion if w > 0.0 => Some(Input::WorkOfAdhesion),
-                    _ => self.input(parameter),
+                    _ => self.bodies.input(parameter),
                 };
                 let change = match input {
                     Some(input) => {
@@ -105,10 +105,12 @@ impl Experiment {
             |by: Derivatives| by.load - stiffness * imposed(control, by.load, by.penetration);
         let row = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
         for ((derivative, &parameter), radius) in row.iter_mut().zip(columns).zip(&turn.radius) {
-            *derivative = self.baseline_derivative(parameter, abscissa)
+            let [constant, slope] = self.baseline_derivative(parameter);
+            *derivative = constant
+                + slope * (abscissa - self.contact_point)
                 + at_fixed_value(by_radius) * radius
                 + stiffness * self.imposed_derivative(parameter, load);
-            if let Some(input) = self.input(parameter) {
+            if let Some(input) = self.bodies.input(parameter) {
                 *derivative += at_fixed_value(gradient.by(input)?);
             }
         }

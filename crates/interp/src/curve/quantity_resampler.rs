@@ -1,8 +1,6 @@
 //! From splines of the quantities that are held, over `ln(a/t)`, to polynomials of all four quantities on
 //! pieces of `a/t`.
 
-use std::sync::Arc;
-
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use piecewise::bspline::Basis;
@@ -37,10 +35,8 @@ struct ParameterDerivatives<'a> {
     coefficients: &'a [f64],
     /// The derivatives of the integrals where the next group of pieces begins.
     constants: Constants<'a>,
-    /// The result on all pieces.
-    all: &'a mut [Polynomials<SPLINE_TERMS>],
-    /// The result on the last group of pieces, if it is not full.
-    last: [Polynomials<SPLINE_TERMS>; LANES],
+    /// The result on the pieces so far.
+    pieces: Vec<Polynomials<SPLINE_TERMS>>,
 }
 
 impl QuantityResampler {
@@ -83,18 +79,17 @@ impl QuantityResampler {
     /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
     /// their [scales](Quantity::scale).
     pub(crate) fn values(&self, coefficients: &[f64], es: f64) -> Pieces {
-        let (pieces, []) = self.values_and_derivatives(coefficients, [], es);
-        pieces
+        self.values_and_derivatives(coefficients, &[], es).0
     }
 
     /// Returns the polynomials of the quantities, and those of the derivatives of their logarithms
-    /// with respect to `N` parameters, from the coefficients and their derivatives.
-    pub(crate) fn values_and_derivatives<const N: usize>(
+    /// with respect to some parameters, from the coefficients and their derivatives.
+    pub(crate) fn values_and_derivatives(
         &self,
         coefficients: &[f64],
-        derivatives: [&[f64]; N],
+        derivatives: &[&[f64]],
         es: f64,
-    ) -> (Pieces, [Piecewise<SPLINE_TERMS>; N]) {
+    ) -> (Pieces, Vec<Piecewise<SPLINE_TERMS>>) {
         let Some(derivation) = &self.derivation else {
             let scales = Quantity::ALL.map(|quantity| quantity.scale(es));
             let begins_nowhere = holds_gamma_alone(&self.splines);
@@ -102,56 +97,53 @@ impl QuantityResampler {
                 values: self.splines.exponentials(coefficients, scales),
                 start_error: begins_nowhere.then_some(f64::INFINITY),
             };
-            return (pieces, derivatives.map(|by| self.splines.splines(by)));
+            let derivatives = derivatives.iter().map(|by| self.splines.splines(by));
+            return (pieces, derivatives.collect());
         };
-        let mut of_derivatives = [(); N].map(|()| self.splines.zeros());
-        let all = of_derivatives.each_mut().map(Arc::make_mut);
+        let mut parameters: Vec<_> = derivatives
+            .iter()
+            .map(|coefficients| ParameterDerivatives {
+                coefficients,
+                constants: Constants::Running([0.0; 3]),
+                pieces: Vec::with_capacity(self.splines.grid().count()),
+            })
+            .collect();
         let (values, start_error) = dispatch!(Level::new(), simd => {
-            self.derive(simd, derivation, coefficients, derivatives, es, all)
+            self.derive(simd, derivation, coefficients, &mut parameters, es)
         });
         let pieces = Pieces {
             values,
             start_error: Some(start_error),
         };
-        let on_grid = |pieces| Piecewise::new(self.splines.grid().clone(), pieces);
-        (pieces, of_derivatives.map(on_grid))
+        let derivatives = parameters.into_iter().map(|by| self.on_grid(by.pieces));
+        (pieces, derivatives.collect())
+    }
+
+    /// Returns polynomials on the pieces of a curve.
+    fn on_grid<const N: usize>(&self, pieces: Vec<Polynomials<N>>) -> Piecewise<N> {
+        Piecewise::new(self.splines.grid().clone(), pieces)
     }
 
     /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, with the
     /// error of the integrals where they begin; writes those of the derivatives of their logarithms.
     #[inline(always)]
-    fn derive<S: Simd, const N: usize>(
+    fn derive<S: Simd>(
         &self,
         simd: S,
         derivation: &Derivation,
         coefficients: &[f64],
-        derivatives: [&[f64]; N],
+        parameters: &mut [ParameterDerivatives<'_>],
         es: f64,
-        of_derivatives: [&mut [Polynomials<SPLINE_TERMS>]; N],
     ) -> (Piecewise<FUNCTION_TERMS>, f64) {
         let starts = self.at_starts(simd, derivation, coefficients);
         let start = ThickFilm::new(starts.map(f64::exp));
-        let mut parameters = of_derivatives.map(|all| ParameterDerivatives {
-            coefficients: &[],
-            constants: Constants::Running([0.0; 3]),
-            all,
-            last: [[[0.0; 4]; SPLINE_TERMS]; LANES],
-        });
-        for (parameter, coefficients) in parameters.iter_mut().zip(derivatives) {
-            let [first, second, _] = self.at_starts(simd, derivation, coefficients);
-            parameter.coefficients = coefficients;
+        for parameter in &mut *parameters {
+            let [first, second, _] = self.at_starts(simd, derivation, parameter.coefficients);
             let start = start.derivatives([first, second]);
             parameter.constants = Constants::Running(derivation.at_start(start));
         }
         let constants = Constants::Running(derivation.at_start(start.values()));
-        let pieces = self.derived(
-            simd,
-            derivation,
-            coefficients,
-            es,
-            constants,
-            &mut parameters,
-        );
+        let pieces = self.derived(simd, derivation, coefficients, es, constants, parameters);
         (pieces, start.error)
     }
 
@@ -159,40 +151,36 @@ impl QuantityResampler {
     /// [`Derivation::integrals`]; writes those of the derivatives of their logarithms, see
     /// [`Derivation::sensitivities`].
     #[inline(always)]
-    fn derived<S: Simd, const N: usize>(
+    fn derived<S: Simd>(
         &self,
         simd: S,
         derivation: &Derivation,
         coefficients: &[f64],
         es: f64,
         mut constants: Constants<'_>,
-        parameters: &mut [ParameterDerivatives<'_>; N],
+        parameters: &mut [ParameterDerivatives<'_>],
     ) -> Piecewise<FUNCTION_TERMS> {
-        let mut pieces = self.splines.zeros();
-        let mut last = [[[0.0; 4]; FUNCTION_TERMS]; LANES];
-        let all = Arc::make_mut(&mut pieces);
+        let count = self.splines.grid().count();
+        let mut pieces = Vec::with_capacity(count);
+        // The pieces of a group, of which the last one may be repeated.
+        let mut of_values = [[[0.0; 4]; FUNCTION_TERMS]; LANES];
+        let mut of_derivatives = [[[0.0; 4]; SPLINE_TERMS]; LANES];
         for group in 0..derivation.groups() {
+            let own = LANES.min(count - LANES * group);
             let logarithms = self.splines.spline_on_group(simd, group, coefficients);
             let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
             for parameter in parameters.iter_mut() {
-                let ParameterDerivatives {
-                    coefficients,
-                    constants,
-                    all,
-                    last,
-                } = parameter;
-                let gamma = self.splines.spline_on_group(simd, group, coefficients);
-                let own = all[LANES * group..].first_chunk_mut().unwrap_or(last);
-                derivation.sensitivities(simd, group, &integrals, &gamma, constants, own);
+                let gamma = self
+                    .splines
+                    .spline_on_group(simd, group, parameter.coefficients);
+                let (constants, target) = (&mut parameter.constants, &mut of_derivatives);
+                derivation.sensitivities(simd, group, &integrals, &gamma, constants, target);
+                parameter.pieces.extend_from_slice(&of_derivatives[..own]);
             }
-            let own = all[LANES * group..].first_chunk_mut().unwrap_or(&mut last);
-            derivation.values(simd, group, &logarithms, integrals, es, own);
+            derivation.values(simd, group, &logarithms, integrals, es, &mut of_values);
+            pieces.extend_from_slice(&of_values[..own]);
         }
-        complete(all, &last);
-        for parameter in parameters {
-            complete(parameter.all, &parameter.last);
-        }
-        Piecewise::new(self.splines.grid().clone(), pieces)
+        self.on_grid(pieces)
     }
 
     /// Returns the polynomials of the derived quantities over their scales. The integrals have the
@@ -219,10 +207,4 @@ impl AsRef<Resampler> for QuantityResampler {
 /// Returns whether the splines are those of `Gamma` alone.
 fn holds_gamma_alone(splines: &Resampler) -> bool {
     splines.functions() == [Quantity::Gamma as usize]
-}
-
-/// Copies the pieces of the last group, if it is not full.
-fn complete<const N: usize>(all: &mut [Polynomials<N>], last: &[Polynomials<N>; LANES]) {
-    let (_, rest) = all.as_chunks_mut::<LANES>();
-    rest.copy_from_slice(&last[..rest.len()]);
 }

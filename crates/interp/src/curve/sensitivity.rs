@@ -1,23 +1,23 @@
 //! The derivatives of the quantities with respect to the parameters of the material.
 
-use piecewise::{Piecewise, Position, SPLINE_TERMS};
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x4};
+use piecewise::{FUNCTION_TERMS, Piecewise, SPLINE_TERMS};
 
-use crate::material::equivalence::Jacobian;
 use crate::material::one_minus_square;
 use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
 
 /// The derivatives of a curve with respect to the parameters of its material, on every piece.
 #[derive(Clone, Debug)]
 pub(crate) struct Sensitivities {
-    /// The derivatives of the logarithms with respect to `ln e1_over_e2`, `nu1` and `ln e0_over_e2`
-    /// of the table.
-    by_table: [Piecewise<SPLINE_TERMS>; 3],
-    /// Whether each of them is known. The derivative with respect to a parameter that the table
-    /// fixes to a finite value is unknown.
-    known: [bool; 3],
-    /// The derivatives of the table's parameters with respect to those of the material asked for,
+    /// The derivatives of the logarithms with respect to parameters of the table: its `nu1` and the
+    /// logarithms of its ratios of moduli, as far as they are needed.
+    by_table: Vec<Piecewise<SPLINE_TERMS>>,
+    /// The derivatives of each of these parameters with respect to those of the material asked for,
     /// which may be on another substrate.
-    jacobian: Jacobian,
+    factors: Vec<[f64; 4]>,
+    /// Whether each derivative with respect to the material asked for is known.
+    known: [bool; 4],
     /// The derivatives of `ln es` with respect to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and
     /// `nu0`.
     scale: [f64; 4],
@@ -26,13 +26,13 @@ pub(crate) struct Sensitivities {
 }
 
 impl Sensitivities {
-    /// Takes the derivatives on the pieces, whether each is known, the material asked for, and the
-    /// derivatives of its equivalent with respect to it.
+    /// Takes the derivatives on the pieces with respect to parameters of the table, those of these
+    /// parameters with respect to the material asked for, and which of the latter are then known.
     pub(crate) fn new(
-        by_table: [Piecewise<SPLINE_TERMS>; 3],
-        known: [bool; 3],
+        by_table: Vec<Piecewise<SPLINE_TERMS>>,
+        factors: Vec<[f64; 4]>,
+        known: [bool; 4],
         material: Material,
-        jacobian: Jacobian,
     ) -> Self {
         let film = match material.normalisation() {
             Normalisation::Sphere => material.sphere_film_modulus() / material.film_modulus(),
@@ -46,8 +46,8 @@ impl Sensitivities {
         ];
         Self {
             by_table,
+            factors,
             known,
-            jacobian,
             scale,
             material,
         }
@@ -59,67 +59,69 @@ impl Sensitivities {
     }
 
     /// Returns the derivatives, with respect to a parameter of the material asked for by number, of
-    /// the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`, and of the last one also the derivative
-    /// with respect to the position on its piece; `None` if the table fixes what they need.
-    pub(crate) fn over_es(&self, position: Position, parameter: usize) -> Option<[f64; 4]> {
+    /// the logarithms of `Pi0`, `Eeq` and `Gamma` over `es` at `x`, and of the last one also the
+    /// logarithmic slope; `None` if they are not known.
+    pub(crate) fn over_es(&self, x: f64, parameter: usize) -> Option<[f64; 4]> {
         let mut sums = [0.0; 4];
-        for (i, by_table) in self.by_table.iter().enumerate() {
-            let factor = self.jacobian[i][parameter];
-            if factor == 0.0 {
-                continue;
-            }
-            if !self.known[i] {
-                return None;
-            }
-            let [pi0, eeq, gamma, _] = by_table.values_at(position);
-            let slope = by_table.derivatives_at(position)[Quantity::Gamma as usize];
-            for (sum, by) in sums.iter_mut().zip([pi0, eeq, gamma, slope]) {
-                *sum += factor * by;
+        for (by_table, factors) in self.by_table.iter().zip(&self.factors) {
+            if factors[parameter] != 0.0 {
+                let [[pi0, eeq, gamma, _], [_, _, slope, _]] = by_table.values_and_slopes(x);
+                for (sum, by) in sums.iter_mut().zip([pi0, eeq, gamma, slope]) {
+                    *sum += factors[parameter] * by;
+                }
             }
         }
-        Some(sums)
+        self.known[parameter].then_some(sums)
     }
 
     /// Returns the derivatives of the logarithms.
-    pub(crate) const fn by_table(&self) -> &[Piecewise<SPLINE_TERMS>; 3] {
+    pub(crate) fn by_table(&self) -> &[Piecewise<SPLINE_TERMS>] {
         &self.by_table
     }
 
     /// Returns the derivatives of a curve of the material under another shape.
-    pub(crate) fn of_shape(&self, by_table: [Piecewise<SPLINE_TERMS>; 3]) -> Self {
+    pub(crate) fn of_shape(&self, by_table: Vec<Piecewise<SPLINE_TERMS>>) -> Self {
         Self {
             by_table,
             ..self.clone()
         }
     }
 
-    /// Returns the gradient at a position, whose quantities and slopes are given.
+    /// Returns the gradient of quantities that are `functions` of `x`.
+    #[inline]
     pub(crate) fn gradient(
         &self,
-        position: Position,
-        values: Quantities,
-        slopes: Quantities,
+        functions: &Piecewise<FUNCTION_TERMS>,
+        x: f64,
     ) -> QuantityGradient {
-        // Those of `es`, which is no factor of `Delta0`.
-        let mut relative = self.scale.map(|scale| [scale, scale, scale, 0.0]);
-        for (by_table, factors) in self.by_table.iter().zip(&self.jacobian) {
-            let by_table = by_table.values_at(position);
-            for (relative, factor) in relative.iter_mut().zip(factors) {
-                for (sum, derivative) in relative.iter_mut().zip(by_table) {
-                    *sum += factor * derivative;
+        let grid = functions.grid();
+        let (position, speed) = (grid.locate(x), grid.logarithmic_speed(x));
+        dispatch!(Level::new(), simd => {
+            let [values, derivatives] = functions.values_and_derivatives(simd, position);
+            let mut relative = [f64x4::splat(simd, 0.0); 4];
+            for (sum, &scale) in relative.iter_mut().zip(&self.scale) {
+                // Those of `es`, which is no factor of `Delta0`.
+                *sum = f64x4::simd_from(simd, [scale, scale, scale, 0.0]);
+            }
+            for (by_table, factors) in self.by_table.iter().zip(&self.factors) {
+                let by_table = by_table.values_side_by_side(simd, position);
+                for (sum, &factor) in relative.iter_mut().zip(factors) {
+                    *sum = by_table.mul_add(f64x4::splat(simd, factor), *sum);
                 }
             }
-        }
-        let unknown =
-            |parameter: usize| (0..3).any(|i| !self.known[i] && self.jacobian[i][parameter] != 0.0);
-        QuantityGradient {
-            values,
-            slopes,
-            relative,
-            known: std::array::from_fn(|parameter| !unknown(parameter)),
-            scale: self.scale,
-            material: self.material,
-        }
+            let mut rows = [[0.0; 4]; 4];
+            for (row, sum) in rows.iter_mut().zip(relative) {
+                sum.store_slice(row);
+            }
+            QuantityGradient {
+                values: Quantities::from_array(*values.as_array()),
+                slopes: Quantities::from_array(*(derivatives * speed).as_array()),
+                relative: rows,
+                known: self.known,
+                scale: self.scale,
+                material: self.material,
+            }
+        })
     }
 }
 
@@ -198,9 +200,9 @@ impl QuantityGradient {
     /// `a_over_t` are the [slopes](QuantityGradient::slopes) divided by `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need; for a
-    /// parameter that is none of these three; and for an `e1_over_e2` of 0, where the normalisation
-    /// changes.
+    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the
+    /// curve was made without them; for a parameter that is none of these three; and for an
+    /// `e1_over_e2` of 0, where the normalisation changes.
     pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
         let unknown = Error::FixedParameter(parameter.name());
         let (index, modulus) = match parameter {
@@ -223,7 +225,8 @@ impl QuantityGradient {
     /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need.
+    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the
+    /// curve was made without them.
     pub fn by_nu0(&self) -> Result<Quantities, Error> {
         Ok(self.absolute(self.relative(3).ok_or(Error::FixedParameter("nu0"))?))
     }

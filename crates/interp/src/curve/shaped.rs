@@ -30,9 +30,9 @@ impl Curve {
     }
 
     /// Returns the polynomials of the derivatives of the logarithms of the quantities over `es` (of
-    /// `Delta0` itself) with respect to three parameters of the table; none on a curve without
-    /// derivatives.
-    pub fn derivatives(&self) -> Option<&[Piecewise<SPLINE_TERMS>; 3]> {
+    /// `Delta0` itself) with respect to the parameters of the table that the derivatives of the curve
+    /// need; none on a curve without derivatives.
+    pub fn derivatives(&self) -> Option<&[Piecewise<SPLINE_TERMS>]> {
         Some(self.sensitivities.as_ref()?.by_table())
     }
 
@@ -47,7 +47,7 @@ impl Curve {
     pub fn of_shape(
         &self,
         functions: Piecewise<FUNCTION_TERMS>,
-        derivatives: Option<[Piecewise<SPLINE_TERMS>; 3]>,
+        derivatives: Option<Vec<Piecewise<SPLINE_TERMS>>>,
         below: Arc<dyn BelowNodes>,
     ) -> Self {
         let of_derivatives = derivatives.iter().flatten().map(Piecewise::grid);
@@ -114,10 +114,9 @@ impl Curve {
         let x = self
             .inside(a_over_t)
             .ok_or_else(|| self.outside(a_over_t))?;
-        let grid = self.functions.grid();
-        let by = sensitivities.over_es(grid.locate(x), parameter);
+        let by = sensitivities.over_es(x, parameter);
         let [pi0, eeq, gamma, slope] = by.ok_or(Error::FixedParameter("the material"))?;
-        Ok([pi0, eeq, gamma, slope * grid.logarithmic_speed(x) / x])
+        Ok([pi0, eeq, gamma, slope / x])
     }
 
     /// Returns an expansion below the nodes with `Pi0` and `Delta0` of the shape.

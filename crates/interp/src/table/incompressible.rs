@@ -37,6 +37,18 @@ const REACH: f64 = 0.7;
 /// with 1.5 it is 56, and an incompressible film took a tenth less time.
 const SHARED: f64 = 1.5;
 
+/// Tells whether derivatives need better slopes than those of the spline at the coordinate `v` of
+/// `nu1`. `factors` are those of the slope with respect to `nu1` in them: in the derivatives with respect
+/// to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0` of a material.
+pub(crate) fn matter(v: f64, [e1, nu1, e0, nu0]: [f64; 4]) -> bool {
+    // The unit of all but `nu1` is 1.
+    let magnification = |factor: f64| factor.abs() * Parameter::Nu1.speed(v);
+    nu1 != 0.0
+        || [e1, e0, nu0]
+            .into_iter()
+            .any(|factor| magnification(factor) > LARGEST_MAGNIFICATION)
+}
+
 /// Replaces the derivatives `slopes` of the coefficients over `ln(a/t)` with respect to `nu1` where
 /// those of the spline are inaccurate.
 ///

@@ -6,7 +6,7 @@ use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
 use crate::table::demand::PARTS;
-use crate::table::incompressible::improve_slopes;
+use crate::table::incompressible::{improve_slopes, matter};
 use crate::table::tensor_spline::TensorSpline;
 use crate::{
     Curve, Description, Error, Material, Parameter, Quantity, StackShape, SubstratePoissonRatio,
@@ -120,12 +120,14 @@ impl Lookup {
         self.of_pieces(description, pieces, material, Some(stack))
     }
 
-    /// Makes the curve of `material` with its derivatives with respect to it.
-    pub(crate) fn curve_with_gradient(
+    /// Makes the curve of `material` with those of its derivatives with respect to
+    /// `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0` that are `wanted`.
+    pub(crate) fn curve_with_derivatives(
         &self,
         axes: &Axes,
         description: &Description,
         material: &Material,
+        wanted: [bool; 4],
     ) -> Result<Curve, Error> {
         let (equivalence, coordinates) = find_equivalent(description, material, |nu0| {
             let equivalence = Equivalence::new(material, nu0)?;
@@ -133,8 +135,20 @@ impl Lookup {
             Ok((equivalence, coordinates))
         })?;
         let equivalent = equivalence.equivalent;
-        let [values, mut slopes @ ..] = self.spline.coefficients_and_slopes(coordinates);
         let parameters = axes.of_material();
+        let jacobian = equivalence.jacobian(parameters);
+        // Those that need no parameter that the table fixes to a finite value.
+        let known = std::array::from_fn(|by| {
+            let is_needed = |axis: &usize| jacobian[*axis][by] != 0.0;
+            let mut needed = (0..3).filter(is_needed);
+            wanted[by] && needed.all(|axis| !axes.fixes(parameters[axis]))
+        });
+        let factors = jacobian.map(|row| {
+            let factor = |by: usize| if known[by] { row[by] } else { 0.0 };
+            std::array::from_fn(factor)
+        });
+        let needed = factors.map(|row: [f64; 4]| row != [0.0; 4]);
+        let [values, mut slopes @ ..] = self.spline.coefficients_and_slopes(coordinates, needed);
         let invariants = Invariants::of(&equivalent);
         // From the derivatives with respect to the coordinates to those with respect to `nu1` and
         // to the logarithms of the moduli.
@@ -146,19 +160,22 @@ impl Lookup {
         for (slopes, speed) in slopes.iter_mut().zip(speeds) {
             slopes.iter_mut().for_each(|slope| *slope *= speed);
         }
-        improve_slopes(
-            &self.spline,
-            coordinates,
-            axes.nodes(Parameter::AOverT),
-            axes.ends(Parameter::Nu1)[0],
-            &mut slopes[1],
-        );
-        let slopes = slopes.each_ref().map(Vec::as_slice);
+        if matter(coordinates[1], factors[1]) {
+            improve_slopes(
+                &self.spline,
+                coordinates,
+                axes.nodes(Parameter::AOverT),
+                axes.ends(Parameter::Nu1)[0],
+                &mut slopes[1],
+            );
+        }
+        let (slopes, factors): (Vec<&[f64]>, Vec<[f64; 4]>) = (0..3)
+            .filter(|&axis| needed[axis])
+            .map(|axis| (&slopes[axis][..], factors[axis]))
+            .unzip();
         let es = equivalent.sphere_film_modulus();
-        let (pieces, derivatives) = self.resampler.values_and_derivatives(&values, slopes, es);
-        let known = parameters.map(|parameter| !axes.fixes(parameter));
-        let jacobian = equivalence.jacobian(parameters);
-        let sensitivities = Sensitivities::new(derivatives, known, *material, jacobian);
+        let (pieces, derivatives) = self.resampler.values_and_derivatives(&values, &slopes, es);
+        let sensitivities = Sensitivities::new(derivatives, factors, known, *material);
         Ok(self
             .of_pieces(description, pieces, equivalent, None)?
             .with_sensitivities(sensitivities))

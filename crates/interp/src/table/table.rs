@@ -381,9 +381,25 @@ impl Table {
     /// # Errors
     /// As [`Table::curve`].
     pub fn curve_with_gradient(&self, material: &Material) -> Result<Curve, Error> {
+        self.curve_with_derivatives(material, [true; 4])
+    }
+
+    /// Makes the curve of `material` with those of its derivatives with respect to `ln e1_over_e2`,
+    /// `nu1`, `ln e0_over_e2` and `nu0` that are `wanted`. The others are unknown.
+    ///
+    /// Each derivative takes some time. That with respect to `nu1` of a nearly incompressible film takes
+    /// the most.
+    ///
+    /// # Errors
+    /// As [`Table::curve`].
+    pub fn curve_with_derivatives(
+        &self,
+        material: &Material,
+        wanted: [bool; 4],
+    ) -> Result<Curve, Error> {
         self.accept_films()?;
         self.lookup()
-            .curve_with_gradient(&self.axes, &self.description, material)
+            .curve_with_derivatives(&self.axes, &self.description, material, wanted)
     }
 
     /// Makes the curve of the stack of layers of this table under a sphere.

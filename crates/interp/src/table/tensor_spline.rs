@@ -113,14 +113,18 @@ impl TensorSpline {
     }
 
     /// Returns these coefficients, followed by their derivatives with respect to the three
-    /// coordinates.
-    pub(crate) fn coefficients_and_slopes(&self, coordinates: [f64; 3]) -> [Vec<f64>; 4] {
+    /// coordinates; those that are not `wanted` are empty.
+    pub(crate) fn coefficients_and_slopes(
+        &self,
+        coordinates: [f64; 3],
+        wanted: [bool; 3],
+    ) -> [Vec<f64>; 4] {
         match &self.form {
             Form::Tiles(trains) => {
                 let train = trains.of(coordinates, &self.a_over_t_basis);
-                train.coefficients_and_slopes(coordinates)
+                train.coefficients_and_slopes(coordinates, wanted)
             }
-            Form::Dense(spline) => spline.coefficients_and_slopes(coordinates),
+            Form::Dense(spline) => spline.coefficients_and_slopes(coordinates, wanted),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
-use piecewise::lanes::{LANES, Lanes, lanes_of_rows, pairs_by_lane};
+use piecewise::lanes::{LANES, Lanes, lanes_of_rows, write_by_piece};
 use piecewise::series::{
     Series, continued, divided_by_powers, economised, integral, product, quotient, scale,
     times_linear,
@@ -62,11 +62,10 @@ pub(super) struct Group<'a> {
     pub(super) pieces: [&'a Polynomials<FUNCTION_TERMS>; LANES],
     /// The place of the first node on the first piece, in the first group.
     pub(super) start: Option<f64>,
-    pub(super) number: usize,
 }
 
 impl Group<'_> {
-    /// Returns the series of `Pi0` and `Delta0` of the shape on the pieces.
+    /// Writes the polynomials of the quantities on the pieces, with `Pi0` and `Delta0` of the shape.
     #[inline(always)]
     pub(super) fn integrated<S: Simd>(
         &self,
@@ -74,12 +73,14 @@ impl Group<'_> {
         es: f64,
         radius: f64,
         running: &mut Running,
-    ) -> [[[f64; 2]; FUNCTION_TERMS]; LANES] {
+        target: &mut [Polynomials<FUNCTION_TERMS>; LANES],
+    ) {
         let vector = |values: [f64; LANES]| Lanes::simd_from(simd, values);
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
         let zero = Lanes::splat(simd, 0.0);
         let [mut stiffness, mut gamma, mut penetration]: [Series<_, TERMS>; 3] = [[zero; TERMS]; 3];
+        let mut kept: [Series<_, FUNCTION_TERMS>; 2] = [[zero; FUNCTION_TERMS]; 2];
         let inverse_es = Lanes::splat(simd, 1.0 / es);
         for k in 0..FUNCTION_TERMS {
             let mut rows = [f64x4::splat(simd, 0.0); LANES];
@@ -87,6 +88,7 @@ impl Group<'_> {
                 *row = f64x4::from_slice(simd, &piece[k]);
             }
             let [_, eeq, own, delta0] = lanes_of_rows(rows);
+            (kept[0][k], kept[1][k]) = (eeq, own);
             stiffness[k] = eeq * inverse_es;
             gamma[k] = own * inverse_es;
             penetration[k] = delta0 * 0.5;
@@ -140,7 +142,7 @@ impl Group<'_> {
         let factor = inverse * inverse * radius;
         scale(&mut penetration, factor);
         scale(&mut load, factor * inverse * (4.0 * es));
-        pairs_by_lane(&load, &penetration)
+        write_by_piece([&load, &kept[0], &kept[1], &penetration], target);
     }
 }
 

@@ -88,12 +88,12 @@ impl EvenPowers {
         let functions = source.integrated(shape, &beginning, |weights| weights);
         let by_size = own.derivatives().map(|_| {
             let by_size = source.integrated(shape, &beginning, dilated);
-            let pairs = by_size.pieces().iter().zip(&**functions.pieces());
+            let pairs = by_size.pieces().iter().zip(functions.pieces());
             source.on_grid(pairs.map(|(by, of)| ratio(by, of)).collect())
         });
         let derivatives = own.derivatives().map(|all| {
-            all.each_ref()
-                .map(|by| source.by_parameter(shape, &functions, by))
+            let of_shape = |by| source.by_parameter(shape, &functions, by);
+            all.iter().map(of_shape).collect()
         });
         let thick_films = Arc::new(ThickFilms {
             shape,
@@ -149,7 +149,7 @@ impl Source<'_> {
         /// The step of the differences. Their error is of the order of its square.
         const STEP: f64 = 1e-4;
         let [more, less] = [STEP, -STEP].map(|step| {
-            let pairs = self.functions.pieces().iter().zip(&**by.pieces());
+            let pairs = self.functions.pieces().iter().zip(by.pieces());
             let changed = pairs.map(|(piece, by)| scaled(piece, by, step)).collect();
             let changed = Source {
                 functions: &self.on_grid(changed),
@@ -158,8 +158,8 @@ impl Source<'_> {
             changed.integrated(shape, &changed.beginning(), |weights| weights)
         });
         let [more, less] = [more.pieces(), less.pieces()];
-        let mut relative = by.pieces().clone();
-        for (i, relative) in Arc::make_mut(&mut relative).iter_mut().enumerate() {
+        let mut relative = by.pieces().to_vec();
+        for (i, relative) in relative.iter_mut().enumerate() {
             let difference: Polynomials<FUNCTION_TERMS> = std::array::from_fn(|k| {
                 std::array::from_fn(|q| (more[i][k][q] - less[i][k][q]) / (2.0 * STEP))
             });
@@ -178,7 +178,7 @@ impl Source<'_> {
     }
 
     /// Returns polynomials on the pieces of the curve.
-    fn on_grid<const N: usize>(&self, pieces: Arc<[Polynomials<N>]>) -> Piecewise<N> {
+    fn on_grid<const N: usize>(&self, pieces: Vec<Polynomials<N>>) -> Piecewise<N> {
         Piecewise::new(self.functions.grid().clone(), pieces)
     }
 
@@ -206,8 +206,9 @@ impl Source<'_> {
             .map(|(_, ends)| ends)
             .take_while(|[from, _]| *from < most)
             .collect();
-        let mut pieces = self.functions.pieces().clone();
-        let own = Arc::make_mut(&mut pieces);
+        let of_paraboloid = self.functions.pieces();
+        let mut pieces = Vec::with_capacity(of_paraboloid.len());
+        let mut own = [[[0.0; 4]; FUNCTION_TERMS]; LANES];
         let first = change(shape.weights(beginning.first, unit));
         let mut running = Running::new(&beginning.at(beginning.first), &first);
         let radius = shape.unit_radius() * unit;
@@ -216,21 +217,15 @@ impl Source<'_> {
             let group = Group {
                 ends: lanes.map(|lane: usize| ends[lane]),
                 weights: lanes.map(|lane| change(shape.weights(ends[lane][1], unit))),
-                pieces: lanes.map(|lane| &self.functions.pieces()[LANES * group + lane]),
+                pieces: lanes.map(|lane| &of_paraboloid[LANES * group + lane]),
                 start: (group == 0).then(|| grid.locate(grid.range()[0]).t),
-                number: group,
             };
-            let new = dispatch!(Level::new(), simd => {
-                group.integrated(simd, self.es, radius, &mut running)
+            dispatch!(Level::new(), simd => {
+                group.integrated(simd, self.es, radius, &mut running, &mut own);
             });
-            let group = own[LANES * group.number..].iter_mut().zip(new);
-            for (own, new) in group.take(ends.len()) {
-                for (row, [load, penetration]) in own.iter_mut().zip(new) {
-                    row[Quantity::Pi0 as usize] = load;
-                    row[Quantity::Delta0 as usize] = penetration;
-                }
-            }
+            pieces.extend_from_slice(&own[..ends.len()]);
         }
+        pieces.extend_from_slice(&of_paraboloid[pieces.len()..]);
         self.on_grid(pieces)
     }
 }

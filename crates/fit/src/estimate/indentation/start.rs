@@ -64,7 +64,7 @@ fn matching(table: &Table, at: &Assigned, parameter: Parameter) -> Option<f64> {
             branches[i] = Branch::LeftOut;
         }
     }
-    let contact_of = |bodies: &Bodies, gradient| bodies.contact(table, gradient);
+    let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
     let excess = |logarithm: f64| -> Option<f64> {
         let mut experiment = at.experiment.clone();
         experiment.replace(parameter, logarithm.exp()).ok()?;

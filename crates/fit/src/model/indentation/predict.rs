@@ -98,7 +98,7 @@ impl Experiment {
         let of = &self.indentation;
         let mut most = 0.0_f64;
         if of.thinning > 0.0 && self.measurement.kind == Kind::StiffnessDepth {
-            let contact = contact_of(&self.bodies, false)?;
+            let contact = contact_of(&self.bodies, None)?;
             for i in (0..branches.len()).filter(|&i| branches[i] != Branch::LeftOut) {
                 let place = self.place(i, self.measurement.points[i].ordinate, &contact)?;
                 most = most.max(of.thinning * place.depth);

@@ -31,13 +31,13 @@ impl Sample {
         most: f64,
     ) -> Result<Self, crate::Error> {
         if most.is_nan() || most <= 0.0 {
-            return Ok(Self::One(contact_of(bodies, false)?));
+            return Ok(Self::One(contact_of(bodies, None)?));
         }
         Ok(match bodies {
-            Bodies::HalfSpace(_) => Self::One(contact_of(bodies, false)?),
-            Bodies::Coated(system) => Self::Film(contact_of(bodies, false)?, system.film_thickness),
+            Bodies::HalfSpace(_) => Self::One(contact_of(bodies, None)?),
+            Bodies::Coated(system) => Self::Film(contact_of(bodies, None)?, system.film_thickness),
             Bodies::Layered(layered) if layered.layers.is_empty() => {
-                Self::One(contact_of(bodies, false)?)
+                Self::One(contact_of(bodies, None)?)
             }
             Bodies::Layered(layered) => {
                 let place = |k: usize| {
@@ -46,7 +46,7 @@ impl Sample {
                 };
                 let stacks = (0..THICKNESSES).map(|k| {
                     let by = place(k);
-                    let contact = contact_of(&Bodies::Layered(thinned(layered, by)), false)?;
+                    let contact = contact_of(&Bodies::Layered(thinned(layered, by)), None)?;
                     Ok::<_, crate::Error>((by, contact))
                 });
                 Self::Stacks(stacks.collect::<Result<_, _>>()?)
