@@ -113,7 +113,8 @@ impl Equilibria<'_> {
             derivatives.fill(Derivatives::ZERO);
             return Ok(());
         }
-        let terms = self.contact.terms(a, self.energy.work_of_adhesion())?;
+        let (w, mut gradient) = (self.energy.work_of_adhesion(), None);
+        let terms = self.contact.terms(a, w, &mut gradient)?;
         let unknown = |input: Input| Error::from(interp::Error::FixedParameter(input.name()));
         let by = |input: Input| terms.by_one(input).ok_or_else(|| unknown(input));
         // Under a flat punch not the contact radius but the energy release rate follows the imposed

@@ -153,7 +153,8 @@ impl Contact {
     /// are those of an equivalent material on another substrate.
     pub fn gradient(&self, a: f64, w: f64) -> Result<ContactGradient, Error> {
         self.same_material()?;
-        let terms = self.terms(a, w)?;
+        let mut gradient = None;
+        let terms = self.terms(a, w, &mut gradient)?;
         // In the order of `Input::ALL`, one call for each, so that what the input decides is decided
         // when this is compiled.
         let derivatives = [
@@ -196,7 +197,8 @@ impl Contact {
     ) -> Result<(f64, f64), Error> {
         interp::Error::same_length(inputs, derivatives)?;
         self.same_material()?;
-        let terms = self.terms(a, w)?;
+        let mut gradient = None;
+        let terms = self.terms(a, w, &mut gradient)?;
         for (derivatives, &input) in derivatives.iter_mut().zip(inputs) {
             let by = terms.by_one(input);
             let by = by.ok_or_else(|| interp::Error::FixedParameter(input.name()))?;

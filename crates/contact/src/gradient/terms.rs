@@ -9,18 +9,22 @@ use interp::{LoadAndPenetration, Quantities, QuantityGradient};
 
 impl Contact {
     /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from
-    /// which any derivative follows. [`Self::same_material`] must have accepted the curve.
+    /// which any derivative follows. [`Self::same_material`] must have accepted the curve. `gradient` is
+    /// where the terms keep that of the quantities, which would take long to copy.
     #[inline(always)]
-    pub(crate) fn terms(&self, a: f64, w: f64) -> Result<Terms<'_>, Error> {
+    pub(crate) fn terms<'a>(
+        &'a self,
+        a: f64,
+        w: f64,
+        gradient: &'a mut Option<QuantityGradient>,
+    ) -> Result<Terms<'a>, Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let (values, gradient) = match &self.bodies {
-            Bodies::HalfSpace(_) => (Quantities::homogeneous(1.0), None),
-            Bodies::Coated { system, curve, .. } => {
-                let curve = self.shape.curve().unwrap_or(curve);
-                let gradient = curve.gradient(a / system.film_thickness)?;
-                (gradient.values(), Some(gradient))
-            }
-        };
+        if let Bodies::Coated { system, curve, .. } = &self.bodies {
+            let curve = self.shape.curve().unwrap_or(curve);
+            *gradient = Some(curve.gradient(a / system.film_thickness)?);
+        }
+        let gradient = gradient.as_ref();
+        let values = gradient.map_or(Quantities::homogeneous(1.0), QuantityGradient::values);
         let without = match &self.shape {
             Shape::Paraboloid { radius, .. } => {
                 self.mechanics
@@ -29,11 +33,10 @@ impl Contact {
             _ => self.adhesionless(a)?,
         };
         let lowered = self.mechanics.lowered_by(a, edge, values.eeq, values.gamma);
-        let mut by_a_over_t = [0.0; 4];
-        if let Some(gradient) = &gradient {
+        let by_a_over_t = gradient.map_or([0.0; 4], |gradient| {
             let [values, slopes] = [gradient.values().to_array(), gradient.slopes().to_array()];
-            by_a_over_t = std::array::from_fn(|i| slopes[i] / values[i]);
-        }
+            std::array::from_fn(|i| slopes[i] / values[i])
+        });
         Ok(Terms {
             contact: self,
             a,
@@ -55,7 +58,7 @@ pub(crate) struct Terms<'a> {
     a: f64,
     w: f64,
     /// `None` on a half-space.
-    gradient: Option<QuantityGradient>,
+    gradient: Option<&'a QuantityGradient>,
     /// The derivatives of the logarithms of the quantities with respect to `ln(a/t)`.
     by_a_over_t: [f64; 4],
     pub(super) load: f64,
@@ -123,7 +126,7 @@ impl Terms<'_> {
                     ..LoadAndPenetration::ZERO
                 };
                 let by = |parameter| {
-                    let [_, eeq, ..] = self.gradient.as_ref()?.relative(parameter)?;
+                    let [_, eeq, ..] = self.gradient?.relative(parameter)?;
                     Some(stiffness(eeq))
                 };
                 Some(self.by_elastic_constant(input, stiffness(1.0), by)?.load)
@@ -253,7 +256,7 @@ impl Terms<'_> {
     /// modulus that normalises.
     #[inline(always)]
     fn by_parameter(&self, parameter: usize) -> Option<LoadAndPenetration> {
-        let gradient = self.gradient.as_ref()?;
+        let gradient = self.gradient?;
         let [pi0, eeq, gamma, delta0] = gradient.relative(parameter)?;
         let es = gradient.scale(parameter);
         let LoadAndPenetration { load, penetration } = self.without;

@@ -327,7 +327,9 @@ impl<'a> Problem<'a> {
             .iter()
             .filter(|slot| slot.prior.is_some())
             .count();
-        let mut jacobian = DMatrix::zeros(rows + priors, self.slots.len());
+        let height = rows + priors;
+        // Column by column, as the matrix stores them.
+        let mut entries = vec![0.0; height * self.slots.len()];
         let mut row = 0;
         for (e, assigned) in self.assigned.iter().enumerate() {
             let slots = self.slots_of(e);
@@ -344,19 +346,19 @@ impl<'a> Problem<'a> {
                 let derivatives = &predicted.derivatives[i * slots.len()..][..slots.len()];
                 let deviation = assigned.deviation(i);
                 for (&slot, derivative) in slots.iter().zip(derivatives) {
-                    jacobian[(row, slot)] = derivative / deviation;
+                    entries[height * slot + row] = derivative / deviation;
                 }
                 row += 1;
             }
         }
         for (slot, of) in self.slots.iter().enumerate() {
             if let Some(prior) = of.prior {
-                jacobian[(row, slot)] = 1.0 / prior.width;
+                entries[height * slot + row] = 1.0 / prior.width;
                 row += 1;
             }
         }
-        let all_finite = jacobian.iter().all(|derivative| derivative.abs() < LARGEST);
-        all_finite.then_some(jacobian)
+        let all_finite = entries.iter().all(|derivative| derivative.abs() < LARGEST);
+        all_finite.then(|| DMatrix::from_vec(height, self.slots.len(), entries))
     }
 
     /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values in units of

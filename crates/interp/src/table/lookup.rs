@@ -143,12 +143,6 @@ impl Lookup {
             let mut needed = (0..3).filter(is_needed);
             wanted[by] && needed.all(|axis| !axes.fixes(parameters[axis]))
         });
-        let factors = jacobian.map(|row| {
-            let factor = |by: usize| if known[by] { row[by] } else { 0.0 };
-            std::array::from_fn(factor)
-        });
-        let needed = factors.map(|row: [f64; 4]| row != [0.0; 4]);
-        let [values, mut slopes @ ..] = self.spline.coefficients_and_slopes(coordinates, needed);
         let invariants = Invariants::of(&equivalent);
         // From the derivatives with respect to the coordinates to those with respect to `nu1` and
         // to the logarithms of the moduli.
@@ -157,6 +151,19 @@ impl Lookup {
             Parameter::E0sOverE2s => parameter.logarithmic_speed(invariants.e0s_over_e2s()),
             _ => parameter.logarithmic_speed(invariants.e1s_over_einfs()),
         });
+        // Where a coordinate ends, nothing depends on the modulus.
+        let factors: [[f64; 4]; 3] = std::array::from_fn(|axis| {
+            let is_needed = |by: usize| known[by] && speeds[axis] != 0.0;
+            std::array::from_fn(|by| {
+                if is_needed(by) {
+                    jacobian[axis][by]
+                } else {
+                    0.0
+                }
+            })
+        });
+        let needed = factors.map(|row| row != [0.0; 4]);
+        let [values, mut slopes @ ..] = self.spline.coefficients_and_slopes(coordinates, needed);
         for (slopes, speed) in slopes.iter_mut().zip(speeds) {
             slopes.iter_mut().for_each(|slope| *slope *= speed);
         }
