@@ -3,6 +3,7 @@
 
 mod load;
 mod quantities;
+mod wanted;
 
 use acceptance::material;
 use interp::Quantities;
