@@ -299,7 +299,7 @@ struct Half {
 }
 
 /// The number of modes from which on the products of a matrix library are faster.
-const LIBRARY: usize = 16;
+const LIBRARY: usize = 20;
 
 /// Adds the lower triangle of `J^T F J` to `target`. `bessel` holds `J` by columns, `factors` the
 /// diagonal of `F`; their number is a multiple of [`LANES`].
@@ -345,10 +345,13 @@ fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, bessel: &[f64], factors: &
         let (several, rest) = target.as_chunks_mut::<AT_ONCE>();
         let (columns, columns_of_rest) = columns.split_at(several.len() * AT_ONCE * rows);
         for (target, columns) in several.iter_mut().zip(columns.chunks_exact(AT_ONCE * rows)) {
-            add_dots(simd, target, columns, &scaled);
+            add_dots(simd, target.each_mut(), columns, &scaled);
         }
-        for (target, column) in rest.iter_mut().zip(columns_of_rest.chunks_exact(rows)) {
-            add_dots(simd, std::array::from_mut(target), column, &scaled);
+        match rest {
+            [a] => add_dots(simd, [a], columns_of_rest, &scaled),
+            [a, b] => add_dots(simd, [a, b], columns_of_rest, &scaled),
+            [a, b, c] => add_dots(simd, [a, b, c], columns_of_rest, &scaled),
+            _ => {}
         }
     }
 }
@@ -357,7 +360,7 @@ fn add_small<S: Simd>(simd: S, target: &mut Mat<f64>, bessel: &[f64], factors: &
 #[inline(always)]
 fn add_dots<S: Simd, const N: usize>(
     simd: S,
-    target: &mut [f64; N],
+    targets: [&mut f64; N],
     columns: &[f64],
     right: &[f64],
 ) {
@@ -370,7 +373,7 @@ fn add_dots<S: Simd, const N: usize>(
             *sum = left.mul_add(right, *sum);
         }
     }
-    for (target, sum) in target.iter_mut().zip(sums) {
+    for (target, sum) in targets.into_iter().zip(sums) {
         *target += sum.iter().sum::<f64>();
     }
 }

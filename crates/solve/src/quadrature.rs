@@ -10,7 +10,8 @@
 //!   of a stack of layers come nearer to the axis, and its panels have more points
 //!   ([`SurfaceCompliance::points`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
-//!   an error of about `(e w / (4 n))^{2n}`, which bounds the width.
+//!   an error of about `(e w / (4 n))^{2n}` of the integrand's largest value there, which bounds the
+//!   width: panels grow as the integrand falls ([`Panels::for_products`]).
 //! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
 //!   below the tolerance ([`cut_off`]).
 
@@ -18,7 +19,7 @@ use std::f64::consts::{E, PI};
 
 use interp::once::Lazy;
 
-use crate::surface::{SurfaceCompliance, cut_off};
+use crate::surface::{SurfaceCompliance, cut_off, decay};
 
 /// An `n`-point Gauss-Legendre rule on `[-1, 1]`, exact to degree `2n - 1`.
 #[derive(Clone, Debug)]
@@ -107,11 +108,30 @@ const SHARE: f64 = 0.1;
 
 impl Panels {
     /// Chooses panels for `x = a/t` that serve every one of `compliances` to the relative accuracy
-    /// `tolerance`.
+    /// `tolerance`, for any product of waves up to `x`.
     pub fn new<'a, C: SurfaceCompliance + 'a>(
         x: f64,
         compliances: impl IntoIterator<Item = &'a C>,
         tolerance: f64,
+    ) -> Self {
+        Self::divided(x, compliances, tolerance, false)
+    }
+
+    /// Chooses panels as [`Panels::new`], for `X - 1` and `q X'` times the Bessel products at this `x`
+    /// alone. They fall, so that later panels may be longer.
+    pub fn for_products<'a, C: SurfaceCompliance + 'a>(
+        x: f64,
+        compliances: impl IntoIterator<Item = &'a C>,
+        tolerance: f64,
+    ) -> Self {
+        Self::divided(x, compliances, tolerance, true)
+    }
+
+    fn divided<'a, C: SurfaceCompliance + 'a>(
+        x: f64,
+        compliances: impl IntoIterator<Item = &'a C>,
+        tolerance: f64,
+        falls: bool,
     ) -> Self {
         let smallest_scale = compliances
             .into_iter()
@@ -125,10 +145,20 @@ impl Panels {
             .find(|rule| rule.abscissae.len() == points)
             .expect("there is a rule for every allowed number of points");
         let n = points as f64;
-        // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
-        let width = 4.0 * n / E * (SHARE * tolerance).powf(0.5 / n) / (1.0 + x * x).sqrt();
         // The Bessel product is at most 1 where it has not begun to decay, and `1/z^2` beyond.
-        let end = cut_off(SHARE * tolerance, |q| x / (1.0 + x * x * q * q));
+        let weight = |q: f64| x / (1.0 + x * x * q * q);
+        let end = cut_off(SHARE * tolerance, weight);
+        // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
+        let width = |from: f64| {
+            // The integrand's largest value on a panel is that at the lower end.
+            let largest = if falls {
+                end * decay(from) * weight(from)
+            } else {
+                1.0
+            };
+            let relative = (SHARE * tolerance / largest).min(1.0);
+            4.0 * n / E * relative.powf(0.5 / n) / (1.0 + x * x).sqrt()
+        };
         let mut edges = vec![0.0];
         let mut last = 0.0;
         while last < end {
@@ -143,7 +173,7 @@ impl Panels {
             } else {
                 length
             };
-            last = (last + length.min(width)).min(end);
+            last = (last + length.min(width(last))).min(end);
             edges.push(last);
         }
         Self {

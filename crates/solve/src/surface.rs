@@ -142,11 +142,23 @@ fn extend<S: Simd>(
 /// <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies a
 /// body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
 pub fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
-    let mut q: f64 = 4.0;
-    while 28.0 * q.powi(3) * (-2.0 * q).exp() * weight(q) > tolerance {
+    let mut q = DECAYS;
+    while decay(q) * weight(q) > tolerance {
         q += 0.25;
     }
     q
+}
+
+/// The wave number from which on [`decay`] is a bound.
+const DECAYS: f64 = 4.0;
+
+/// Returns a bound of `|X - 1|` and `|q X'|` for `q >= 4`, as [`cut_off`] explains, and 1 below.
+pub fn decay(q: f64) -> f64 {
+    if q < DECAYS {
+        1.0
+    } else {
+        28.0 * q.powi(3) * (-2.0 * q).exp()
+    }
 }
 
 #[cfg(test)]
