@@ -59,6 +59,15 @@ impl Magnitude {
     }
 
     /// Checks a length of a body, m.
+    ///
+    /// ```
+    /// use contact::magnitude::Magnitude;
+    ///
+    /// assert_eq!(Magnitude::length("the film thickness", 30e-6), None);
+    /// let found = Magnitude::length("the film thickness", 30.0).expect("it is 30 m");
+    /// let reason = "is above 0.1 m: 30 mm, 30 um or 30 nm was probably meant";
+    /// assert_eq!(found.to_string(), format!("the film thickness = 30 m {reason}"));
+    /// ```
     pub fn length(what: impl Into<Cow<'static, str>>, value: f64) -> Option<Self> {
         let [least, most] = LENGTHS;
         let reason = if value > most {
