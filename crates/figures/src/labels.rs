@@ -167,7 +167,7 @@ impl Label {
         room: &Room,
         obstacles: &Obstacles,
     ) -> Vec<Candidate> {
-        const DISTANCES: [f64; 5] = [7.0, 10.0, 14.0, 19.0, 26.0];
+        const DISTANCES: [f64; 6] = [7.0, 10.0, 14.0, 19.0, 26.0, 35.0];
         const SLIDES: [f64; 11] = [
             0.0, -4.0, 4.0, -8.0, 8.0, -12.0, 12.0, -16.0, 16.0, -20.0, 20.0,
         ];
