@@ -172,14 +172,15 @@ const XARRAY: [&str; 5] = [
 /// Runs the benches that need scipy; pip fetches numpy with it. The selection is that of the tests,
 /// so that nothing is compiled twice.
 fn compare(args: &[&str]) -> Result<(), String> {
-    let rivals = format!("{}/rivals", selection::TABULATE);
-    let bench = ["bench", "--workspace", "--features", &rivals];
     let bench = [
-        &bench[..],
-        &["--bench", "nystrom", "--bench", "rivals"],
-        args,
-    ]
-    .concat();
+        "bench",
+        "--workspace",
+        "--bench",
+        "nystrom",
+        "--bench",
+        "rivals",
+    ];
+    let bench = [&bench, args].concat();
     succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
 }
 
