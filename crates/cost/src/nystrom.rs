@@ -22,7 +22,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Mat, Par};
 use interp::{Material, Quantities};
 
-use solve::{Compliance, GaussLegendre, Panels};
+use solve::{Compliance, GaussLegendre, PanelWeights, Panels};
 
 /// Gauss-Legendre abscissae and weights on `[0, 1]`, with the edge as one more abscissa. They serve
 /// every contact.
@@ -54,7 +54,7 @@ impl Nystrom {
         let size = self.weights.len();
         let es = material.sphere_film_modulus();
         let compliance = Compliance::new(material);
-        let panels = Panels::new(x, [&compliance], tolerance);
+        let panels = Panels::new(x, [&compliance], PanelWeights::Waves, tolerance);
         let cosines = self.cosines(x, &panels);
         let symbol = symbol(x / material.film_modulus(), &compliance, &panels);
         let scaled = Mat::from_fn(symbol.len(), size, |q, j| {

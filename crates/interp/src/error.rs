@@ -188,8 +188,9 @@ pub enum Error {
     /// curve was made without it.
     #[error(
         "there is no derivative with respect to {0}: the contact does not depend on it, it is at \
-         the end of its domain, the curve was made without it, or the table fixes a parameter that the derivative needs; in the \
-         last case make a table whose scene gives e1_over_e2, nu1 and e0_over_e2 as ranges"
+         the end of its domain, the curve was made without it (make it with all derivatives), or the table \
+         fixes a parameter that the derivative needs (make a table whose scene gives e1_over_e2, nu1 \
+         and e0_over_e2 as ranges)"
     )]
     FixedParameter(&'static str),
     /// The gradient of a curve that was made without one.

@@ -27,7 +27,7 @@
 //! continuations from the right and from the left differ on the imaginary axis.
 //!
 //! The contact's symbol adds the sphere: `S = sphere + film X` with two constants `sphere >= 0` and
-//! `film > 0`. Where its zeros lie follows from `N` and `D` and is therefore found here.
+//! `film > 0`. Its zeros follow from `N` and `D` ([`zero`](crate::zero)).
 
 use std::ops::{Add, Mul, Sub};
 
@@ -57,7 +57,7 @@ pub const FLAT: f64 = 24.0;
 
 /// The largest `|q|` of the series form; the exponential form is used beyond. Both give 14 digits
 /// of `X` on either side.
-const SWITCH: f64 = 1.0;
+pub(crate) const SWITCH: f64 = 1.0;
 
 /// The function `X(q)` of one film on one substrate; the sphere is not part of it.
 #[derive(Clone, Copy, Debug)]
@@ -184,51 +184,6 @@ impl Compliance {
         scale(self.leading_of_sum(sphere, film)).min(scale(self.leading()[1]))
     }
 
-    /// Returns a radius, at most 1, such that `S = sphere + film X` has no zero but 0 in the
-    /// quarter disc within it; 0 if the radius would be tiny.
-    pub(crate) fn zero_free_radius(&self, sphere: f64, film: f64) -> f64 {
-        /// Smaller radii are of no use.
-        const LEAST: f64 = 1e-9;
-        /// The radius is found to 1 %.
-        const RATIO: f64 = 1.01;
-        let is_free = |radius| self.is_zero_free(sphere, film, radius);
-        if is_free(1.0) {
-            return 1.0;
-        }
-        let (mut free, mut beyond): (f64, f64) = (LEAST, 1.0);
-        if !is_free(free) {
-            return 0.0;
-        }
-        while beyond > RATIO * free {
-            let middle = (free * beyond).sqrt();
-            if is_free(middle) {
-                free = middle;
-            } else {
-                beyond = middle;
-            }
-        }
-        free
-    }
-
-    /// Returns whether it is certain that `S = sphere + film X` has no zero with
-    /// `0 < |q| <= radius <= 1` in the quarter plane.
-    ///
-    /// The numerator of `S` is `c + d q` and higher powers with positive coefficients. The sum of
-    /// the higher powers is at most its value on the real axis. `|c + d q|` is at least its value
-    /// on the imaginary axis, or if `d < 0` on the real one. As the higher powers fall faster
-    /// towards 0, a comparison at `radius` holds for all `q` within.
-    fn is_zero_free(&self, sphere: f64, film: f64, radius: f64) -> bool {
-        let [n, d] = self.fraction(radius);
-        let [value, slope, ..] = self.leading_of_sum(sphere, film);
-        let rest = sphere * d + film * n - value - slope * radius;
-        let linear = if slope >= 0.0 {
-            value.hypot(slope * radius)
-        } else {
-            value + slope * radius
-        };
-        linear > rest
-    }
-
     /// Returns the coefficients of `1`, `q`, `q^2` and `q^3` in the power series of `N` and of `D`.
     /// All that follow are positive.
     fn leading(&self) -> [[f64; 4]; 2] {
@@ -241,14 +196,14 @@ impl Compliance {
 
     /// Returns the coefficients of `1`, `q`, `q^2` and `q^3` in the power series of
     /// `sphere D + film N`, the numerator of `S`.
-    fn leading_of_sum(&self, sphere: f64, film: f64) -> [f64; 4] {
+    pub(crate) fn leading_of_sum(&self, sphere: f64, film: f64) -> [f64; 4] {
         let [n, d] = self.leading();
         std::array::from_fn(|i| sphere * d[i] + film * n[i])
     }
 
     /// Returns `N` and `D` for `|q| <= 1`.
     #[inline(always)]
-    fn fraction<T>(&self, q: T) -> [T; 2]
+    pub(crate) fn fraction<T>(&self, q: T) -> [T; 2]
     where
         T: Copy + Add<Output = T> + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
     {
@@ -377,178 +332,11 @@ const REST_FACTORS: [[f64; 2]; TERMS] = {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_PI_2, PI};
-
-    use num_complex::Complex64;
-    use rand::{RngExt, SeedableRng};
+    use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
 
-    use super::*;
     use crate::surface::tests::assert_that_the_cut_off_bounds_the_rest;
-    use crate::zero::{REACH, nearest_zero};
-
-    /// Returns how often a function winds around 0 along the boundary of the sector
-    /// `arg q <= angle`, `inner <= |q| <= outer`.
-    fn winding(
-        function: impl Fn(Complex64) -> Complex64,
-        angle: f64,
-        inner: f64,
-        outer: f64,
-    ) -> f64 {
-        const STEPS: usize = 4000;
-        let ray = |angle: f64| {
-            move |t: f64| Complex64::from_polar(inner * (outer / inner).powf(t), angle)
-        };
-        let arc = |radius: f64| move |t: f64| Complex64::from_polar(radius, angle * t);
-        let turned = |from: Complex64, to: Complex64| (function(to) / function(from)).arg();
-        let along = |path: &dyn Fn(f64) -> Complex64| -> f64 {
-            (0..STEPS)
-                .map(|i| {
-                    turned(
-                        path(i as f64 / STEPS as f64),
-                        path((i + 1) as f64 / STEPS as f64),
-                    )
-                })
-                .sum()
-        };
-        (along(&ray(0.0)) + along(&arc(outer)) - along(&ray(angle)) - along(&arc(inner)))
-            / (2.0 * PI)
-    }
-
-    /// The moduli of the tests.
-    const MODULI: [f64; 2] = [1e-16, 1e16];
-
-    /// `S = sphere + film X`.
-    #[derive(Debug)]
-    struct Sum {
-        compliance: Compliance,
-        sphere: f64,
-        film: f64,
-    }
-
-    impl Sum {
-        /// Returns the sum for any material of the solver's domain, the ends of the domain
-        /// included.
-        fn random(random: &mut Pcg64Mcg) -> Self {
-            let mut log_uniform =
-                |[from, to]: [f64; 2], special: f64| match random.random_range(0..10) {
-                    0 => special,
-                    1 => from,
-                    2 => to,
-                    _ => random.random_range(from.ln()..to.ln()).exp(),
-                };
-            let (e1, e0) = (log_uniform(MODULI, 0.0), log_uniform(MODULI, f64::INFINITY));
-            let mut nu = || {
-                if random.random_bool(0.3) {
-                    0.5
-                } else {
-                    random.random_range(-0.99..0.5)
-                }
-            };
-            let material = Material::new(e1, nu(), e0, nu()).expect("physical");
-            Self {
-                compliance: Compliance::new(&material),
-                sphere: material.sphere_compliance(),
-                film: 1.0 / material.film_modulus(),
-            }
-        }
-    }
-
-    /// The ray of the Wiener-Hopf method and the panels of the quadrature rely on this.
-    #[test]
-    fn zeros_and_poles_lie_above_53_degrees() {
-        let mut random = Pcg64Mcg::seed_from_u64(1);
-        for _ in 0..1000 {
-            let sum = Sum::random(&mut random);
-            let Sum {
-                compliance,
-                sphere,
-                film,
-            } = sum;
-            let scale = compliance.smallest_scale_of_sum(sphere, film);
-            let symbol = |q: Complex64| compliance.x(q) * film + sphere;
-            let turns = winding(symbol, 53.0 * PI / 180.0, 1e-3 * scale.max(1e-20), 12.0);
-            assert!(turns.abs() < 1e-6, "{turns} turns: {sum:?}");
-        }
-    }
-
-    /// The method of the imaginary axis relies on this: the stated disc holds no zero.
-    #[test]
-    fn a_zero_free_disc_has_no_zeros() {
-        let mut random = Pcg64Mcg::seed_from_u64(2);
-        let mut free = 0;
-        for _ in 0..1000 {
-            let sum = Sum::random(&mut random);
-            let radius = sum.compliance.zero_free_radius(sum.sphere, sum.film);
-            if radius > 1e-6 {
-                free += 1;
-                let numerator = |q: Complex64| {
-                    let [n, d] = sum.compliance.fraction(q);
-                    n * sum.film + d * sum.sphere
-                };
-                let turns = winding(numerator, FRAC_PI_2, 1e-3 * radius, radius);
-                assert!(turns.abs() < 1e-6, "{turns} turns within {radius}: {sum:?}");
-            }
-        }
-        println!("{free} symbols of 1000 have discs without a zero");
-        // Measured: 999.
-        assert!(free > 500);
-    }
-
-    /// The node of a zero on the imaginary axis relies on this: within [`REACH`] there is one zero at
-    /// most, and it is the one that is found. Zeros next to the axis are not sought.
-    #[test]
-    fn there_is_one_zero_within_reach_at_most() {
-        let mut random = Pcg64Mcg::seed_from_u64(4);
-        let (mut with_zero, mut found) = (0, 0);
-        for _ in 0..1000 {
-            let sum = Sum::random(&mut random);
-            let Sum {
-                compliance,
-                sphere,
-                film,
-            } = sum;
-            let scale = compliance.smallest_scale_of_sum(sphere, film);
-            if scale == 0.0 {
-                // `S(0) = 0` between rigid bodies, which the method avoids.
-                continue;
-            }
-            let numerator = |q: Complex64| {
-                let [[n, d], _] = compliance.fraction_and_slopes(q);
-                let factor = if q.norm() > SWITCH {
-                    q * 2.0
-                } else {
-                    0.0.into()
-                };
-                (n * film + d * sphere) * factor.exp()
-            };
-            let turns = winding(numerator, FRAC_PI_2, 1e-3 * scale.max(1e-20), REACH);
-            assert!(turns < 1.0 + 1e-6, "{turns} turns: {sum:?}");
-            with_zero += usize::from(turns > 0.5);
-            let free = compliance.zero_free_radius(sphere, film);
-            if let Some(zero) = nearest_zero(&compliance, sphere, film, free) {
-                found += 1;
-                assert!(
-                    (turns - 1.0).abs() < 1e-6,
-                    "{turns} turns, {zero:?}: {sum:?}"
-                );
-                // The slope is that of the numerator over the denominator.
-                let sum = |q: Complex64| {
-                    let [[n, d], _] = compliance.fraction_and_slopes(q);
-                    n * film + d * sphere
-                };
-                let step = 1e-5 * zero.at;
-                let [[_, d], _] = compliance.fraction_and_slopes(zero.at);
-                let slope = (sum(zero.at + step) - sum(zero.at - step)) / (2.0 * step * d);
-                assert!(
-                    (slope / zero.slope - 1.0).norm() < 1e-7,
-                    "{zero:?}, {slope}: {compliance:?}"
-                );
-            }
-        }
-        println!("{found} zeros found of {with_zero}");
-        assert!(found > 300);
-    }
+    use crate::zero::tests::Sum;
 
     /// Beyond the cut-off, `X - 1` and `q X'` are below the tolerance for all films. Measured: at
     /// most 0.27 of the tolerance.

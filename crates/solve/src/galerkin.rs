@@ -30,7 +30,7 @@
 use crate::abscissae::Abscissae;
 use crate::estimate::Estimate;
 use crate::operator::Operator;
-use crate::quadrature::Panels;
+use crate::quadrature::{PanelWeights, Panels};
 use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
 
@@ -52,7 +52,7 @@ pub fn solve<C: SurfaceCompliance>(
     let is_soft = symbol.value(1.0 / x) < SOFT;
     let first = if is_soft { AIM * tolerance } else { tolerance };
     let (mut count, ample) = (modes(x, first), modes(x, FINEST));
-    let mut panels = Panels::for_products(x, [compliance], tolerance);
+    let mut panels = Panels::new(x, [compliance], PanelWeights::BesselProducts, tolerance);
     let (mut truncation_tolerance, mut quadrature_tolerance) = (first, tolerance);
     loop {
         let abscissae = Abscissae::new(x, count, panels.clone());
@@ -89,7 +89,12 @@ pub fn solve<C: SurfaceCompliance>(
             count = modes(x, truncation_tolerance).clamp(count + least, 2 * count + least);
         } else if solved.quadrature >= large && quadrature_tolerance > FINEST {
             quadrature_tolerance *= 0.01;
-            panels = Panels::for_products(x, [compliance], quadrature_tolerance);
+            panels = Panels::new(
+                x,
+                [compliance],
+                PanelWeights::BesselProducts,
+                quadrature_tolerance,
+            );
         } else {
             return Estimate {
                 quantities: solved.quantities,
@@ -110,7 +115,7 @@ pub fn shared_abscissae<'a, C: SurfaceCompliance + 'a>(
     exponents: &[f64],
     tolerance: f64,
 ) -> Abscissae {
-    let panels = Panels::for_products(x, compliances, tolerance);
+    let panels = Panels::new(x, compliances, PanelWeights::BesselProducts, tolerance);
     let modes = modes(x, 0.1 * tolerance);
     // The kink of a cone at its tip takes half as many more.
     Abscissae::new(x, modes + exponents.len() * modes / 2, panels)

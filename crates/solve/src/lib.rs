@@ -5,8 +5,8 @@
 //! interpolation); `symbol` adds the sphere.
 //! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` (with
 //! `quadrature`, `bessel`, `sine`, `abscissae`, `operator` and `slope`) for thick films, `wiener_hopf`
-//! (with `path`, `contour`, `zero`, `zero_node`, `matrix`, `krylov` and `read_out`) for thin ones. Both return an `estimate`.
-//! `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
+//! (with `path`, `contour`, `zero`, `zero_node`, `matrix`, `krylov` and `read_out`) for thin ones. Both
+//! return an `estimate`. `stacked` does so for a stack, under one sphere or many. A probe with the profile `r^n`
 //! (`power_law`) is one more column of Galerkin's method, and one more functional of the result
 //! (`moment`, `turned_line`) of the Wiener-Hopf method. `batch` solves many materials at one `a/t`,
 //! `adaptive_curve` one material along `a/t`.
@@ -29,8 +29,7 @@
 //! |---|---|
 //! | `x(q)` | the value `X(q)`, real or complex |
 //! | `smallest_scale_of_sum(sphere, film)` | the smallest scale of `S = sphere + film X` |
-//! | `zero_free_radius(sphere, film)` | the disc in which `S` has no zero, for the imaginary axis |
-//! | `fraction_and_slopes(q)` | numerator and denominator, for the zero of `S` nearest to 0 |
+//! | `fraction(q)`, `fraction_and_slopes(q)`, `leading_of_sum(sphere, film)` | numerator and denominator, for the zeros of `S` |
 //! | `SINE_OF_FREE_ANGLE` | the sector in which `S` has neither zeros nor poles, for the ray and the panels |
 
 #![forbid(unsafe_code)]
@@ -85,7 +84,7 @@ pub use estimate::larger;
 pub use layered::LayeredCompliance;
 pub use method::Method;
 pub use power_law::{EXPONENTS, PowerLaw};
-pub use quadrature::{GaussLegendre, Panels};
+pub use quadrature::{GaussLegendre, PanelWeights, Panels};
 pub use solution::{Solution, solve, solve_power_laws};
 pub use stacked::{check_reach, solve_stack_under_spheres};
 pub use stacked::{solve_stack, solve_stack_power_laws, stack_curve};

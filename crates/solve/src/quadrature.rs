@@ -11,7 +11,7 @@
 //!   ([`SurfaceCompliance::points`]).
 //! * The Bessel product oscillates like `cos 2z`. An `n`-point rule on a panel `w` long in `z` has
 //!   an error of about `(e w / (4 n))^{2n}` of the integrand's largest value there, which bounds the
-//!   width: panels grow as the integrand falls ([`Panels::for_products`]).
+//!   width: panels grow as the integrand falls ([`PanelWeights::BesselProducts`]).
 //! * `X - 1` dies out like `q^2 e^{-2q}`. The last panel ends where the rest of the integral is
 //!   below the tolerance ([`cut_off`]).
 
@@ -83,6 +83,15 @@ pub fn legendre(n: usize, x: f64) -> (f64, f64) {
     (value, previous)
 }
 
+/// What `X - 1` and `q X'` are integrated with.
+#[derive(Clone, Copy, Debug)]
+pub enum PanelWeights {
+    /// Any products of waves up to `x = a/t`.
+    Waves,
+    /// The Bessel products at this `x` alone. They fall, so that later panels may be longer.
+    BesselProducts,
+}
+
 /// The panels in `q` for one `a/t`, and the rule on each of them.
 #[derive(Clone, Debug)]
 pub struct Panels {
@@ -108,30 +117,12 @@ const SHARE: f64 = 0.1;
 
 impl Panels {
     /// Chooses panels for `x = a/t` that serve every one of `compliances` to the relative accuracy
-    /// `tolerance`, for any product of waves up to `x`.
+    /// `tolerance`.
     pub fn new<'a, C: SurfaceCompliance + 'a>(
         x: f64,
         compliances: impl IntoIterator<Item = &'a C>,
+        weights: PanelWeights,
         tolerance: f64,
-    ) -> Self {
-        Self::divided(x, compliances, tolerance, false)
-    }
-
-    /// Chooses panels as [`Panels::new`], for `X - 1` and `q X'` times the Bessel products at this `x`
-    /// alone. They fall, so that later panels may be longer.
-    pub fn for_products<'a, C: SurfaceCompliance + 'a>(
-        x: f64,
-        compliances: impl IntoIterator<Item = &'a C>,
-        tolerance: f64,
-    ) -> Self {
-        Self::divided(x, compliances, tolerance, true)
-    }
-
-    fn divided<'a, C: SurfaceCompliance + 'a>(
-        x: f64,
-        compliances: impl IntoIterator<Item = &'a C>,
-        tolerance: f64,
-        falls: bool,
     ) -> Self {
         let smallest_scale = compliances
             .into_iter()
@@ -151,10 +142,9 @@ impl Panels {
         // `e^{-2q}` needs panels as narrow as an oscillation at `x = 1` does.
         let width = |from: f64| {
             // The integrand's largest value on a panel is that at the lower end.
-            let largest = if falls {
-                end * decay(from) * weight(from)
-            } else {
-                1.0
+            let largest = match weights {
+                PanelWeights::Waves => 1.0,
+                PanelWeights::BesselProducts => end * decay(from) * weight(from),
             };
             let relative = (SHARE * tolerance / largest).min(1.0);
             4.0 * n / E * relative.powf(0.5 / n) / (1.0 + x * x).sqrt()

@@ -14,7 +14,7 @@ use interp::Material;
 
 use crate::compliance::{Compliance, WaveNumber};
 use crate::surface::SurfaceCompliance;
-use crate::zero::{Zero, nearest_zero};
+use crate::zero::{Zero, nearest_zero, zero_free_radius};
 
 /// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
 /// [`SurfaceCompliance`] `C`.
@@ -101,7 +101,7 @@ impl Symbol {
     /// Returns a radius, at most 1, such that `S` has no zero but 0 in the quarter disc within it;
     /// 0 if the radius would be tiny.
     pub fn zero_free_radius(&self) -> f64 {
-        self.compliance.zero_free_radius(self.sphere, self.film)
+        zero_free_radius(&self.compliance, self.sphere, self.film)
     }
 
     /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if

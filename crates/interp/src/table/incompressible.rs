@@ -40,7 +40,7 @@ const SHARED: f64 = 1.5;
 /// Tells whether derivatives need better slopes than those of the spline at the coordinate `v` of
 /// `nu1`. `factors` are those of the slope with respect to `nu1` in them: in the derivatives with respect
 /// to `ln e1_over_e2`, `nu1`, `ln e0_over_e2` and `nu0` of a material.
-pub(crate) fn matter(v: f64, [e1, nu1, e0, nu0]: [f64; 4]) -> bool {
+pub(crate) fn need_better_slopes(v: f64, [e1, nu1, e0, nu0]: [f64; 4]) -> bool {
     // The unit of all but `nu1` is 1.
     let magnification = |factor: f64| factor.abs() * Parameter::Nu1.speed(v);
     nu1 != 0.0

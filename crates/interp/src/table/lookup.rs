@@ -6,7 +6,7 @@ use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
 use crate::table::demand::PARTS;
-use crate::table::incompressible::{improve_slopes, matter};
+use crate::table::incompressible::{improve_slopes, need_better_slopes};
 use crate::table::tensor_spline::TensorSpline;
 use crate::{
     Curve, Description, Error, Material, Parameter, Quantity, StackShape, SubstratePoissonRatio,
@@ -167,7 +167,7 @@ impl Lookup {
         for (slopes, speed) in slopes.iter_mut().zip(speeds) {
             slopes.iter_mut().for_each(|slope| *slope *= speed);
         }
-        if matter(coordinates[1], factors[1]) {
+        if need_better_slopes(coordinates[1], factors[1]) {
             improve_slopes(
                 &self.spline,
                 coordinates,

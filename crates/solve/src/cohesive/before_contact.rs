@@ -19,7 +19,7 @@ use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::search::{self, Point};
 use crate::cohesive::surface::Surface;
 use crate::cohesive::{Cohesive, CohesiveState};
-use crate::quadrature::Panels;
+use crate::quadrature::{PanelWeights, Panels};
 use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
 
@@ -34,6 +34,7 @@ fn rise(c: f64, symbol: &Symbol<Surface>) -> [f64; 2] {
     let panels = Panels::new(
         c,
         [symbol.compliance()],
+        PanelWeights::Waves,
         ACCURACY / symbol.contrast().max(1.0),
     );
     for ends in panels.edges.windows(2) {

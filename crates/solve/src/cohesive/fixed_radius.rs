@@ -33,7 +33,7 @@ use crate::cohesive::surface::Surface;
 use crate::cohesive::waves::product;
 use crate::operator::add_products;
 use crate::power_law::coefficients;
-use crate::quadrature::Panels;
+use crate::quadrature::{PanelWeights, Panels};
 use crate::symbol::Symbol;
 use crate::{estimate::larger, galerkin};
 
@@ -289,7 +289,7 @@ fn abscissae(radius: f64, reach: f64, modes: usize, symbol: &Symbol<Surface>) ->
     let contrast = symbol.contrast();
     (contrast > 0.0).then(|| {
         let accuracy = ACCURACY / larger(contrast, 1.0);
-        let panels = Panels::new(reach, [symbol.compliance()], accuracy);
+        let panels = Panels::new(reach, [symbol.compliance()], PanelWeights::Waves, accuracy);
         Abscissae::new(radius, modes, panels)
     })
 }

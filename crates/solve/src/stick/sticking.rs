@@ -9,7 +9,7 @@ use crate::estimate::larger;
 use crate::galerkin;
 use crate::layered::LayeredCompliance;
 use crate::power_law::EXPONENTS;
-use crate::quadrature::Panels;
+use crate::quadrature::{PanelWeights, Panels};
 use crate::stack::Stack;
 use crate::stacked::factors;
 use crate::stick::bodies::Bodies;
@@ -299,7 +299,12 @@ impl Sticking {
 
     /// Returns panels for punches up to `x` to a relative `tolerance`.
     fn panels(&self, x: f64, tolerance: f64) -> Panels {
-        Panels::new(x, [&self.bodies.surface], tolerance.max(FINEST))
+        Panels::new(
+            x,
+            [&self.bodies.surface],
+            PanelWeights::Waves,
+            tolerance.max(FINEST),
+        )
     }
 }
 
