@@ -52,6 +52,7 @@ usage: cargo xtask COMMAND
   compare --small
                  run the same comparisons on small cases, whose numbers mean nothing
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
+  tools          fetch from PyPI now what tests, comparisons and the site would fetch when they run
   cargo ARGS     run a cargo command, with HDF5 set up where it builds tabulate: `cargo xtask cargo bench -p coated-contact-tabulate`
 ";
 
@@ -73,6 +74,7 @@ fn main() -> ExitCode {
         Some("site") if rest.is_empty() => site::site(),
         Some("compare") if rest.is_empty() => compare(&[]),
         Some("compare") if rest == ["--small"] => compare(&["--", "--small"]),
+        Some("tools") if rest.is_empty() => tools(),
         Some("licences") if rest.is_empty() => licences::licences(),
         Some("cargo") if !rest.is_empty() => cargo(&rest),
         Some("help" | "--help" | "-h") => {
@@ -121,23 +123,38 @@ fn test(args: &[String]) -> Result<(), String> {
     command.extend(args.iter().map(String::as_str));
     let mut cargo = hdf5::cargo(&command)?;
     cargo
-        .env("H5PY_PATH", python::package("h5py", H5PY)?)
-        .env("XARRAY_PATH", python::packages(&XARRAY)?)
+        .envs(packages_of_tests()?)
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
-    match afm_curves() {
-        Ok(paths) => {
-            cargo.envs(paths);
-        }
-        Err(message) => {
-            eprintln!("xtask: {message}\nxtask: the test with measured AFM curves is skipped")
-        }
-    }
     succeed(&mut cargo)?;
     if args.is_empty() {
         python_tests::in_place()
     } else {
         Ok(())
     }
+}
+
+/// Returns the environment that tells the tests in Rust where their packages of Python are. A package
+/// with measured curves that cannot be fetched is left out, with a message.
+fn packages_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
+    let mut packages = vec![
+        ("H5PY_PATH", python::package("h5py", H5PY)?),
+        ("XARRAY_PATH", python::packages(&XARRAY)?),
+    ];
+    match afm_curves() {
+        Ok(paths) => packages.extend(paths),
+        Err(message) => {
+            eprintln!("xtask: {message}\nxtask: the test with measured AFM curves is skipped")
+        }
+    }
+    Ok(packages)
+}
+
+/// Fetches all packages of Python that tests, comparisons and the site need.
+fn tools() -> Result<(), String> {
+    packages_of_tests()?;
+    python::package("scipy", SCIPY)?;
+    python_tests::fetch()?;
+    site::packages().map(drop)
 }
 
 /// Returns the environment of the test that reads measured AFM curves: the package afmformats, which

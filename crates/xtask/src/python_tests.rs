@@ -61,8 +61,18 @@ pub fn package() -> Result<PathBuf, String> {
     Ok(folder)
 }
 
-/// Runs tests and checks with an interpreter, on the package that it has or that of a folder.
-fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
+/// Fetches what the tests need, if they can be run.
+pub fn fetch() -> Result<(), String> {
+    if venv::can_be_made() {
+        venv::interpreter()?;
+        measured();
+    }
+    Ok(())
+}
+
+/// Returns the environment that tells the tests where measured curves are. A package that cannot be
+/// fetched is left out, with a message.
+fn measured() -> Vec<(&'static str, PathBuf)> {
     let source = |[name, version, variable]: [&'static str; 3]| match python::source(name, version)
     {
         Ok(folder) => Some((variable, folder)),
@@ -71,7 +81,12 @@ fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
             None
         }
     };
-    let measured: Vec<_> = MEASURED.into_iter().filter_map(source).collect();
+    MEASURED.into_iter().filter_map(source).collect()
+}
+
+/// Runs tests and checks with an interpreter, on the package that it has or that of a folder.
+fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
+    let measured = measured();
     let cache = |name: &str| Ok::<_, String>(workspace::target()?.join("tools").join(name));
     let run = |module: &str, arguments: &[&str]| -> Result<(), String> {
         let mut command = Command::new(python);
@@ -97,7 +112,8 @@ fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
     run("ruff", &["check", "--quiet", "."])?;
     run("mypy", &["python/coated_contact"])?;
     let pytest = ["-q", "-p", "no:cacheprovider"];
-    run("pytest", &[&pytest[..], &["tests"]].concat())?;
+    // On all cores.
+    run("pytest", &[&pytest[..], &["-n", "auto", "tests"]].concat())?;
     run(
         "pytest",
         &[

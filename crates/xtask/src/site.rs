@@ -1,6 +1,7 @@
 //! The site of the documentation, made by Sphinx from PyPI.
 
 use std::env;
+use std::path::PathBuf;
 use std::process::Command;
 
 use crate::{hdf5, python, python_tests, succeed, venv, workspace};
@@ -20,7 +21,7 @@ pub fn site() -> Result<(), String> {
     let mut crates = hdf5::cargo(&["doc", "--release", "--workspace", "--no-deps"])?;
     succeed(crates.env("RUSTDOCFLAGS", "-D warnings"))?;
     let out = workspace::target()?.join("site");
-    let modules = [python::packages(&PACKAGES)?, python_tests::package()?];
+    let modules = [packages()?, python_tests::package()?];
     let modules = env::join_paths(modules).map_err(|e| format!("a folder with a colon: {e}"))?;
     let root = workspace::root();
     succeed(
@@ -44,4 +45,9 @@ pub fn site() -> Result<(), String> {
     )?;
     println!("xtask: the site is in {}", out.display());
     Ok(())
+}
+
+/// Returns the folder of Sphinx. The first call fetches it.
+pub fn packages() -> Result<PathBuf, String> {
+    python::packages(&PACKAGES)
 }

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use crate::{python, succeed, workspace};
 
 /// The packages that build and test the Python package.
-const PACKAGES: [&str; 12] = [
+const PACKAGES: [&str; 13] = [
     "distributed==2026.8.0",
     "lmfit==1.3.4",
     "matplotlib==3.11.2",
@@ -17,6 +17,7 @@ const PACKAGES: [&str; 12] = [
     "numpy==2.4.6",
     "pandas==3.1.1",
     "pytest==9.2.0",
+    "pytest-xdist==3.8.0",
     "ruff==0.17.6",
     "scipy==1.17.1",
     "tqdm==4.70.1",
