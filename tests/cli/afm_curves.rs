@@ -139,7 +139,6 @@ fn export(workdir: &Workdir) -> Option<(PathBuf, String)> {
     };
     let files = Path::new(&source).join("tests/data");
     let output = Command::new("python3")
-        .arg("-B")
         .env("PYTHONPATH", package)
         .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("cli/export_curves.py"))
         .arg(&files)

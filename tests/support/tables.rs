@@ -1,6 +1,8 @@
 //! Small tables, made of the scenes that many tests use, and the shipped ones.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
 use interp::{Certificate, Description, Parameter, Table};
 use tabulate::table::{Plan, Scene, certify, sweep};
@@ -25,11 +27,21 @@ pub const RIGID_SPHERE: &str = "
     e0_over_e2 = { from = 1, to = 100, nodes = 9 }
 ";
 
-/// Makes the table of a scene, certified at 400 points.
+/// Returns the table of a scene, certified at 400 points. It is made once for all tests of a program.
 ///
 /// # Panics
 /// If the scene is refused or a point does not converge.
 pub fn table(scene: &str) -> Table {
+    static TABLES: LazyLock<Mutex<HashMap<String, Arc<OnceLock<Table>>>>> =
+        LazyLock::new(Mutex::default);
+    let mut tables = TABLES.lock().expect("no test panics here");
+    let table = Arc::clone(tables.entry(scene.to_owned()).or_default());
+    drop(tables);
+    table.get_or_init(|| make(scene)).clone()
+}
+
+/// Makes the table of a scene.
+fn make(scene: &str) -> Table {
     let scene = Scene::parse(scene, None).expect("the tests' scenes are sound");
     let axes = Plan::new(&scene)
         .expect("the tests' scenes are within reach")

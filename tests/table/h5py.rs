@@ -36,11 +36,7 @@ fn read(path: &Path) -> Value {
         .expect("H5PY_PATH is not set: run the tests with `cargo xtask test`, which fetches h5py");
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_table.py");
     let mut python = Command::new("python3");
-    python
-        .arg("-B")
-        .arg(script)
-        .arg(path)
-        .env("PYTHONPATH", packages);
+    python.arg(script).arg(path).env("PYTHONPATH", packages);
     let output = start(&mut python).wait_with_output().expect("python3 runs");
     assert!(
         output.status.success(),

@@ -28,7 +28,7 @@ fn python() -> Command {
         "XARRAY_PATH is not set: run the tests with `cargo xtask test`, which fetches xarray",
     );
     let mut python = Command::new("python3");
-    python.arg("-B").env("PYTHONPATH", packages);
+    python.env("PYTHONPATH", packages);
     python
 }
 

@@ -133,10 +133,11 @@ fn test(args: &[String]) -> Result<(), String> {
     }
 }
 
-/// Returns the environment that tells the tests in Rust where their packages of Python are. A package
-/// with measured curves that cannot be fetched is left out, with a message.
+/// Returns the environment that tells the tests in Rust where their packages of Python are, and where
+/// these are kept compiled. A package with measured curves that cannot be fetched is left out, with a message.
 fn packages_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
     let mut packages = vec![
+        ("PYTHONPYCACHEPREFIX", python::compiled()?),
         ("H5PY_PATH", python::package("h5py", H5PY)?),
         ("XARRAY_PATH", python::packages(&XARRAY)?),
     ];

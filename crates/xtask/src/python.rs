@@ -68,6 +68,12 @@ fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result
     Ok(folder)
 }
 
+/// Returns the folder, for `PYTHONPYCACHEPREFIX`, in which Python keeps what it has compiled: no folder of
+/// sources gets files, and no program compiles what another one has.
+pub fn compiled() -> Result<PathBuf, String> {
+    Ok(workspace::target()?.join("tools").join("compiled"))
+}
+
 /// Returns the command with which pip installs what is added to it, for the interpreter `python`.
 pub fn install(python: &Path) -> Command {
     let mut install = pip(python, "install");

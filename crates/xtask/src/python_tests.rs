@@ -94,7 +94,7 @@ fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
             .args(["-m", module])
             .args(arguments)
             .current_dir(sources())
-            .env("PYTHONDONTWRITEBYTECODE", "1")
+            .env("PYTHONPYCACHEPREFIX", python::compiled()?)
             .env("RUFF_CACHE_DIR", cache("ruff")?)
             .env("MYPY_CACHE_DIR", cache("mypy")?);
         if let Some(folder) = folder {
