@@ -18,7 +18,7 @@ pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relativ
 pub use forgery::{Checked, PREFIX, checksum, with_payload};
 pub use material::{looked_up, material, paper_system, rigid_probe, solved_contact};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
-pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table};
+pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table, write_hdf5};
 pub use workdir::{Arguments, Run, Workdir, assert_names, nothing_starts, start};
 
 /// Returns the number of random cases of a search: `default`, or that of the environment variable

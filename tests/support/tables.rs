@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
 use interp::{Certificate, Description, Parameter, Table};
-use tabulate::table::{Plan, Scene, certify, sweep};
+use tabulate::table::{Plan, Scene, archive, certify, sweep};
+
+use crate::nothing_starts;
 
 /// A scene of four axes.
 pub const BOX: &str = "
@@ -60,6 +62,15 @@ fn make(scene: &str) -> Table {
         certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"),
     );
     table
+}
+
+/// Writes a table as HDF5 while no program starts, which would hold the file's lock.
+///
+/// # Panics
+/// If it cannot be written.
+pub fn write_hdf5(table: &Table, path: &Path) {
+    let _guard = nothing_starts();
+    archive::write(table, path).expect("written");
 }
 
 /// Returns the first and the last node of an axis.

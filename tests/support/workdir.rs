@@ -85,8 +85,8 @@ macro_rules! workdir {
 
 /// Waits until no other thread is starting a program, and keeps all others from it.
 ///
-/// Between its fork and its exec a child holds the locks of files that this process has opened. A
-/// test that opens a file again would then find it locked by nobody that it knows.
+/// A program holds the locks of the files that are open where it starts: until its exec, and those of
+/// HDF5 files until it ends. A test that opens such a file again would find it locked.
 pub fn nothing_starts() -> MutexGuard<'static, ()> {
     static STARTING: Mutex<()> = Mutex::new(());
     STARTING.lock().unwrap_or_else(PoisonError::into_inner)

@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 
 use acceptance::{
     PREFIX, Workdir, all_bits, assert_names, nothing_starts, table, with_payload, workdir,
+    write_hdf5,
 };
 use hdf5::types::VarLenUnicode;
 use interp::Parameter;
 use interp::{Certificate, Error, Quantity, Table};
-use tabulate::table::archive;
 
 const BOX: &str = "
     title      = 'Four axes: µm'
@@ -38,7 +38,7 @@ static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| TABLE.to_packed().expect("a 
 
 pub fn with_table() -> Workdir {
     let workdir = workdir!();
-    archive::write(&TABLE, &workdir.path("table.h5")).expect("written");
+    write_hdf5(&TABLE, &workdir.path("table.h5"));
     workdir
 }
 
@@ -89,7 +89,7 @@ fn every_form_and_reader_gives_the_same_bits() {
         (RIGID, "1,0,0.3,inf\n0.123,0,0.3,inf\n"),
     ] {
         let (table, workdir) = (table(scene), workdir!());
-        archive::write(&table, &workdir.path("table.h5")).expect("written");
+        write_hdf5(&table, &workdir.path("table.h5"));
         assert_eq!(workdir.succeed("pack table.h5 -o table.bin"), "");
         assert_same(&opened(&workdir), &table);
         assert_eq!(
@@ -134,7 +134,7 @@ fn a_certificate_is_kept_in_every_form() {
     for certificate in [measured, known, half_known] {
         let (workdir, mut table) = (with_table(), TABLE.clone());
         table.set_certificate(certificate);
-        archive::write(&table, &workdir.path("table.h5")).expect("written");
+        write_hdf5(&table, &workdir.path("table.h5"));
         assert_same(&opened(&workdir), &table);
         let packed = table.to_packed().expect("a small table");
         assert_same(&Table::from_packed(&packed).expect("a sound table"), &table);

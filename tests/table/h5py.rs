@@ -4,10 +4,9 @@ use std::env;
 use std::path::Path;
 use std::process::Command;
 
-use acceptance::{bits, start, table};
+use acceptance::{bits, start, table, write_hdf5};
 use interp::{Parameter, SubstratePoissonRatio, Table};
 use serde_json::{Value, json};
-use tabulate::table::archive;
 
 /// A scene of four axes, with more values than a chunk holds.
 const BOX: &str = "
@@ -61,7 +60,7 @@ fn double(value: f64) -> Value {
 fn assert_reads(table: &Table, normalised_by: &str) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("table.h5");
-    archive::write(table, &path).expect("written");
+    write_hdf5(table, &path);
     let file = read(&path);
     let description = table.description();
     let certificate = &description.certificate;

@@ -5,12 +5,11 @@ use std::panic;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use acceptance::{Checked, Workdir, all_bits, table, workdir};
+use acceptance::{Checked, Workdir, all_bits, table, workdir, write_hdf5};
 use allocation_counter::measure;
 use interp::{Description, Error, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use tabulate::table::archive;
 
 /// The largest memory that reading a small file may take: that of 4 MB of forged structure.
 /// Measured: 45 MB, by `a_header_of_four_megabytes_takes_limited_memory`.
@@ -31,7 +30,7 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| table(SMALL));
 /// Writes the small table to `table.h5`.
 fn with_table() -> (Workdir, Vec<u8>) {
     let workdir = workdir!();
-    archive::write(&TABLE, &workdir.path("table.h5")).expect("written");
+    write_hdf5(&TABLE, &workdir.path("table.h5"));
     let bytes = workdir.read("table.h5");
     (workdir, bytes)
 }

@@ -4,11 +4,11 @@ use std::sync::LazyLock;
 
 use acceptance::{
     BOX, Contacts, RIGID_SPHERE, all_bits, assert_names, error_at, larger, low_rank, shipped,
-    table, workdir,
+    table, workdir, write_hdf5,
 };
 use interp::Parameter;
 use interp::{Description, Quantity, Table};
-use tabulate::table::{archive, compress};
+use tabulate::table::compress;
 
 const TWO_AXES: &str = "
     title      = 'Rigid substrate'
@@ -201,7 +201,7 @@ fn an_error_below_rounding_is_refused_with_what_was_reached() {
 #[test]
 fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     let workdir = workdir!();
-    archive::write(&FOUR_AXES, &workdir.path("table.h5")).expect("written");
+    write_hdf5(&FOUR_AXES, &workdir.path("table.h5"));
     let own = FOUR_AXES.description().certificate;
     let mut sizes = Vec::new();
     for tolerance in ["1e-3", "1e-4", "1e-5", "1e-6"] {
@@ -308,7 +308,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
         (ONE_RADIUS, 2),
     ] {
         let dense = table(scene);
-        archive::write(&dense, &workdir.path("table.h5")).expect("written");
+        write_hdf5(&dense, &workdir.path("table.h5"));
         let tolerance = 2.0 * dense.description().certificate.max_error + 1e-9;
         let text = workdir.succeed(format!(
             "pack table.h5 -o table.bin --tolerance {tolerance:e}"
@@ -364,7 +364,7 @@ fn the_same_table_gives_the_same_bytes_on_any_number_of_threads() {
 #[test]
 fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
     let workdir = workdir!();
-    archive::write(&FOUR_AXES, &workdir.path("table.h5")).expect("written");
+    write_hdf5(&FOUR_AXES, &workdir.path("table.h5"));
     let certified = format!("{:.1e}", FOUR_AXES.description().certificate.max_error);
     let pack = |tolerance| {
         [
@@ -393,7 +393,7 @@ fn what_cannot_be_packed_to_a_tolerance_is_said_and_nothing_is_written() {
         median_error: 1e-13,
         ..FOUR_AXES.description().certificate
     });
-    archive::write(&wrong, &workdir.path("wrong.h5")).expect("written");
+    write_hdf5(&wrong, &workdir.path("wrong.h5"));
     let message = workdir.fail(
         1,
         "pack wrong.h5 -o table.bin --tolerance 1e-8 --points 200",

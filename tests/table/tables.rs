@@ -5,7 +5,9 @@ use std::sync::LazyLock;
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use acceptance::{Contacts, TRUTH, all_bits, error_at, larger, material, shipped, table, workdir};
+use acceptance::{
+    Contacts, TRUTH, all_bits, error_at, larger, material, shipped, table, workdir, write_hdf5,
+};
 use interp::{Error, Parameter, Quantities, Quantity, Table};
 use solve::solve;
 use tabulate::table::certify;
@@ -327,7 +329,7 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
         });
         let table =
             Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
-        tabulate::table::archive::write(&table, &workdir.path("table.h5")).expect("written");
+        write_hdf5(&table, &workdir.path("table.h5"));
         std::fs::write(workdir.path("table.bin"), table.to_packed().expect("small"))
             .expect("written");
         for file in ["table.h5", "table.bin"] {

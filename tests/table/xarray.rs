@@ -5,11 +5,10 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, start, table};
+use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, start, table, write_hdf5};
 use interp::{Material, Parameter, Quantity, Table};
 use serde_json::{Value, json};
 use solve::solve;
-use tabulate::table::archive;
 
 /// A scene of one axis and two quantities.
 const RIGID: &str = "
@@ -215,7 +214,7 @@ fn the_example_interpolates_other_tables_as_the_lookup_does() {
         let table = table(scene);
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("table.h5");
-        archive::write(&table, &path).expect("written");
+        write_hdf5(&table, &path);
         let points = points(&table, 102, 20);
         let found = read(&path, &points);
         assert_reads(&table, &found);
