@@ -93,7 +93,7 @@ impl Compliance {
 
     /// Returns `X(q)` to 14 digits, for a finite `q >= 0` or a complex `q` with `Re q >= 0`.
     pub fn x<T: WaveNumber>(&self, q: T) -> T {
-        if q.abs() <= SWITCH {
+        if q.re() * q.re() + q.im() * q.im() <= SWITCH * SWITCH {
             let [n, d] = self.fraction(q);
             n / d
         } else {
@@ -176,10 +176,8 @@ impl Compliance {
     /// `S(0) > 0`.
     pub(crate) fn smallest_scale_of_sum(&self, sphere: f64, film: f64) -> f64 {
         let scale = |[value, rest @ ..]: [f64; 4]| {
-            let reach = |(power, coefficient): (usize, f64)| {
-                (value / coefficient.abs()).powf(1.0 / (power + 1) as f64)
-            };
-            rest.into_iter().enumerate().map(reach).fold(1.0, f64::min)
+            let [linear, quadratic, cubic] = rest.map(|coefficient| value / coefficient.abs());
+            linear.min(quadratic.sqrt()).min(cubic.cbrt()).min(1.0)
         };
         scale(self.leading_of_sum(sphere, film)).min(scale(self.leading()[1]))
     }

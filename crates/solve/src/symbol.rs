@@ -10,6 +10,8 @@
 //! are proportional to `es`, which multiplies them last. Like `X`, `S` is a function of `|q|` on
 //! the real line and is continued from the right into `Re q >= 0`.
 
+use std::sync::OnceLock;
+
 use interp::Material;
 
 use crate::compliance::{Compliance, WaveNumber};
@@ -18,7 +20,7 @@ use crate::zero::{Zero, nearest_zero, zero_free_radius};
 
 /// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
 /// [`SurfaceCompliance`] `C`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Symbol<C = Compliance> {
     compliance: C,
     /// The share of the sphere in the compliance at short waves.
@@ -27,6 +29,8 @@ pub struct Symbol<C = Compliance> {
     film: f64,
     /// The compound modulus `es`.
     modulus: f64,
+    /// The [`Symbol::zero_free_radius`], found at its first use.
+    free: OnceLock<f64>,
 }
 
 impl<C: SurfaceCompliance> Symbol<C> {
@@ -39,6 +43,7 @@ impl<C: SurfaceCompliance> Symbol<C> {
             sphere: 1.0 / (1.0 + 1.0 / ratio),
             film: 1.0 / (1.0 + ratio),
             modulus: material.sphere_film_modulus(),
+            free: OnceLock::new(),
         }
     }
 
@@ -77,13 +82,14 @@ impl Symbol {
 
     /// Returns the symbol of this film and substrate under a softer sphere, which adds `share` of
     /// `S(inf)` to every compliance.
-    pub fn softened(self, share: f64) -> Self {
+    pub fn softened(&self, share: f64) -> Self {
         let whole = 1.0 + share;
         Self {
             sphere: (self.sphere + share) / whole,
             film: self.film / whole,
             modulus: self.modulus / whole,
-            ..self
+            compliance: self.compliance,
+            free: OnceLock::new(),
         }
     }
 
@@ -101,12 +107,14 @@ impl Symbol {
     /// Returns a radius, at most 1, such that `S` has no zero but 0 in the quarter disc within it;
     /// 0 if the radius would be tiny.
     pub fn zero_free_radius(&self) -> f64 {
-        zero_free_radius(&self.compliance, self.sphere, self.film)
+        let find = || zero_free_radius(&self.compliance, self.sphere, self.film);
+        *self.free.get_or_init(find)
     }
 
     /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if
-    /// there is one clear of the imaginary axis. None is within `free` of 0.
-    pub fn nearest_zero(&self, free: f64) -> Option<Zero> {
+    /// there is one clear of the imaginary axis.
+    pub fn nearest_zero(&self) -> Option<Zero> {
+        let free = self.zero_free_radius();
         nearest_zero(&self.compliance, self.sphere, self.film, free)
     }
 }

@@ -109,10 +109,9 @@ impl Zeros {
             };
         }
         let share = SHARE_OF_ZEROS * tolerance;
-        let free = symbol.zero_free_radius();
-        let (all, others) = (left_out(x, free), left_out(x, REACH));
+        let (all, others) = (left_out(x, symbol.zero_free_radius()), left_out(x, REACH));
         let node = if others <= share && share < all {
-            symbol.nearest_zero(free)
+            symbol.nearest_zero()
         } else {
             None
         };
@@ -165,11 +164,11 @@ pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 fn unknowns_of_ray(x: f64, symbol: &Symbol, tolerance: f64) -> (f64, f64) {
     /// The time of the second sphere over that of the first.
     const SECOND_SPHERE: f64 = 0.7;
-    let (symbol, spheres) = match softening(x, symbol) {
-        Some(share) => (symbol.softened(share), 1.0 + SECOND_SPHERE),
-        None => (*symbol, 1.0),
+    let (scale, spheres) = match softening(x, symbol) {
+        Some(share) => (symbol.softened(share).smallest_scale(), 1.0 + SECOND_SPHERE),
+        None => (symbol.smallest_scale(), 1.0),
     };
-    let scales = 11.0 - 0.7 * (x * symbol.smallest_scale()).min(1.0).ln();
+    let scales = 11.0 - 0.7 * (x * scale).min(1.0).ln();
     (scales * (8.0 - tolerance.ln()), spheres)
 }
 
