@@ -1,8 +1,8 @@
 //! Small tables, made of the scenes that many tests use, and the shipped ones.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock, Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use interp::{Certificate, Description, Parameter, Table};
 use tabulate::table::{Plan, Scene, archive, certify, sweep};
@@ -34,8 +34,7 @@ pub const RIGID_SPHERE: &str = "
 /// # Panics
 /// If the scene is refused or a point does not converge.
 pub fn table(scene: &str) -> Table {
-    static TABLES: LazyLock<Mutex<HashMap<String, Arc<OnceLock<Table>>>>> =
-        LazyLock::new(Mutex::default);
+    static TABLES: Mutex<BTreeMap<String, Arc<OnceLock<Table>>>> = Mutex::new(BTreeMap::new());
     let mut tables = TABLES.lock().expect("no test panics here");
     let table = Arc::clone(tables.entry(scene.to_owned()).or_default());
     drop(tables);
@@ -64,7 +63,7 @@ fn make(scene: &str) -> Table {
     table
 }
 
-/// Writes a table as HDF5 while no program starts, which would hold the file's lock.
+/// Writes a table as HDF5. No program starts meanwhile: it would keep the file locked until it ends.
 ///
 /// # Panics
 /// If it cannot be written.

@@ -85,8 +85,9 @@ macro_rules! workdir {
 
 /// Waits until no other thread is starting a program, and keeps all others from it.
 ///
-/// A program holds the locks of the files that are open where it starts: until its exec, and those of
-/// HDF5 files until it ends. A test that opens such a file again would find it locked.
+/// A started program inherits the files that are open in this process, with their locks: files opened
+/// by Rust until its exec, files opened by the HDF5 library until it ends. A test that opens such a
+/// file again would find it locked.
 pub fn nothing_starts() -> MutexGuard<'static, ()> {
     static STARTING: Mutex<()> = Mutex::new(());
     STARTING.lock().unwrap_or_else(PoisonError::into_inner)

@@ -93,6 +93,7 @@ impl Compliance {
 
     /// Returns `X(q)` to 14 digits, for a finite `q >= 0` or a complex `q` with `Re q >= 0`.
     pub fn x<T: WaveNumber>(&self, q: T) -> T {
+        // By squares: a modulus takes longer.
         if q.re() * q.re() + q.im() * q.im() <= SWITCH * SWITCH {
             let [n, d] = self.fraction(q);
             n / d

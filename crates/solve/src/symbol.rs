@@ -30,7 +30,7 @@ pub struct Symbol<C = Compliance> {
     /// The compound modulus `es`.
     modulus: f64,
     /// The [`Symbol::zero_free_radius`], found at its first use.
-    free: OnceLock<f64>,
+    zero_free_radius: OnceLock<f64>,
 }
 
 impl<C: SurfaceCompliance> Symbol<C> {
@@ -43,7 +43,7 @@ impl<C: SurfaceCompliance> Symbol<C> {
             sphere: 1.0 / (1.0 + 1.0 / ratio),
             film: 1.0 / (1.0 + ratio),
             modulus: material.sphere_film_modulus(),
-            free: OnceLock::new(),
+            zero_free_radius: OnceLock::new(),
         }
     }
 
@@ -89,7 +89,7 @@ impl Symbol {
             film: self.film / whole,
             modulus: self.modulus / whole,
             compliance: self.compliance,
-            free: OnceLock::new(),
+            zero_free_radius: OnceLock::new(),
         }
     }
 
@@ -108,7 +108,7 @@ impl Symbol {
     /// 0 if the radius would be tiny.
     pub fn zero_free_radius(&self) -> f64 {
         let find = || zero_free_radius(&self.compliance, self.sphere, self.film);
-        *self.free.get_or_init(find)
+        *self.zero_free_radius.get_or_init(find)
     }
 
     /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if

@@ -21,12 +21,11 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
         return Err("no cargo command given".into());
     };
     command.arg(subcommand);
-    if !system_library() && selection::has_tabulate(args)? {
+    if !system_library()
+        && let Some(tabulate) = selection::prefix_of_features(args)?
+    {
         command
-            .args([
-                "--features",
-                &format!("{}/hdf5-static", selection::TABULATE),
-            ])
+            .args(["--features", &format!("{tabulate}/hdf5-static")])
             .env("CMAKE", cmake()?);
         if !runs(Command::new("make").arg("--version"))
             && !runs(Command::new("ninja").arg("--version"))

@@ -134,7 +134,7 @@ fn test(args: &[String]) -> Result<(), String> {
 }
 
 /// Returns the environment that tells the tests in Rust where their packages of Python are, and where
-/// these are kept compiled. A package with measured curves that cannot be fetched is left out, with a message.
+/// Python stores compiled modules. Leaves out afmformats, with a message, if it cannot be fetched.
 fn packages_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
     let mut packages = vec![
         ("PYTHONPYCACHEPREFIX", python::compiled()?),
@@ -150,8 +150,10 @@ fn packages_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
     Ok(packages)
 }
 
-/// Fetches all packages of Python that tests, comparisons and the site need.
+/// Fetches all packages of Python that tests, comparisons and the site need, and the tools that build
+/// libhdf5.
 fn tools() -> Result<(), String> {
+    hdf5::cargo(&["build", "--workspace"])?;
     packages_of_tests()?;
     python::package("scipy", SCIPY)?;
     python_tests::fetch()?;
@@ -190,6 +192,13 @@ const XARRAY: [&str; 5] = [
 /// Runs the benches that need scipy; pip fetches numpy with it. The selection is that of the tests,
 /// so that nothing is compiled twice.
 fn compare(args: &[&str]) -> Result<(), String> {
+    /// The benches call generic functions of other crates, which run fastest where they are compiled in
+    /// one unit.
+    const ONE_UNIT: [&str; 2] = [
+        "--config",
+        "profile.bench.package.coated-contact-tabulate.codegen-units=1",
+    ];
+    let units: &[&str] = if args.is_empty() { &ONE_UNIT } else { &[] };
     let bench = [
         "bench",
         "--workspace",
@@ -198,7 +207,7 @@ fn compare(args: &[&str]) -> Result<(), String> {
         "--bench",
         "rivals",
     ];
-    let bench = [&bench, args].concat();
+    let bench = [&bench, units, args].concat();
     succeed(hdf5::cargo(&bench)?.env("PYTHONPATH", python::package("scipy", SCIPY)?))
 }
 

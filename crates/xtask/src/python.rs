@@ -63,13 +63,15 @@ fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result
         let _ = fs::remove_dir_all(&unfinished);
         return Err(message);
     }
-    fs::rename(&unfinished, &folder)
-        .map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
-    Ok(folder)
+    match fs::rename(&unfinished, &folder) {
+        // Another program may have fetched it meanwhile.
+        Err(e) if !folder.exists() => Err(format!("cannot rename {}: {e}", unfinished.display())),
+        _ => Ok(folder),
+    }
 }
 
-/// Returns the folder, for `PYTHONPYCACHEPREFIX`, in which Python keeps what it has compiled: no folder of
-/// sources gets files, and no program compiles what another one has.
+/// Returns the folder for `PYTHONPYCACHEPREFIX`, where Python stores compiled modules. The folders of
+/// sources get no files, and all programs share the compiled modules.
 pub fn compiled() -> Result<PathBuf, String> {
     Ok(workspace::target()?.join("tools").join("compiled"))
 }

@@ -112,8 +112,11 @@ fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
     run("ruff", &["check", "--quiet", "."])?;
     run("mypy", &["python/coated_contact"])?;
     let pytest = ["-q", "-p", "no:cacheprovider"];
-    // On all cores.
-    run("pytest", &[&pytest[..], &["-n", "auto", "tests"]].concat())?;
+    // One worker for each processor.
+    run(
+        "pytest",
+        &[&pytest[..], &["-n", "logical", "tests"]].concat(),
+    )?;
     run(
         "pytest",
         &[

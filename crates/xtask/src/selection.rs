@@ -12,20 +12,20 @@ pub const TABULATE: &str = "coated-contact-tabulate";
 /// The arguments of cargo that name a package.
 const PACKAGE: [&str; 2] = ["--package", "-p"];
 
-/// Returns whether a cargo command with these arguments selects `tabulate` or a member that depends
-/// on it. Cargo refuses the features of `tabulate` where it selects neither.
+/// Returns the name that stands before `/` in a feature of `tabulate` on the command line of cargo: that
+/// of the package where the arguments select it, that of the dependency where they select only members
+/// that depend on it, and none where they select neither.
 ///
 /// # Errors
 /// A message if cargo does not list the members.
-pub fn has_tabulate(args: &[&str]) -> Result<bool, String> {
+pub fn prefix_of_features(args: &[&str]) -> Result<Option<String>, String> {
     let members = workspace::members()?;
     let folder = std::env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
-    Ok(any_has_tabulate(args, &members, &folder))
+    Ok(prefix_among(args, &members, &folder))
 }
 
-/// Returns whether the arguments, given in this folder, select one of the `members` that is or uses
-/// `tabulate`.
-fn any_has_tabulate(args: &[&str], members: &[Value], folder: &Path) -> bool {
+/// Returns what [`prefix_of_features`] does for arguments that are given in this folder.
+fn prefix_among(args: &[&str], members: &[Value], folder: &Path) -> Option<String> {
     // What follows is for the program that cargo runs.
     let own = args.iter().position(|arg| *arg == "--");
     let args = &args[..own.unwrap_or(args.len())];
@@ -46,12 +46,17 @@ fn any_has_tabulate(args: &[&str], members: &[Value], folder: &Path) -> bool {
             named.iter().any(|name| member["name"] == *name)
         }
     };
-    let uses = |member: &Value| {
-        let dependencies = member["dependencies"].as_array();
-        let is_tabulate = |package: &Value| package["name"] == TABULATE;
-        is_tabulate(member) || dependencies.is_some_and(|all| all.iter().any(is_tabulate))
-    };
-    members.iter().filter(is_selected).any(uses)
+    let selected: Vec<&Value> = members.iter().filter(is_selected).collect();
+    let is_tabulate = |package: &&Value| package["name"] == TABULATE;
+    if selected.iter().any(is_tabulate) {
+        return Some(TABULATE.into());
+    }
+    let mut dependencies = selected
+        .iter()
+        .filter_map(|member| member["dependencies"].as_array())
+        .flatten();
+    let dependency = dependencies.find(is_tabulate)?;
+    Some(dependency["rename"].as_str().unwrap_or(TABULATE).into())
 }
 
 /// Returns the names of the packages in `-p NAME`, `-pNAME`, `--package NAME` and `--package=NAME`,
@@ -80,7 +85,10 @@ mod tests {
     #[test]
     fn only_members_with_tabulate_get_its_features() {
         let member = |name: &str, folder: &str, dependencies: &[&str]| {
-            let dependencies = dependencies.iter().map(|name| json!({ "name": name }));
+            let dependencies = dependencies.iter().map(|name| {
+                let rename = (*name == TABULATE).then_some("tabulate");
+                json!({ "name": name, "rename": rename })
+            });
             json!({
                 "name": name,
                 "manifest_path": format!("/w/{folder}/Cargo.toml"),
@@ -92,46 +100,58 @@ mod tests {
             member(TABULATE, "crates/tabulate", &["interp"]),
             member("acceptance", "tests", &["interp", TABULATE]),
         ];
-        let cases: [(&[&str], &str, bool); 15] = [
-            (&["bench"], "/w", true),
-            (&["bench", "--workspace"], "/w", true),
-            (&["bench", "-p", "interp"], "/w", false),
-            (&["bench", "-pinterp"], "/w", false),
+        let cases: [(&[&str], &str, Option<&str>); 15] = [
+            (&["bench"], "/w", Some(TABULATE)),
+            (&["bench", "--workspace"], "/w", Some(TABULATE)),
+            (&["bench", "-p", "interp"], "/w", None),
+            (&["bench", "-pinterp"], "/w", None),
             (
                 &["bench", "--package", "interp", "--bench", "lookup"],
                 "/w",
-                false,
+                None,
             ),
-            (&["bench", "--package=interp@0.1.0"], "/w", false),
-            (&["bench", "-p", "interp", "-p", TABULATE], "/w", true),
-            (&["bench", "-p", TABULATE], "/w", true),
-            (&["test", "-p", "acceptance"], "/w", true),
-            (&["test", "--workspace"], "/w/crates/interp", true),
-            (&["test", "-p", TABULATE], "/w/crates/interp", true),
-            (&["test"], "/w/crates/interp/src", false),
-            (&["test"], "/w/crates", true),
+            (&["bench", "--package=interp@0.1.0"], "/w", None),
+            (
+                &["bench", "-p", "interp", "-p", TABULATE],
+                "/w",
+                Some(TABULATE),
+            ),
+            (&["bench", "-p", TABULATE], "/w", Some(TABULATE)),
+            (&["test", "-p", "acceptance"], "/w", Some("tabulate")),
+            (&["test", "--workspace"], "/w/crates/interp", Some(TABULATE)),
+            (
+                &["test", "-p", TABULATE],
+                "/w/crates/interp",
+                Some(TABULATE),
+            ),
+            (&["test"], "/w/crates/interp/src", None),
+            (&["test"], "/w/crates", Some(TABULATE)),
             // The arguments of the program are none of cargo's.
-            (&["run", "-p", "interp", "--", "-p", TABULATE], "/w", false),
-            (&["run", "-p", TABULATE, "--", "-p", "interp"], "/w", true),
+            (&["run", "-p", "interp", "--", "-p", TABULATE], "/w", None),
+            (
+                &["run", "-p", TABULATE, "--", "-p", "interp"],
+                "/w",
+                Some(TABULATE),
+            ),
         ];
         for (args, folder, expected) in cases {
-            let found = any_has_tabulate(args, &members, Path::new(folder));
-            assert_eq!(found, expected, "{args:?} in {folder}");
+            let found = prefix_among(args, &members, Path::new(folder));
+            assert_eq!(found.as_deref(), expected, "{args:?} in {folder}");
         }
     }
 
     #[test]
     fn every_member_of_the_workspace_is_known() {
-        let selects = |member: &str| has_tabulate(&["bench", "-p", member]).expect("a list");
+        let prefix = |member: &str| prefix_of_features(&["bench", "-p", member]).expect("a list");
         for (member, expected) in [
-            ("coated-contact-interp", false),
-            ("coated-contact-fit", false),
-            ("xtask", false),
-            (TABULATE, true),
-            ("acceptance", true),
-            ("coated-contact-python", true),
+            ("coated-contact-interp", None),
+            ("coated-contact-fit", None),
+            ("xtask", None),
+            (TABULATE, Some(TABULATE)),
+            ("acceptance", Some("tabulate")),
+            ("coated-contact-python", Some("tabulate")),
         ] {
-            assert_eq!(selects(member), expected, "{member}");
+            assert_eq!(prefix(member).as_deref(), expected, "{member}");
         }
     }
 }
