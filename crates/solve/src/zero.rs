@@ -183,18 +183,19 @@ pub mod tests {
         }
     }
 
+    /// Returns the parts of a sum, and its smallest scale.
+    fn parts(sum: &Sum) -> (Compliance, f64, f64, f64) {
+        let scale = sum.compliance.smallest_scale_of_sum(sum.sphere, sum.film);
+        (sum.compliance, sum.sphere, sum.film, scale)
+    }
+
     /// The ray of the Wiener-Hopf method and the panels of the quadrature rely on this.
     #[test]
     fn zeros_and_poles_lie_above_53_degrees() {
         let mut random = Pcg64Mcg::seed_from_u64(1);
         for _ in 0..1000 {
             let sum = Sum::random(&mut random);
-            let Sum {
-                compliance,
-                sphere,
-                film,
-            } = sum;
-            let scale = compliance.smallest_scale_of_sum(sphere, film);
+            let (compliance, sphere, film, scale) = parts(&sum);
             let symbol = |q: Complex64| compliance.x(q) * film + sphere;
             let turns = winding(symbol, 53.0 * PI / 180.0, 1e-3 * scale.max(1e-20), 12.0);
             assert!(turns.abs() < 1e-6, "{turns} turns: {sum:?}");
@@ -232,12 +233,7 @@ pub mod tests {
         let (mut with_zero, mut found) = (0, 0);
         for _ in 0..1000 {
             let sum = Sum::random(&mut random);
-            let Sum {
-                compliance,
-                sphere,
-                film,
-            } = sum;
-            let scale = compliance.smallest_scale_of_sum(sphere, film);
+            let (compliance, sphere, film, scale) = parts(&sum);
             if scale == 0.0 {
                 // `S(0) = 0` between rigid bodies, which the method avoids.
                 continue;

@@ -48,7 +48,7 @@ usage: cargo xtask COMMAND
   dist           make all artefacts of a release in target/dist/, and try each in an empty environment; takes long
   dist --check   check the metadata of a release, and print its packages in order
   compare        time the solve against numpy and scipy on the same equation, and the lookup against interpn and scipy on
-                 the same nodes
+                 the same nodes; compiles all crates with other options first, which takes minutes
   compare --small
                  run the same comparisons on small cases, whose numbers mean nothing
   licences       check the licences of all crates of the lock file, and print those that have more conditions than MIT
@@ -123,7 +123,7 @@ fn test(args: &[String]) -> Result<(), String> {
     command.extend(args.iter().map(String::as_str));
     let mut cargo = hdf5::cargo(&command)?;
     cargo
-        .envs(packages_of_tests()?)
+        .envs(environment_of_tests()?)
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
     succeed(&mut cargo)?;
     if args.is_empty() {
@@ -135,7 +135,7 @@ fn test(args: &[String]) -> Result<(), String> {
 
 /// Returns the environment that tells the tests in Rust where their packages of Python are, and where
 /// Python stores compiled modules. Leaves out afmformats, with a message, if it cannot be fetched.
-fn packages_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
+fn environment_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
     let mut packages = vec![
         ("PYTHONPYCACHEPREFIX", python::compiled()?),
         ("H5PY_PATH", python::package("h5py", H5PY)?),
@@ -153,8 +153,9 @@ fn packages_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
 /// Fetches all packages of Python that tests, comparisons and the site need, and the tools that build
 /// libhdf5.
 fn tools() -> Result<(), String> {
+    // To make this command is to fetch cmake and ninja where they are needed.
     hdf5::cargo(&["build", "--workspace"])?;
-    packages_of_tests()?;
+    environment_of_tests()?;
     python::package("scipy", SCIPY)?;
     python_tests::fetch()?;
     site::packages().map(drop)
@@ -189,8 +190,9 @@ const XARRAY: [&str; 5] = [
     "scipy==1.17.1",
 ];
 
-/// Runs the benches that need scipy; pip fetches numpy with it. The selection is that of the tests,
-/// so that nothing is compiled twice.
+/// Runs the benches that need scipy; pip fetches numpy with it. The selection is that of the tests, so
+/// that nothing is compiled twice for the small cases. Where the times count, all crates are compiled
+/// again, with other options.
 fn compare(args: &[&str]) -> Result<(), String> {
     /// Without optimisation among the units of a crate, interpn takes five times as long.
     const FAIR: [&str; 4] = [

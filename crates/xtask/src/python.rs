@@ -63,10 +63,15 @@ fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result
         let _ = fs::remove_dir_all(&unfinished);
         return Err(message);
     }
-    match fs::rename(&unfinished, &folder) {
-        // Another program may have fetched it meanwhile.
+    complete(&unfinished, &folder)?;
+    Ok(folder)
+}
+
+/// Gives a folder that is complete its name. Another program may have done so meanwhile.
+pub fn complete(unfinished: &Path, folder: &Path) -> Result<(), String> {
+    match fs::rename(unfinished, folder) {
         Err(e) if !folder.exists() => Err(format!("cannot rename {}: {e}", unfinished.display())),
-        _ => Ok(folder),
+        _ => Ok(()),
     }
 }
 

@@ -20,10 +20,7 @@ const MEASURED: [[&str; 3]; 2] = [
 /// were built with: that of a wheel has all its dependencies compiled again, with fewer features.
 /// Without a python3 that can make a virtual environment, it says so.
 pub fn in_place() -> Result<(), String> {
-    if !venv::can_be_made() {
-        eprintln!(
-            "xtask: the tests of the Python package are skipped: there is no python3 >= 3.11 with venv"
-        );
+    if !can_be_run() {
         return Ok(());
     }
     if !cfg!(target_os = "linux") {
@@ -61,9 +58,20 @@ pub fn package() -> Result<PathBuf, String> {
     Ok(folder)
 }
 
+/// Returns whether there is a python3 for the tests; says so where there is none.
+fn can_be_run() -> bool {
+    let can = venv::can_be_made();
+    if !can {
+        eprintln!(
+            "xtask: the tests of the Python package are skipped: there is no python3 >= 3.11 with venv"
+        );
+    }
+    can
+}
+
 /// Fetches what the tests need, if they can be run.
 pub fn fetch() -> Result<(), String> {
-    if venv::can_be_made() {
+    if can_be_run() {
         venv::interpreter()?;
         measured();
     }

@@ -1,6 +1,5 @@
 //! The virtual environment in which the Python package is built and tested.
 
-use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -78,7 +77,6 @@ pub fn interpreter() -> Result<PathBuf, String> {
             eprintln!("xtask: {peer} cannot be fetched: the tests that need it are skipped");
         }
     }
-    fs::rename(&unfinished, &folder)
-        .map_err(|e| format!("cannot rename {}: {e}", unfinished.display()))?;
+    python::complete(&unfinished, &folder)?;
     Ok(interpreter)
 }
