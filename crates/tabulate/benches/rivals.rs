@@ -126,6 +126,12 @@ fn main() {
         "Nodes: {:?}; interpn 0.11, scipy and the direct solve on one thread\n",
         table.shape()
     );
+    if !cfg!(feature = "fast-interpn") {
+        println!(
+            "interpn: without its fast code for four variables, so its times mean nothing; `cargo xtask compare` \
+             compiles it\n"
+        );
+    }
     match Python::start("rivals.py") {
         Some(python) => rows.extend(scipy(python, &grid, &points, &curves, &truth)),
         None => println!(

@@ -194,8 +194,10 @@ const XARRAY: [&str; 5] = [
 /// that nothing is compiled twice for the small cases. Where the times count, all crates are compiled
 /// again, with other options.
 fn compare(args: &[&str]) -> Result<(), String> {
-    /// Without optimisation among the units of a crate, interpn takes five times as long.
-    const FAIR: [&str; 4] = [
+    /// Without optimisation among the units of a crate, or without its fast code, interpn takes several times as long.
+    const FAIR: [&str; 6] = [
+        "--features",
+        "coated-contact-tabulate/fast-interpn",
         "--config",
         "profile.bench.lto=false",
         "--config",
