@@ -13,6 +13,7 @@ mod hostile;
 mod imagined;
 mod interfaces;
 mod intervals;
+mod jkr_plot;
 mod layers;
 mod layers_refused;
 mod left_out;
