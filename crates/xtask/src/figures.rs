@@ -36,6 +36,9 @@ const FIGURES: [(&str, Option<&str>); 14] = [
     ("effects", Some("effects")),
 ];
 
+/// The measurement and the figure that take the packed table of the default scene. Each would make it first.
+const OF_DEFAULT_TABLE: [&str; 2] = ["lookup", "error-map"];
+
 /// The measurements of `crates/fit/EXPERIMENTS.md`: the name of data and figure, the arguments of
 /// `tabulate simulate` and those of `tabulate fit`.
 const FITS: [(&str, &str, &str); 7] = [
@@ -130,12 +133,18 @@ const TOLERANCE: Difference = Difference {
 /// Measures, draws and quotes everything anew.
 pub fn figures() -> Result<(), String> {
     let folder = folder();
-    fs::create_dir_all(&folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    make_folder(&folder)?;
+    let table = default_table(&made()?)?;
     for cost in COSTS {
-        measure(cost, &["-o", &name(&folder, cost, "csv")], TIGHTEST[0])?;
+        measure(
+            cost,
+            &table,
+            &["-o", &name(&folder, cost, "csv")],
+            TIGHTEST[0],
+        )?;
     }
     for (figure, cost) in FIGURES {
-        draw(figure, cost, &name(&folder, figure, "svg"))?;
+        draw(figure, cost, &table, &name(&folder, figure, "svg"))?;
     }
     for (stem, simulate, fit) in FITS {
         let [data, figure] = fit_files(stem);
@@ -163,18 +172,19 @@ pub fn check() -> Result<(), String> {
             ));
         }
     }
+    let drawn = made()?;
+    let table = default_table(&drawn)?;
     for cost in COSTS {
         measure(
             cost,
+            &table,
             &["--compare", &name(&folder, cost, "csv")],
             TIGHTEST[1],
         )?;
     }
-    let drawn = workspace::target()?.join("figures");
-    fs::create_dir_all(&drawn).map_err(|e| format!("cannot make {}: {e}", drawn.display()))?;
     for (figure, cost) in FIGURES {
         let (before, now) = (name(&folder, figure, "svg"), name(&drawn, figure, "svg"));
-        draw(figure, cost, &now)?;
+        draw(figure, cost, &table, &now)?;
         compare(Path::new(&before), Path::new(&now), ROUNDING)?;
     }
     for (stem, simulate, fit) in FITS {
@@ -230,6 +240,27 @@ fn folder() -> PathBuf {
     workspace::root().join("tables/figures")
 }
 
+/// Returns the folder of what is made to be compared, or on the way.
+fn made() -> Result<PathBuf, String> {
+    let folder = workspace::target()?.join("figures");
+    make_folder(&folder)?;
+    Ok(folder)
+}
+
+fn make_folder(folder: &Path) -> Result<(), String> {
+    fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))
+}
+
+/// Makes the table that `tabulate` takes for [`OF_DEFAULT_TABLE`] where none is named. Returns its path.
+fn default_table(folder: &Path) -> Result<String, String> {
+    let scene = workspace::root().join("tables/default.toml");
+    let scene = scene.display().to_string();
+    let [table, packed] = ["h5", "bin"].map(|ending| name(folder, "default", ending));
+    tabulate::text(&["generate", &scene, "-o", &table, "--tolerance", "2e-7"])?;
+    tabulate::text(&["pack", &table, "-o", &packed, "--tolerance", "1e-6"])?;
+    Ok(packed)
+}
+
 fn name(folder: &Path, stem: &str, ending: &str) -> String {
     folder
         .join(format!("{stem}.{ending}"))
@@ -241,20 +272,30 @@ fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
 }
 
-fn measure(cost: &str, arguments: &[&str], tightest: &str) -> Result<String, String> {
+fn measure(cost: &str, table: &str, arguments: &[&str], tightest: &str) -> Result<String, String> {
     let to: &[&str] = if cost == "table" {
         &["--to", tightest]
     } else {
-        &[]
+        of_default(cost, &table)
     };
-    tabulate::text(&[&["cost", cost], arguments, to].concat())
+    tabulate::text(&[&["cost", cost], to, arguments].concat())
+}
+
+/// Returns the argument of a measurement or a figure that names the table.
+fn of_default<'a>(name: &str, table: &'a &str) -> &'a [&'a str] {
+    if OF_DEFAULT_TABLE.contains(&name) {
+        std::slice::from_ref(table)
+    } else {
+        &[]
+    }
 }
 
 /// Draws a figure, from the rows of its measurement if it has one.
-fn draw(figure: &str, cost: Option<&str>, picture: &str) -> Result<String, String> {
+fn draw(figure: &str, cost: Option<&str>, table: &str, picture: &str) -> Result<String, String> {
     let data = cost.map(|cost| name(&folder(), cost, "csv"));
     let data = data.as_ref().map_or(vec![], |data| vec!["--data", data]);
-    tabulate::text(&[&["plot", figure, "-o", picture], &data[..]].concat())
+    let table = of_default(figure, &table);
+    tabulate::text(&[&["plot", figure, "-o", picture], table, &data[..]].concat())
 }
 
 /// Returns the text of a document with the present summary in each quotation.
