@@ -406,6 +406,25 @@ fn films_below_10_um_change_what_jkr_finds_by_less_than_3_percent() {
 }
 
 #[test]
+fn the_fit_without_the_film_can_be_left_out_and_changes_nothing_else() {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 1e-6, &LENS);
+    let experiments = [lens.measured(&lens.exact(), 7)];
+    let found = |without_film| {
+        let options = Options {
+            without_film,
+            ..Options::default()
+        };
+        fit(Table::embedded(), &experiments, &lens.free, &options).expect("fitted")
+    };
+    let (mut with, left_out) = (found(true), found(false));
+    assert!(with.without_film.take().is_some());
+    for point in &mut with.experiments[0].points {
+        assert!(point.without_film.take().is_some());
+    }
+    assert_eq!(with, left_out);
+}
+
+#[test]
 fn profiles_agree_with_standard_errors_where_the_model_is_linear() {
     let options = Options {
         profile_level: Some(0.95),

@@ -96,6 +96,10 @@ pub fn fit_map<'py>(
     /// The fits whose results are in memory before they are made objects of Python.
     const BLOCK: usize = 64;
     let (options, allow_magnitudes) = options(given_options)?;
+    let options = Options {
+        without_film: false,
+        ..options
+    };
     let table = table.get();
     let solvers = Solvers::new(table.layered_solver(py)?);
     let free = frees(py, free)?;

@@ -24,8 +24,8 @@ pub struct Fit {
     pub reduced_chi_squared: Option<f64>,
     /// The experiments, in the order given.
     pub experiments: Vec<FittedExperiment>,
-    /// The same data without the film; `None` on a half-space, or where the data have no fit
-    /// without it.
+    /// The same data without the film; `None` on a half-space, where the data have no fit without
+    /// it, or where it is not [asked for](crate::Options::without_film).
     pub without_film: Option<WithoutFilm>,
     /// The combinations of parameters that the data do not determine.
     pub undetermined: Vec<Combination>,

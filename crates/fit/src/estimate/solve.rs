@@ -68,7 +68,10 @@ pub fn fit(
     let losses = losses(&found.problem)?;
     let relaxations = (0..experiments.len()).map(|e| relaxing::of(&found.problem, e));
     let relaxations = relaxations.collect::<Result<Vec<_>, _>>()?;
-    let without_film = without_film::without_film(table, &found, free, options.loss);
+    let without_film = options
+        .without_film
+        .then(|| without_film::without_film(table, &found, free, options.loss))
+        .flatten();
     let mut fit = result(
         &found,
         &data,
