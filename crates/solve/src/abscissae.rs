@@ -102,7 +102,8 @@ impl BesselValues {
 impl Abscissae {
     /// Places abscissae on `panels`, for `modes` modes at `x = a/t`.
     pub fn new(x: f64, modes: usize, panels: Panels) -> Self {
-        let (mut q, mut weights) = (Vec::new(), Vec::new());
+        let count = (panels.edges.len() - 1) * panels.rule.abscissae.len();
+        let [mut q, mut weights] = [0; 2].map(|_| Vec::with_capacity(count + LANES));
         for ends in panels.edges.windows(2) {
             let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
             q.extend(panels.rule.abscissae.iter().map(|t| middle + half * t));

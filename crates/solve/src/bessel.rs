@@ -104,12 +104,14 @@ impl EvenBessel {
         }
 
         let top = start(z[LANES - 1]);
-        let mut orders = vec![splat(0.0); self.modes.max(top) + 1];
         let mut sums = splat(0.0);
         // Nothing overflows from here: within the span of a group, lanes with `z > 2` grow by less
         // than 1e170, the others by less than 1e200.
         let (mut after, mut now) = (splat(0.0), splat(1e-100));
-        orders[top - 1] = now;
+        for n in top..self.modes {
+            columns.put(n, after);
+        }
+        columns.put(top - 1, now);
         for n in (1..top).rev() {
             let Step {
                 down: [a, b, c],
@@ -118,12 +120,12 @@ impl EvenBessel {
             } = steps[n];
             sums += now * at_zero;
             let next = (inverse_square * a - b) * now - after * c;
-            orders[n - 1] = next;
+            columns.put(n - 1, next);
             (after, now) = (now, next);
         }
         let factor = one / (sums + now);
-        for (n, order) in orders[..self.modes].iter().enumerate() {
-            columns.store(n, *order, factor);
+        for n in 0..self.modes {
+            columns.store(n, columns.get(simd, n), factor);
         }
     }
 }
@@ -141,8 +143,21 @@ impl Columns<'_> {
     // A closure would be compiled without the vector instructions of its function.
     #[inline(always)]
     fn store<S: Simd>(&mut self, n: usize, group: f64x8<S>, factor: f64x8<S>) {
-        let column = &mut self.values[n * self.stride + self.at..][..LANES];
-        (factor * self.scale[n] * group).store_slice(column);
+        self.put(n, factor * self.scale[n] * group);
+    }
+
+    /// Stores a group as it is, if its order is one of those asked for.
+    #[inline(always)]
+    fn put<S: Simd>(&mut self, n: usize, group: f64x8<S>) {
+        if n < self.scale.len() {
+            group.store_slice(&mut self.values[n * self.stride + self.at..][..LANES]);
+        }
+    }
+
+    /// Returns what was stored.
+    #[inline(always)]
+    fn get<S: Simd>(&self, simd: S, n: usize) -> f64x8<S> {
+        f64x8::from_slice(simd, &self.values[n * self.stride + self.at..][..LANES])
     }
 }
 

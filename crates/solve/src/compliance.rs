@@ -103,6 +103,19 @@ impl Compliance {
         }
     }
 
+    /// Returns `X` at several finite `q >= 0`, as [`Compliance::x`].
+    #[inline(always)]
+    pub(crate) fn x_of_group<S: Simd>(&self, simd: S, q: S::f64s) -> S::f64s {
+        let [n, d] = self.fraction(q);
+        let thin = q.simd_le(SWITCH);
+        if thin.all_true() {
+            return n / d;
+        }
+        let [[numerator, denominator], _] =
+            self.exponential_fraction(q, exponential(simd, q * -2.0));
+        thin.select(n / d, numerator / denominator + 1.0)
+    }
+
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
     pub fn sample(&self, q: f64) -> Sample {
@@ -217,6 +230,27 @@ impl Compliance {
         ]
     }
 
+    /// Returns the real and imaginary parts of `N` and `D` at `q = i p`, for `0 <= p <= 1`.
+    #[inline(always)]
+    pub(crate) fn fraction_on_axis<T>(&self, p: T) -> [[T; 2]; 2]
+    where
+        T: Copy + Add<Output = T> + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
+    {
+        let [c0, c1, c2, c3, c4] = self.c;
+        let square = p * p * -1.0;
+        // `sinh 2q = i sin 2p`.
+        let [sine_rest, cosh_rest] = rests(p * 2.0, square * 4.0);
+        let sine = sine_rest + p * 2.0;
+        let cosh = cosh_rest + square * 2.0 + 1.0;
+        [
+            [cosh * (0.5 * c0), sine_rest * (0.5 * c1) + p * c2],
+            [
+                cosh_rest * (0.5 * c1) + square * c4 + 0.5 * c3,
+                sine * (0.5 * c0),
+            ],
+        ]
+    }
+
     /// Returns `N'` and `D'` for `0 <= q <= 1`.
     #[inline(always)]
     fn slopes<T>(&self, q: T) -> [T; 2]
@@ -300,7 +334,16 @@ pub fn hyperbolic_rests<T>(s: T) -> [T; 2]
 where
     T: Copy + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
 {
-    let square = s * s;
+    rests(s, s * s)
+}
+
+/// Returns [`hyperbolic_rests`] of the root of `square`, which may be negative: `factor` over this root
+/// is a factor of the first one.
+#[inline(always)]
+fn rests<T>(factor: T, square: T) -> [T; 2]
+where
+    T: Copy + Mul<Output = T> + Add<f64, Output = T> + Mul<f64, Output = T>,
+{
     let [of_sinh, of_cosh] = REST_FACTORS[TERMS - 1];
     let (mut sinh, mut cosh) = (square * of_sinh + 1.0, square * of_cosh + 1.0);
     for [of_sinh, of_cosh] in REST_FACTORS[1..TERMS - 1].iter().rev() {
@@ -308,7 +351,7 @@ where
         cosh = cosh * square * *of_cosh + 1.0;
     }
     [
-        s * square * sinh * (1.0 / 6.0),
+        factor * square * sinh * (1.0 / 6.0),
         square * square * cosh * (1.0 / 24.0),
     ]
 }

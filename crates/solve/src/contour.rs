@@ -41,8 +41,9 @@ pub struct Contour {
     pub kernel: Matrix,
     /// The abscissae of the readouts.
     pub readouts: Readouts,
-    /// The matrix from the strengths to `V` at the readouts: one element for each unknown.
-    pub readout: Vec<[Complex64; READOUTS]>,
+    /// The matrix from the strengths to `V` at the readouts: real and imaginary part of one after the
+    /// other.
+    pub readout: Matrix,
     /// The matrix from `ln S` at the abscissae to `ln S_+`, with [`Self::rows`] rows.
     pub factor: Matrix,
     /// The factor from `ln S` at a point to `ln S_+` at that point: nodes, then readouts.
@@ -149,7 +150,7 @@ impl Contour {
                 if path == Path::Ray {
                     kernel.extend(nodes.iter().map(|&q| influence(q).im));
                 }
-                readout.push(z.map(influence));
+                readout.extend(z.iter().map(|&q| influence(q)).flat_map(|v| [v.re, v.im]));
             }
         }
         let unknowns = nodes.len() * path.units().len();
@@ -159,7 +160,7 @@ impl Contour {
             weights,
             kernel: Matrix::from_columns(unknowns, &kernel),
             readouts,
-            readout,
+            readout: Matrix::from_columns(2 * READOUTS, &readout),
             factor: Matrix::from_columns(unknowns + READOUTS, &factor),
             own,
             logarithm,

@@ -8,6 +8,9 @@ use fearless_simd::{Level, dispatch};
 use crate::estimate::larger;
 use crate::slope::dot;
 
+/// The number of steps for which memory is taken at once. Most contacts need fewer.
+const USUAL_STEPS: usize = 16;
+
 /// Solves `(1 - M) v = b` and `(1 + M) v = b`, and returns both `v` in this order.
 ///
 /// `apply(v, out)` overwrites `out` with `M v`. The iteration ends when both residuals are below
@@ -19,14 +22,17 @@ pub fn solve(
 ) -> [Vec<f64>; 2] {
     let n = b.len();
     let norm = dot(b, b).sqrt();
-    let mut basis: Vec<f64> = b.iter().map(|b| b / norm).collect();
-    let mut problems = [LeastSquares::new(-1.0), LeastSquares::new(1.0)];
+    let mut basis = Vec::with_capacity(USUAL_STEPS * n);
+    basis.extend(b.iter().map(|b| b / norm));
+    let mut problems = [-1.0, 1.0].map(LeastSquares::new);
     let mut steps = 0;
     let mut next = vec![0.0; n];
+    let mut projections = Vec::with_capacity(USUAL_STEPS + 1);
     loop {
         apply(&basis[steps * n..], &mut next);
         steps += 1;
-        let mut projections = vec![0.0; steps + 1];
+        projections.clear();
+        projections.resize(steps + 1, 0.0);
         // Twice is enough: the basis is then orthogonal to rounding.
         for _ in 0..2 {
             dispatch!(Level::new(), _simd => orthogonalise(&basis, &mut next, &mut projections));
@@ -83,18 +89,21 @@ struct LeastSquares {
 impl LeastSquares {
     /// Begins with an empty matrix.
     fn new(sign: f64) -> Self {
+        let mut right = Vec::with_capacity(USUAL_STEPS + 1);
+        right.push(1.0);
         Self {
             sign,
-            triangle: Vec::new(),
-            rotations: Vec::new(),
-            right: vec![1.0],
+            triangle: Vec::with_capacity(USUAL_STEPS * (USUAL_STEPS + 3) / 2),
+            rotations: Vec::with_capacity(USUAL_STEPS),
+            right,
         }
     }
 
     /// Adds a column of `H` and returns the residual.
     fn add(&mut self, column: &[f64]) -> f64 {
-        let last = column.len() - 2;
-        let mut column: Vec<f64> = column.iter().map(|h| self.sign * h).collect();
+        let (last, begin) = (column.len() - 2, self.triangle.len());
+        self.triangle.extend(column.iter().map(|h| self.sign * h));
+        let column = &mut self.triangle[begin..];
         column[last] += 1.0;
         for (i, [c, s]) in self.rotations.iter().enumerate() {
             (column[i], column[i + 1]) = (
@@ -102,15 +111,15 @@ impl LeastSquares {
                 c * column[i + 1] - s * column[i],
             );
         }
-        let length = column[last].hypot(column[last + 1]);
+        let length = (column[last] * column[last] + column[last + 1] * column[last + 1]).sqrt();
         let [c, s] = if length > 0.0 {
             [column[last] / length, column[last + 1] / length]
         } else {
             [1.0, 0.0]
         };
         column[last] = length;
+        self.triangle.pop();
         self.rotations.push([c, s]);
-        self.triangle.extend(&column[..=last]);
         let right = self.right[last];
         self.right[last] = c * right;
         self.right.push(-s * right);

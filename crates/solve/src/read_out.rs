@@ -149,27 +149,31 @@ impl Fields<'_> {
     /// Returns `a` and `b` at the readouts, with the size of their terms, which may be larger.
     fn values(&self) -> [[Sum; 2]; READOUTS] {
         let contour = self.contour;
-        let mut v = [[Complex64::ONE; 2]; READOUTS];
-        let [even, odd] = self.strengths;
-        for ((even, odd), row) in even.nodes.iter().zip(&odd.nodes).zip(&contour.readout) {
-            for (v, influence) in v.iter_mut().zip(row) {
-                v[0] += influence * even;
-                v[1] -= influence * odd;
+        let z = &contour.readouts.z;
+        // What the nodes add to `V`; they subtract it from the odd one.
+        let [even, odd] = self.strengths.each_ref().map(|strengths| {
+            let mut sums = [0.0; 2 * READOUTS];
+            contour.readout.multiply(&strengths.nodes, &mut sums);
+            sums
+        });
+        let v = |m: usize| {
+            let [mut even, mut odd] =
+                [&even, &odd].map(|sums| Complex64::new(sums[2 * m], sums[2 * m + 1]));
+            if let Some(zero) = self.zero {
+                let [of_even, of_odd] = self.strengths.each_ref().map(|one| one.zero);
+                even += zero.influence(of_even, Complex64::from(z[m]));
+                odd += zero.influence(of_odd, Complex64::from(z[m]));
             }
-        }
-        if let Some(zero) = self.zero {
-            for (v, &z) in v.iter_mut().zip(&contour.readouts.z) {
-                v[0] += zero.influence(even.zero, Complex64::from(z));
-                v[1] -= zero.influence(odd.zero, Complex64::from(z));
-            }
-        }
+            [1.0 + even, 1.0 - odd]
+        };
+        let symbols = self.symbol.at_all(&z.map(|z| z / self.x));
         std::array::from_fn(|m| {
-            let (z, [even, odd]) = (contour.readouts.z[m], v[m]);
-            let s = self.symbol.at(z / self.x);
+            let (z, s, [even, odd]) = (z[m], symbols[m], v(m));
             let amplitude = 1.0 / s.sqrt();
             let phase = z + self.phases[m] + contour.own[contour.nodes.len() + m].im * s.ln();
             let wave = Complex64::from_polar(amplitude, phase);
-            let size = |v: Complex64| amplitude * (1.0 + v.norm());
+            // The root of the square is faster than the modulus, and nothing overflows.
+            let size = |v: Complex64| amplitude * (1.0 + v.norm_sqr().sqrt());
             [
                 Sum {
                     value: (wave * even).re,

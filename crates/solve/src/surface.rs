@@ -125,13 +125,18 @@ fn extend<S: Simd>(
     samples: &mut AllSamples,
 ) {
     for group in q.chunks(S::f64s::LEN) {
-        // The last group is filled up with its last wave number.
-        let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
-        wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
-        let [excess, slope] = compliance.samples(simd, wave_numbers);
+        let [excess, slope] = compliance.samples(simd, filled(simd, group));
         let count = group.len();
         samples.extend(&excess.as_slice()[..count], &slope.as_slice()[..count]);
     }
+}
+
+/// Returns a group of wave numbers. One that is not full is filled up with its last one.
+#[inline(always)]
+pub fn filled<S: Simd>(simd: S, group: &[f64]) -> S::f64s {
+    let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
+    wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
+    wave_numbers
 }
 
 /// Returns a wave number beyond which `weight(q)` times `|X - 1|`, and `weight(q)` times `|q X'|`,

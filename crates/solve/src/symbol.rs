@@ -12,10 +12,13 @@
 
 use std::sync::OnceLock;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch};
 use interp::Material;
+use num_complex::Complex64;
 
-use crate::compliance::{Compliance, WaveNumber};
-use crate::surface::SurfaceCompliance;
+use crate::compliance::{Compliance, SWITCH, WaveNumber};
+use crate::surface::{SurfaceCompliance, filled};
 use crate::zero::{Zero, nearest_zero, zero_free_radius};
 
 /// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
@@ -96,6 +99,46 @@ impl Symbol {
     /// Returns `S(q)` for `Re q >= 0`, to 14 digits wherever it is not close to a zero.
     pub fn at<T: WaveNumber>(&self, q: T) -> T {
         self.compliance.x(q) * self.film + self.sphere
+    }
+
+    /// Returns `S` at all these `q >= 0`, as [`Symbol::at`].
+    pub fn at_all(&self, q: &[f64]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(q.len());
+        dispatch!(Level::new(), simd => self.extend(simd, q, &mut values));
+        values
+    }
+
+    #[inline(always)]
+    fn extend<S: Simd>(&self, simd: S, q: &[f64], values: &mut Vec<f64>) {
+        for group in q.chunks(S::f64s::LEN) {
+            let x = self.compliance.x_of_group(simd, filled(simd, group));
+            let s = x * self.film + self.sphere;
+            values.extend_from_slice(&s.as_slice()[..group.len()]);
+        }
+    }
+
+    /// Returns the imaginary parts of `1/S` on the right side of the imaginary axis, at `i p` for all
+    /// these `p > 0`.
+    pub fn inverses_on_axis(&self, p: &[f64]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(p.len());
+        dispatch!(Level::new(), simd => self.extend_inverses(simd, p, &mut values));
+        values
+    }
+
+    #[inline(always)]
+    fn extend_inverses<S: Simd>(&self, simd: S, p: &[f64], values: &mut Vec<f64>) {
+        for group in p.chunks(S::f64s::LEN) {
+            if group.iter().any(|&p| p > SWITCH) {
+                let inverse = |&p: &f64| 1.0 / self.at(Complex64::new(0.0, p));
+                values.extend(group.iter().map(|p| inverse(p).im));
+                continue;
+            }
+            // `1/S = D/(sphere D + film N)`.
+            let [n, d] = self.compliance.fraction_on_axis(filled(simd, group));
+            let [re, im] = [0, 1].map(|part| d[part] * self.sphere + n[part] * self.film);
+            let inverse = (d[1] * re - d[0] * im) / (re * re + im * im);
+            values.extend_from_slice(&inverse.as_slice()[..group.len()]);
+        }
     }
 
     /// Returns a wave number, at most 1, below which `S` hardly varies. Needs `S(0) > 0`.

@@ -86,7 +86,7 @@ use crate::krylov;
 use crate::path::Path;
 use crate::read_out::Fields;
 use crate::symbol::Symbol;
-use crate::zero::{REACH, Zero};
+use crate::zero::{LARGEST_FREE_RADIUS, REACH, Zero};
 use crate::zero_node::ZeroNode;
 
 /// What a path makes of the zeros of `S`.
@@ -144,7 +144,9 @@ fn left_out(x: f64, radius: f64) -> f64 {
 pub fn axis_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     /// The ratio of the strips of both paths, and of the unknowns of a node.
     const UNKNOWNS_OF_RAY: f64 = 5.8;
-    if left_out(x, symbol.zero_free_radius()) <= SHARE_OF_ZEROS * tolerance {
+    // Finding the radius takes longer than this estimate. It is needed only where it may be large enough.
+    let needs_no_node = |radius| left_out(x, radius) <= SHARE_OF_ZEROS * tolerance;
+    if needs_no_node(LARGEST_FREE_RADIUS) && needs_no_node(symbol.zero_free_radius()) {
         return 0.0;
     }
     let (unknowns, spheres) = unknowns_of_ray(x, symbol, tolerance);
@@ -300,12 +302,12 @@ fn on_contour(
 
 /// Returns `ln S` at the abscissae of the contour.
 fn logarithms(x: f64, symbol: &Symbol, contour: &Contour) -> Vec<f64> {
-    contour
-        .abscissae()
-        .iter()
-        .take_while(|t| **t <= FLAT * x)
-        .map(|t| symbol.at(t / x).ln())
-        .collect()
+    let abscissae = contour.abscissae();
+    let count = abscissae.partition_point(|t| *t <= FLAT * x);
+    let q: Vec<f64> = abscissae[..count].iter().map(|t| t / x).collect();
+    let mut logs = symbol.at_all(&q);
+    logs.iter_mut().for_each(|s| *s = s.ln());
+    logs
 }
 
 /// Returns `ln S_+` at the nodes and its phase at the readouts, by (1), without the contribution of
@@ -316,36 +318,45 @@ fn log_factors(logs: &[f64], contour: &Contour) -> Vec<f64> {
     sums
 }
 
-/// Returns the factors of `V` at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`.
+/// Returns the factors of `V` at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`; on the
+/// imaginary axis the imaginary parts alone, as the rest has no influence there.
 fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) -> Vec<Complex64> {
     /// The `S(0)` up to which no constant is subtracted: it would add more than it removes.
     const SMALL: f64 = 0.3;
-    let long_waves = symbol.at(0.0);
-    let constant = if long_waves > SMALL {
-        1.0 / long_waves
-    } else {
-        0.0
-    };
-    let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
-        let s = symbol.at(zeta / x);
-        let square = match contour.path {
-            Path::Axis => Complex64::from((2.0 * log_factors[j]).exp()),
-            Path::Ray => {
+    let nodes = contour.nodes.iter();
+    match contour.path {
+        Path::Axis => {
+            let p: Vec<f64> = nodes.map(|zeta| zeta.im / x).collect();
+            let inverses = symbol.inverses_on_axis(&p);
+            let factors = contour.weights.iter().zip(log_factors);
+            factors
+                .zip(inverses)
+                .map(|((weight, log), inverse)| {
+                    Complex64::new(0.0, weight.re * (2.0 * log).exp() * inverse)
+                })
+                .collect()
+        }
+        Path::Ray => {
+            let long_waves = symbol.at(0.0);
+            let constant = if long_waves > SMALL {
+                1.0 / long_waves
+            } else {
+                0.0
+            };
+            let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
+                let s = symbol.at(zeta / x);
                 let log_factor =
                     Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j])
                         + contour.own[j] * s.ln();
-                (2.0 * log_factor).exp()
-            }
-        };
-        weight * square * (1.0 / s - constant)
-    };
-    contour
-        .nodes
-        .iter()
-        .zip(&contour.weights)
-        .enumerate()
-        .map(coupling)
-        .collect()
+                weight * (2.0 * log_factor).exp() * (1.0 / s - constant)
+            };
+            nodes
+                .zip(&contour.weights)
+                .enumerate()
+                .map(coupling)
+                .collect()
+        }
+    }
 }
 
 /// Overwrites `strengths` with the strengths of the nodes, the values `v` of `V` there times

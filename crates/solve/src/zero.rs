@@ -11,6 +11,9 @@ use crate::compliance::Compliance;
 /// The radius of the quarter disc that holds one zero at most.
 pub const REACH: f64 = 2.0;
 
+/// The largest radius of a disc without a zero that is looked for.
+pub const LARGEST_FREE_RADIUS: f64 = 1.0;
+
 /// The angle from the imaginary axis, in radians, below which a zero is too close to it for
 /// integrals along this axis.
 const CLEAR: f64 = 0.1;
@@ -24,18 +27,18 @@ pub struct Zero {
     pub slope: Complex64,
 }
 
-/// Returns a radius, at most 1, such that `S = sphere + film X` has no zero but 0 in the quarter disc
-/// within it; 0 if the radius would be tiny.
+/// Returns a radius, at most [`LARGEST_FREE_RADIUS`], such that `S = sphere + film X` has no zero but 0
+/// in the quarter disc within it; 0 if the radius would be tiny.
 pub fn zero_free_radius(compliance: &Compliance, sphere: f64, film: f64) -> f64 {
     /// Smaller radii are of no use.
     const LEAST: f64 = 1e-9;
     /// The radius is found to 1 %.
     const RATIO: f64 = 1.01;
     let is_free = |radius| is_zero_free(compliance, sphere, film, radius);
-    if is_free(1.0) {
-        return 1.0;
+    if is_free(LARGEST_FREE_RADIUS) {
+        return LARGEST_FREE_RADIUS;
     }
-    let (mut free, mut beyond): (f64, f64) = (LEAST, 1.0);
+    let (mut free, mut beyond) = (LEAST, LARGEST_FREE_RADIUS);
     if !is_free(free) {
         return 0.0;
     }
