@@ -147,11 +147,19 @@ pub fn filled<S: Simd>(simd: S, group: &[f64]) -> S::f64s {
 /// <= 1` and `|a| <= 7` in the formulas of `compliance.rs`. Below the top layer of a stack lies a
 /// body whose compliance is between those of free and rigid bodies, which `a` and `b` span.
 pub fn cut_off(tolerance: f64, weight: impl Fn(f64) -> f64) -> f64 {
-    let mut q = DECAYS;
-    while decay(q) * weight(q) > tolerance {
-        q += 0.25;
+    const STEPS: [f64; 3] = [4.0, 1.0, 0.25];
+    let is_large = |q: f64| decay(q) * weight(q) > tolerance;
+    if !is_large(DECAYS) {
+        return DECAYS;
     }
-    q
+    // The last place where the integrand is still large, first in large steps, as it falls.
+    let mut q = DECAYS;
+    for step in STEPS {
+        while is_large(q + step) {
+            q += step;
+        }
+    }
+    q + STEPS[2]
 }
 
 /// The wave number from which on [`decay`] is a bound.

@@ -161,3 +161,57 @@ impl Symbol {
         nearest_zero(&self.compliance, self.sphere, self.film, free)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::larger;
+
+    /// Symbols of films and spheres of all stiffnesses.
+    fn symbols() -> impl Iterator<Item = Symbol> {
+        let moduli = [0.0, 1e-6, 1.0, 1e6];
+        let films = moduli
+            .into_iter()
+            .flat_map(|e1| [0.0, 0.3, 0.5].map(|nu1| (e1, nu1)));
+        films.flat_map(|(e1, nu1)| {
+            [1e-6, 1.0, 1e6, f64::INFINITY].map(|e0| {
+                let material = Material::new(e1, nu1, e0, 0.25).expect("physical");
+                Symbol::new(&material)
+            })
+        })
+    }
+
+    /// Wave numbers on both sides of the switch of the two forms, in groups that are not full.
+    fn wave_numbers() -> Vec<f64> {
+        (0..=60).map(|i| 24.0 * 1.4_f64.powi(-i)).collect()
+    }
+
+    #[test]
+    fn values_at_several_wave_numbers_are_those_at_each() {
+        let q = wave_numbers();
+        let mut worst = 0.0;
+        for symbol in symbols() {
+            for (&q, value) in q.iter().zip(symbol.at_all(&q)) {
+                worst = larger(worst, (value / symbol.at(q) - 1.0).abs());
+            }
+        }
+        println!("S at several wave numbers: {worst:.1e}");
+        // Measured: 0.
+        assert!(worst < 1e-15);
+    }
+
+    #[test]
+    fn inverses_on_the_axis_are_those_of_the_complex_symbol() {
+        let p = wave_numbers();
+        let mut worst = 0.0;
+        for symbol in symbols() {
+            for (&p, value) in p.iter().zip(symbol.inverses_on_axis(&p)) {
+                let inverse = 1.0 / symbol.at(Complex64::new(0.0, p));
+                worst = larger(worst, (value - inverse.im).abs() / inverse.norm());
+            }
+        }
+        println!("1/S on the axis: {worst:.1e}");
+        // Measured: 6.2e-16.
+        assert!(worst < 2e-15);
+    }
+}

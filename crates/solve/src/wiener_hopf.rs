@@ -151,14 +151,14 @@ pub fn axis_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     }
     let (unknowns, spheres) = unknowns_of_ray(x, symbol, tolerance);
     let unknowns = unknowns / UNKNOWNS_OF_RAY;
-    spheres * (20.0 + 0.25 * unknowns + 0.004 * unknowns * unknowns)
+    spheres * (6.0 + 0.08 * unknowns + 0.0012 * unknowns * unknowns)
 }
 
 /// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
 /// methods: a fit to the bench `accuracy`.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     let (unknowns, spheres) = unknowns_of_ray(x, symbol, tolerance);
-    0.0023 * spheres * unknowns * unknowns
+    0.001 * spheres * unknowns * unknowns
 }
 
 /// Estimates the number of unknowns along the ray, and the time of all spheres over that of the
