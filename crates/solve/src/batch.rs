@@ -38,8 +38,8 @@ impl Group {
     fn prefers_galerkin(&self, x: f64, materials: &[Material], tolerance: f64) -> bool {
         /// The [cost](galerkin::cost) of one contact up to which Galerkin's method is faster here.
         /// It is larger than the time of the Wiener-Hopf method, because the cost includes the
-        /// Bessel values. With 15 instead, the scene `universal` took 3 % longer.
-        const WIENER_HOPF: f64 = 16.0;
+        /// Bessel values. With 10 instead, the scene `universal` takes 3 % longer.
+        const WIENER_HOPF: f64 = 25.0;
         let takes_galerkin = |&member: &usize| {
             let symbol = Symbol::with_compliance(self.compliance, &materials[member]);
             Method::candidates(x, &symbol, tolerance).next() == Some(Method::Galerkin)

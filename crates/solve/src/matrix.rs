@@ -13,6 +13,10 @@ const LANES: usize = 8;
 /// one addition before it begins the next.
 const AT_ONCE: usize = 4;
 
+/// The number of columns whose products are summed by themselves: rounding errors of one long sum would be
+/// larger.
+const BLOCK: usize = 32;
+
 /// A real matrix.
 #[derive(Debug)]
 pub struct Matrix {
@@ -84,9 +88,15 @@ fn multiply_groups<S: Simd, const N: usize>(
 ) {
     let (columns, _) = groups.as_chunks::<N>();
     let mut sums = [f64x8::splat(simd, 0.0); N];
-    for (column, &factor) in columns.iter().zip(vector) {
-        for (sum, group) in sums.iter_mut().zip(column) {
-            *sum = f64x8::simd_from(simd, *group).mul_add(factor, *sum);
+    for (columns, vector) in columns.chunks(BLOCK).zip(vector.chunks(BLOCK)) {
+        let mut parts = [f64x8::splat(simd, 0.0); N];
+        for (column, &factor) in columns.iter().zip(vector) {
+            for (part, group) in parts.iter_mut().zip(column) {
+                *part = f64x8::simd_from(simd, *group).mul_add(factor, *part);
+            }
+        }
+        for (sum, part) in sums.iter_mut().zip(parts) {
+            *sum += part;
         }
     }
     for (out, sum) in out.chunks_mut(LANES).zip(&sums) {

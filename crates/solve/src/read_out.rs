@@ -6,6 +6,7 @@ use num_complex::Complex64;
 use crate::contour::{Contour, READOUTS};
 use crate::estimate::{Estimate, larger};
 use crate::moment::Moment;
+use crate::path::Path;
 use crate::power_law::PowerLaw;
 use crate::symbol::Symbol;
 use crate::turned_line::LineFields;
@@ -141,7 +142,7 @@ impl Fields<'_> {
                 delta0: paraboloid.delta,
             },
             power_laws,
-            error: ROUNDING * (rounding + long_waves),
+            error: rounding_of(self.contour.path) * (rounding + long_waves),
             modes: self.contour.unknowns(),
         }
     }
@@ -217,3 +218,12 @@ fn add_line(
 
 /// The rounding error of the sums at the readouts, relative to the size of their terms.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Returns the rounding error of the quantities, relative to the size of their terms. The ray has five times
+/// as many unknowns as the axis, and complex ones: measured, errors are up to 1.2 times as large.
+const fn rounding_of(path: Path) -> f64 {
+    match path {
+        Path::Axis => ROUNDING,
+        Path::Ray => 1.25 * ROUNDING,
+    }
+}

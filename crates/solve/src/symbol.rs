@@ -133,10 +133,12 @@ impl Symbol {
                 values.extend(group.iter().map(|p| inverse(p).im));
                 continue;
             }
-            // `1/S = D/(sphere D + film N)`.
+            // `1/S = D/(sphere D + film N)`, whose imaginary part has no term with the sphere: such
+            // terms would cancel.
             let [n, d] = self.compliance.fraction_on_axis(filled(simd, group));
             let [re, im] = [0, 1].map(|part| d[part] * self.sphere + n[part] * self.film);
-            let inverse = (d[1] * re - d[0] * im) / (re * re + im * im);
+            let cross = (d[1] * n[0] - d[0] * n[1]) * self.film;
+            let inverse = cross / (re * re + im * im);
             values.extend_from_slice(&inverse.as_slice()[..group.len()]);
         }
     }

@@ -155,7 +155,7 @@ pub fn axis_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
 }
 
 /// Estimates the time of the ray for one contact roughly, in microseconds, to choose between
-/// methods: a fit to the bench `accuracy`.
+/// methods: a fit to the times of random contacts.
 pub fn ray_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     let (unknowns, spheres) = unknowns_of_ray(x, symbol, tolerance);
     0.001 * spheres * unknowns * unknowns
