@@ -250,7 +250,8 @@ fn make_folder(folder: &Path) -> Result<(), String> {
     fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))
 }
 
-/// Makes the table that `tabulate` takes for [`OF_DEFAULT_TABLE`] where none is named. Returns its path.
+/// Makes the table that `tabulate` takes for [`OF_DEFAULT_TABLE`] where none is named, to the tolerances of
+/// `default_table.rs` there. Returns its path.
 fn default_table(folder: &Path) -> Result<String, String> {
     let scene = workspace::root().join("tables/default.toml");
     let scene = scene.display().to_string();

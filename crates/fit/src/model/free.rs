@@ -151,8 +151,8 @@ pub struct Options {
     /// Whether [`Fit::fixed_values`](crate::Fit::fixed_values) lists all values taken as given.
     pub fixed_values: bool,
     /// Whether the same data are fitted without the film, for
-    /// [`Fit::without_film`](crate::Fit::without_film). It takes up to a third of the time, which a map
-    /// that asks for the parameters alone saves.
+    /// [`Fit::without_film`](crate::Fit::without_film). It takes up to a third of the time of a fit:
+    /// `false` saves it where the parameters alone are wanted, as of a map.
     pub without_film: bool,
     /// Whether more than a third of the points in contact may be left out.
     pub allow_left_out: bool,
