@@ -131,9 +131,8 @@ impl Fields<'_> {
             .iter()
             .map(|&exponent| power_law(exponent))
             .collect();
-        // Long waves of a stiff film on a soft base add rounding errors, though the contact hardly
-        // acts on them.
-        let long_waves = self.symbol.at(0.0) / self.symbol.at(1.0 / self.x);
+        let contrast = self.symbol.at(0.0) / self.symbol.at(1.0 / self.x);
+        let long_waves = of_long_waves(self.contour.path, contrast);
         Estimate {
             quantities: Quantities {
                 pi0: paraboloid.pi,
@@ -142,7 +141,7 @@ impl Fields<'_> {
                 delta0: paraboloid.delta,
             },
             power_laws,
-            error: rounding_of(self.contour.path) * (rounding + long_waves),
+            error: ROUNDING * (rounding + long_waves),
             modes: self.contour.unknowns(),
         }
     }
@@ -219,12 +218,16 @@ fn add_line(
 /// The rounding error of the sums at the readouts, relative to the size of their terms.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Returns the rounding error of the quantities, relative to the size of their terms. The ray has five times
-/// as many unknowns as the axis, and complex ones. Measured with the factor of the axis: a true error of 1.14
-/// times the stated one (`tests/truth/contacts.rs`).
-const fn rounding_of(path: Path) -> f64 {
+/// Returns what long waves add to the size of the terms, where their compliance is `contrast` times that
+/// of the contact's own wave numbers.
+///
+/// Long waves of a stiff film on a soft base add rounding errors, though the contact hardly acts on them.
+/// Those of a soft film enter the unknowns of the ray over their compliance. Measured without the second
+/// term: true errors up to 1.5 times the stated ones, of 44,000 random contacts.
+fn of_long_waves(path: Path, contrast: f64) -> f64 {
+    const OF_SOFT: f64 = 60.0;
     match path {
-        Path::Axis => ROUNDING,
-        Path::Ray => 1.25 * ROUNDING,
+        Path::Ray if contrast < 1.0 => contrast - OF_SOFT * contrast.ln(),
+        _ => contrast,
     }
 }

@@ -236,6 +236,19 @@ const NOISE: f64 = 3e-11;
 /// tolerance.
 const STRONG: f64 = 0.1;
 
+/// Returns the smallest error to be stated of a contour, over that for which its level is chosen.
+///
+/// The contour before may be accurate by chance, as its error changes sign where the material or `a/t`
+/// change: then both agree, and their difference tells nothing. Of 400,000 contours along the ray, 40 had an
+/// error larger than the other terms say, at most 0.49 of that for which the level is chosen; of 340,000
+/// along the axis, none.
+const fn by_chance(path: Path) -> f64 {
+    match path {
+        Path::Axis => 0.0,
+        Path::Ray => 0.6,
+    }
+}
+
 /// Solves with contours of growing accuracy until two agree. Returns the level of the last one,
 /// too.
 fn converge(
@@ -261,7 +274,9 @@ fn converge(
     for level in first..LEVELS.len() {
         let next = on_contour(x, symbol, exponents, path, zeros.node, level);
         let difference = next.difference(&best);
-        let error = GAIN * difference + 2.0 * difference.min(NOISE) + next.error + zeros.left_out;
+        let least = by_chance(path) * (-LEVELS[level - further]).exp();
+        let of_rule = larger(GAIN * difference, least);
+        let error = of_rule + 2.0 * difference.min(NOISE) + next.error + zeros.left_out;
         best = Estimate { error, ..next };
         last = level;
         if error <= tolerance {
