@@ -34,6 +34,8 @@ pub struct Symbol<C = Compliance> {
     modulus: f64,
     /// The [`Symbol::zero_free_radius`], found at its first use.
     zero_free_radius: OnceLock<f64>,
+    /// The [`Symbol::nearest_zero`], found at its first use.
+    nearest_zero: OnceLock<Option<Zero>>,
 }
 
 impl<C: SurfaceCompliance> Symbol<C> {
@@ -47,6 +49,7 @@ impl<C: SurfaceCompliance> Symbol<C> {
             film: 1.0 / (1.0 + ratio),
             modulus: material.sphere_film_modulus(),
             zero_free_radius: OnceLock::new(),
+            nearest_zero: OnceLock::new(),
         }
     }
 
@@ -93,6 +96,7 @@ impl Symbol {
             modulus: self.modulus / whole,
             compliance: self.compliance,
             zero_free_radius: OnceLock::new(),
+            nearest_zero: OnceLock::new(),
         }
     }
 
@@ -156,11 +160,12 @@ impl Symbol {
         *self.zero_free_radius.get_or_init(find)
     }
 
-    /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if
-    /// there is one clear of the imaginary axis.
+    /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if it is
+    /// found.
     pub fn nearest_zero(&self) -> Option<Zero> {
         let free = self.zero_free_radius();
-        nearest_zero(&self.compliance, self.sphere, self.film, free)
+        let find = || nearest_zero(&self.compliance, self.sphere, self.film, free);
+        *self.nearest_zero.get_or_init(find)
     }
 }
 

@@ -14,10 +14,6 @@ pub const REACH: f64 = 2.0;
 /// The largest radius of a disc without a zero that is looked for.
 pub const LARGEST_FREE_RADIUS: f64 = 1.0;
 
-/// The angle from the imaginary axis, in radians, below which a zero is too close to it for
-/// integrals along this axis.
-const CLEAR: f64 = 0.1;
-
 /// A zero of `S`.
 #[derive(Clone, Copy, Debug)]
 pub struct Zero {
@@ -25,6 +21,23 @@ pub struct Zero {
     pub at: Complex64,
     /// `dS/dq` there.
     pub slope: Complex64,
+}
+
+impl Zero {
+    /// The angle from the imaginary axis, in radians, below which a zero counts as next to it.
+    const NEXT_TO_AXIS: f64 = 0.1;
+
+    /// Returns how near the zero is to the imaginary axis: 1 at [`Self::NEXT_TO_AXIS`] and beyond, more
+    /// below in inverse proportion.
+    pub fn nearness(&self) -> f64 {
+        (Self::NEXT_TO_AXIS * self.at.norm() / self.at.re).max(1.0)
+    }
+
+    /// Returns whether the zero can be a node beside the imaginary axis. A zero at a pole, as far as
+    /// rounding shows, has no slope.
+    pub fn can_be_node(&self) -> bool {
+        self.nearness() == 1.0 && self.slope.is_finite()
+    }
 }
 
 /// Returns a radius, at most [`LARGEST_FREE_RADIUS`], such that `S = sphere + film X` has no zero but 0
@@ -72,14 +85,16 @@ fn is_zero_free(compliance: &Compliance, sphere: f64, film: f64, radius: f64) ->
     linear > rest
 }
 
-/// Looks by Newton's method for the zero of `sphere + film X` within [`REACH`], clear of the
-/// imaginary axis. None is within `free` of 0.
+/// Looks by Newton's method for the zero of `sphere + film X` within [`REACH`], off the imaginary axis.
+/// None is within `free` of 0.
 ///
 /// Where none is found though there is one, the imaginary axis is not used.
 pub fn nearest_zero(compliance: &Compliance, sphere: f64, film: f64, free: f64) -> Option<Zero> {
     /// The starts: the distance over `free`, and the angle in degrees.
     const STARTS: [(f64, f64); 2] = [(1.2, 60.0), (1.2, 75.0)];
     const MOST_STEPS: usize = 40;
+    /// The angle from the imaginary axis, in radians, below which a zero may lie on it.
+    const OFF_AXIS: f64 = 1e-3;
     /// The relative step that leaves rounding only, as the next one is about its square.
     const LAST: f64 = 1e-8;
     // The step to the zero, and the slope of `S` there.
@@ -96,9 +111,7 @@ pub fn nearest_zero(compliance: &Compliance, sphere: f64, film: f64, free: f64) 
             let within = q.norm() <= REACH && q.re > 0.0 && q.im > 0.0;
             if within && step.norm() <= LAST * q.norm() {
                 let (_, slope) = newton(q);
-                // A zero at a pole, as far as rounding shows, has no slope.
-                let usable = q.re >= CLEAR * q.norm() && slope.is_finite();
-                return usable.then_some(Zero { at: q, slope });
+                return (q.re >= OFF_AXIS * q.norm()).then_some(Zero { at: q, slope });
             }
             if !(q.norm() <= 2.0 * REACH && q.re >= 0.0) {
                 break;
@@ -228,8 +241,8 @@ pub mod tests {
         assert!(free > 900);
     }
 
-    /// The node of a zero on the imaginary axis relies on this: within [`REACH`] there is one zero at
-    /// most, and it is the one that is found. Zeros next to the axis are not sought.
+    /// The method of the imaginary axis relies on this: within [`REACH`] there is one zero at most, and it
+    /// is the one that is found.
     #[test]
     fn there_is_one_zero_within_reach_at_most() {
         let mut random = Pcg64Mcg::seed_from_u64(4);
@@ -260,6 +273,9 @@ pub mod tests {
                     (turns - 1.0).abs() < 1e-6,
                     "{turns} turns, {zero:?}: {sum:?}"
                 );
+                if !zero.can_be_node() {
+                    continue;
+                }
                 // The slope is that of the numerator over the denominator.
                 let sum = |q: Complex64| {
                     let [[n, d], _] = compliance.fraction_and_slopes(q);
@@ -275,7 +291,7 @@ pub mod tests {
             }
         }
         println!("{found} zeros found of {with_zero}");
-        // Measured: 439 of 660.
-        assert!(found > 400);
+        // Measured: 461 of 660.
+        assert!(found > 420);
     }
 }
