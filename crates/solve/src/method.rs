@@ -19,8 +19,8 @@ pub enum Method {
     Galerkin,
     /// The Wiener-Hopf method along the imaginary axis (`wiener_hopf.rs`), for thin films.
     Axis,
-    /// The Wiener-Hopf method along a ray, for thin films of which the symbol has a zero next to the
-    /// imaginary axis.
+    /// The Wiener-Hopf method along a ray, for thin films of which the symbol has a low zero on the
+    /// imaginary axis or next to it.
     Ray,
 }
 
@@ -61,7 +61,7 @@ impl Method {
         costs.sort_by(|(_, a), (_, b)| a.total_cmp(b));
         let methods = costs.into_iter().filter(|(_, cost)| cost.is_finite());
         let methods = methods.map(|(method, _)| method);
-        // Whether the axis can be used takes longer to find out than its cost.
+        // Whether the axis can be used may take longer to find out than its cost.
         methods.filter(move |&method| {
             method != Self::Axis || wiener_hopf::axis_reaches(x, symbol, tolerance)
         })
@@ -202,7 +202,7 @@ mod tests {
         }
     }
 
-    /// Stiff plates on soft bases and soft incompressible films between rigid bodies, whose contours at
+    /// Stiff plates on soft bases and soft incompressible films on much stiffer bases, whose contours at
     /// the tolerance and one level before happen to agree better than they are accurate. By their
     /// difference alone the true errors are 1.2 to 2.2 times the stated ones.
     #[test]
@@ -224,8 +224,9 @@ mod tests {
                 solved.error
             );
             assert!(
-                solved.error <= tolerance && share <= 1.0,
-                "a/t = {x}: {share}"
+                solved.error <= tolerance && exact.error <= 0.02 * solved.error && share <= 1.0,
+                "a/t = {x}: {share}, {:.1e}",
+                exact.error
             );
         }
     }

@@ -131,8 +131,8 @@ impl Fields<'_> {
             .iter()
             .map(|&exponent| power_law(exponent))
             .collect();
-        let contrast = self.symbol.at(0.0) / self.symbol.at(1.0 / self.x);
-        let long_waves = of_long_waves(self.contour.path, contrast);
+        let ratio = self.symbol.at(0.0) / self.symbol.at(1.0 / self.x);
+        let long_waves = of_long_waves(self.contour.path, ratio);
         Estimate {
             quantities: Quantities {
                 pi0: paraboloid.pi,
@@ -218,16 +218,17 @@ fn add_line(
 /// The rounding error of the sums at the readouts, relative to the size of their terms.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Returns what long waves add to the size of the terms, where their compliance is `contrast` times that
-/// of the contact's own wave numbers.
+/// Returns what long waves add to the size of the terms, where their compliance is `ratio` times that of
+/// the contact's own wave numbers.
 ///
 /// Long waves of a stiff film on a soft base add rounding errors, though the contact hardly acts on them.
-/// Those of a soft film enter the unknowns of the ray over their compliance. Measured without the second
-/// term: true errors up to 1.5 times the stated ones, of 44,000 random contacts.
-fn of_long_waves(path: Path, contrast: f64) -> f64 {
+/// Along the ray those of a soft film add some that grow like the logarithm of the ratio, as far as was
+/// measured. The factor is a fit: of 88,000 random contacts the true errors are at most 0.89 of the stated
+/// ones; without this term they are up to 1.5 times as large.
+fn of_long_waves(path: Path, ratio: f64) -> f64 {
     const OF_SOFT: f64 = 60.0;
     match path {
-        Path::Ray if contrast < 1.0 => contrast - OF_SOFT * contrast.ln(),
-        _ => contrast,
+        Path::Ray if ratio < 1.0 => ratio - OF_SOFT * ratio.ln(),
+        _ => ratio,
     }
 }

@@ -27,8 +27,8 @@ impl Zero {
     /// The angle from the imaginary axis, in radians, below which a zero counts as next to it.
     const NEXT_TO_AXIS: f64 = 0.1;
 
-    /// Returns how near the zero is to the imaginary axis: 1 at [`Self::NEXT_TO_AXIS`] and beyond, more
-    /// below in inverse proportion.
+    /// Returns how near the zero is to the imaginary axis: 1 at the angle [`Self::NEXT_TO_AXIS`] and
+    /// beyond, and this angle over that of the zero below.
     pub fn nearness(&self) -> f64 {
         (Self::NEXT_TO_AXIS * self.at.norm() / self.at.re).max(1.0)
     }
@@ -86,14 +86,15 @@ fn is_zero_free(compliance: &Compliance, sphere: f64, film: f64, radius: f64) ->
 }
 
 /// Looks by Newton's method for the zero of `sphere + film X` within [`REACH`], off the imaginary axis.
-/// None is within `free` of 0.
+/// No zero is nearer to 0 than `free`.
 ///
 /// Where none is found though there is one, the imaginary axis is not used.
 pub fn nearest_zero(compliance: &Compliance, sphere: f64, film: f64, free: f64) -> Option<Zero> {
     /// The starts: the distance over `free`, and the angle in degrees.
     const STARTS: [(f64, f64); 2] = [(1.2, 60.0), (1.2, 75.0)];
     const MOST_STEPS: usize = 40;
-    /// The angle from the imaginary axis, in radians, below which a zero may lie on it.
+    /// The angle from the imaginary axis, in radians, below which a zero may lie on the axis. Then it is
+    /// not always the only one.
     const OFF_AXIS: f64 = 1e-3;
     /// The relative step that leaves rounding only, as the next one is about its square.
     const LAST: f64 = 1e-8;
