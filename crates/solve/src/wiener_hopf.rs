@@ -73,9 +73,11 @@
 //! # Accuracy
 //!
 //! Contours of neighbouring [`LEVELS`] differ by a factor of about 150 in their error. Two of them,
-//! the zeros left out and the rounding of the sums that are read out give the stated error, which is not
-//! below that of the level along the ray ([`by_chance`]); `tests/truth/contacts.rs` measures it. The rounding of `Pi0` sets the limit: some 1e-13, and up to 1e-10 for a soft
-//! incompressible film between rigid bodies, where `S(t/a)` and with it `V` are small.
+//! the zeros left out and the rounding of the sums that are read out give the stated error. As two
+//! contours may agree by chance, the one stated along the ray has a least value ([`by_chance`]).
+//! `tests/truth/contacts.rs` measures the stated errors. The rounding of `Pi0` sets the limit: some
+//! 1e-13, and up to 1e-10 for a soft incompressible film between rigid bodies, where `S(t/a)` and
+//! with it `V` are small.
 
 use num_complex::Complex64;
 
