@@ -160,8 +160,8 @@ fn left_out(x: f64, height: f64) -> f64 {
 pub fn axis_cost(x: f64, symbol: &Symbol, tolerance: f64) -> f64 {
     /// The ratio of the strips of both paths, and of the unknowns of a node.
     const UNKNOWNS_OF_RAY: f64 = 5.8;
-    // Finding the zero takes longer than this estimate. Where it would have to be higher than this, it
-    // hardly ever is high enough.
+    // Finding the zero takes longer than this estimate. Where it would have to be higher than this, the
+    // search takes as long as it saves on average over random materials.
     let highest = SINE_OF_FREE_ANGLE * LARGEST_FREE_RADIUS;
     if left_out(x, highest) <= SHARE_OF_ZEROS * tolerance {
         let zeros = Zeros::above(Path::Axis, x, symbol, tolerance);
