@@ -13,7 +13,7 @@
 //! let terms = dispatch!(Level::new(), simd => {
 //!     let [zero, one] = [0.0, 1.0].map(|number| Lanes::splat(simd, number));
 //!     let linear: Series<_, 4> = [one, one, zero, zero];
-//!     integral(simd, &product(simd, &linear, &linear)).map(|term| *term.as_array())
+//!     integral(simd, &product(simd, &linear, &linear), 1.0).map(|term| *term.as_array())
 //! });
 //! assert_eq!(terms.map(|term| term[7]), [0.0, 1.0, 1.0, 1.0 / 3.0]);
 //! ```
@@ -30,13 +30,13 @@ use crate::lanes::{LANES, Lanes};
 pub type Series<V, const N: usize> = [V; N];
 
 /// The largest number of terms of a series.
-const MOST_TERMS: usize = 12;
+const MOST_TERMS: usize = 14;
 
 /// Repeats a block for each term number below a number of terms. It is not a loop: all terms stay
 /// in registers as far as there are enough.
 macro_rules! for_each_term {
     ($k:ident below $terms:ident $block:block) => {
-        for_each_term!($k below $terms $block 0 1 2 3 4 5 6 7 8 9 10 11)
+        for_each_term!($k below $terms $block 0 1 2 3 4 5 6 7 8 9 10 11 12 13)
     };
     ($k:ident below $terms:ident $block:block $($number:literal)*) => {
         $(if $number < $terms {
@@ -55,10 +55,28 @@ pub fn exponential<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, cons
     factor: f64,
     exponent: &Series<V, M>,
 ) -> Series<V, N> {
-    // By `v' = p' v`; `slopes[j]` is `j` times term `j` of `p`.
-    let mut slopes = *exponent;
+    driven(simd, constant, factor, exponent, &[])
+}
+
+/// Returns the solution `v` of `v' = factor (p' v + source)` that is `constant` at `t = 0`, with the
+/// series `p` and a prime for `d/dt`.
+#[inline(always)]
+pub fn driven<
+    S: Simd,
+    V: SimdFloat<S, Element = f64>,
+    const M: usize,
+    const N: usize,
+    const K: usize,
+>(
+    simd: S,
+    constant: V,
+    factor: f64,
+    p: &Series<V, M>,
+    source: &Series<V, K>,
+) -> Series<V, N> {
+    let mut slopes = *p;
     for (j, slope) in slopes.iter_mut().enumerate() {
-        *slope *= factor * j as f64;
+        *slope *= j as f64;
     }
     let mut terms = [V::splat(simd, 0.0); N];
     terms[0] = constant;
@@ -66,11 +84,15 @@ pub fn exponential<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, cons
         // The term just before this one is used last, because it is ready last.
         if k > 0 {
             let first = if k < M { k } else { M - 1 };
-            let mut sum = slopes[first] * terms[k - first];
+            let mut sum = if k <= K {
+                slopes[first].mul_add(terms[k - first], source[k - 1])
+            } else {
+                slopes[first] * terms[k - first]
+            };
             for j in (1..first).rev() {
                 sum = slopes[j].mul_add(terms[k - j], sum);
             }
-            terms[k] = sum * (1.0 / k as f64);
+            terms[k] = sum * (factor / k as f64);
         }
     });
     terms
@@ -107,14 +129,14 @@ pub fn sum<S: Simd, const N: usize>(
     terms
 }
 
-/// Returns the difference of two series.
+/// Returns the difference of two series, of which the second may have fewer terms.
 #[inline(always)]
-pub fn difference<S: Simd, const N: usize>(
+pub fn difference<S: Simd, const M: usize, const N: usize>(
     left: &Series<Lanes<S>, N>,
-    right: &Series<Lanes<S>, N>,
+    right: &Series<Lanes<S>, M>,
 ) -> Series<Lanes<S>, N> {
     let mut terms = *left;
-    for k in 0..N {
+    for k in 0..M {
         terms[k] -= right[k];
     }
     terms
@@ -141,26 +163,37 @@ pub fn times_linear<S: Simd, const N: usize>(
     series[0] *= middle;
 }
 
-/// Divides three series by `1 + ratio t` to the powers 1, 2 and 3.
+/// Divides three polynomials by `1 + ratio t` to the powers 1, 2 and 3. The quotients may have more
+/// terms than the polynomials.
 ///
 /// A term of a quotient waits for the one before it. Therefore all divisions are made term by term
 /// together.
 #[inline(always)]
-pub fn divided_by_powers<S: Simd, const N: usize>(
-    [mut first, mut second, mut third]: [Series<Lanes<S>, N>; 3],
+pub fn divided_by_powers<S: Simd, const M: usize, const N: usize>(
+    simd: S,
+    [first, second, third]: &[Series<Lanes<S>, M>; 3],
     ratio: Lanes<S>,
 ) -> [Series<Lanes<S>, N>; 3] {
-    let minus = -ratio;
-    let (mut of_second, mut of_third) = (second[0], [third[0]; 2]);
-    for k in 1..N {
-        first[k] = minus.mul_add(first[k - 1], first[k]);
-        of_second = minus.mul_add(of_second, second[k]);
-        second[k] = minus.mul_add(second[k - 1], of_second);
-        of_third[0] = minus.mul_add(of_third[0], third[k]);
-        of_third[1] = minus.mul_add(of_third[1], of_third[0]);
-        third[k] = minus.mul_add(third[k - 1], of_third[1]);
-    }
-    [first, second, third]
+    let (minus, zero) = (-ratio, Lanes::splat(simd, 0.0));
+    let mut quotients = [[zero; N]; 3];
+    let [by_1, by_2, by_3] = &mut quotients;
+    (by_1[0], by_2[0], by_3[0]) = (first[0], second[0], third[0]);
+    let (mut second_by_1, mut third_by_1, mut third_by_2) = (second[0], third[0], third[0]);
+    for_each_term!(k below N {
+        if k > 0 {
+            let [mut of_first, mut of_second, mut of_third] = [zero; 3];
+            if k < M {
+                (of_first, of_second, of_third) = (first[k], second[k], third[k]);
+            }
+            by_1[k] = minus.mul_add(by_1[k - 1], of_first);
+            second_by_1 = minus.mul_add(second_by_1, of_second);
+            by_2[k] = minus.mul_add(by_2[k - 1], second_by_1);
+            third_by_1 = minus.mul_add(third_by_1, of_third);
+            third_by_2 = minus.mul_add(third_by_2, third_by_1);
+            by_3[k] = minus.mul_add(by_3[k - 1], third_by_2);
+        }
+    });
+    quotients
 }
 
 /// Returns the first terms of a series.
@@ -191,15 +224,16 @@ pub fn quotient<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
     terms
 }
 
-/// Returns the integral of a series from 0.
+/// Returns `factor` times the integral of a series from 0.
 #[inline(always)]
 pub fn integral<S: Simd, const N: usize>(
     simd: S,
     series: &Series<Lanes<S>, N>,
+    factor: f64,
 ) -> Series<Lanes<S>, N> {
     let mut terms = [Lanes::splat(simd, 0.0); N];
     for k in 1..N {
-        terms[k] = series[k - 1] * (1.0 / k as f64);
+        terms[k] = series[k - 1] * (factor / k as f64);
     }
     terms
 }
@@ -401,7 +435,7 @@ mod tests {
             for (i, power) in powers.iter_mut().enumerate() {
                 (0..=i).for_each(|_| times_linear(power, one, half));
             }
-            for quotient in divided_by_powers(powers, half).map(out) {
+            for quotient in divided_by_powers::<_, N, N>(simd, &powers, half).map(out) {
                 for (quotient, expected) in quotient.iter().flatten().zip(left.iter().flatten()) {
                     assert!((quotient - expected).abs() < 1e-15);
                 }
@@ -409,7 +443,7 @@ mod tests {
             let mut doubled = a;
             scale(&mut doubled, one + one);
             assert_eq!(out(doubled), left.map(|term| term.map(|number| 2.0 * number)));
-            let integral = out(integral(simd, &a));
+            let integral = out(integral(simd, &a, 1.0));
             let expected = |lane| {
                 let terms = (0..N - 1).map(|k| left[k][lane] * 0.5_f64.powi(k as i32 + 1) / (k + 1) as f64);
                 terms.sum()

@@ -39,26 +39,34 @@
 //!
 //! # The integrals on a piece
 //!
-//! On a piece `x` is a linear function of `t`, and `ln(Gamma/es)` a polynomial in `t`. The squares,
-//! the quotients and the integrals are [series](piecewise::series) in `t` to its 11th power. The
-//! divisions by `x` are recurrences of two terms. The last two terms of each result are
-//! [economised]. The operations are those of [several pieces](LANES) side by side; then the constants
-//! of integration go on from piece to piece. [`QuantityResampler::fitting`] chooses the pieces such that this
-//! adds less than a tenth of the table's tolerance. The constants at the first `a/t`
-//! are those of a [thick film](crate::curve::thick_film).
+//! On a piece `x = m (1 + r t)`, with its middle `m` and a ratio `r` of at most 1/3, and
+//! `l = ln(Gamma/es)` is a polynomial in `t`. Let `S = x Eeq/m`, `D = (x/m)^2 Delta0` and
+//! `L = (x/m)^3 Pi0`, with a prime for `d/dt` from here on. Then
+//!
+//! ```text
+//! S' = r Gamma^2/es      S'' = 2 l' S'
+//! D' = 2 r es S/Gamma^2  D'' = 2 r^2 - 2 l' D'
+//! L' = 4 S D'
+//! ```
+//!
+//! The second equations give the [series](piecewise::series) of `S'` and `D'` in `t`, up to its 11th
+//! power, term by term. `Eeq`, `Delta0` and `Pi0` are quotients of the integrals and of powers of
+//! `1 + r t`, to the 13th power of `t`: those of functions that hardly change, like `1/(1 + r t)^3`,
+//! converge slowest. The last terms of each are [economised]. The operations are those of
+//! [several pieces](LANES) side by side; then the constants of integration go on from piece to piece.
+//! [`QuantityResampler::fitting`] chooses the pieces such that this adds less than a tenth of the
+//! table's tolerance. The constants at the first `a/t` are those of a
+//! [thick film](crate::curve::thick_film).
 //!
 //! # Derivatives with respect to the material
 //!
-//! With `D` the derivative of `ln Gamma`, the derivatives of the three integrands, in their order,
-//! are
+//! With `d` the derivative of the logarithm of a quantity at a fixed `x`,
 //!
 //! ```text
-//! 2 D (Gamma/es)^2
-//! 2 [d(x Eeq/es) - 2 D x Eeq/es] / (Gamma/es)^2
-//! 8 x Eeq/es [2 d(x Eeq/es) - 2 D x Eeq/es] / (Gamma/es)^2
+//! d S' = 2 d Gamma      d D' = d S - 2 d Gamma      d L' = d S + d D'
 //! ```
 //!
-//! They are integrated in the same way and divided by the integrals.
+//! Times `S'`, `D'` and `L'` they are integrated in the same way, and divided by the integrals.
 //!
 //! [`QuantityResampler::fitting`]: crate::curve::quantity_resampler::QuantityResampler::fitting
 
@@ -66,8 +74,8 @@ use fearless_simd::prelude::*;
 
 use piecewise::lanes::{LANES, Lanes, write_by_piece};
 use piecewise::series::{
-    Series, constants_of_integration, difference, divided_by_powers, economised, exp, exponential,
-    first_terms, integral, limits, product, quotient, scale, sum,
+    Series, constants_of_integration, difference, divided_by_powers, driven, economised, exp,
+    exponential, first_terms, integral, limits, product, quotient, sum,
 };
 use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
 
@@ -75,6 +83,8 @@ use crate::curve::thick_film::{LARGEST, MULTIPLES};
 
 /// The number of coefficients of the integrals on a piece.
 const TERMS: usize = 12;
+/// The number of coefficients of the quotients of the integrals and of powers of `x`.
+const QUOTIENT_TERMS: usize = 14;
 /// The number of coefficients of the derivatives of the integrals on a piece.
 const RELATIVE_TERMS: usize = 10;
 
@@ -89,26 +99,20 @@ pub(crate) struct Derivation {
     pub(crate) starts: [Position; 3],
 }
 
-/// The pieces that are computed side by side.
+/// The pieces that are computed side by side: `x` is `middle (1 + ratio t)`.
 #[derive(Clone, Copy, Debug)]
 struct Group {
-    /// Half of their lengths.
-    half_lengths: [f64; LANES],
-    /// The inverses of their middles.
-    inverse_middles: [f64; LANES],
+    middles: [f64; LANES],
+    ratios: [f64; LANES],
 }
 
-/// The integrals on a group of pieces, as functions of `t`. With half of the length of a piece,
-/// `h`, as a factor of the integrands they are integrals over `t`.
+/// The integrals on a group of pieces, as functions of `t`.
 pub(crate) struct Integrals<S: Simd> {
-    /// `Gamma/es` in the middle.
+    /// `Gamma` in the middle.
     middle: Lanes<S>,
-    /// `h (Gamma/es)^2` and `h/(Gamma/es)^2`.
-    square: Series<Lanes<S>, TERMS>,
-    inverse: Series<Lanes<S>, TERMS>,
-    /// The integrand of the second integral: `h x (Eeq/es)/(Gamma/es)^2`.
-    rate: Series<Lanes<S>, TERMS>,
-    /// `x Eeq/es`, `x^2 Delta0/2` and `x^3 Pi0/(8 es)`.
+    /// The integrands `S'`, `D'` and `L'/4`.
+    rates: [Series<Lanes<S>, TERMS>; 3],
+    /// The integrals `S`, `D` and `L`.
     integrals: [Series<Lanes<S>, TERMS>; 3],
 }
 
@@ -130,8 +134,8 @@ impl Derivation {
         let last = *ends.last()?;
         ends.resize(ends.len().next_multiple_of(LANES), last);
         let groups = ends.as_chunks::<LANES>().0.iter().map(|group| Group {
-            half_lengths: group.map(|[from, to]| 0.5 * (to - from)),
-            inverse_middles: group.map(|[from, to]| 2.0 / (from + to)),
+            middles: group.map(|[from, to]| f64::midpoint(from, to)),
+            ratios: group.map(|[from, to]| (to - from) / (from + to)),
         });
         Some(Self {
             groups: groups.collect(),
@@ -144,15 +148,15 @@ impl Derivation {
         self.groups.len()
     }
 
-    /// Returns the three integrals at the first `a/t`, from `Eeq/es`, `Delta0` and `Pi0/es` there.
+    /// Returns the three integrals at the first `a/t`, from `Eeq`, `Delta0` and `Pi0` there.
     pub(crate) fn at_start(&self, quantities: [f64; 3]) -> [f64; 3] {
         Self::at(self.first, quantities)
     }
 
-    /// Returns the three integrals at `y`, in units of the grid, from `Eeq/es`, `Delta0` and
-    /// `Pi0/es` there.
-    pub(crate) fn at(y: f64, [eeq, delta0, pi0]: [f64; 3]) -> [f64; 3] {
-        [eeq * y, 0.5 * delta0 * y * y, 0.125 * pi0 * y * y * y]
+    /// Returns `x Eeq`, `x^2 Delta0` and `x^3 Pi0` at `x`, in units of the grid, from the three
+    /// quantities there.
+    pub(crate) fn at(x: f64, [eeq, delta0, pi0]: [f64; 3]) -> [f64; 3] {
+        [eeq * x, delta0 * x * x, pi0 * x * x * x]
     }
 
     /// Adds the constants of integration to the integrals of order `order` on a group.
@@ -166,7 +170,11 @@ impl Derivation {
         order: usize,
     ) {
         let start = (group == 0).then_some(self.starts[0].t);
-        integral[0] = constants.on_group(simd, order, group, limits(start, integral));
+        let middle = Lanes::simd_from(simd, self.groups[group].middles);
+        let unit = [middle, middle * middle, middle * middle * middle][order];
+        let [from, to] = limits(start, integral);
+        let limits = [from * unit, to * unit];
+        integral[0] = constants.on_group(simd, order, group, limits) / unit;
     }
 
     /// Integrates on a group of pieces, where `logarithms` are the polynomials of `ln(Gamma/es)`.
@@ -176,25 +184,25 @@ impl Derivation {
         simd: S,
         group: usize,
         logarithms: &Series<Lanes<S>, SPLINE_TERMS>,
+        es: f64,
         constants: &mut Constants<'_>,
     ) -> Integrals<S> {
-        let half_lengths = Lanes::simd_from(simd, self.groups[group].half_lengths);
+        let ratio = Lanes::simd_from(simd, self.groups[group].ratios);
         let middle = exp(simd, logarithms[0]);
-        let of_square = middle * middle;
-        let square = exponential(simd, half_lengths * of_square, 2.0, logarithms);
-        let inverse = exponential(simd, half_lengths / of_square, -2.0, logarithms);
-        let mut stiffness = integral(simd, &square);
+        let square = middle * middle * es;
+        let stiffness_rate = exponential(simd, ratio * square, 2.0, logarithms);
+        let mut stiffness = integral(simd, &stiffness_rate, 1.0);
         self.add_constants(simd, group, &mut stiffness, constants, 0);
-        let rate = product(simd, &stiffness, &inverse);
-        let mut penetration = integral(simd, &rate);
+        let at_middle = (ratio + ratio) * stiffness[0] / square;
+        let penetration_rate = driven(simd, at_middle, -2.0, logarithms, &[-ratio * ratio]);
+        let mut penetration = integral(simd, &penetration_rate, 1.0);
         self.add_constants(simd, group, &mut penetration, constants, 1);
-        let mut load = integral(simd, &product(simd, &stiffness, &rate));
+        let load_rate = product(simd, &stiffness, &penetration_rate);
+        let mut load = integral(simd, &load_rate, 4.0);
         self.add_constants(simd, group, &mut load, constants, 2);
         Integrals {
-            middle,
-            square,
-            inverse,
-            rate,
+            middle: middle * es,
+            rates: [stiffness_rate, penetration_rate, load_rate],
             integrals: [stiffness, penetration, load],
         }
     }
@@ -206,27 +214,20 @@ impl Derivation {
         simd: S,
         group: usize,
         logarithms: &Series<Lanes<S>, SPLINE_TERMS>,
-        integrals: Integrals<S>,
-        es: f64,
+        integrals: &Integrals<S>,
         pieces: &mut [Polynomials<FUNCTION_TERMS>; LANES],
     ) {
-        let Group {
-            half_lengths,
-            inverse_middles,
-        } = self.groups[group];
-        // `x` is `(1 + ratio t)/inverse`.
-        let inverse = Lanes::simd_from(simd, inverse_middles);
-        let ratio = Lanes::simd_from(simd, half_lengths) * inverse;
-        let [eeq, delta0, pi0] = divided_by_powers(integrals.integrals, ratio);
-        let (square, es) = (inverse * inverse, Lanes::splat(simd, es));
-        let mut pi0 = economised(simd, &pi0);
-        scale(&mut pi0, square * inverse * es * 8.0);
-        let mut eeq = economised(simd, &eeq);
-        scale(&mut eeq, inverse * es);
-        let mut delta0 = economised(simd, &delta0);
-        scale(&mut delta0, square * 2.0);
-        let gamma: Series<_, TERMS> = exponential(simd, integrals.middle * es, 1.0, logarithms);
-        write_by_piece([&pi0, &eeq, &economised(simd, &gamma), &delta0], pieces);
+        let ratio = Lanes::simd_from(simd, self.groups[group].ratios);
+        let gamma: Series<_, TERMS> = exponential(simd, integrals.middle, 1.0, logarithms);
+        let [eeq, delta0, pi0]: [Series<_, QUOTIENT_TERMS>; 3] =
+            divided_by_powers(simd, &integrals.integrals, ratio);
+        let quantities = [
+            &economised(simd, &pi0),
+            &economised(simd, &eeq),
+            &economised(simd, &gamma),
+            &economised(simd, &delta0),
+        ];
+        write_by_piece(quantities, pieces);
     }
 
     /// Writes the polynomials of the derivatives of the logarithms of the four quantities on the
@@ -242,24 +243,23 @@ impl Derivation {
         constants: &mut Constants<'_>,
         pieces: &mut [Polynomials<SPLINE_TERMS>; LANES],
     ) {
-        let square = first_terms(&integrals.square);
-        let inverse = first_terms(&integrals.inverse);
-        let rate = first_terms(&integrals.rate);
         let [stiffness, penetration, load] = integrals.integrals.each_ref().map(first_terms);
+        let [stiffness_rate, penetration_rate, load_rate] =
+            integrals.rates.each_ref().map(first_terms);
 
-        let twice = sum(gamma, gamma);
-        let mut by_stiffness = integral(simd, &product(simd, &twice, &square));
+        let of_square = sum(gamma, gamma);
+        let mut by_stiffness = integral(simd, &product(simd, &of_square, &stiffness_rate), 1.0);
         self.add_constants(simd, group, &mut by_stiffness, constants, 0);
-        // The two brackets of the formulas.
-        let in_penetration = difference(&by_stiffness, &product(simd, &twice, &stiffness));
-        let in_load = sum(&in_penetration, &by_stiffness);
-        let mut by_penetration = integral(simd, &product(simd, &in_penetration, &inverse));
+        let of_stiffness = quotient(simd, &by_stiffness, &stiffness);
+        let of_rate = difference(&of_stiffness, &of_square);
+        let mut by_penetration = integral(simd, &product(simd, &of_rate, &penetration_rate), 1.0);
         self.add_constants(simd, group, &mut by_penetration, constants, 1);
-        let mut by_load = integral(simd, &product(simd, &in_load, &rate));
+        let of_load_rate = sum(&of_stiffness, &of_rate);
+        let mut by_load = integral(simd, &product(simd, &of_load_rate, &load_rate), 4.0);
         self.add_constants(simd, group, &mut by_load, constants, 2);
         let relative = [
             &relative(simd, &by_load, &load),
-            &relative(simd, &by_stiffness, &stiffness),
+            &economised(simd, &of_stiffness),
             gamma,
             &relative(simd, &by_penetration, &penetration),
         ];

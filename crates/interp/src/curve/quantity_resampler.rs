@@ -105,7 +105,7 @@ impl QuantityResampler {
             .map(|coefficients| ParameterDerivatives {
                 coefficients,
                 constants: Constants::Running([0.0; 3]),
-                pieces: Vec::with_capacity(self.splines.grid().count()),
+                pieces: Vec::new(),
             })
             .collect();
         let (values, start_error) = dispatch!(Level::new(), simd => {
@@ -137,12 +137,14 @@ impl QuantityResampler {
     ) -> (Piecewise<FUNCTION_TERMS>, f64) {
         let starts = self.at_starts(simd, derivation, coefficients);
         let start = ThickFilm::new(starts.map(f64::exp));
+        let scaled = |[eeq, delta0, pi0]: [f64; 3]| [eeq * es, delta0, pi0 * es];
         for parameter in &mut *parameters {
             let [first, second, _] = self.at_starts(simd, derivation, parameter.coefficients);
-            let start = start.derivatives([first, second]);
+            let start = scaled(start.derivatives([first, second]));
             parameter.constants = Constants::Running(derivation.at_start(start));
         }
-        let constants = Constants::Running(derivation.at_start(start.values()));
+        let at_start = derivation.at_start(scaled(start.values()));
+        let constants = Constants::Running(at_start);
         let pieces = self.derived(simd, derivation, coefficients, es, constants, parameters);
         (pieces, start.error)
     }
@@ -161,25 +163,29 @@ impl QuantityResampler {
         parameters: &mut [ParameterDerivatives<'_>],
     ) -> Piecewise<FUNCTION_TERMS> {
         let count = self.splines.grid().count();
-        let mut pieces = Vec::with_capacity(count);
-        // The pieces of a group, of which the last one may be repeated.
-        let mut of_values = [[[0.0; 4]; FUNCTION_TERMS]; LANES];
-        let mut of_derivatives = [[[0.0; 4]; SPLINE_TERMS]; LANES];
-        for group in 0..derivation.groups() {
-            let own = LANES.min(count - LANES * group);
+        // The last group is filled.
+        let padded = LANES * derivation.groups();
+        let mut pieces = vec![[[0.0; 4]; FUNCTION_TERMS]; padded];
+        for parameter in &mut *parameters {
+            parameter.pieces.resize(padded, [[0.0; 4]; SPLINE_TERMS]);
+        }
+        for (group, target) in pieces.as_chunks_mut().0.iter_mut().enumerate() {
             let logarithms = self.splines.spline_on_group(simd, group, coefficients);
-            let integrals = derivation.integrals(simd, group, &logarithms, &mut constants);
-            for parameter in parameters.iter_mut() {
+            let integrals = derivation.integrals(simd, group, &logarithms, es, &mut constants);
+            for parameter in &mut *parameters {
                 let gamma = self
                     .splines
                     .spline_on_group(simd, group, parameter.coefficients);
-                let (constants, target) = (&mut parameter.constants, &mut of_derivatives);
+                let target = &mut parameter.pieces.as_chunks_mut().0[group];
+                let constants = &mut parameter.constants;
                 derivation.sensitivities(simd, group, &integrals, &gamma, constants, target);
-                parameter.pieces.extend_from_slice(&of_derivatives[..own]);
             }
-            derivation.values(simd, group, &logarithms, integrals, es, &mut of_values);
-            pieces.extend_from_slice(&of_values[..own]);
+            derivation.values(simd, group, &logarithms, &integrals, target);
         }
+        for parameter in parameters {
+            parameter.pieces.truncate(count);
+        }
+        pieces.truncate(count);
         self.on_grid(pieces)
     }
 

@@ -14,10 +14,12 @@ use super::weights::{MOST_TERMS, Weights};
 
 /// The number of coefficients of a series on a piece.
 const TERMS: usize = 12;
+/// The number of coefficients of the quotients of the integrals and of powers of the contact radius.
+const QUOTIENT_TERMS: usize = 14;
 
 /// The values of the integrals at the end of the last piece.
 pub(super) struct Running {
-    /// Those of `y^(2k+1) mu_2k/(es (2k)!)`.
+    /// Those of `y^(2k+1) mu_2k/(2k)!`.
     moments: [f64; MOST_TERMS],
     /// Those of `y^2k Delta_2k/(2k)!`. With these factors no integral needs one.
     penetrations: [f64; MOST_TERMS],
@@ -28,27 +30,27 @@ pub(super) struct Running {
 }
 
 impl Running {
-    pub(super) fn new(kernel: &Kernel, weights: &Weights) -> Self {
+    pub(super) fn new(kernel: &Kernel, weights: &Weights, es: f64) -> Self {
         let sums = kernel.sums(weights);
         let mut factorials = [1.0; MOST_TERMS];
         for k in 1..MOST_TERMS {
             factorials[k] = factorials[k - 1] * (2 * k * (2 * k - 1)) as f64;
         }
         Self {
-            moments: std::array::from_fn(|k| kernel.moment(2 * k) / factorials[k]),
+            moments: std::array::from_fn(|k| es * kernel.moment(2 * k) / factorials[k]),
             penetrations: std::array::from_fn(|k| kernel.penetration(2 * k) / factorials[k]),
-            sums: [0.25 * sums.load, sums.penetration],
+            sums: [0.25 * es * sums.load, sums.penetration],
             terms: MOST_TERMS,
         }
     }
 
     /// Guesses the integrals of terms that were not needed before, at the contact radius `y`. They
     /// grow so fast that their values there soon do not matter.
-    fn extend(&mut self, terms: usize, y: f64) {
+    fn extend(&mut self, terms: usize, y: f64, es: f64) {
         for k in self.terms..terms {
             let n = (2 * k) as f64;
             self.moments[k] = self.moments[k - 1] * y * y / (n * (n + 1.0));
-            self.penetrations[k] = self.moments[k - 1] * y / n;
+            self.penetrations[k] = self.moments[k - 1] * y / (es * n);
         }
         self.terms = terms;
     }
@@ -79,18 +81,17 @@ impl Group<'_> {
         let half = vector(self.ends.map(|[from, to]| 0.5 * (to - from)));
         let middle = vector(self.ends.map(|[from, to]| 0.5 * (from + to)));
         let zero = Lanes::splat(simd, 0.0);
-        let [mut stiffness, mut gamma, mut penetration]: [Series<_, TERMS>; 3] = [[zero; TERMS]; 3];
-        let mut kept: [Series<_, FUNCTION_TERMS>; 2] = [[zero; FUNCTION_TERMS]; 2];
-        let inverse_es = Lanes::splat(simd, 1.0 / es);
+        let [mut stiffness, mut own_gamma, mut penetration]: [Series<_, TERMS>; 3] =
+            [[zero; TERMS]; 3];
+        let [mut eeq, mut gamma]: [Series<_, FUNCTION_TERMS>; 2] = [[zero; FUNCTION_TERMS]; 2];
         for k in 0..FUNCTION_TERMS {
             let mut rows = [f64x4::splat(simd, 0.0); LANES];
             for (row, piece) in rows.iter_mut().zip(self.pieces) {
                 *row = f64x4::from_slice(simd, &piece[k]);
             }
-            let [_, eeq, own, delta0] = lanes_of_rows(rows);
-            (kept[0][k], kept[1][k]) = (eeq, own);
-            stiffness[k] = eeq * inverse_es;
-            gamma[k] = own * inverse_es;
+            let delta0;
+            [_, eeq[k], gamma[k], delta0] = lanes_of_rows(rows);
+            (stiffness[k], own_gamma[k]) = (eeq[k], gamma[k]);
             penetration[k] = delta0 * 0.5;
         }
         times_linear(&mut stiffness, middle, half);
@@ -98,51 +99,50 @@ impl Group<'_> {
         times_linear(&mut penetration, middle, half);
         // Half of the length of a piece is a factor of the integrands: the integrals are those over
         // `t`.
-        let mut square = product(simd, &gamma, &gamma);
-        let mut numerator = [zero; TERMS];
-        numerator[0] = half;
-        let inverse = quotient(simd, &numerator, &square);
-        scale(&mut square, half);
+        let mut square = product(simd, &gamma, &own_gamma);
+        scale(&mut square, half * (1.0 / es));
+        let over_square = half * half;
 
         let terms = self.weights.iter().map(|weights| weights.terms);
         let terms = terms.max().unwrap_or(1);
         if terms > running.terms {
-            running.extend(terms, self.ends[0][0]);
+            running.extend(terms, self.ends[0][0], es);
         }
         running.terms = terms;
         // The sum of the weighted moments. The moment of order 0 is that of the stiffness.
         let mut flux = stiffness;
-        scale(&mut flux, vector(lanes_of(&self.weights, 0)));
+        scale(&mut flux, over_square * vector(lanes_of(&self.weights, 0)));
         let (mut moment, mut factorial) = (stiffness, 1.0);
         for k in 1..terms {
             if k > 1 {
-                penetration = integral(simd, &product(simd, &moment, &inverse));
+                scale(&mut moment, over_square);
+                penetration = integral(simd, &quotient(simd, &moment, &square), 1.0);
                 let at = &mut running.penetrations[k];
                 continued(simd, self.start, &mut penetration, at);
             }
-            moment = integral(simd, &product(simd, &square, &penetration));
+            moment = integral(simd, &product(simd, &square, &penetration), 1.0);
             continued(simd, self.start, &mut moment, &mut running.moments[k]);
             factorial *= (2 * k * (2 * k - 1)) as f64;
-            let beta = vector(lanes_of(&self.weights, k)) * factorial;
+            let beta = over_square * vector(lanes_of(&self.weights, k)) * factorial;
             for i in 0..TERMS {
                 flux[i] = beta.mul_add(moment[i], flux[i]);
             }
         }
-        let rate = product(simd, &flux, &inverse);
-        let mut penetration = integral(simd, &rate);
+        let rate = quotient(simd, &flux, &square);
+        let mut penetration = integral(simd, &rate, 1.0);
         continued(simd, self.start, &mut penetration, &mut running.sums[1]);
-        let mut load = integral(simd, &product(simd, &stiffness, &rate));
+        let mut load = integral(simd, &product(simd, &stiffness, &rate), 1.0);
         continued(simd, self.start, &mut load, &mut running.sums[0]);
 
         let inverse = Lanes::splat(simd, 1.0) / middle;
-        let [_, penetration, load] =
-            divided_by_powers([stiffness, penetration, load], half * inverse);
+        let [_, penetration, load]: [Series<_, QUOTIENT_TERMS>; 3] =
+            divided_by_powers(simd, &[stiffness, penetration, load], half * inverse);
         let mut penetration: Series<Lanes<S>, FUNCTION_TERMS> = economised(simd, &penetration);
         let mut load: Series<Lanes<S>, FUNCTION_TERMS> = economised(simd, &load);
         let factor = inverse * inverse * radius;
         scale(&mut penetration, factor);
-        scale(&mut load, factor * inverse * (4.0 * es));
-        write_by_piece([&load, &kept[0], &kept[1], &penetration], target);
+        scale(&mut load, factor * inverse * 4.0);
+        write_by_piece([&load, &eeq, &gamma, &penetration], target);
     }
 }
 

@@ -207,12 +207,14 @@ impl Source<'_> {
             .take_while(|[from, _]| *from < most)
             .collect();
         let of_paraboloid = self.functions.pieces();
-        let mut pieces = Vec::with_capacity(of_paraboloid.len());
-        let mut own = [[[0.0; 4]; FUNCTION_TERMS]; LANES];
+        // The last group is filled.
+        let mut pieces = of_paraboloid.to_vec();
+        pieces.resize(pieces.len().next_multiple_of(LANES), pieces[0]);
         let first = change(shape.weights(beginning.first, unit));
-        let mut running = Running::new(&beginning.at(beginning.first), &first);
+        let mut running = Running::new(&beginning.at(beginning.first), &first, self.es);
         let radius = shape.unit_radius() * unit;
-        for (group, ends) in ends.chunks(LANES).enumerate() {
+        let targets = pieces.as_chunks_mut().0.iter_mut();
+        for ((group, ends), target) in ends.chunks(LANES).enumerate().zip(targets) {
             let lanes = std::array::from_fn(|lane| lane.min(ends.len() - 1));
             let group = Group {
                 ends: lanes.map(|lane: usize| ends[lane]),
@@ -221,11 +223,12 @@ impl Source<'_> {
                 start: (group == 0).then(|| grid.locate(grid.range()[0]).t),
             };
             dispatch!(Level::new(), simd => {
-                group.integrated(simd, self.es, radius, &mut running, &mut own);
+                group.integrated(simd, self.es, radius, &mut running, target);
             });
-            pieces.extend_from_slice(&own[..ends.len()]);
         }
-        pieces.extend_from_slice(&of_paraboloid[pieces.len()..]);
+        // Beyond the largest contact.
+        pieces.truncate(of_paraboloid.len());
+        pieces[ends.len()..].copy_from_slice(&of_paraboloid[ends.len()..]);
         self.on_grid(pieces)
     }
 }
