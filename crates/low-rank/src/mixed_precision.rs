@@ -41,6 +41,14 @@ impl RowWeights {
         single: Vec::new(),
     };
 
+    /// Returns no weights, with room for `count`.
+    pub(crate) fn with_capacity(count: usize) -> Self {
+        Self {
+            double: Vec::with_capacity(count),
+            single: Vec::with_capacity(count),
+        }
+    }
+
     /// Makes weights of their values.
     pub(crate) fn of(values: &[f64]) -> Self {
         let mut weights = Self::EMPTY;
@@ -52,17 +60,14 @@ impl RowWeights {
     /// factor after the other.
     #[inline(always)]
     pub(crate) fn set(&mut self, factors: &[f64], values: &[f64]) {
-        let count = factors.len() * values.len();
-        self.double.resize(count, 0.0);
-        self.single.resize(count, 0.0);
-        let double = self.double.chunks_exact_mut(values.len());
-        let single = self.single.chunks_exact_mut(values.len());
-        for ((factor, double), single) in factors.iter().zip(double).zip(single) {
-            for ((double, single), value) in double.iter_mut().zip(single).zip(values) {
-                *double = factor * value;
-                *single = *double as f32;
-            }
+        self.double.clear();
+        self.single.clear();
+        for factor in factors {
+            self.double
+                .extend(values.iter().map(|value| factor * value));
         }
+        self.single
+            .extend(self.double.iter().map(|&weight| weight as f32));
     }
 }
 
@@ -140,10 +145,17 @@ impl MixedPrecision {
     /// Returns the sum of the rows, each times its weight.
     #[inline(always)]
     pub(crate) fn sum<S: Simd>(&self, simd: S, weights: &RowWeights) -> Vec<f64> {
-        let mut sum = vec![0.0; self.length.next_multiple_of(BLOCK)];
-        self.sum_blocks(simd, 0, weights, &mut sum);
-        sum.truncate(self.length);
+        let mut sum = Vec::new();
+        self.sum_to(simd, weights, &mut sum);
         sum
+    }
+
+    /// Writes the sum of the rows, each times its weight, to `sum`. What it held is lost.
+    #[inline(always)]
+    pub(crate) fn sum_to<S: Simd>(&self, simd: S, weights: &RowWeights, sum: &mut Vec<f64>) {
+        sum.resize(self.length.next_multiple_of(BLOCK), 0.0);
+        self.sum_blocks(simd, 0, weights, sum);
+        sum.truncate(self.length);
     }
 
     /// Writes the `columns` of the sum of the rows, each times its weight.
@@ -216,11 +228,16 @@ impl MixedPrecision {
         }
     }
 
-    /// Returns the sums of the rows with each of several vectors of weights.
+    /// Returns the sums of the rows with each of several vectors of weights. What `weights` held is
+    /// lost.
     #[inline(always)]
-    pub(crate) fn sum_all<S: Simd>(&self, simd: S, vectors: &Vectors) -> Vectors {
+    pub(crate) fn sum_all<S: Simd>(
+        &self,
+        simd: S,
+        vectors: &Vectors,
+        weights: &mut [RowWeights; 4],
+    ) -> Vectors {
         let mut sums = Vectors::zeros(vectors.count(), self.length);
-        let mut weights = [const { RowWeights::EMPTY }; 4];
         for first in (0..vectors.count()).step_by(weights.len()) {
             let count = weights.len().min(vectors.count() - first);
             for (i, weights) in weights.iter_mut().enumerate().take(count) {
@@ -303,7 +320,7 @@ mod tests {
                     *target = factor(i) * weight;
                 }
             }
-            let sums = dispatch!(Level::new(), simd => rows_in_two.sum_all(simd, &all));
+            let sums = dispatch!(Level::new(), simd => rows_in_two.sum_all(simd, &all, &mut [const { RowWeights::EMPTY }; 4]));
             for i in 0..sums.count() {
                 let factor = factor(i);
                 assert_eq!(sums.get(i).len(), LENGTH);

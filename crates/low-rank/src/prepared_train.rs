@@ -3,7 +3,7 @@
 //!
 //! A core is a sum of polynomials of up to a high degree. Therefore the axis is divided into
 //! intervals, equal in the angle of the Chebyshev polynomials, and on each of them the core is
-//! expanded in ten functions that oscillate more and more. The contribution of a bond index and a
+//! expanded in eight functions that oscillate more and more. The contribution of a bond index and a
 //! function to a block of indices of the next bond is dropped where it is far below the
 //! tolerance, and stored in single precision where that is accurate enough. This leaves fewer
 //! multiplications, and more of them are done at a time. All but the first two functions vanish at
@@ -15,6 +15,7 @@
 //! for these instructions.
 
 use std::f64::consts::PI;
+use std::mem;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
@@ -37,19 +38,16 @@ const NEGLIGIBLE: f64 = 3e-5;
 const ROUNDING: f64 = 3e-7;
 
 /// The largest number of functions on an interval.
-pub(crate) const MOST_FUNCTIONS: usize = 10;
+pub(crate) const MOST_FUNCTIONS: usize = 8;
 
 /// Returns the number of intervals of a core of so many `terms`.
 ///
 /// On an interval of the angle `h`, the function number `j` of the expansion of `T_k` is about `2
-/// (k h/4)^j / j!`. With two degrees for an interval, what ten functions leave out of the highest
-/// degree is 5e-5 of it, and of lower ones far less.
+/// (k h/4)^j / j!`. With as many intervals as degrees, what eight functions leave out of the highest
+/// degree is 7e-6 of it, and of lower ones far less. Longer intervals need more functions, and take
+/// more time; shorter ones take more memory.
 pub(crate) const fn intervals(terms: usize) -> usize {
-    if terms > MOST_FUNCTIONS {
-        terms.div_ceil(2)
-    } else {
-        1
-    }
+    if terms > MOST_FUNCTIONS { terms } else { 1 }
 }
 
 /// The cores of an [`IntegerTrain`], prepared for evaluation.
@@ -185,13 +183,34 @@ impl PreparedTrain {
         });
     }
 
+    /// Returns the largest number of weights that a core needs.
+    fn most_rows(&self) -> usize {
+        MOST_FUNCTIONS * self.longest()
+    }
+
+    /// Returns the length of the longest bond, in whole blocks.
+    fn longest(&self) -> usize {
+        let bonds = self.cores.iter().map(|core| core.scales.len());
+        bonds.max().unwrap_or(1).next_multiple_of(BLOCK)
+    }
+
     #[inline(always)]
     fn value<S: Simd>(&self, simd: S, coordinates: [f64; 3]) -> Vec<f64> {
-        let (mut vector, mut weights) = (vec![1.0], RowWeights::EMPTY);
+        // An allocation takes as long as many multiplications: all cores share these.
+        let mut weights = RowWeights::with_capacity(self.most_rows());
+        let [mut before, mut after] = [(); 2].map(|()| Vec::with_capacity(self.longest()));
+        before.push(1.0);
         for core in &self.cores {
-            vector = core.multiply(simd, coordinates[core.axis], &vector, &mut weights);
+            core.multiply(
+                simd,
+                coordinates[core.axis],
+                &before,
+                &mut weights,
+                &mut after,
+            );
+            mem::swap(&mut before, &mut after);
         }
-        weights.set(&[1.0], &vector);
+        weights.set(&[1.0], &before);
         self.last.sum(simd, &weights)
     }
 
@@ -204,10 +223,18 @@ impl PreparedTrain {
     ) -> [Vec<f64>; 4] {
         // The product of the cores so far, and its derivatives with respect to their coordinates.
         let mut vectors = Vectors::one();
+        let mut weights = [(); 4].map(|()| RowWeights::with_capacity(self.most_rows()));
         for core in &self.cores {
-            vectors = core.products(simd, coordinates[core.axis], wanted[core.axis], &vectors);
+            let with_slope = wanted[core.axis];
+            vectors = core.products(
+                simd,
+                coordinates[core.axis],
+                with_slope,
+                &vectors,
+                &mut weights,
+            );
         }
-        let sums = self.last.sum_all(simd, &vectors);
+        let sums = self.last.sum_all(simd, &vectors, &mut weights);
         let mut all = [sums.get(0).to_vec(), Vec::new(), Vec::new(), Vec::new()];
         let differentiated = self.cores.iter().filter(|core| wanted[core.axis]);
         for (core, i) in differentiated.zip(1..) {
@@ -226,15 +253,17 @@ impl PreparedTrain {
         sums: &[WeightedSum<N>],
         coefficients: &mut [f64],
     ) {
-        // One vector until the core of this axis, one for each sum from there on.
+        // One vector until the core of this axis, one for each place from there on. There are more sums
+        // than places.
         let mut vectors = Vectors::one();
         for core in &self.cores {
             vectors = if core.axis == axis {
-                core.multiply_along(simd, places, vectors.get(0)).sums(sums)
+                core.multiply_along(simd, places, vectors.get(0))
             } else {
                 core.multiply_all(simd, coordinates[core.axis], &vectors)
             };
         }
+        let vectors = vectors.sums(sums);
         let mut weights = RowWeights::EMPTY;
         for (i, sum) in sums.iter().enumerate() {
             weights.set(&[1.0], vectors.get(i));
@@ -267,8 +296,8 @@ impl Core {
         Interval::new(functions, &transform, before, row, self.tolerance)
     }
 
-    /// Multiplies the vector over the bond before by the core at `u`; returns the vector over the
-    /// next bond. What `weights` held is lost.
+    /// Writes the product of the vector over the bond before and the core at `u` to `after`. What
+    /// `weights` and `after` held is lost.
     #[inline(always)]
     fn multiply<S: Simd>(
         &self,
@@ -276,14 +305,15 @@ impl Core {
         u: f64,
         before: &[f64],
         weights: &mut RowWeights,
-    ) -> Vec<f64> {
+        after: &mut Vec<f64>,
+    ) {
         let interval = self.interval(u);
         let (functions, _) = interval.functions.evaluate(u);
         weights.set(&functions[..interval.functions.count], before);
-        let mut after = interval.rows.sum(simd, weights);
-        let entries = after.iter_mut().zip(&self.scales);
-        entries.for_each(|(entry, scale)| *entry *= scale);
-        after
+        interval.rows.sum_to(simd, weights, after);
+        for (entry, scale) in after.iter_mut().zip(&self.scales) {
+            *entry *= scale;
+        }
     }
 
     /// Multiplies the vector over the bond before by the core at each of several places.
@@ -311,19 +341,26 @@ impl Core {
         let core = interval
             .rows
             .contracted(simd, &interval.contraction, &functions);
-        let mut after = core.sum_all(simd, before);
+        let mut weights = [const { RowWeights::EMPTY }; 4];
+        let mut after = core.sum_all(simd, before, &mut weights);
         after.scale(&self.scales);
         after
     }
 
     /// Multiplies up to three vectors over the bond before by the core at `u`, and `with_slope` the
-    /// first of them by its derivative, which comes last.
+    /// first of them by its derivative, which comes last. What `weights` held is lost.
     #[inline(always)]
-    fn products<S: Simd>(&self, simd: S, u: f64, with_slope: bool, before: &Vectors) -> Vectors {
+    fn products<S: Simd>(
+        &self,
+        simd: S,
+        u: f64,
+        with_slope: bool,
+        before: &Vectors,
+        weights: &mut [RowWeights; 4],
+    ) -> Vectors {
         let interval = self.interval(u);
         let (values, slopes) = interval.functions.evaluate(u);
         let count = interval.functions.count;
-        let mut weights = [const { RowWeights::EMPTY }; 4];
         for (i, weights) in weights.iter_mut().enumerate().take(before.count()) {
             weights.set(&values[..count], before.get(i));
         }
