@@ -208,17 +208,24 @@ impl Source<'_> {
             .collect();
         let of_paraboloid = self.functions.pieces();
         // The last group is filled.
-        let mut pieces = of_paraboloid.to_vec();
-        pieces.resize(pieces.len().next_multiple_of(LANES), pieces[0]);
+        let padded = ends.len().next_multiple_of(LANES);
+        let mut pieces = Vec::with_capacity(padded.max(of_paraboloid.len()));
+        pieces.resize(padded, [[0.0; 4]; FUNCTION_TERMS]);
         let first = change(shape.weights(beginning.first, unit));
         let mut running = Running::new(&beginning.at(beginning.first), &first, self.es);
         let radius = shape.unit_radius() * unit;
         let targets = pieces.as_chunks_mut().0.iter_mut();
         for ((group, ends), target) in ends.chunks(LANES).enumerate().zip(targets) {
+            let mut weights = change(shape.weights(ends[0][1], unit));
             let lanes = std::array::from_fn(|lane| lane.min(ends.len() - 1));
             let group = Group {
-                ends: lanes.map(|lane: usize| ends[lane]),
-                weights: lanes.map(|lane| change(shape.weights(ends[lane][1], unit))),
+                ends: lanes.map(|lane| ends[lane]),
+                weights: std::array::from_fn(|lane| {
+                    if (1..ends.len()).contains(&lane) {
+                        weights = change(shape.weights(ends[lane][1], unit));
+                    }
+                    weights
+                }),
                 pieces: lanes.map(|lane| &of_paraboloid[LANES * group + lane]),
                 start: (group == 0).then(|| grid.locate(grid.range()[0]).t),
             };
@@ -226,9 +233,8 @@ impl Source<'_> {
                 group.integrated(simd, self.es, radius, &mut running, target);
             });
         }
-        // Beyond the largest contact.
-        pieces.truncate(of_paraboloid.len());
-        pieces[ends.len()..].copy_from_slice(&of_paraboloid[ends.len()..]);
+        pieces.truncate(ends.len());
+        pieces.extend_from_slice(&of_paraboloid[ends.len()..]);
         self.on_grid(pieces)
     }
 }
