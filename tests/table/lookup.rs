@@ -5,8 +5,8 @@ use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, larger, low_rank, material, 
 use interp::Parameter;
 use interp::{Description, Quantity, Table};
 
-/// What a lookup drops depends on the tolerance of the table. Derivatives with respect to `nu1`
-/// magnify it most near 0.5.
+/// What a lookup drops, and how long its pieces are, depends on the tolerance of the table.
+/// Derivatives with respect to `nu1` magnify it most near 0.5.
 #[test]
 fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
     let embedded = Table::embedded();
@@ -53,9 +53,10 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
         }
     }
     println!("in tolerances: values {values:.1e}, derivatives {derivatives:.2?}");
-    // Measured: 3.4e-3, 0.10, 1.7, 0.04.
+    // Measured: 0.045, 0.42, 0.87, 0.13. The pieces are most of it: with shorter ones it is 4e-3, 0.13,
+    // 0.33, 0.04.
     assert!(
-        values <= 5e-3 && derivatives[0] <= 0.5 && derivatives[1] <= 20.0 && derivatives[2] <= 0.1
+        values <= 0.1 && derivatives[0] <= 0.5 && derivatives[1] <= 20.0 && derivatives[2] <= 0.2
     );
 }
 
@@ -116,7 +117,7 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
             }
         }
         println!("{}: {worst:.3} tolerances", table.description().title);
-        // Measured: 0.011, 0.011, 0.019; 0.28 in the first if the materials that pieces are made
+        // Measured: 0.063, 0.011, 0.019; 0.28 in the first if the materials that pieces are made
         // for cut each axis in two only.
         assert!(worst <= 0.1);
     }

@@ -8,7 +8,7 @@ use crate::vectors::BLOCK;
 /// are in use. A number that overflows counts as the largest u64.
 ///
 /// A core of the variable 1, 2 or 3 with `n` terms, between bonds of the lengths `a` and `b`, has
-/// `a n b` integers. Eight times `a` rows of the length `b` are made of it on each of about `n`
+/// `a n b` integers. Eight times `a` rows of the length `b` are made of it on each of about `2/3 n`
 /// intervals, by `n` products for each number. The last core becomes `a` rows of the functions at the
 /// nodes of the variable 0.
 #[derive(Clone, Copy, Debug, Default)]

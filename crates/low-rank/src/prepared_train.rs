@@ -43,11 +43,15 @@ pub(crate) const MOST_FUNCTIONS: usize = 8;
 /// Returns the number of intervals of a core of so many `terms`.
 ///
 /// On an interval of the angle `h`, the function number `j` of the expansion of `T_k` is about `2
-/// (k h/4)^j / j!`. With as many intervals as degrees, what eight functions leave out of the highest
-/// degree is 7e-6 of it, and of lower ones far less. Longer intervals need more functions, and take
-/// more time; shorter ones take more memory.
+/// (k h/4)^j / j!`. With three degrees for two intervals, what eight functions leave out of the
+/// highest degree is 2e-4 of it, and of lower ones far less. Longer intervals need more functions,
+/// and take more time; shorter ones take more memory.
 pub(crate) const fn intervals(terms: usize) -> usize {
-    if terms > MOST_FUNCTIONS { terms } else { 1 }
+    if terms > MOST_FUNCTIONS {
+        (2 * terms).div_ceil(3)
+    } else {
+        1
+    }
 }
 
 /// The cores of an [`IntegerTrain`], prepared for evaluation.

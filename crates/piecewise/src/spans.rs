@@ -34,31 +34,34 @@ impl Spans {
     /// Samples the B-splines of `basis` on the pieces of a `grid`.
     pub(crate) fn new(basis: &Basis, grid: &Grid) -> Self {
         let (range, factor) = (grid.range(), grid.factor());
-        let x = |y: f64| (y / factor).clamp(range[0], range[1]);
-        let (mut spans, mut weights) = (Vec::new(), Vec::new());
+        let splines = |y: f64| basis.weights((y / factor).clamp(range[0], range[1]).ln());
+        let samples = |ends: [f64; 2]| chebyshev_points(ends, range.map(|x| x * factor));
+        let mut spans = Vec::with_capacity(grid.count().next_multiple_of(LANES));
+        let mut start = 0;
         for (_, ends) in grid.pieces() {
-            let samples = chebyshev_points(ends, range.map(|x| x * factor));
-            let splines = samples.map(|y| basis.weights(x(y).ln()));
-            let first = splines.iter().map(|splines| splines.first).min();
-            let end = splines.iter().map(|splines| splines.first + splines.count);
-            let (first, end) = (first.unwrap_or(0), end.max().unwrap_or(0));
-            let span = Span {
-                first,
-                count: end - first,
-                start: weights.len(),
-            };
-            weights.resize(span.start + span.count, [0.0; SPLINE_TERMS]);
+            let [low, .., high] = samples(ends);
+            let [low, high] = [low, high].map(&splines);
+            let count = high.first + high.count - low.first;
+            spans.push(Span {
+                first: low.first,
+                count,
+                start,
+            });
+            start += count;
+        }
+        let mut weights = vec![[0.0; SPLINE_TERMS]; start];
+        for ((_, ends), span) in grid.pieces().zip(&spans) {
+            let samples = samples(ends);
             let polynomials =
                 lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
-            for (splines, polynomial) in splines.iter().zip(polynomials) {
-                let own = &mut weights[span.start + splines.first - first..];
+            for (splines, polynomial) in samples.map(&splines).iter().zip(polynomials) {
+                let own = &mut weights[span.start + splines.first - span.first..];
                 for (weights, value) in own.iter_mut().zip(&splines.values[..splines.count]) {
                     for (weight, coefficient) in weights.iter_mut().zip(polynomial) {
                         *weight += value * coefficient;
                     }
                 }
             }
-            spans.push(span);
         }
         if let Some(&last) = spans.last() {
             spans.resize(spans.len().next_multiple_of(LANES), last);

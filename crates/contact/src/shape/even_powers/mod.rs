@@ -36,7 +36,7 @@
 //! mu_2k`, and `F0' = S delta0'`. So only these two sums are integrated, and `delta0` and `F0` are
 //! continuous although the `beta_k` are others on every piece. For small `a/R` they are the
 //! first terms of the series of `b = s artanh(s/R)`; above, those of the polynomial in `s^2` that
-//! equals `b'/s` at six Chebyshev points of the contact.
+//! equals `b'/s` at seven Chebyshev points of the contact.
 //!
 //! The results are stored as `Pi0` and `Delta0` of the paraboloid that would have this load and this
 //! penetration, so that a lookup takes the same time.

@@ -1,7 +1,7 @@
 //! The weights of the even powers in a shape: the coefficients of `b''` on a piece.
 
 /// The largest number of even powers in `b''`.
-pub(super) const MOST_TERMS: usize = 6;
+pub(super) const MOST_TERMS: usize = 7;
 
 /// The largest ratio of contact radius and sphere radius for which the economised polynomial is
 /// accurate, to 1e-6.
@@ -9,23 +9,32 @@ pub(crate) const LARGEST_A_OVER_R: f64 = 0.55;
 
 /// The largest `a/R` of a piece for which so many terms of the series of the sphere suffice, to
 /// 1e-10.
-const FEW_TERMS: [(f64, usize); 5] = [(3e-3, 2), (0.02, 3), (0.05, 4), (0.1, 5), (0.15, 6)];
+const FEW_TERMS: [(f64, usize); 6] = [
+    (3e-3, 2),
+    (0.02, 3),
+    (0.05, 4),
+    (0.1, 5),
+    (0.15, 6),
+    (0.19, 7),
+];
 
-/// The Chebyshev points of the second kind on `[0, 1]`, `(1 - cos(pi j/5))/2`, and their roots.
+/// The Chebyshev points of the second kind on `[0, 1]`, `(1 - cos(pi j/6))/2`, and their roots.
 const POINTS: [f64; MOST_TERMS] = [
     0.0,
-    0.095_491_502_812_526_27,
-    0.345_491_502_812_526_3,
-    0.654_508_497_187_473_7,
-    0.904_508_497_187_473_7,
+    0.066_987_298_107_780_65,
+    0.25,
+    0.5,
+    0.75,
+    0.933_012_701_892_219_4,
     1.0,
 ];
 const ROOTS: [f64; MOST_TERMS] = [
     0.0,
-    0.309_016_994_374_947_45,
-    0.587_785_252_292_473_1,
-    0.809_016_994_374_947_5,
-    0.951_056_516_295_153_5,
+    0.258_819_045_102_520_74,
+    0.5,
+    0.707_106_781_186_547_5,
+    0.866_025_403_784_438_6,
+    0.965_925_826_289_068_3,
     1.0,
 ];
 
