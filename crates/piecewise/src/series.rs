@@ -55,13 +55,13 @@ pub fn exponential<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, cons
     factor: f64,
     exponent: &Series<V, M>,
 ) -> Series<V, N> {
-    driven(simd, constant, factor, exponent, &[])
+    linear_solution(simd, constant, factor, exponent, &[])
 }
 
 /// Returns the solution `v` of `v' = factor (p' v + source)` that is `constant` at `t = 0`, with the
 /// series `p` and a prime for `d/dt`.
 #[inline(always)]
-pub fn driven<
+pub fn linear_solution<
     S: Simd,
     V: SimdFloat<S, Element = f64>,
     const M: usize,
@@ -241,6 +241,7 @@ pub fn integral<S: Simd, const N: usize>(
 /// Returns the values of a series at -1 and at 1.
 #[inline(always)]
 fn ends<S: Simd, const N: usize>(series: &Series<Lanes<S>, N>) -> [Lanes<S>; 2] {
+    const { assert!(N.is_multiple_of(2), "the terms are added in pairs") };
     let (mut even, mut odd) = (series[N - 2], series[N - 1]);
     for k in (0..N / 2 - 1).rev() {
         even += series[2 * k];
@@ -428,6 +429,17 @@ mod tests {
                 let constant = Lanes::simd_from(simd, left[0].map(|term| (-2.0 * term).exp()));
                 let exponential: Series<Lanes<_>, N> = exponential(simd, constant, -2.0, &a);
                 assert!(miss(out(exponential), t, |lane| (-2.0 * of_a(lane)).exp()) < 1e-14);
+                let solution: Series<Lanes<_>, N> = linear_solution(simd, b[0], -2.0, &a, &b);
+                let solution = out(solution);
+                let slope = |terms: &[[f64; LANES]; N], lane: usize| {
+                    let term = |k: usize| k as f64 * terms[k][lane] * t.powi(k as i32 - 1);
+                    (1..N).map(term).sum::<f64>()
+                };
+                for lane in 0..LANES {
+                    let product = slope(&left, lane) * value(&solution, lane, t);
+                    let exact = -2.0 * (product + of_b(lane));
+                    assert!((slope(&solution, lane) - exact).abs() < 1e-13);
+                }
             }
             let ratio = [0.5, -0.3, 0.2, 0.0, 0.1, -0.5, 0.4, 0.3];
             let (half, one) = (Lanes::simd_from(simd, ratio), Lanes::splat(simd, 1.0));

@@ -50,9 +50,9 @@
 //! ```
 //!
 //! The second equations give the [series](piecewise::series) of `S'` and `D'` in `t`, up to its 11th
-//! power, term by term. `Eeq`, `Delta0` and `Pi0` are quotients of the integrals and of powers of
-//! `1 + r t`, to the 13th power of `t`: those of functions that hardly change, like `1/(1 + r t)^3`,
-//! converge slowest. The last terms of each are [economised]. The operations are those of
+//! power, term by term. `Eeq`, `Delta0` and `Pi0` are the integrals over powers of `1 + r t`, up to
+//! the 13th power of `t`: where `L` hardly changes, `Pi0` is like `1/(1 + r t)^3`, whose series
+//! converges slowest. The last terms of each are [economised]. The operations are those of
 //! [several pieces](LANES) side by side; then the constants of integration go on from piece to piece.
 //! [`QuantityResampler::fitting`] chooses the pieces such that this adds less than a tenth of the
 //! table's tolerance. The constants at the first `a/t` are those of a
@@ -74,8 +74,8 @@ use fearless_simd::prelude::*;
 
 use piecewise::lanes::{LANES, Lanes, write_by_piece};
 use piecewise::series::{
-    Series, constants_of_integration, difference, divided_by_powers, driven, economised, exp,
-    exponential, first_terms, integral, limits, product, quotient, sum,
+    Series, constants_of_integration, difference, divided_by_powers, economised, exp, exponential,
+    first_terms, integral, limits, linear_solution, product, quotient, sum,
 };
 use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
 
@@ -194,7 +194,8 @@ impl Derivation {
         let mut stiffness = integral(simd, &stiffness_rate, 1.0);
         self.add_constants(simd, group, &mut stiffness, constants, 0);
         let at_middle = (ratio + ratio) * stiffness[0] / square;
-        let penetration_rate = driven(simd, at_middle, -2.0, logarithms, &[-ratio * ratio]);
+        let penetration_rate =
+            linear_solution(simd, at_middle, -2.0, logarithms, &[-ratio * ratio]);
         let mut penetration = integral(simd, &penetration_rate, 1.0);
         self.add_constants(simd, group, &mut penetration, constants, 1);
         let load_rate = product(simd, &stiffness, &penetration_rate);
