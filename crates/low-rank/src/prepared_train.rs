@@ -257,8 +257,8 @@ impl PreparedTrain {
         sums: &[WeightedSum<N>],
         coefficients: &mut [f64],
     ) {
-        // One vector until the core of this axis, one for each place from there on. There are more sums
-        // than places.
+        // One vector until the core of this axis, one for each place from there on. They are summed last,
+        // because there are more sums than places where derivatives are differences.
         let mut vectors = Vectors::one();
         for core in &self.cores {
             vectors = if core.axis == axis {

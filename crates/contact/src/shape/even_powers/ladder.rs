@@ -101,6 +101,7 @@ impl Group<'_> {
         // `t`.
         let mut square = product(simd, &gamma, &own_gamma);
         scale(&mut square, half * (1.0 / es));
+        // Over `square` this is `es/Gamma^2` times half of the length.
         let over_square = half * half;
 
         let terms = self.weights.iter().map(|weights| weights.terms);
