@@ -158,7 +158,8 @@ fn an_open_interval_gives_the_reason() {
         .iter()
         .find(|one| one.kind == WarningKind::OpenInterval);
     let text = &warning.expect("no lower limit").text;
-    // Of modulus and thickness the data determine a combination only.
+    // Of modulus and thickness the data determine a combination only: the open interval may be that of
+    // either.
     let unit = if text.contains("film-modulus") {
         " Pa,"
     } else {

@@ -228,22 +228,22 @@ impl MixedPrecision {
         }
     }
 
-    /// Returns the sums of the rows with each of several vectors of weights. What `weights` held is
-    /// lost.
+    /// Returns the sums of the rows with each of several vectors as weights. The `buffers` hold up to
+    /// four of them at a time, and what they held is lost.
     #[inline(always)]
     pub(crate) fn sum_all<S: Simd>(
         &self,
         simd: S,
         vectors: &Vectors,
-        weights: &mut [RowWeights; 4],
+        buffers: &mut [RowWeights; 4],
     ) -> Vectors {
         let mut sums = Vectors::zeros(vectors.count(), self.length);
-        for first in (0..vectors.count()).step_by(weights.len()) {
-            let count = weights.len().min(vectors.count() - first);
-            for (i, weights) in weights.iter_mut().enumerate().take(count) {
+        for first in (0..vectors.count()).step_by(buffers.len()) {
+            let count = buffers.len().min(vectors.count() - first);
+            for (i, weights) in buffers.iter_mut().enumerate().take(count) {
                 weights.set(&[1.0], vectors.get(first + i));
             }
-            self.few_sums(simd, &weights[..count], first, &mut sums);
+            self.few_sums(simd, &buffers[..count], first, &mut sums);
         }
         sums
     }
@@ -320,7 +320,9 @@ mod tests {
                     *target = factor(i) * weight;
                 }
             }
-            let sums = dispatch!(Level::new(), simd => rows_in_two.sum_all(simd, &all, &mut [const { RowWeights::EMPTY }; 4]));
+            let mut buffers = [const { RowWeights::EMPTY }; 4];
+            let sums =
+                dispatch!(Level::new(), simd => rows_in_two.sum_all(simd, &all, &mut buffers));
             for i in 0..sums.count() {
                 let factor = factor(i);
                 assert_eq!(sums.get(i).len(), LENGTH);

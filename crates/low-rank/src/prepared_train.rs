@@ -43,9 +43,9 @@ pub(crate) const MOST_FUNCTIONS: usize = 8;
 /// Returns the number of intervals of a core of so many `terms`.
 ///
 /// On an interval of the angle `h`, the function number `j` of the expansion of `T_k` is about `2
-/// (k h/4)^j / j!`. With three degrees for two intervals, what eight functions leave out of the
-/// highest degree is 2e-4 of it, and of lower ones far less. Longer intervals need more functions,
-/// and take more time; shorter ones take more memory.
+/// (k h/4)^j / j!`. With two intervals for three degrees, what eight functions leave out of the
+/// highest degree is 2e-4 of it, and of lower ones far less. On longer intervals more functions would
+/// be needed, and an evaluation would take more time. Shorter intervals would take more memory.
 pub(crate) const fn intervals(terms: usize) -> usize {
     if terms > MOST_FUNCTIONS {
         (2 * terms).div_ceil(3)
@@ -187,7 +187,7 @@ impl PreparedTrain {
         });
     }
 
-    /// Returns the largest number of weights that a core needs.
+    /// Returns a number of weights that suffices for every core.
     fn most_rows(&self) -> usize {
         MOST_FUNCTIONS * self.longest()
     }
@@ -257,8 +257,8 @@ impl PreparedTrain {
         sums: &[WeightedSum<N>],
         coefficients: &mut [f64],
     ) {
-        // One vector until the core of this axis, one for each place from there on. They are summed last,
-        // because there are more sums than places where derivatives are differences.
+        // One vector until the core of this axis, one for each place from there on. The sums come last,
+        // because a derivative that is a difference has more sums than places.
         let mut vectors = Vectors::one();
         for core in &self.cores {
             vectors = if core.axis == axis {

@@ -20,5 +20,5 @@ pub const SPLINE_TERMS: usize = 8;
 /// The number of coefficients of a function on a piece.
 ///
 /// The exponential of a polynomial of degree 7 has infinitely many terms, but on a piece each is
-/// about ten times smaller than the one before.
+/// at least five times smaller than the one before, if an octave has two pieces or more.
 pub const FUNCTION_TERMS: usize = 10;

@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn the_exponential_is_that_of_the_polynomial() {
-        // Terms that fall by twenty, as on a piece.
+        // Terms that fall by twenty, as on a short piece.
         let logarithms: Polynomials<SPLINE_TERMS> = std::array::from_fn(|k| {
             std::array::from_fn(|i| (i as f64 - 1.7) * 0.05_f64.powi(k as i32))
         });

@@ -174,6 +174,12 @@ pub fn divided_by_powers<S: Simd, const M: usize, const N: usize>(
     [first, second, third]: &[Series<Lanes<S>, M>; 3],
     ratio: Lanes<S>,
 ) -> [Series<Lanes<S>, N>; 3] {
+    const {
+        assert!(
+            N <= MOST_TERMS,
+            "there are no more terms in `for_each_term`"
+        )
+    };
     let (minus, zero) = (-ratio, Lanes::splat(simd, 0.0));
     let mut quotients = [[zero; N]; 3];
     let [by_1, by_2, by_3] = &mut quotients;
@@ -451,6 +457,13 @@ mod tests {
                 for (quotient, expected) in quotient.iter().flatten().zip(left.iter().flatten()) {
                     assert!((quotient - expected).abs() < 1e-15);
                 }
+            }
+            // Quotients of more terms than the polynomials.
+            let longer = divided_by_powers::<_, N, 14>(simd, &[a; 3], half * 0.1);
+            for (quotient, power) in longer.iter().zip(1..) {
+                let quotient = quotient.map(|term| *term.as_array());
+                let exact = |lane| value(&left, lane, 0.3) / (1.0_f64 + 0.03 * ratio[lane]).powi(power);
+                assert!(miss(quotient, 0.3, exact) < 1e-14);
             }
             let mut doubled = a;
             scale(&mut doubled, one + one);

@@ -19,7 +19,7 @@ pub(crate) struct Spans {
     weights: Vec<[f64; SPLINE_TERMS]>,
 }
 
-/// The B-splines that do not vanish on a piece.
+/// The B-splines that do not vanish where a piece is sampled.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     /// The number of the first B-spline.
@@ -39,6 +39,7 @@ impl Spans {
         let mut spans = Vec::with_capacity(grid.count().next_multiple_of(LANES));
         let mut start = 0;
         for (_, ends) in grid.pieces() {
+            // The number of the first B-spline that does not vanish grows with `x`.
             let [low, .., high] = samples(ends);
             let [low, high] = [low, high].map(&splines);
             let count = high.first + high.count - low.first;

@@ -50,8 +50,9 @@ pub fn solve<C: SurfaceCompliance>(
     const SOFT: f64 = 0.1;
     let compliance = symbol.compliance();
     let is_soft = symbol.value(1.0 / x) < SOFT;
-    // What the modes leave out falls with the share of the film. The whole share would often be too
-    // few modes, and a second attempt.
+    // The truncation error is mostly smaller where the share of the film is small. The tolerance is
+    // divided by the root of the share only: divided by the whole share it would often give too few
+    // modes, and a second attempt.
     let first = if is_soft { AIM } else { 1.0 } * tolerance / symbol.film().sqrt();
     let (mut count, ample) = (modes(x, first), modes(x, FINEST));
     let mut panels = Panels::new(x, [compliance], PanelWeights::BesselProducts, tolerance);

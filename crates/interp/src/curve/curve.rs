@@ -16,8 +16,8 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 /// The four quantities as functions of `a/t` for one material.
 ///
 /// [`Table::curve`](crate::Table::curve) and [`Curve::through`] make it. Each evaluation is then a
-/// polynomial of degree 9 in `a/t` on one of some forty pieces (two in each octave of the
-/// embedded table, as many as needed). The pieces follow the spline through the logarithms at the
+/// polynomial of degree 9 in `a/t` on one of some forty pieces (as many in each octave as are
+/// needed: two in the embedded table). The pieces follow the spline through the logarithms at the
 /// nodes; they add to the error less than a tenth of the table's tolerance, or 1e-11 if that is
 /// more. An evaluation allocates nothing. A clone shares the pieces.
 ///

@@ -40,8 +40,8 @@
 //! # The integrals on a piece
 //!
 //! On a piece `x = m (1 + r t)`, with its middle `m` and a ratio `r` of at most 1/3, and
-//! `l = ln(Gamma/es)` is a polynomial in `t`. Let `S = x Eeq/m`, `D = (x/m)^2 Delta0` and
-//! `L = (x/m)^3 Pi0`, with a prime for `d/dt` from here on. Then
+//! `l = ln(Gamma/es)` is a polynomial in `t`. From here on let `S = x Eeq/m`, `D = (x/m)^2 Delta0` and
+//! `L = (x/m)^3 Pi0`, with a prime for `d/dt`. Then
 //!
 //! ```text
 //! S' = r Gamma^2/es      S'' = 2 l' S'
@@ -49,8 +49,8 @@
 //! L' = 4 S D'
 //! ```
 //!
-//! The second equations give the [series](piecewise::series) of `S'` and `D'` in `t`, up to its 11th
-//! power, term by term. `Eeq`, `Delta0` and `Pi0` are the integrals over powers of `1 + r t`, up to
+//! The second equations give the [series](piecewise::series) of `S'` and `D'`, up to the 11th power of
+//! `t`, term by term. `Eeq`, `Delta0` and `Pi0` are the integrals over powers of `1 + r t`, up to
 //! the 13th power of `t`: where `L` hardly changes, `Pi0` is like `1/(1 + r t)^3`, whose series
 //! converges slowest. The last terms of each are [economised]. The operations are those of
 //! [several pieces](LANES) side by side; then the constants of integration go on from piece to piece.
@@ -60,13 +60,14 @@
 //!
 //! # Derivatives with respect to the material
 //!
-//! With `d` the derivative of the logarithm of a quantity at a fixed `x`,
+//! With `d` the derivative of the logarithm at a fixed `x` and a fixed `es`,
 //!
 //! ```text
 //! d S' = 2 d Gamma      d D' = d S - 2 d Gamma      d L' = d S + d D'
 //! ```
 //!
-//! Times `S'`, `D'` and `L'` they are integrated in the same way, and divided by the integrals.
+//! These derivatives times `S'`, `D'` and `L'` are integrated as above, and the results are divided by
+//! `S`, `D` and `L`.
 //!
 //! [`QuantityResampler::fitting`]: crate::curve::quantity_resampler::QuantityResampler::fitting
 
@@ -99,7 +100,7 @@ pub(crate) struct Derivation {
     pub(crate) starts: [Position; 3],
 }
 
-/// The pieces that are computed side by side: `x` is `middle (1 + ratio t)`.
+/// The pieces that are computed side by side: `x` is `middle (1 + ratio t)`, in units of the grid.
 #[derive(Clone, Copy, Debug)]
 struct Group {
     middles: [f64; LANES],
@@ -148,7 +149,7 @@ impl Derivation {
         self.groups.len()
     }
 
-    /// Returns the three integrals at the first `a/t`, from `Eeq`, `Delta0` and `Pi0` there.
+    /// Returns `x Eeq`, `x^2 Delta0` and `x^3 Pi0` at the first `a/t`, in units of the grid, from `Eeq`, `Delta0` and `Pi0` there.
     pub(crate) fn at_start(&self, quantities: [f64; 3]) -> [f64; 3] {
         Self::at(self.first, quantities)
     }
@@ -171,6 +172,7 @@ impl Derivation {
     ) {
         let start = (group == 0).then_some(self.starts[0].t);
         let middle = Lanes::simd_from(simd, self.groups[group].middles);
+        // From `S`, `D` or `L` to what goes on from piece to piece.
         let unit = [middle, middle * middle, middle * middle * middle][order];
         let [from, to] = limits(start, integral);
         let limits = [from * unit, to * unit];
@@ -268,12 +270,14 @@ impl Derivation {
     }
 }
 
-/// The constants of integration: the values of the three integrals at the beginnings of the pieces.
+/// The constants of integration: the values of `x Eeq`, `x^2 Delta0` and `x^3 Pi0`, or of their
+/// derivatives, at the beginnings of the pieces. Unlike `S`, `D` and `L` they do not depend on the
+/// middle of a piece.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Constants<'a> {
-    /// The integrals go on from piece to piece. These are their values where the next group begins.
+    /// They go on from piece to piece. These are their values where the next group begins.
     Running([f64; 3]),
-    /// The integrals have these values at the beginning of each piece.
+    /// They have these values at the beginning of each piece.
     Given(&'a [[f64; 3]]),
 }
 

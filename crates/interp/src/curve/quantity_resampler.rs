@@ -33,9 +33,9 @@ pub(crate) struct Pieces {
 struct ParameterDerivatives<'a> {
     /// The derivatives of the coefficients.
     coefficients: &'a [f64],
-    /// The derivatives of the integrals where the next group of pieces begins.
+    /// The constants of their integrals.
     constants: Constants<'a>,
-    /// The result on the pieces so far.
+    /// The result on the pieces.
     pieces: Vec<Polynomials<SPLINE_TERMS>>,
 }
 
@@ -163,7 +163,7 @@ impl QuantityResampler {
         parameters: &mut [ParameterDerivatives<'_>],
     ) -> Piecewise<FUNCTION_TERMS> {
         let count = self.splines.grid().count();
-        // The last group is filled.
+        // The last piece is repeated until its group is full. The repetitions are cut off at the end.
         let padded = LANES * derivation.groups();
         let mut pieces = vec![[[0.0; 4]; FUNCTION_TERMS]; padded];
         for parameter in &mut *parameters {

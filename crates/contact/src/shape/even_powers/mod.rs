@@ -207,7 +207,7 @@ impl Source<'_> {
             .take_while(|[from, _]| *from < most)
             .collect();
         let of_paraboloid = self.functions.pieces();
-        // The last group is filled.
+        // The last piece is repeated until its group is full. The repetitions are cut off at the end.
         let padded = ends.len().next_multiple_of(LANES);
         let mut pieces = Vec::with_capacity(padded.max(of_paraboloid.len()));
         pieces.resize(padded, [[0.0; 4]; FUNCTION_TERMS]);
@@ -216,6 +216,7 @@ impl Source<'_> {
         let radius = shape.unit_radius() * unit;
         let targets = pieces.as_chunks_mut().0.iter_mut();
         for ((group, ends), target) in ends.chunks(LANES).enumerate().zip(targets) {
+            // Those of the last piece are computed once.
             let mut weights = change(shape.weights(ends[0][1], unit));
             let lanes = std::array::from_fn(|lane| lane.min(ends.len() - 1));
             let group = Group {
