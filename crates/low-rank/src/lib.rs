@@ -69,6 +69,7 @@ mod coarser;
 pub mod compress;
 mod dense_spline;
 mod entropy;
+mod functions;
 mod integer_train;
 mod malformed;
 mod mixed_precision;

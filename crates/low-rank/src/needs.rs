@@ -1,7 +1,8 @@
 //! What the preparation of a train takes: its memory and its work are known before it begins.
 
 use crate::IntegerTrain;
-use crate::prepared_train::{MOST_FUNCTIONS, intervals};
+use crate::functions::MOST_FUNCTIONS;
+use crate::prepared_train::intervals;
 use crate::vectors::BLOCK;
 
 /// What a [`PreparedTrain`](crate::PreparedTrain) of an [`IntegerTrain`] needs once all its intervals

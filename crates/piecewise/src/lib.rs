@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod bspline;
+pub mod exp;
 mod fitting;
 mod functions;
 mod grid;

@@ -211,7 +211,7 @@ fn start(z: f64) -> usize {
     if z < 1e-3 {
         return 3;
     }
-    // A root of single precision takes a third of the time.
+    // A root of single precision is accurate enough for a number of orders, and takes less time.
     let root = f64::from((0.5 * z as f32).cbrt());
     (0.5 * (z + 15.0 * root + 6.0)).ceil() as usize
 }

@@ -73,9 +73,10 @@
 
 use fearless_simd::prelude::*;
 
+use piecewise::exp::exp;
 use piecewise::lanes::{LANES, Lanes, write_by_piece};
 use piecewise::series::{
-    Series, constants_of_integration, difference, divided_by_powers, economised, exp, exponential,
+    Series, constants_of_integration, difference, divided_by_powers, economised, exponential,
     first_terms, integral, limits, linear_solution, product, quotient, sum,
 };
 use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
