@@ -20,9 +20,7 @@ use crate::joint::Joint;
 use crate::minors::{Minors, scaled, sum};
 use crate::slab::{Samples, Slab};
 use crate::stack::Stack;
-use crate::surface::{
-    AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,
-};
+use crate::surface::{AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all};
 
 /// The smallest scale over the estimate of the nearest pole, of a stack that is not bonded: the
 /// estimate leaves out the factor 1/2 of the bound, and plates that slide need some of it.
@@ -120,12 +118,22 @@ impl LayeredCompliance {
     /// Returns `X(q)` for a finite `q >= 0`, with a relative error of a few rounding units, however
     /// small it is.
     pub fn x(&self, q: f64) -> f64 {
-        dispatch!(Level::new(), simd => self.x_of_one(simd, q))
+        self.at(q).x
+    }
+
+    /// Returns the compliance at one wave number.
+    fn at(&self, q: f64) -> Samples<f64> {
+        dispatch!(Level::new(), simd => self.evaluate_one(simd, q))
     }
 
     #[inline(always)]
-    fn x_of_one<S: Simd>(&self, simd: S, q: f64) -> f64 {
-        self.evaluate(simd, S::f64s::splat(simd, q)).x[0]
+    fn evaluate_one<S: Simd>(&self, simd: S, q: f64) -> Samples<f64> {
+        let Samples { x, excess, slope } = self.evaluate(simd, S::f64s::splat(simd, q));
+        Samples {
+            x: x[0],
+            excess: excess[0],
+            slope: slope[0],
+        }
     }
 
     /// Returns the compliance at several wave numbers `k`.
@@ -246,7 +254,8 @@ impl SurfaceCompliance for LayeredCompliance {
     }
 
     fn sample(&self, q: f64) -> Sample {
-        sample_one(self, q)
+        let Samples { excess, slope, .. } = self.at(q);
+        Sample { excess, slope }
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {

@@ -13,6 +13,9 @@ use crate::{python, selection, workspace};
 /// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
 
+/// What cmake is told about the compiler, from the root of the workspace.
+const SETTINGS: &str = "crates/xtask/src/libhdf5.cmake";
+
 /// Returns a cargo command with the feature and the environment that HDF5 needs on this machine, if
 /// it selects a member with HDF5.
 pub fn cargo(args: &[&str]) -> Result<Command, String> {
@@ -26,7 +29,8 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
     {
         command
             .args(["--features", &format!("{tabulate}/hdf5-static")])
-            .env("CMAKE", cmake()?);
+            .env("CMAKE", cmake()?)
+            .env("CMAKE_TOOLCHAIN_FILE", workspace::root().join(SETTINGS));
         if !runs(Command::new("make").arg("--version"))
             && !runs(Command::new("ninja").arg("--version"))
         {

@@ -71,6 +71,8 @@
 //!
 //! [`QuantityResampler::fitting`]: crate::curve::quantity_resampler::QuantityResampler::fitting
 
+use std::array;
+
 use fearless_simd::prelude::*;
 
 use piecewise::exp::exp;
@@ -296,15 +298,19 @@ impl Constants<'_> {
         match self {
             Self::Running(at) => constants_of_integration(simd, &mut at[order], limits),
             Self::Given(beginnings) => {
-                let mut constants = -limits[0];
-                for lane in 0..LANES {
-                    let piece = (LANES * group + lane).min(beginnings.len() - 1);
-                    constants[lane] += beginnings[piece][order];
-                }
-                constants
+                Lanes::simd_from(simd, of_group(beginnings, group, order)) - limits[0]
             }
         }
     }
+}
+
+/// Returns the given values of the integral of order `order` on the pieces of a group. The last piece
+/// is repeated.
+///
+/// It is not inlined: then the integrals of a curve, which do not need it, take less time.
+#[inline(never)]
+fn of_group(beginnings: &[[f64; 3]], group: usize, order: usize) -> [f64; LANES] {
+    array::from_fn(|lane| beginnings[(LANES * group + lane).min(beginnings.len() - 1)][order])
 }
 
 /// Returns the series of a derivative over its value.

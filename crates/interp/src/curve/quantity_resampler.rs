@@ -62,18 +62,14 @@ impl QuantityResampler {
 
     /// Returns the values of the spline of a single quantity where the integrals of the derived
     /// quantities begin.
-    #[inline(always)]
-    fn at_starts<S: Simd>(
-        &self,
-        simd: S,
-        derivation: &Derivation,
-        coefficients: &[f64],
-    ) -> [f64; 3] {
-        let mut values = [0.0; 3];
-        for (value, &start) in values.iter_mut().zip(&derivation.starts) {
-            *value = self.splines.spline_at(simd, start, coefficients);
-        }
-        values
+    fn at_starts(&self, derivation: &Derivation, coefficients: &[f64]) -> [f64; 3] {
+        dispatch!(Level::new(), simd => {
+            let mut values = [0.0; 3];
+            for (value, &start) in values.iter_mut().zip(&derivation.starts) {
+                *value = self.splines.spline_at(simd, start, coefficients);
+            }
+            values
+        })
     }
 
     /// Returns the polynomials of the quantities themselves; `es` is the sphere-film modulus of
@@ -100,20 +96,26 @@ impl QuantityResampler {
             let derivatives = derivatives.iter().map(|by| self.splines.splines(by));
             return (pieces, derivatives.collect());
         };
+        let starts = self.at_starts(derivation, coefficients);
+        let start = ThickFilm::new(starts.map(f64::exp));
+        let running = |[eeq, delta0, pi0]: [f64; 3]| {
+            Constants::Running(derivation.at_start([eeq * es, delta0, pi0 * es]))
+        };
         let mut parameters: Vec<_> = derivatives
             .iter()
-            .map(|coefficients| ParameterDerivatives {
-                coefficients,
-                constants: Constants::Running([0.0; 3]),
-                pieces: Vec::new(),
+            .map(|coefficients| {
+                let [first, second, _] = self.at_starts(derivation, coefficients);
+                ParameterDerivatives {
+                    coefficients,
+                    constants: running(start.derivatives([first, second])),
+                    pieces: Vec::new(),
+                }
             })
             .collect();
-        let (values, start_error) = dispatch!(Level::new(), simd => {
-            self.derive(simd, derivation, coefficients, &mut parameters, es)
-        });
+        let constants = running(start.values());
         let pieces = Pieces {
-            values,
-            start_error: Some(start_error),
+            values: self.derived(derivation, coefficients, es, constants, &mut parameters),
+            start_error: Some(start.error),
         };
         let derivatives = parameters.into_iter().map(|by| self.on_grid(by.pieces));
         (pieces, derivatives.collect())
@@ -124,36 +126,26 @@ impl QuantityResampler {
         Piecewise::new(self.splines.grid().clone(), pieces)
     }
 
-    /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, with the
-    /// error of the integrals where they begin; writes those of the derivatives of their logarithms.
-    #[inline(always)]
-    fn derive<S: Simd>(
-        &self,
-        simd: S,
-        derivation: &Derivation,
-        coefficients: &[f64],
-        parameters: &mut [ParameterDerivatives<'_>],
-        es: f64,
-    ) -> (Piecewise<FUNCTION_TERMS>, f64) {
-        let starts = self.at_starts(simd, derivation, coefficients);
-        let start = ThickFilm::new(starts.map(f64::exp));
-        let scaled = |[eeq, delta0, pi0]: [f64; 3]| [eeq * es, delta0, pi0 * es];
-        for parameter in &mut *parameters {
-            let [first, second, _] = self.at_starts(simd, derivation, parameter.coefficients);
-            let start = scaled(start.derivatives([first, second]));
-            parameter.constants = Constants::Running(derivation.at_start(start));
-        }
-        let at_start = derivation.at_start(scaled(start.values()));
-        let constants = Constants::Running(at_start);
-        let pieces = self.derived(simd, derivation, coefficients, es, constants, parameters);
-        (pieces, start.error)
-    }
-
     /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
     /// [`Derivation::integrals`]; writes those of the derivatives of their logarithms, see
     /// [`Derivation::sensitivities`].
+    fn derived(
+        &self,
+        derivation: &Derivation,
+        coefficients: &[f64],
+        es: f64,
+        constants: Constants<'_>,
+        parameters: &mut [ParameterDerivatives<'_>],
+    ) -> Piecewise<FUNCTION_TERMS> {
+        let pieces = dispatch!(Level::new(), simd => {
+            self.derive(simd, derivation, coefficients, es, constants, parameters)
+        });
+        self.on_grid(pieces)
+    }
+
+    /// [`QuantityResampler::derived`] with vector instructions.
     #[inline(always)]
-    fn derived<S: Simd>(
+    fn derive<S: Simd>(
         &self,
         simd: S,
         derivation: &Derivation,
@@ -161,7 +153,7 @@ impl QuantityResampler {
         es: f64,
         mut constants: Constants<'_>,
         parameters: &mut [ParameterDerivatives<'_>],
-    ) -> Piecewise<FUNCTION_TERMS> {
+    ) -> Vec<Polynomials<FUNCTION_TERMS>> {
         let count = self.splines.grid().count();
         // The last piece is repeated until its group is full. The repetitions are cut off at the end.
         let padded = LANES * derivation.groups();
@@ -186,7 +178,7 @@ impl QuantityResampler {
             parameter.pieces.truncate(count);
         }
         pieces.truncate(count);
-        self.on_grid(pieces)
+        pieces
     }
 
     /// Returns the polynomials of the derived quantities over their scales. The integrals have the
@@ -197,10 +189,8 @@ impl QuantityResampler {
         coefficients: &[f64],
         beginnings: &[[f64; 3]],
     ) -> Piecewise<FUNCTION_TERMS> {
-        dispatch!(Level::new(), simd => {
-            let constants = Constants::Given(beginnings);
-            self.derived(simd, derivation, coefficients, 1.0, constants, &mut [])
-        })
+        let constants = Constants::Given(beginnings);
+        self.derived(derivation, coefficients, 1.0, constants, &mut [])
     }
 }
 

@@ -1,7 +1,7 @@
 //! The ladder over the curve, [several pieces](LANES) at a time.
 
-use fearless_simd::f64x4;
 use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x4};
 use piecewise::lanes::{LANES, Lanes, lanes_of_rows, write_by_piece};
 use piecewise::series::{
     Series, continued, divided_by_powers, economised, integral, product, quotient, scale,
@@ -68,8 +68,19 @@ pub(super) struct Group<'a> {
 
 impl Group<'_> {
     /// Writes the polynomials of the quantities on the pieces, with `Pi0` and `Delta0` of the shape.
+    pub(super) fn integrated(
+        &self,
+        es: f64,
+        radius: f64,
+        running: &mut Running,
+        target: &mut [Polynomials<FUNCTION_TERMS>; LANES],
+    ) {
+        dispatch!(Level::new(), simd => self.integrate(simd, es, radius, running, target));
+    }
+
+    /// [`Group::integrated`] with vector instructions.
     #[inline(always)]
-    pub(super) fn integrated<S: Simd>(
+    fn integrate<S: Simd>(
         &self,
         simd: S,
         es: f64,

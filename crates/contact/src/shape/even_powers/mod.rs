@@ -230,9 +230,7 @@ impl Source<'_> {
                 pieces: lanes.map(|lane| &of_paraboloid[LANES * group + lane]),
                 start: (group == 0).then(|| grid.locate(grid.range()[0]).t),
             };
-            dispatch!(Level::new(), simd => {
-                group.integrated(simd, self.es, radius, &mut running, target);
-            });
+            group.integrated(self.es, radius, &mut running, target);
         }
         pieces.truncate(ends.len());
         pieces.extend_from_slice(&of_paraboloid[ends.len()..]);
