@@ -46,7 +46,7 @@ pub struct LongWaves {
 
 impl LongWaves {
     /// Returns the boundary term `(2/pi) z J_0^2` at the upper end.
-    pub fn boundary(&self, x: f64, compliance: &impl SurfaceCompliance) -> f64 {
+    pub fn boundary(&self, x: f64, compliance: &dyn SurfaceCompliance) -> f64 {
         let z = x * self.end;
         // `z J_0^2 = sin^2 z/z`, and 0 at 0.
         if z == 0.0 {

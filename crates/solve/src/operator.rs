@@ -44,7 +44,6 @@ use crate::estimate::larger;
 use crate::power_law::{PowerLaw, coefficients};
 use crate::slope::{Slope, dot};
 use crate::surface::{AllSamples, SurfaceCompliance};
-use crate::symbol::Symbol;
 
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
@@ -67,6 +66,15 @@ pub struct Operator<'a> {
     /// Rounding error of the sums, relative to the sum of absolute values. It grows with the number
     /// of panels that a small scale needs.
     rounding: f64,
+}
+
+/// What the contact depends on beside the surface that the sphere touches.
+#[derive(Clone, Copy, Debug)]
+pub struct Sphere {
+    /// The share of the film in the compliance at short waves, `es/E1*`.
+    pub film: f64,
+    /// The compound modulus `es`.
+    pub modulus: f64,
 }
 
 /// The quantities of one contact, with the sources of their error.
@@ -95,7 +103,7 @@ impl Operator<'static> {
     /// Sums `M` and `C` over the abscissae, for many spheres. `bessel` holds the values at
     /// `abscissae`, which may serve many surfaces.
     pub fn for_many_spheres(
-        compliance: &impl SurfaceCompliance,
+        compliance: &dyn SurfaceCompliance,
         abscissae: &Abscissae,
         bessel: &BesselValues,
     ) -> Self {
@@ -112,7 +120,7 @@ impl Operator<'static> {
 impl<'a> Operator<'a> {
     /// Sums `M` over the abscissae, and keeps what one sphere needs of `C`.
     pub fn for_one_sphere(
-        compliance: &impl SurfaceCompliance,
+        compliance: &dyn SurfaceCompliance,
         abscissae: &Abscissae,
         bessel: &'a BesselValues,
     ) -> Self {
@@ -124,7 +132,7 @@ impl<'a> Operator<'a> {
     /// Sums `M` and `M_00 + C_00`. Returns the operator without `C`, and the factor of the Bessel
     /// products of `C` at every abscissa.
     fn assemble(
-        compliance: &impl SurfaceCompliance,
+        compliance: &dyn SurfaceCompliance,
         abscissae: &Abscissae,
         bessel: &BesselValues,
     ) -> (Self, Vec<f64>) {
@@ -158,27 +166,19 @@ impl<'a> Operator<'a> {
 
     /// Solves the contact of one sphere, as [`Operator::solve`], if its estimated error is at most
     /// `tolerance`.
-    pub fn solve_to<C: SurfaceCompliance>(
-        &self,
-        symbol: &Symbol<C>,
-        exponents: &[f64],
-        tolerance: f64,
-    ) -> Option<Solved> {
-        self.solve(symbol, exponents)
+    pub fn solve_to(&self, sphere: Sphere, exponents: &[f64], tolerance: f64) -> Option<Solved> {
+        self.solve(sphere, exponents)
             .filter(|solved| solved.error() <= tolerance)
     }
 
     /// Solves the contact of one sphere with the film and substrate of this operator, and of the
-    /// probes `c r^n` with the `exponents` n. `symbol` holds all three bodies.
+    /// probes `c r^n` with the `exponents` n.
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
-    pub fn solve<C: SurfaceCompliance>(
-        &self,
-        symbol: &Symbol<C>,
-        exponents: &[f64],
-    ) -> Option<Solved> {
-        let (n, film) = (self.kernel.nrows() - 1, symbol.film());
+    pub fn solve(&self, sphere: Sphere, exponents: &[f64]) -> Option<Solved> {
+        let Sphere { film, modulus: es } = sphere;
+        let n = self.kernel.nrows() - 1;
         let mut factor = Mat::zeros(n, n);
         for j in 0..n {
             let column = &self.kernel.col_as_slice(j + 1)[j + 1..];
@@ -245,7 +245,6 @@ impl<'a> Operator<'a> {
         if !(softness > 0.0 && edge > 0.0) {
             return None;
         }
-        let es = symbol.modulus();
         let mut size = larger(
             (squares + (softness - squares).abs()) / softness,
             (squares + film * self.translation.abs() + yielding + 2.0 * ch.abs() + chh.abs())

@@ -96,7 +96,7 @@ pub fn solve_stack_under_spheres(
             return solve_one(i);
         }
         let operator = operator.get_or_init(assemble);
-        match operator.solve_to(&symbol, &[], tolerance) {
+        match operator.solve_to(symbol.under_sphere(), &[], tolerance) {
             Some(solved) => Ok(contact.at_surface(solved.quantities)),
             None => solve_one(i),
         }

@@ -51,7 +51,9 @@ pub trait SurfaceCompliance {
     /// integrates `X` to a relative `tolerance` in spite of its poles. `oscillates` tells that
     /// panels are short beside their wave numbers for another reason, so that many points a panel
     /// are economical.
-    fn points(tolerance: f64, oscillates: bool) -> usize;
+    fn points(tolerance: f64, oscillates: bool) -> usize
+    where
+        Self: Sized;
 
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.

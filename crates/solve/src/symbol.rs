@@ -18,6 +18,7 @@ use interp::Material;
 use num_complex::Complex64;
 
 use crate::compliance::{Compliance, SWITCH, WaveNumber};
+use crate::operator::Sphere;
 use crate::surface::{SurfaceCompliance, filled};
 use crate::zero::{Zero, nearest_zero, zero_free_radius};
 
@@ -77,6 +78,14 @@ impl<C: SurfaceCompliance> Symbol<C> {
     /// Returns the compound modulus `es`.
     pub fn modulus(&self) -> f64 {
         self.modulus
+    }
+
+    /// Returns what a contact depends on beside film and substrate.
+    pub fn under_sphere(&self) -> Sphere {
+        Sphere {
+            film: self.film,
+            modulus: self.modulus,
+        }
     }
 }
 
