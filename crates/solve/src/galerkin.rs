@@ -55,6 +55,11 @@ pub fn solve<C: SurfaceCompliance>(
     // modes, and a second attempt.
     let first = if is_soft { AIM } else { 1.0 } * tolerance / symbol.film().sqrt();
     let (mut count, ample) = (modes(x, first), modes(x, FINEST));
+    if !exponents.is_empty() {
+        // From three modes, two of them beside the first, the fall of those left out is not known,
+        // which is slow for a cone.
+        count = count.max(4);
+    }
     let mut panels = Panels::new(x, [compliance], PanelWeights::BesselProducts, tolerance);
     let (mut truncation_tolerance, mut quadrature_tolerance) = (first, tolerance);
     loop {

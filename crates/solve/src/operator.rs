@@ -262,7 +262,9 @@ impl<'a> Operator<'a> {
                 + cw.abs()
                 + chw.abs();
             size = larger(size, terms / sum);
-            truncation = larger(truncation, (missing * half.missing).sqrt() / sum);
+            // The tilt enters the load times the exponent. The safety factor is for a paraboloid.
+            let weight = (0.5 * exponent).max(1.0);
+            truncation = larger(truncation, weight * (missing * half.missing).sqrt() / sum);
             let load = 4.0 * sum / edge;
             (sum > 0.0).then_some(PowerLaw {
                 exponent,
@@ -378,19 +380,29 @@ fn add_dots<S: Simd, const N: usize>(
 }
 
 /// Extrapolates `sum_{i >= n} y_i^2`, the contribution of the modes left out to a form, from the
-/// sums over the last two stretches of the `n` modes in `y`.
+/// sums over the last stretches of the `n` modes in `y`.
 ///
 /// A stretch spans the beats that the `y_i` show at large `a/t`, so that a node of a beat is not
-/// mistaken for convergence.
+/// mistaken for convergence. Of few modes a stretch is one mode, which may be nearly 0 by chance.
+/// Therefore the last sum counts as no less than a part of what the sums before lead to expect.
 pub fn missing_modes(y: &[f64]) -> f64 {
+    /// The least ratio of the last two sums, over that of the two before.
+    const LEAST: f64 = 0.2;
+    /// The same where there are only two sums, over the first.
+    const LEAST_OF_TWO: f64 = 5e-4;
     let n = y.len();
-    let stretch = (2 + n / 8).min(n / 2);
-    let sum = |y: &[f64]| y.iter().map(|y| y * y).sum::<f64>();
-    let (before, last) = (
-        sum(&y[n - 2 * stretch..n - stretch]),
-        sum(&y[n - stretch..]),
-    );
-    let ratio = (last / before.max(f64::MIN_POSITIVE)).clamp(0.1, 0.9);
+    let stretch = (2 + n / 8).min(n / 3).max(1);
+    let mut sums = y
+        .rchunks_exact(stretch)
+        .map(|y| y.iter().map(|y| y * y).sum::<f64>().max(f64::MIN_POSITIVE));
+    let [last, before] = [(); 2].map(|()| sums.next().expect("there are two modes at least"));
+    let least = match sums.next() {
+        Some(earlier) => LEAST * (before / earlier).min(1.0),
+        // The mode before them, which is eliminated by hand, is of size 1.
+        None => LEAST_OF_TWO * before.min(1.0),
+    };
+    let ratio = (last / before).max(least);
+    let (last, ratio) = (before * ratio, ratio.clamp(0.1, 0.9));
     last * ratio / (1.0 - ratio)
 }
 
