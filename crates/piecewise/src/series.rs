@@ -29,6 +29,9 @@ pub type Series<V, const N: usize> = [V; N];
 
 /// The largest number of terms of a series.
 const MOST_TERMS: usize = 14;
+/// The number of terms of the quotients of integrals and of powers of `x` on the longest pieces of a
+/// curve, whose ends differ by a factor of 2: `1/x^3` converges slowly there.
+pub const QUOTIENT_TERMS: usize = MOST_TERMS;
 
 /// Repeats a block for each term number below a number of terms. It is not a loop: all terms stay
 /// in registers as far as there are enough.
@@ -417,7 +420,7 @@ mod tests {
                 }
             }
             // Quotients of more terms than the polynomials.
-            let longer = divided_by_powers::<_, N, 14>(simd, &[a; 3], half * 0.1);
+            let longer = divided_by_powers::<_, N, QUOTIENT_TERMS>(simd, &[a; 3], half * 0.1);
             for (quotient, power) in longer.iter().zip(1..) {
                 let quotient = quotient.map(|term| *term.as_array());
                 let exact = |lane| value(&left, lane, 0.3) / (1.0_f64 + 0.03 * ratio[lane]).powi(power);

@@ -44,6 +44,7 @@ use crate::estimate::larger;
 use crate::power_law::{PowerLaw, coefficients};
 use crate::slope::{Slope, dot};
 use crate::surface::{AllSamples, SurfaceCompliance};
+use crate::symbol::Sphere;
 
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
@@ -66,15 +67,6 @@ pub struct Operator<'a> {
     /// Rounding error of the sums, relative to the sum of absolute values. It grows with the number
     /// of panels that a small scale needs.
     rounding: f64,
-}
-
-/// What the contact depends on beside the surface that the sphere touches.
-#[derive(Clone, Copy, Debug)]
-pub struct Sphere {
-    /// The share of the film in the compliance at short waves, `es/E1*`.
-    pub film: f64,
-    /// The compound modulus `es`.
-    pub modulus: f64,
 }
 
 /// The quantities of one contact, with the sources of their error.
@@ -386,9 +378,9 @@ fn add_dots<S: Simd, const N: usize>(
 /// mistaken for convergence. Of few modes a stretch is one mode, which may be nearly 0 by chance.
 /// Therefore the last sum counts as no less than a part of what the sums before lead to expect.
 pub fn missing_modes(y: &[f64]) -> f64 {
-    /// The least ratio of the last two sums, over that of the two before.
+    /// The least ratio of the last two sums, as a part of the ratio of the two before.
     const LEAST: f64 = 0.2;
-    /// The same where there are only two sums, over the first.
+    /// The least ratio where there are only two sums, as a part of the first.
     const LEAST_OF_TWO: f64 = 5e-4;
     let n = y.len();
     let stretch = (2 + n / 8).min(n / 3).max(1);

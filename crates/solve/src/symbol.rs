@@ -18,7 +18,6 @@ use interp::Material;
 use num_complex::Complex64;
 
 use crate::compliance::{Compliance, SWITCH, WaveNumber};
-use crate::operator::Sphere;
 use crate::surface::{SurfaceCompliance, filled};
 use crate::zero::{Zero, nearest_zero, zero_free_radius};
 
@@ -37,6 +36,15 @@ pub struct Symbol<C = Compliance> {
     zero_free_radius: OnceLock<f64>,
     /// The [`Symbol::nearest_zero`], found at its first use.
     nearest_zero: OnceLock<Option<Zero>>,
+}
+
+/// What the contact depends on beside the surface that the sphere touches.
+#[derive(Clone, Copy, Debug)]
+pub struct Sphere {
+    /// The share of the film in the compliance at short waves, `es/E1*`.
+    pub film: f64,
+    /// The compound modulus `es`.
+    pub modulus: f64,
 }
 
 impl<C: SurfaceCompliance> Symbol<C> {

@@ -13,7 +13,9 @@ use crate::{python, selection, workspace};
 /// The oldest cmake, major and minor version, that can build libhdf5.
 const OLDEST_CMAKE: (u32, u32) = (3, 26);
 
-/// What cmake is told about the compiler, from the root of the workspace.
+/// The variable with the file that tells cmake about the compiler.
+const TOOLCHAIN: &str = "CMAKE_TOOLCHAIN_FILE";
+/// That file, from the root of the workspace, where the user names none.
 const SETTINGS: &str = "crates/xtask/src/libhdf5.cmake";
 
 /// Returns a cargo command with the feature and the environment that HDF5 needs on this machine, if
@@ -29,8 +31,10 @@ pub fn cargo(args: &[&str]) -> Result<Command, String> {
     {
         command
             .args(["--features", &format!("{tabulate}/hdf5-static")])
-            .env("CMAKE", cmake()?)
-            .env("CMAKE_TOOLCHAIN_FILE", workspace::root().join(SETTINGS));
+            .env("CMAKE", cmake()?);
+        if env::var_os(TOOLCHAIN).is_none() {
+            command.env(TOOLCHAIN, workspace::root().join(SETTINGS));
+        }
         if !runs(Command::new("make").arg("--version"))
             && !runs(Command::new("ninja").arg("--version"))
         {

@@ -78,8 +78,8 @@ use fearless_simd::prelude::*;
 use piecewise::exp::exp;
 use piecewise::lanes::{LANES, Lanes, write_by_piece};
 use piecewise::series::{
-    Series, constants_of_integration, difference, divided_by_powers, economised, exponential,
-    first_terms, integral, limits, linear_solution, product, quotient, sum,
+    QUOTIENT_TERMS, Series, constants_of_integration, difference, divided_by_powers, economised,
+    exponential, first_terms, integral, limits, linear_solution, product, quotient, sum,
 };
 use piecewise::{FUNCTION_TERMS, Grid, Polynomials, Position, SPLINE_TERMS};
 
@@ -87,8 +87,6 @@ use crate::curve::thick_film::{LARGEST, MULTIPLES};
 
 /// The number of coefficients of the integrals on a piece.
 const TERMS: usize = 12;
-/// The number of coefficients of the quotients of the integrals and of powers of `x`.
-const QUOTIENT_TERMS: usize = 14;
 /// The number of coefficients of the derivatives of the integrals on a piece.
 const RELATIVE_TERMS: usize = 10;
 
@@ -152,7 +150,8 @@ impl Derivation {
         self.groups.len()
     }
 
-    /// Returns `x Eeq`, `x^2 Delta0` and `x^3 Pi0` at the first `a/t`, in units of the grid, from `Eeq`, `Delta0` and `Pi0` there.
+    /// Returns `x Eeq`, `x^2 Delta0` and `x^3 Pi0` at the first `a/t`, in units of the grid, from
+    /// `Eeq`, `Delta0` and `Pi0` there.
     pub(crate) fn at_start(&self, quantities: [f64; 3]) -> [f64; 3] {
         Self::at(self.first, quantities)
     }

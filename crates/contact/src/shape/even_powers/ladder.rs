@@ -4,8 +4,8 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x4};
 use piecewise::lanes::{LANES, Lanes, lanes_of_rows, write_by_piece};
 use piecewise::series::{
-    Series, continued, divided_by_powers, economised, integral, product, quotient, scale,
-    times_linear,
+    QUOTIENT_TERMS, Series, continued, divided_by_powers, economised, integral, product, quotient,
+    scale, times_linear,
 };
 use piecewise::{FUNCTION_TERMS, Polynomials};
 
@@ -14,8 +14,6 @@ use super::weights::{MOST_TERMS, Weights};
 
 /// The number of coefficients of a series on a piece.
 const TERMS: usize = 12;
-/// The number of coefficients of the quotients of the integrals and of powers of the contact radius.
-const QUOTIENT_TERMS: usize = 14;
 
 /// The values of the integrals at the end of the last piece.
 pub(super) struct Running {
