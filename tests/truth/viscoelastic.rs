@@ -2,6 +2,7 @@
 //! closed forms on a half-space.
 
 mod elements;
+mod errors;
 mod oscillation;
 mod refused;
 

@@ -134,10 +134,12 @@ impl<'a> Density<'a> {
 
     /// Returns the rates of [`Density::grid`] up to those that die out within the shortest time.
     pub fn grid_of_steps(&self, times: [f64; 2], tolerance: f64) -> Grid {
-        /// The rate times the shortest time beyond which exponentials act as impulses of two orders.
+        /// The least rate times the shortest time beyond which exponentials act as impulses of two orders.
         const FASTEST: f64 = 50.0;
         let grid = self.grid(times, tolerance);
-        let fastest = (FASTEST * self.unit / times[0]).ln() / grid.step;
+        // The third order of the impulse is left out.
+        let third = tolerance.powf(-1.0 / (3.0 - self.exponents[1]));
+        let fastest = (third.max(FASTEST) * self.unit / times[0]).ln() / grid.step;
         Grid {
             fast: grid.fast.min(fastest.ceil() as i64),
             ..grid

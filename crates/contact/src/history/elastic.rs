@@ -35,14 +35,14 @@ pub(super) struct ElasticCurve {
     /// Whether the radius of a piece is a polynomial of the penetration, rather than the
     /// penetration one of the radius.
     inverted: Vec<bool>,
-    /// The largest error of the load found, in parts of the largest load.
-    pub load_error: f64,
-    /// The largest error of the radius found, in parts of the largest radius.
-    pub radius_error: f64,
+    /// The largest error of the load on the first piece, N.
+    pub first_error: f64,
 }
 
 /// The part of the tolerance that the load of the smallest contact may have.
 const FIRST: f64 = 0.1;
+/// The factor of this part for each further halving.
+const FINER: f64 = 0.1;
 /// The error of the load on the first piece, on which it is taken to be a cubic polynomial, over the
 /// load at its end, at most: 0.04 for a power of 3/2.
 const BEND: f64 = 0.1;
@@ -52,7 +52,7 @@ const SMALLEST_LOAD: f64 = 1e-200;
 const DEPTH: u32 = 40;
 /// The error in the middle of a piece over the largest one, at least.
 const MIDDLE: f64 = 0.5;
-/// A piece whose radii have a larger ratio is halved at the geometric mean.
+/// A piece whose radii have a larger ratio is halved at the geometric mean, whatever its middle says.
 const WIDE: f64 = 2.5;
 
 /// The most steps of Newton's method on a piece, and the change of the place on it after which the
@@ -74,8 +74,13 @@ fn hermite_slope([f0, f1]: [f64; 2], [d0, d1]: [f64; 2], x: f64) -> f64 {
 
 impl ElasticCurve {
     /// Follows the elastic contact up to the contact radius `most` (m) with a tolerance relative to
-    /// the largest load and radius.
-    pub fn up_to(contact: &Contact, most: f64, tolerance: f64) -> Result<Self, HistoryError> {
+    /// the largest load and radius, and halves each piece so found some more times, which leaves a sixteenth of its error.
+    pub fn up_to(
+        contact: &Contact,
+        most: f64,
+        tolerance: f64,
+        halvings: u32,
+    ) -> Result<Self, HistoryError> {
         let last = node(contact, most)?;
         if last.load.is_nan() || last.load <= SMALLEST_LOAD {
             return Err(contact.outside("penetration", last.penetration).into());
@@ -103,19 +108,19 @@ impl ElasticCurve {
         let mut own = Self {
             nodes: vec![first],
             inverted: Vec::new(),
-            load_error: 0.0,
-            radius_error: 0.0,
+            first_error: 0.0,
         };
         if !flat {
             let mut second = last;
-            while BEND * second.load > FIRST * tolerance * last.load && second.radius > least {
+            let first = FIRST * tolerance * FINER.powi(halvings as i32);
+            while BEND * second.load > first * last.load && second.radius > least {
                 second = node(contact, (0.25 * second.radius).max(least))?;
             }
             own.inverted.push(true);
-            own.load_error = BEND * second.load / last.load;
+            own.first_error = BEND * second.load;
             own.nodes.push(second);
         }
-        own.refine(contact, last, &last, tolerance, DEPTH)?;
+        own.refine(contact, last, &last, tolerance, [DEPTH, halvings])?;
         Ok(own)
     }
 
@@ -124,25 +129,27 @@ impl ElasticCurve {
         contact: &Contact,
         penetration: f64,
         tolerance: f64,
+        halvings: u32,
     ) -> Result<Self, HistoryError> {
         let radius = radius_of(contact, "penetration", penetration, |node| node.penetration)?;
-        Self::up_to(contact, radius, tolerance)
+        Self::up_to(contact, radius, tolerance, halvings)
     }
 
-    /// Adds the pieces from the last node to `end`.
+    /// Adds the pieces from the last node to `end`, after at most `depth` halvings and some more.
     fn refine(
         &mut self,
         contact: &Contact,
         end: Node,
         last: &Node,
         tolerance: f64,
-        depth: u32,
+        [depth, more]: [u32; 2],
     ) -> Result<(), HistoryError> {
         let begin = self.nodes[self.nodes.len() - 1];
         if begin.radius >= end.radius {
             return Ok(());
         }
-        let middle = if begin.radius > 0.0 && end.radius > WIDE * begin.radius {
+        let wide = begin.radius > 0.0 && end.radius > WIDE * begin.radius;
+        let middle = if wide {
             (begin.radius * end.radius).sqrt()
         } else {
             0.5 * (begin.radius + end.radius)
@@ -161,12 +168,14 @@ impl ElasticCurve {
         });
         let inverted = radii[1] < radii[0];
         let radius_error = radii[0].min(radii[1]);
-        if depth > 0 && (load_error > tolerance || radius_error > tolerance) {
-            self.refine(contact, middle, last, tolerance, depth - 1)?;
-            return self.refine(contact, end, last, tolerance, depth - 1);
+        if depth > 0 && (wide || load_error > tolerance || radius_error > tolerance) {
+            self.refine(contact, middle, last, tolerance, [depth - 1, more])?;
+            return self.refine(contact, end, last, tolerance, [depth - 1, more]);
         }
-        self.load_error = self.load_error.max(load_error);
-        self.radius_error = self.radius_error.max(radius_error);
+        if more > 0 {
+            self.refine(contact, middle, last, f64::INFINITY, [0, more - 1])?;
+            return self.refine(contact, end, last, f64::INFINITY, [0, more - 1]);
+        }
         self.inverted.push(inverted);
         self.nodes.push(end);
         Ok(())
@@ -223,23 +232,6 @@ impl ElasticCurve {
             return nodes[1].radius * (penetration / nodes[1].penetration).powf(power);
         }
         radius_on(&nodes, self.inverted[piece], penetration)
-    }
-
-    /// Returns the penetration (m) of a load (N) up to the largest one.
-    pub fn penetration_at_load(&self, load: f64) -> f64 {
-        if load <= 0.0 {
-            return 0.0;
-        }
-        let above = self.nodes.partition_point(|node| node.load <= load);
-        let piece = above.clamp(1, self.nodes.len() - 1) - 1;
-        let nodes = [self.nodes[piece], self.nodes[piece + 1]];
-        if piece == 0 && nodes[0].radius == 0.0 {
-            let power = nodes[1].load / (nodes[1].stiffness * nodes[1].penetration);
-            return nodes[1].penetration * (load / nodes[1].load).powf(power);
-        }
-        let f = |x: f64| Ok::<_, Infallible>(load_on(&nodes, x).0 - load);
-        let Ok(found) = root(f, nodes[0].penetration, nodes[1].penetration);
-        found
     }
 }
 
@@ -351,17 +343,35 @@ pub(super) fn evenly(
             nodes.push(node(contact, radius.min(most))?);
             continue;
         }
-        // Contacts smaller than those of the curve follow a power law.
-        let first = node(contact, smallest)?;
-        let x = radius / smallest;
-        let power = first.slope * first.radius / first.penetration;
-        let penetration = first.penetration * x.powf(power);
-        nodes.push(Node {
-            radius,
-            penetration,
-            stiffness: first.stiffness * x,
-            ..first
-        });
+        nodes.push(smaller(&node(contact, smallest)?, radius / smallest));
     }
     Ok(nodes)
+}
+
+/// Returns the elastic state at a part `x` of the radius of the smallest contact of a curve. Smaller contacts follow
+/// a power law.
+fn smaller(first: &Node, x: f64) -> Node {
+    let power = first.slope * first.radius / first.penetration;
+    let penetration = x.powf(power);
+    Node {
+        radius: first.radius * x,
+        penetration: first.penetration * penetration,
+        load: first.load * penetration * x,
+        stiffness: first.stiffness * x,
+        slope: first.slope * penetration / x,
+    }
+}
+
+/// Returns radius and penetration (m) of the elastic contact under a load (N), and the error of the radius (m)
+/// where it is smaller than the contacts of the curve.
+pub(super) fn state_at_load(contact: &Contact, load: f64) -> Result<[f64; 3], HistoryError> {
+    let [least, _] = contact.search_range()?;
+    let first = node(contact, least)?;
+    if load < first.load {
+        let power = 1.0 + first.slope * first.radius / first.penetration;
+        let found = smaller(&first, (load / first.load).powf(1.0 / power));
+        return Ok([found.radius, found.penetration, BEND * found.radius]);
+    }
+    let found = node(contact, radius_of(contact, "load", load, |node| node.load)?)?;
+    Ok([found.radius, found.penetration, 0.0])
 }

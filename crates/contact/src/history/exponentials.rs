@@ -24,8 +24,8 @@ pub(super) struct Exponentials {
     pub error: f64,
 }
 
-/// The weight of a term that cannot be told from 0, in parts of all.
-const NEGLIGIBLE: f64 = 1e-16;
+/// The weight of a term that cannot be told from 0, in parts of that of all slower ones.
+const NEGLIGIBLE: f64 = 1e-13;
 /// The number of times at which the sum is compared with the law.
 const COMPARISONS: i32 = 16;
 
@@ -67,10 +67,14 @@ impl Exponentials {
         }
     }
 
-    /// Leaves out the terms that cannot be told from 0.
+    /// Leaves out the terms that cannot be told from 0 beside the slower ones: zero and pole of such a term
+    /// coincide in the transform of the law.
     pub fn without_negligible(mut self) -> Self {
-        let least = NEGLIGIBLE * self.weights.iter().sum::<f64>();
-        let keep = |pair: &(f64, f64)| pair.0 > least;
+        let mut slower = self.constant;
+        let keep = |&(weight, _): &(f64, f64)| {
+            slower += weight;
+            weight > NEGLIGIBLE * slower
+        };
         let terms = self.weights.into_iter().zip(self.rates);
         (self.weights, self.rates) = terms.filter(keep).unzip();
         self

@@ -1,16 +1,20 @@
 //! A load that grows or is held: the contact radius is that of the elastic contact under the load
 //! `int J(t-t') dF`, with the creep compliance `J`.
 
-use super::elastic::ElasticCurve;
 use super::exponentials::Creep;
 use super::moments::one_less_mean;
 use super::program::Program;
-use super::{Phase, TimedContact};
-use crate::State;
+use super::{HistoryError, Phase, TimedContact, elastic};
+use crate::{Contact, State};
+
+/// The part of the largest load by which one that is held may fall from rounding.
+const ROUNDING: f64 = 1e-14;
 
 /// Returns whether the load never falls.
 pub(super) fn grows(program: &Program) -> bool {
-    program.values.windows(2).all(|pair| pair[0] <= pair[1])
+    let slack = ROUNDING * program.largest();
+    let mut pairs = program.values.windows(2);
+    pairs.all(|pair| pair[0] <= pair[1] + slack)
 }
 
 /// Returns the elastic loads (N, in units of the modulus at `E_ref`) at the times of the points and
@@ -39,16 +43,20 @@ pub(super) fn elastic_loads(creep: &Creep, program: &Program, asked: &[f64]) -> 
     loads
 }
 
-/// Returns the states at the times asked for.
+/// Returns the states at the times asked for, and the largest error of their radii (m).
+///
+/// Each is sought on the elastic contact itself: an interpolated one loses digits at small loads,
+/// where the penetration rises steeply with the load.
 pub(super) fn states(
-    curve: &ElasticCurve,
+    contact: &Contact,
     loads: &[(f64, f64)],
     program: &Program,
     asked: &[f64],
-) -> Vec<TimedContact> {
+) -> Result<(Vec<TimedContact>, f64), HistoryError> {
     let all = program.with(asked);
     let mut wanted = asked.iter().copied().peekable();
     let mut states = Vec::with_capacity(asked.len());
+    let mut largest_error: f64 = 0.0;
     for (i, (at, &(_, elastic))) in all.iter().zip(loads).enumerate() {
         let grows = i > 0 && elastic > loads[i - 1].1;
         while wanted.next_if_eq(&at.time).is_some() {
@@ -56,13 +64,13 @@ pub(super) fn states(
                 states.push(TimedContact::separated(at.time, 0.0));
                 continue;
             }
-            let penetration = curve.penetration_at_load(elastic);
+            let [contact_radius, penetration, error] = elastic::state_at_load(contact, elastic)?;
+            largest_error = largest_error.max(error);
             let phase = if grows {
                 Phase::Advancing
             } else {
                 Phase::Resting
             };
-            let contact_radius = curve.radius(penetration);
             let state = State {
                 contact_radius,
                 load: at.value,
@@ -75,5 +83,5 @@ pub(super) fn states(
             });
         }
     }
-    states
+    Ok((states, largest_error))
 }

@@ -156,7 +156,7 @@ impl History<'_> {
             }
             _ => by_depth?,
         };
-        ElasticCurve::up_to(self.contact, radius, ELASTIC)
+        ElasticCurve::up_to(self.contact, radius, ELASTIC, 0)
     }
 }
 

@@ -104,7 +104,12 @@ pub struct Course {
     /// The states, in the order of their times.
     pub states: Vec<TimedContact>,
     /// The estimated largest error of the loads, the contact radii and the penetrations, each in parts of the largest
-    /// one of the course. That of the elastic curve itself adds.
+    /// one of the course. That of the elastic curve itself adds. Where the contact separates at once, under
+    /// adhesion, the error is that of the time at which it does.
+    ///
+    /// Measured with random laws, probes, programs and tolerances against a hundredth of the tolerance: it is too
+    /// small in 2 of 1000 histories with one turn, by a factor of 3 or less, in none of 7000 under a load that grows,
+    /// and in 7 of 1000 by elements, mostly at the moment of separation.
     pub error: f64,
     /// The bound of the error by bodies that do not relax, in parts of the largest load; 0 unless
     /// [`History::beside`] is told of them.

@@ -1,4 +1,4 @@
-//! The choice of the method, and the refinement of elements until two refinements agree.
+//! The choice of the method, and its refinement until two refinements agree.
 
 use super::adhesion::Adhesion;
 use super::elastic::{self, ElasticCurve};
@@ -11,10 +11,15 @@ use crate::{Control, CrackTip, State};
 /// The tolerances where none is given: of the integrals, and of elements.
 const DIGITS: f64 = 1e-8;
 const BY_ELEMENTS: f64 = 1e-5;
-/// The part of the duration in which the elastic load has an error that counts.
-const LATEST: f64 = 0.01;
-/// The largest factor of that error: a fluid forgets the rest.
-const MOST_RAISED: f64 = 1e3;
+/// The part of the duration after which the modulus is that of the first contacts.
+const EARLY: f64 = 0.01;
+/// The most runs of the integrals, and the tolerance of the law in one over that in the one before.
+const RUNS: u32 = 5;
+const FINER: f64 = 0.1;
+/// The stated error over the difference of the last two runs, of which the coarser one may be right by chance.
+const SAFETY: f64 = 4.0;
+/// The least error of a state that is sought on the elastic contact.
+const ROUNDING: f64 = 1e-14;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
 /// The number of elements and the longest step, in parts of the duration, of the first run.
@@ -22,12 +27,16 @@ const ELEMENTS: usize = 50;
 const LONGEST: f64 = 0.02;
 /// The most times that both are refined by 2.
 const REFINEMENTS: usize = 7;
+/// A change of the states from one refinement to the next that is a smaller part of the one before may be small by
+/// chance. The first change counts as two that fell so.
+const CHANCE: f64 = 0.25;
 /// The largest number of elements, steps and exponentials of one run.
 const MOST_WORK: f64 = 2e10;
 /// The parts of a step from which on a ring in contact outside the contact is taken to be one.
 const MOST_PARTS: usize = 64;
 /// The radius of the last element over that of the largest contact of the first run.
 const WIDER: f64 = 1.05;
+
 /// One question about a history.
 pub(super) struct Run<'a, L> {
     pub history: &'a History<'a, L>,
@@ -57,63 +66,33 @@ impl<L: CrackTip> Run<'_, L> {
                 unlike_bodies: 0.0,
             });
         }
-        let tolerance = PART * self.tolerance.unwrap_or(DIGITS);
         match self.control {
-            Control::Displacement => {
-                let relaxation = &self.history.relaxation;
-                let law = Exponentials::of_steps(relaxation, self.scales(), tolerance);
-                // An error of the elastic load counts more where the modulus has been higher.
-                let duration = self.program.duration();
-                let early = relaxation.modulus(LATEST * duration)?;
-                let raised = (early / relaxation.modulus(duration)?).min(MOST_RAISED);
-                let curve = ElasticCurve::to_penetration(contact, largest, tolerance / raised)?;
-                let receding = self.history.receding.as_ref();
-                let adhesion = receding.map(|law| Adhesion {
-                    contact,
-                    work: law.at_rest()[1],
-                });
-                let found = one_turn::follow(&curve, &law, self.program, self.times, adhesion)?;
-                if let Some(states) = found {
-                    let error = raised * curve.load_error.max(curve.radius_error) + law.error;
-                    return Ok(Course {
-                        states,
-                        error,
-                        unlike_bodies: 0.0,
-                    });
+            Control::Displacement => match self.integrals(|run| self.one_turn(run))? {
+                Some(course) => Ok(course),
+                None => {
+                    self.refuse_adhesion("here the contact grows again after its first turn")?;
+                    self.elements(self.radius_of_penetration(largest)?)
                 }
-                self.refuse_adhesion("here the contact grows again after its first turn")?;
-                self.elements(curve.last().radius)
-            }
+            },
             Control::Load if growing_load::grows(self.program) => {
                 self.refuse_adhesion("here the load is imposed")?;
-                let law = self.exponentials(tolerance);
-                let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
-                let most = loads.iter().map(|load| load.1).fold(0.0, f64::max);
-                let radius = elastic::radius_of(contact, "load", most, |node| node.load)?;
-                let curve = ElasticCurve::up_to(contact, radius, tolerance)?;
-                let states = growing_load::states(&curve, &loads, self.program, self.times);
-                let error = curve.load_error.max(curve.radius_error) + law.error;
-                Ok(Course {
-                    states,
-                    error,
-                    unlike_bodies: 0.0,
-                })
+                let course = self.integrals(|run| self.growing_load(run).map(Some))?;
+                Ok(course.expect("it grows"))
             }
             Control::Load => {
                 self.refuse_adhesion("here the load is imposed")?;
-                let law = self.exponentials(tolerance);
+                let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
                 // No elastic load is larger than that of the largest load held all the time.
                 let most = largest * law.creep().value(self.program.duration());
                 self.elements(elastic::radius_of(contact, "load", most, |node| node.load)?)
             }
             Control::Spring { stiffness } => {
                 self.refuse_adhesion("here the position of a spring is imposed")?;
-                let law = self.exponentials(tolerance);
+                let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
                 let most = largest * stiffness * law.creep().value(self.program.duration());
                 // Both bound the contact radius, and one may be out of range where the other is not.
                 let by_load = elastic::radius_of(contact, "load", most, |node| node.load);
-                let name = self.control.name();
-                let by_depth = elastic::radius_of(contact, name, largest, |node| node.penetration);
+                let by_depth = self.radius_of_penetration(largest);
                 let radius = match (by_load, by_depth) {
                     (Ok(a), Ok(b)) => a.min(b),
                     (Ok(a), Err(_)) => a,
@@ -122,6 +101,85 @@ impl<L: CrackTip> Run<'_, L> {
                 self.elements(radius)
             }
         }
+    }
+
+    /// Follows the program by integrals whose parts are finer from run to run, until the states of two runs differ
+    /// by less than the tolerance; `None` where the integrals do not hold.
+    ///
+    /// `follow` takes the number of the run, and returns the states and an error that the runs have in common.
+    fn integrals(
+        &self,
+        follow: impl Fn(u32) -> Result<Option<(Vec<TimedContact>, f64)>, HistoryError>,
+    ) -> Result<Option<Course>, HistoryError> {
+        let mut coarse: Option<Vec<TimedContact>> = None;
+        let mut error = f64::INFINITY;
+        for run in 0..RUNS {
+            let Some((states, common)) = follow(run)? else {
+                return Ok(None);
+            };
+            if let Some(coarse) = &coarse {
+                error = (SAFETY * difference(&states, coarse)).max(common);
+                if error <= self.digits() || run + 1 == RUNS && self.tolerance.is_none() {
+                    return Ok(Some(Course {
+                        states,
+                        error,
+                        unlike_bodies: 0.0,
+                    }));
+                }
+            }
+            coarse = Some(states);
+        }
+        Err(HistoryError::Unreached {
+            tolerance: self.digits(),
+            reached: error,
+        })
+    }
+
+    /// Returns the tolerance of integrals.
+    fn digits(&self) -> f64 {
+        self.tolerance.unwrap_or(DIGITS)
+    }
+
+    /// Follows a penetration with at most one turn.
+    fn one_turn(&self, run: u32) -> Result<Option<(Vec<TimedContact>, f64)>, HistoryError> {
+        let contact = self.history.contact;
+        let relaxation = &self.history.relaxation;
+        let tolerance = PART * self.digits();
+        let finer = tolerance * FINER.powi(run as i32);
+        let law = Exponentials::of_steps(relaxation, self.scales(), finer);
+        let largest = self.program.largest();
+        let curve = ElasticCurve::to_penetration(contact, largest, tolerance, run)?;
+        let adhesion = self.history.receding.as_ref().map(|law| Adhesion {
+            contact,
+            work: law.at_rest()[1],
+        });
+        let found = one_turn::follow(&curve, &law, self.program, self.times, adhesion)?;
+        let Some(states) = found else {
+            return Ok(None);
+        };
+        let loads = states.iter().map(|at| at.state.load.abs());
+        let largest = loads.fold(f64::MIN_POSITIVE, f64::max);
+        // The modulus has been higher when the load of the smallest contacts arose.
+        let early = relaxation.modulus(EARLY * self.program.duration())?;
+        let first = early * curve.first_error / largest;
+        Ok(Some((states, first + law.error)))
+    }
+
+    /// Follows a load that grows or is held.
+    fn growing_load(&self, run: u32) -> Result<(Vec<TimedContact>, f64), HistoryError> {
+        let law = self.exponentials(PART * self.digits() * FINER.powi(run as i32));
+        let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
+        let (states, error) =
+            growing_load::states(self.history.contact, &loads, self.program, self.times)?;
+        let radii = states.iter().map(|at| at.state.contact_radius);
+        let largest = radii.fold(f64::MIN_POSITIVE, f64::max);
+        Ok((states, error / largest + law.error.max(ROUNDING)))
+    }
+
+    /// Returns the radius (m) of the elastic contact at a penetration (m).
+    fn radius_of_penetration(&self, penetration: f64) -> Result<f64, HistoryError> {
+        let (contact, name) = (self.history.contact, self.control.name());
+        elastic::radius_of(contact, name, penetration, |node| node.penetration)
     }
 
     fn value_at(&self, time: f64) -> f64 {
@@ -166,6 +224,7 @@ impl<L: CrackTip> Run<'_, L> {
         let mut earlier: Option<Vec<TimedContact>> = None;
         let mut extrapolated: Option<Vec<TimedContact>> = None;
         let mut reached = f64::INFINITY;
+        let mut change = f64::INFINITY;
         let instants = self.program.with(self.times).len() as f64;
         for level in 0..REFINEMENTS {
             let refined = 1 << level;
@@ -196,15 +255,21 @@ impl<L: CrackTip> Run<'_, L> {
                 // Elements beyond the largest contact would do nothing.
                 most = most.min(WIDER * grown);
             }
-            let mut change = f64::INFINITY;
+            let before = change;
+            change = f64::INFINITY;
             let better = earlier
                 .as_ref()
                 .map(|earlier| extrapolate(earlier, &states));
-            if let (Some(better), Some(before)) = (&better, &extrapolated) {
-                change = difference(better, before);
+            if let (Some(better), Some(coarser)) = (&better, &extrapolated) {
+                change = difference(better, coarser);
             }
-            reached = change + law.error;
-            if change <= tolerance * (1.0 - PART) {
+            let likely = if before.is_finite() {
+                change.max(CHANCE * before)
+            } else {
+                change / (CHANCE * CHANCE)
+            };
+            reached = likely + law.error;
+            if likely <= tolerance * (1.0 - PART) {
                 let states = better.expect("there were two runs");
                 return Ok(Course {
                     states,
@@ -238,15 +303,24 @@ fn extrapolate(coarse: &[TimedContact], fine: &[TimedContact]) -> Vec<TimedConta
     pairs.map(of).collect()
 }
 
-/// Returns the largest difference of loads, radii and penetrations, each relative to the largest.
+/// Returns the largest difference of loads, radii and penetrations, each relative to the largest; infinity
+/// where one of them is not a number.
 fn difference(a: &[TimedContact], b: &[TimedContact]) -> f64 {
     let of = |of: fn(&State) -> f64| {
         let largest = a.iter().map(|at| of(&at.state).abs()).fold(0.0, f64::max);
-        let pairs = a.iter().zip(b);
-        let change = pairs
-            .map(|(a, b)| (of(&a.state) - of(&b.state)).abs())
-            .fold(0.0, f64::max);
-        if change == 0.0 { 0.0 } else { change / largest }
+        let changes = a
+            .iter()
+            .zip(b)
+            .map(|(a, b)| (of(&a.state) - of(&b.state)).abs());
+        let change = changes.fold(
+            0.0,
+            |most, change| if change <= most { most } else { change },
+        );
+        match change {
+            0.0 => 0.0,
+            change if change.is_nan() => f64::INFINITY,
+            change => change / largest,
+        }
     };
     of(|state| state.load)
         .max(of(|state| state.contact_radius))
