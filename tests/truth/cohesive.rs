@@ -364,6 +364,71 @@ fn a_short_range_is_the_limit_of_jkr() {
 }
 
 /// The contact begins where the attraction across the gap ends.
+/// Under a long range the lowest imposed value may be that of a contact a hundred times smaller than the attraction
+/// around it, lower than before the contact by some 1e-5 of itself.
+#[test]
+fn no_contact_is_below_the_pull_off() {
+    let soft = Control::Spring { stiffness: 0.0456 };
+    let cases = [
+        (
+            Control::Displacement,
+            5.85e10,
+            0.5,
+            1.87e-7,
+            1.21e4,
+            5.6e-3,
+            1.63e-9,
+        ),
+        (
+            Control::Load,
+            3.31e8,
+            0.187,
+            9.73e-6,
+            f64::INFINITY,
+            2.57e-3,
+            3.26e-8,
+        ),
+        (
+            Control::Load,
+            3e9,
+            0.309,
+            3.78e-8,
+            f64::INFINITY,
+            1.09e-2,
+            2.49e-8,
+        ),
+        (soft, 1.54e10, 0.256, 7.02e-8, 3.96e6, 2.52e-2, 3.4e-8),
+    ];
+    for (control, young, poisson, film_thickness, base, work_of_adhesion, range) in cases {
+        let system = System {
+            probe: Probe::Paraboloid { radius: 1e-5 },
+            sphere_modulus: f64::INFINITY,
+            film: solid(young, poisson),
+            film_thickness,
+            substrate: solid(base, 0.25),
+        };
+        let cohesive = Cohesive::new(&system, work_of_adhesion, range).expect("physical");
+        let pull_off = cohesive.pull_off(control).expect("within reach");
+        let (radius, outer) = (pull_off.contact_radius, pull_off.outer_radius);
+        assert!(radius > 0.0 && radius < 0.02 * outer, "{radius} {outer}");
+        let imposed = |at: &CohesiveState| match control {
+            Control::Load => at.load,
+            Control::Displacement => at.penetration,
+            Control::Spring { stiffness } => at.penetration + at.load / stiffness,
+        };
+        let lowest = imposed(&pull_off);
+        let ratios = (0..60).map(|i| 10f64.powf(-3.0 + 0.05 * f64::from(i)));
+        for radius in ratios.map(|ratio| ratio * pull_off.outer_radius) {
+            let value = imposed(&cohesive.state(radius).expect("a contact"));
+            assert!(
+                value >= lowest + 1e-10 * lowest,
+                "{control:?}: {value} at {radius}, below {lowest} at {}",
+                pull_off.contact_radius
+            );
+        }
+    }
+}
+
 #[test]
 fn the_contact_continues_the_attraction_before_it() {
     for confined in [false, true] {

@@ -18,9 +18,11 @@ use crate::cohesive::{Cohesive, CohesiveState, REACH};
 const SHORT_STEP: f64 = 0.1;
 const LONG_STEP: f64 = 0.25;
 
-/// The contact radius over that of the attraction below which the states are as good as those before
-/// the contact.
-const CLOSED: f64 = 0.01;
+/// The contact radius over that of the attraction below which the value hardly changes, the step of `ln a` there, and
+/// the ratio below which the states are as good as those before the contact: the value changes with its square.
+const SMALL: f64 = 0.01;
+const SMALL_STEP: f64 = 1.4;
+const CLOSED: f64 = 1e-6;
 
 impl Cohesive {
     /// Returns the last stable state of a separation: that of the lowest imposed value on the branch
@@ -40,7 +42,7 @@ impl Cohesive {
         let largest = (0.9 * REACH).min(0.9 / self.curvature);
         let first = self.first_contact();
         let last = first.unwrap_or_else(|| self.reach());
-        let smallest = CLOSED * last;
+        let smallest = SMALL * last;
         let mut lowest: Option<Point> = None;
         for (log, _) in minima {
             let found = if log.exp() > largest {
@@ -63,7 +65,10 @@ impl Cohesive {
         match lowest {
             Some((log, value)) if value < before.1 => self.state(log.exp() * self.thickness),
             _ if first.is_none() && before.0 >= last.ln() => Err(self.beyond()),
-            _ => Ok(self.before_contact(before.0.exp()).0),
+            _ => match self.lowest_small_contact(control, last.ln())? {
+                Some((log, value)) if value < before.1 => self.state(log.exp() * self.thickness),
+                _ => Ok(self.before_contact(before.0.exp()).0),
+            },
         }
     }
 
@@ -77,22 +82,8 @@ impl Cohesive {
         [smallest, largest]: [f64; 2],
         closed: f64,
     ) -> Result<Option<Point>, Error> {
-        // The width of the last annulus, near which the next one is sought.
         let mut width = None;
-        let mut value = |log: f64| {
-            let radius = log.exp();
-            let mut contact = FixedRadius::new(radius, &self.symbol)
-                .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))?;
-            let solution = self
-                .solution(&mut contact, radius * self.thickness, width)
-                .map_err(|error| match error {
-                    Error::AnnulusReach { .. } => self.beyond(),
-                    error => error,
-                })?;
-            width = Some(solution.annulus.outer - solution.annulus.inner);
-            let state = self.in_si(&solution.annulus, &solution.part);
-            Ok(control.imposed(state.load, state.penetration))
-        };
+        let mut value = |log: f64| self.imposed_at(control, log, &mut width);
         // The tip of JKR is two thirds into a short zone. Under a long one the search begins at a
         // contact as wide as the attraction is when it closes.
         let (zone, radius) = (self.zone(), jkr.exp());
@@ -121,6 +112,46 @@ impl Cohesive {
         bracket
             .map(|bracket| search::minimum(&mut value, bracket))
             .transpose()
+    }
+
+    /// Finds the minimum of the imposed value among contacts that have just begun, where the logarithm of the radius of the
+    /// attraction is `closed`.
+    fn lowest_small_contact(&self, control: Control, closed: f64) -> Result<Option<Point>, Error> {
+        let [small, smallest] = [SMALL, CLOSED].map(|ratio| closed + ratio.ln());
+        let mut width = None;
+        let mut value = |log: f64| self.imposed_at(control, log, &mut width);
+        let mut point = |log: f64| value(log).map(|value| (log, value));
+        let (above, here) = (point(small + SMALL_STEP)?, point(small)?);
+        let bracket = if above.1 >= here.1 {
+            search::bracket(&mut value, [above, here], smallest)?
+        } else {
+            search::bracket(&mut value, [here, above], closed)?
+        };
+        bracket
+            .map(|bracket| search::minimum(&mut value, bracket))
+            .transpose()
+    }
+
+    /// Returns the imposed value of a contact, whose radius has the logarithm `log`. `width` is that of the annulus of
+    /// the contact before it, near which this one is sought.
+    fn imposed_at(
+        &self,
+        control: Control,
+        log: f64,
+        width: &mut Option<f64>,
+    ) -> Result<f64, Error> {
+        let radius = log.exp();
+        let mut contact = FixedRadius::new(radius, &self.symbol)
+            .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))?;
+        let solution = self
+            .solution(&mut contact, radius * self.thickness, *width)
+            .map_err(|error| match error {
+                Error::AnnulusReach { .. } => self.beyond(),
+                error => error,
+            })?;
+        *width = Some(solution.annulus.outer - solution.annulus.inner);
+        let state = self.in_si(&solution.annulus, &solution.part);
+        Ok(control.imposed(state.load, state.penetration))
     }
 
     /// Makes the error of a pull-off beyond the reach.
