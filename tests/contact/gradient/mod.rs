@@ -12,9 +12,8 @@ use solve::solve;
 /// The largest error of a derivative of the logarithm of a quantity, in tolerances of the table, in
 /// the order `a/t`, `E1`, `nu1`, `E0`, `nu0`. The derivatives are with respect to the logarithm of
 /// `a/t` or of a modulus, or to a Poisson ratio. The unit of `nu1` is the range on which the
-/// quantities change, `(1 - 2 nu1) + 1/(1 + (a/t)^2)`; that of `nu0` is the range on which it has
-/// an equivalent, `1/(1 + E1/E0)`.
-const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 100.0];
+/// quantities change, `(1 - 2 nu1) + 1/(1 + (a/t)^2)`.
+const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 20.0];
 
 /// Returns the derivatives of `N` functions at 0, from four values or, on one side only, seven.
 fn derivatives<const N: usize>(

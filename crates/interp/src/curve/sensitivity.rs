@@ -224,9 +224,7 @@ impl QuantityGradient {
     /// Returns the derivatives with respect to the Poisson ratio of the substrate, by the
     /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
     ///
-    /// In the embedded table they are wrong by up to 3e-6 of the quantity where the film is 100 times softer than the
-    /// substrate, by 1e-5 where it is 10 times softer, and by up to 1.3e-3 where it is stiffer (12,000 random contacts
-    /// beside direct solves).
+    /// In the embedded table they are wrong by up to 1e-5 of the quantity (6000 random contacts beside direct solves).
     ///
     /// # Errors
     /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the

@@ -231,6 +231,11 @@ impl Invariants {
         }
     }
 
+    /// Returns `p = E0*/(E0* + E1*)`, 1 on a rigid substrate.
+    pub(crate) fn stiffer_substrate(&self) -> f64 {
+        1.0 / (1.0 + 1.0 / self.e0s_over_e1s)
+    }
+
     /// Returns the substrate's share of the compliance of sphere and substrate, `Einf*/E0*`.
     fn substrate_share(&self) -> f64 {
         1.0 / (1.0 + self.e0s_over_e2s())

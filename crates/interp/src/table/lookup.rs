@@ -173,6 +173,7 @@ impl Lookup {
                 coordinates,
                 axes.nodes(Parameter::AOverT),
                 axes.ends(Parameter::Nu1)[0],
+                invariants.stiffer_substrate(),
                 &mut slopes[1],
             );
         }
