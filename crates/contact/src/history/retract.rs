@@ -15,8 +15,9 @@ const FORGOTTEN: f64 = 45.0;
 /// The part of the approach by which `t1` may rise from rounding, and the part of the largest
 /// penetration by which the surface may come back.
 const ROUNDING: f64 = 1e-9;
-/// The change of `t1`, in parts of a step, after which the next one would be below rounding.
-const CONVERGED: f64 = 1e-8;
+/// The change of `t1`, in parts of a step, after which it is found. A modulus that is singular at 0 changes much within a
+/// step, so that the change after a small one may be as large.
+const CONVERGED: f64 = 1e-13;
 /// The most steps of Newton's method; halvings of the interval are among them.
 const NEWTON: usize = 80;
 
@@ -146,8 +147,9 @@ impl OneTurn<'_> {
             };
             let change = (next - t).abs();
             t = next;
-            if change <= CONVERGED * (t2 - t0) && (next == newton || adhesion == 0.0)
-                || high_t - low_t <= 4.0 * f64::EPSILON * t.abs()
+            let rounding = 4.0 * f64::EPSILON * t.abs();
+            let least = rounding.max(CONVERGED * (t2 - t0));
+            if change <= least && (next == newton || adhesion == 0.0) || high_t - low_t <= rounding
             {
                 break;
             }
