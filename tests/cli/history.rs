@@ -120,9 +120,11 @@ fn adhesion_pulls_on_the_way_out_only() {
     let adhesive = "--work-of-adhesion-receding=20uJ/m^2 --points=31";
     let adhesive = rows(&workdir, &format!("{GEL} {PROGRAM} {adhesive}"));
     let plain = rows(&workdir, &format!("{GEL} {PROGRAM} --points=31"));
+    // Both are within the default tolerance of the largest load.
+    let largest = plain.cases().map(|row| row.get("load")).fold(0.0, f64::max);
     for (own, plain) in adhesive.cases().zip(plain.cases()).take(21) {
         let (own, plain) = (own.get("load"), plain.get("load"));
-        assert!((own - plain).abs() <= 1e-16, "{own} {plain}");
+        assert!((own - plain).abs() <= 2e-8 * largest, "{own} {plain}");
     }
     assert!(adhesive.cases().any(|row| row.get("load") < -1e-10));
     assert!(plain.cases().all(|row| row.get("load") >= 0.0));

@@ -1,4 +1,4 @@
-//! Stated errors of random histories beside the same histories to a hundredth of the tolerance, by the same method.
+//! Stated errors of random histories beside the same histories to a smaller tolerance, by the same method.
 //!
 //! This shows what a tolerance leaves out, not what the method does: series by other programs and closed forms do that.
 
@@ -7,7 +7,7 @@ use interp::Probe;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{PARABOLOID, half_space};
+use super::{PARABOLOID, half_space, solid_law};
 use acceptance::{rigid_probe, solid, solved_contact};
 
 fn spread(random: &mut Pcg64Mcg, from: f64, to: f64) -> f64 {
@@ -62,9 +62,22 @@ fn difference(own: &Course, exact: &Course) -> f64 {
         .max(of(|state| state.penetration))
 }
 
-/// Follows `count` random programs to tolerances between two powers of 10, with a second approach if `again`, and
-/// compares the stated errors with the differences from a tolerance that is `finer` times as large.
-fn compare(count: u64, control: Control, again: bool, [from, to]: [f64; 2], finer: f64) {
+/// A kind of random programs, and the tolerances to which they are followed.
+struct Programs {
+    count: u64,
+    /// `None`: a spring a third to 30 times as stiff as the contact.
+    control: Option<Control>,
+    /// Whether the value falls and grows again.
+    again: bool,
+    /// The powers of 10 between which the tolerances are.
+    powers: [f64; 2],
+    /// The tolerance of the reference over the one compared with it.
+    finer: f64,
+    /// The part of the histories whose stated errors may be too small.
+    too_small: f64,
+}
+
+fn contacts() -> Vec<Contact> {
     let tip = Probe::Cone { half_angle: 1.1 };
     let rounded = Probe::RoundedCone {
         radius: 1e-3,
@@ -76,23 +89,26 @@ fn compare(count: u64, control: Control, again: bool, [from, to]: [f64; 2], fine
         0.02,
         solid(f64::INFINITY, 0.0),
     );
-    let contacts: Vec<Contact> = [PARABOLOID, tip, rounded]
+    [PARABOLOID, tip, rounded]
         .into_iter()
         .map(half_space)
         .chain([solved_contact(&film, [1e-6, 10.0], 1e-11)])
-        .collect();
+        .collect()
+}
+
+fn compare(programs: &Programs) {
+    let contacts = contacts();
     let mut shares = Vec::new();
-    for seed in 0..count {
+    for seed in 0..programs.count {
         let random = &mut Pcg64Mcg::seed_from_u64(seed);
         let contact = &contacts[random.random_range(0..contacts.len())];
         let (load, penetration) = contact
             .load_and_penetration(spread(random, -3.0, -1.3), 0.0)
             .expect("within the curve");
-        let most = if control == Control::Load {
-            load
-        } else {
-            penetration
-        };
+        let control = programs.control.unwrap_or(Control::Spring {
+            stiffness: load / penetration * spread(random, -0.5, 1.5),
+        });
+        let most = control.imposed(load, penetration);
         let law = law(random);
         let mut time = spread(random, -2.0, 2.0);
         let mut program = vec![(0.0, 0.0), (time, most)];
@@ -100,23 +116,31 @@ fn compare(count: u64, control: Control, again: bool, [from, to]: [f64; 2], fine
             time *= 1.0 + spread(random, -2.0, 1.5);
             program.push((time, most));
         }
-        if control != Control::Load {
+        if programs.again || control != Control::Load {
             time *= 1.0 + spread(random, -1.0, 1.0);
             program.push((time, most * random.random_range(-0.2..0.9)));
         }
-        if again {
+        if programs.again {
             time *= 1.0 + spread(random, -1.0, 1.0);
             program.push((time, most * random.random_range(0.0..1.0)));
         }
-        let times: Vec<f64> = (1..=20).map(|i| time * f64::from(i) / 20.0).collect();
+        let count = [1, 2, 20][random.random_range(0..3)];
+        let times: Vec<f64> = (1..=count)
+            .map(|i| time * (f64::from(i) - 0.3) / f64::from(count))
+            .collect();
+        let [from, to] = programs.powers;
         let tolerance = spread(random, from, to);
         let history = contact.history(&law).expect("a law");
-        let of = |tolerance| history.at(control, &program, &times, Some(tolerance));
-        let (Ok(own), Ok(exact)) = (of(tolerance), of(tolerance * finer)) else {
+        // The largest values are those of the program, not of the times asked for.
+        let mut all: Vec<f64> = program.iter().map(|point| point.0).chain(times).collect();
+        all.sort_by(f64::total_cmp);
+        let of = |tolerance| history.at(control, &program, &all, Some(tolerance));
+        let (Ok(own), Ok(exact)) = (of(tolerance), of(tolerance * programs.finer)) else {
             continue;
         };
         assert!(own.error <= tolerance, "{seed}: {:.1e}", own.error);
         let share = (difference(&own, &exact) - exact.error) / own.error;
+        assert!(share.is_finite(), "{seed}: {own:?}");
         if share > 1.0 {
             println!(
                 "{seed}: {share:.2} of {:.1e} at {tolerance:.1e}, {law:?}",
@@ -127,39 +151,105 @@ fn compare(count: u64, control: Control, again: bool, [from, to]: [f64; 2], fine
     }
     let worse = shares.iter().filter(|&&share| share > 1.0).count();
     let largest = shares.iter().copied().fold(0.0, f64::max);
-    println!(
-        "{control:?}, again {again}: {worse} of {} too small, largest share {largest:.2}",
-        shares.len()
-    );
+    let answers = shares.len();
+    println!("{worse} of {answers} too small, largest share {largest:.2}");
     assert!(
-        shares.len() as u64 * 10 >= 8 * count,
-        "{} answers",
-        shares.len()
+        answers as u64 * 10 >= 8 * programs.count,
+        "{answers} answers"
     );
+    let allowed = programs.too_small * answers as f64;
     assert!(
-        worse * 100 <= shares.len() && largest < 4.0,
+        worse as f64 <= allowed && largest < 5.0,
         "{worse}, {largest}"
     );
 }
 
 #[test]
 fn errors_of_one_turn() {
-    compare(200, Control::Displacement, false, [-8.0, -2.0], 0.01);
+    compare(&Programs {
+        count: 200,
+        control: Some(Control::Displacement),
+        again: false,
+        powers: [-8.0, -2.0],
+        finer: 0.01,
+        too_small: 0.01,
+    });
 }
 
 #[test]
 fn errors_under_a_load_that_grows() {
-    compare(200, Control::Load, false, [-8.0, -2.0], 0.01);
+    compare(&Programs {
+        count: 200,
+        control: Some(Control::Load),
+        again: false,
+        powers: [-8.0, -2.0],
+        finer: 0.01,
+        too_small: 0.01,
+    });
 }
 
 #[test]
 fn errors_of_elements() {
-    compare(100, Control::Displacement, true, [-4.0, -2.0], 0.1);
+    compare(&Programs {
+        count: 100,
+        control: Some(Control::Displacement),
+        again: true,
+        powers: [-4.0, -2.0],
+        finer: 0.1,
+        too_small: 0.05,
+    });
+}
+
+#[test]
+fn errors_of_elements_under_a_load_that_falls_and_under_a_spring() {
+    for control in [Some(Control::Load), None] {
+        compare(&Programs {
+            count: 50,
+            control,
+            again: true,
+            powers: [-3.0, -2.0],
+            finer: 0.2,
+            too_small: 0.05,
+        });
+    }
+}
+
+/// What is asked for changes neither the states nor, much, their error.
+#[test]
+fn the_times_asked_for_do_not_matter() {
+    let contact = half_space(PARABOLOID);
+    let history = contact.history(&solid_law()).expect("a law");
+    let cycle = [(0.0, 0.0), (1.0, 1e-2), (2.0, -1e-2)];
+    let creep = [(0.0, -1e-4), (1.0, 1e-4)];
+    for (control, program) in [
+        (Control::Displacement, &cycle[..]),
+        (Control::Load, &creep[..]),
+    ] {
+        let of = |times: &[f64]| {
+            history
+                .at(control, program, times, Some(1e-6))
+                .expect("a course")
+        };
+        let many: Vec<f64> = (0..=20).map(|i| 0.1 * f64::from(i)).collect();
+        let all = of(&many);
+        let largest = all.states.iter().map(|at| at.state.contact_radius);
+        let largest = largest.fold(0.0, f64::max);
+        for times in [&[][..], &[0.0], &[1e-6], &[1.0], &[1.95]] {
+            let course = of(times);
+            assert!(course.error <= 1e-6, "{times:?}: {}", course.error);
+            assert_eq!(course.states.len(), times.len());
+        }
+        for (&time, state) in many.iter().zip(&all.states) {
+            let alone = of(&[time]).states[0].state.contact_radius;
+            let change = (alone - state.state.contact_radius).abs() / largest;
+            assert!(change <= 2e-6, "{control:?} at {time}: {change:.1e}");
+        }
+    }
 }
 
 /// The fastest exponentials of this law are too weak to be told from none.
 #[test]
-fn a_law_that_begins_to_fall_late() {
+fn terms_too_weak_for_elements_are_left_out() {
     let contact = half_space(PARABOLOID);
     let law = Relaxation::ModifiedPowerLaw {
         relaxed: 0.78,
@@ -168,12 +258,13 @@ fn a_law_that_begins_to_fall_late() {
     };
     let history = contact.history(&law).expect("a law");
     let program = [(0.0, 0.0), (5.0, 1e-2), (7.0, 5e-3), (10.0, 8e-3)];
-    for tolerance in [1e-3, 1e-4, 1e-5] {
-        let course = history
+    let [coarse, fine, finest] = [1e-3, 1e-4, 1e-5].map(|tolerance| {
+        history
             .run(Control::Displacement, &program, Some(tolerance))
-            .expect("a course");
-        let held = course.states.iter().map(|at| at.state.load);
-        assert!(held.clone().all(f64::is_finite), "{course:?}");
-        assert!(held.fold(0.0, f64::max) > 0.0);
+            .expect("a course")
+    });
+    for own in [coarse, fine] {
+        let difference = difference(&own, &finest);
+        assert!(difference <= own.error + finest.error, "{difference:.1e}");
     }
 }

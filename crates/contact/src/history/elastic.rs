@@ -41,13 +41,16 @@ pub(super) struct ElasticCurve {
 
 /// The part of the tolerance that the load of the smallest contact may have.
 const FIRST: f64 = 0.1;
-/// The factor of this part for each further halving.
+/// The factor of [`FIRST`] for each further halving.
 const FINER: f64 = 0.1;
 /// The error of the load on the first piece, on which it is taken to be a cubic polynomial, over the
 /// load at its end, at most: 0.04 for a power of 3/2.
 const BEND: f64 = 0.1;
 /// The smallest largest load (N) that is followed: the loads of smaller contacts do not underflow.
 const SMALLEST_LOAD: f64 = 1e-200;
+/// The error of radius and penetration of contacts smaller than those of the curve over those of the contact, at most: a curve
+/// of a film that begins at a/t = 0.5 gives 0.13.
+const BELOW: f64 = 0.3;
 /// The most halvings of a piece.
 const DEPTH: u32 = 40;
 /// The error in the middle of a piece over the largest one, at least.
@@ -74,7 +77,8 @@ fn hermite_slope([f0, f1]: [f64; 2], [d0, d1]: [f64; 2], x: f64) -> f64 {
 
 impl ElasticCurve {
     /// Follows the elastic contact up to the contact radius `most` (m) with a tolerance relative to
-    /// the largest load and radius, and halves each piece so found some more times, which leaves a sixteenth of its error.
+    /// the largest load and radius, and halves each piece so found `halvings` more times, each of which leaves a
+    /// sixteenth of its error.
     pub fn up_to(
         contact: &Contact,
         most: f64,
@@ -112,8 +116,8 @@ impl ElasticCurve {
         };
         if !flat {
             let mut second = last;
-            let first = FIRST * tolerance * FINER.powi(halvings as i32);
-            while BEND * second.load > first * last.load && second.radius > least {
+            let part = FIRST * tolerance * FINER.powi(halvings as i32);
+            while BEND * second.load > part * last.load && second.radius > least {
                 second = node(contact, (0.25 * second.radius).max(least))?;
             }
             own.inverted.push(true);
@@ -135,7 +139,7 @@ impl ElasticCurve {
         Self::up_to(contact, radius, tolerance, halvings)
     }
 
-    /// Adds the pieces from the last node to `end`, after at most `depth` halvings and some more.
+    /// Adds the pieces from the last node to `end`, after at most `depth` halvings, and then `more`.
     fn refine(
         &mut self,
         contact: &Contact,
@@ -362,16 +366,45 @@ fn smaller(first: &Node, x: f64) -> Node {
     }
 }
 
-/// Returns radius and penetration (m) of the elastic contact under a load (N), and the error of the radius (m)
-/// where it is smaller than the contacts of the curve.
-pub(super) fn state_at_load(contact: &Contact, load: f64) -> Result<[f64; 3], HistoryError> {
-    let [least, _] = contact.search_range()?;
-    let first = node(contact, least)?;
-    if load < first.load {
-        let power = 1.0 + first.slope * first.radius / first.penetration;
-        let found = smaller(&first, (load / first.load).powf(1.0 / power));
-        return Ok([found.radius, found.penetration, BEND * found.radius]);
+/// The elastic contact under loads up to a largest one.
+pub(super) struct ElasticLoads<'a> {
+    contact: &'a Contact,
+    smallest: Node,
+    largest: Node,
+}
+
+impl<'a> ElasticLoads<'a> {
+    /// # Errors
+    /// [`Error::OutsideRadii`](crate::Error::OutsideRadii) for a largest load (N) that needs a larger contact than the curve has.
+    pub fn up_to(contact: &'a Contact, most: f64) -> Result<Self, HistoryError> {
+        has_flat_end(contact)?;
+        let radius = radius_of(contact, "load", most, |node| node.load)?;
+        let [least, _] = contact.search_range()?;
+        Ok(Self {
+            contact,
+            smallest: node(contact, least)?,
+            largest: node(contact, radius)?,
+        })
     }
-    let found = node(contact, radius_of(contact, "load", load, |node| node.load)?)?;
-    Ok([found.radius, found.penetration, 0.0])
+
+    /// Returns radius and penetration (m) under a load (N), whose contact is not smaller than the radius `above` (m), and
+    /// their error in parts of those of the largest load, where the contact is smaller than those of the curve.
+    pub fn state(&self, load: f64, above: f64) -> Result<[f64; 3], HistoryError> {
+        let Self {
+            smallest, largest, ..
+        } = self;
+        if load < smallest.load {
+            let power = 1.0 + smallest.slope * smallest.radius / smallest.penetration;
+            let found = smaller(smallest, (load / smallest.load).powf(1.0 / power));
+            let error = BELOW * found.radius / largest.radius;
+            return Ok([found.radius, found.penetration, error]);
+        }
+        let (from, to) = (above.max(smallest.radius), largest.radius);
+        let f = |u: f64| {
+            let at = node(self.contact, u.exp().clamp(from, to))?;
+            Ok::<_, HistoryError>(at.load / load - 1.0)
+        };
+        let radius = root(f, from.ln(), to.ln())?.exp().clamp(from, to);
+        Ok([radius, node(self.contact, radius)?.penetration, 0.0])
+    }
 }

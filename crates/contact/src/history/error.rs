@@ -119,7 +119,7 @@ pub enum HistoryError {
     MeasuredLoad,
     /// A tolerance that is not reached.
     #[error(
-        "the tolerance {tolerance:?} is not reached: with the most elements and steps that are taken the error is about {reached:.1e} of \
+        "the tolerance {tolerance:?} is not reached: in the finest run the error is about {reached:.1e} of \
          the largest load and contact radius; give a tolerance above that"
     )]
     Unreached {

@@ -11,14 +11,14 @@ use crate::{Control, CrackTip, State};
 /// The tolerances where none is given: of the integrals, and of elements.
 const DIGITS: f64 = 1e-8;
 const BY_ELEMENTS: f64 = 1e-5;
-/// The part of the duration after which the modulus is that of the first contacts.
+/// The part of the time of growth in which the load of the first contacts arises, and after which it has relaxed.
 const EARLY: f64 = 0.01;
 /// The most runs of the integrals, and the tolerance of the law in one over that in the one before.
 const RUNS: u32 = 5;
 const FINER: f64 = 0.1;
 /// The stated error over the difference of the last two runs, of which the coarser one may be right by chance.
 const SAFETY: f64 = 4.0;
-/// The least error of a state that is sought on the elastic contact.
+/// The least error that is stated: rounding.
 const ROUNDING: f64 = 1e-14;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
@@ -28,7 +28,7 @@ const LONGEST: f64 = 0.02;
 /// The most times that both are refined by 2.
 const REFINEMENTS: usize = 7;
 /// A change of the states from one refinement to the next that is a smaller part of the one before may be small by
-/// chance. The first change counts as two that fell so.
+/// chance. The first change has none before it, and is divided by the square of this part.
 const CHANCE: f64 = 0.25;
 /// The largest number of elements, steps and exponentials of one run.
 const MOST_WORK: f64 = 2e10;
@@ -42,7 +42,9 @@ pub(super) struct Run<'a, L> {
     pub history: &'a History<'a, L>,
     pub control: Control,
     pub program: &'a Program,
+    /// The times of the points of the program and of those asked for.
     pub times: &'a [f64],
+    pub asked: &'a [f64],
     pub tolerance: Option<f64>,
 }
 
@@ -81,14 +83,14 @@ impl<L: CrackTip> Run<'_, L> {
             }
             Control::Load => {
                 self.refuse_adhesion("here the load is imposed")?;
-                let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
+                let law = self.law_of_elements();
                 // No elastic load is larger than that of the largest load held all the time.
                 let most = largest * law.creep().value(self.program.duration());
                 self.elements(elastic::radius_of(contact, "load", most, |node| node.load)?)
             }
             Control::Spring { stiffness } => {
                 self.refuse_adhesion("here the position of a spring is imposed")?;
-                let law = self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS));
+                let law = self.law_of_elements();
                 let most = largest * stiffness * law.creep().value(self.program.duration());
                 // Both bound the contact radius, and one may be out of range where the other is not.
                 let by_load = elastic::radius_of(contact, "load", most, |node| node.load);
@@ -103,10 +105,11 @@ impl<L: CrackTip> Run<'_, L> {
         }
     }
 
-    /// Follows the program by integrals whose parts are finer from run to run, until the states of two runs differ
-    /// by less than the tolerance; `None` where the integrals do not hold.
+    /// Follows the program by integrals whose parts are finer from run to run, until the error is within the
+    /// tolerance; `None` where the integrals do not hold.
     ///
-    /// `follow` takes the number of the run, and returns the states and an error that the runs have in common.
+    /// `follow` takes the number of the run, and returns the states and the error of the parts that a comparison of two runs
+    /// may not show.
     fn integrals(
         &self,
         follow: impl Fn(u32) -> Result<Option<(Vec<TimedContact>, f64)>, HistoryError>,
@@ -114,12 +117,13 @@ impl<L: CrackTip> Run<'_, L> {
         let mut coarse: Option<Vec<TimedContact>> = None;
         let mut error = f64::INFINITY;
         for run in 0..RUNS {
-            let Some((states, common)) = follow(run)? else {
+            let Some((states, hidden)) = follow(run)? else {
                 return Ok(None);
             };
             if let Some(coarse) = &coarse {
-                error = (SAFETY * difference(&states, coarse)).max(common);
-                if error <= self.digits() || run + 1 == RUNS && self.tolerance.is_none() {
+                error = SAFETY * difference(&states, coarse, self.times) + hidden;
+                let is_last = run + 1 == RUNS && self.tolerance.is_none();
+                if error <= self.digits() || is_last && error.is_finite() {
                     return Ok(Some(Course {
                         states,
                         error,
@@ -147,8 +151,8 @@ impl<L: CrackTip> Run<'_, L> {
         let tolerance = PART * self.digits();
         let finer = tolerance * FINER.powi(run as i32);
         let law = Exponentials::of_steps(relaxation, self.scales(), finer);
-        let largest = self.program.largest();
-        let curve = ElasticCurve::to_penetration(contact, largest, tolerance, run)?;
+        let deepest = self.program.largest();
+        let curve = ElasticCurve::to_penetration(contact, deepest, tolerance, run)?;
         let adhesion = self.history.receding.as_ref().map(|law| Adhesion {
             contact,
             work: law.at_rest()[1],
@@ -160,7 +164,7 @@ impl<L: CrackTip> Run<'_, L> {
         let loads = states.iter().map(|at| at.state.load.abs());
         let largest = loads.fold(f64::MIN_POSITIVE, f64::max);
         // The modulus has been higher when the load of the smallest contacts arose.
-        let early = relaxation.modulus(EARLY * self.program.duration())?;
+        let early = relaxation.modulus(EARLY * self.time_of_growth())?;
         let first = early * curve.first_error / largest;
         Ok(Some((states, first + law.error)))
     }
@@ -171,9 +175,15 @@ impl<L: CrackTip> Run<'_, L> {
         let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
         let (states, error) =
             growing_load::states(self.history.contact, &loads, self.program, self.times)?;
-        let radii = states.iter().map(|at| at.state.contact_radius);
-        let largest = radii.fold(f64::MIN_POSITIVE, f64::max);
-        Ok((states, error / largest + law.error.max(ROUNDING)))
+        Ok((states, error + law.error.max(ROUNDING)))
+    }
+
+    /// Returns the time until the largest value, s.
+    fn time_of_growth(&self) -> f64 {
+        let Program { times, values } = self.program;
+        let largest = self.program.largest();
+        let turn = values.iter().position(|&value| value == largest);
+        times[turn.expect("it is one of the values")] - times[0]
     }
 
     /// Returns the radius (m) of the elastic contact at a penetration (m).
@@ -203,6 +213,10 @@ impl<L: CrackTip> Run<'_, L> {
         Exponentials::new(&self.history.relaxation, self.scales(), tolerance)
     }
 
+    fn law_of_elements(&self) -> Exponentials {
+        self.exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS))
+    }
+
     /// Returns the shortest step and the duration, s.
     fn scales(&self) -> [f64; 2] {
         let all = self.program.with(self.times);
@@ -216,9 +230,7 @@ impl<L: CrackTip> Run<'_, L> {
     /// Follows the program by elements up to a contact radius (m).
     fn elements(&self, most: f64) -> Result<Course, HistoryError> {
         let contact = self.history.contact;
-        let law = self
-            .exponentials(PART * self.tolerance.unwrap_or(BY_ELEMENTS))
-            .without_negligible();
+        let law = self.law_of_elements().without_negligible();
         let tolerance = self.tolerance.unwrap_or(BY_ELEMENTS);
         let mut most = most;
         let mut earlier: Option<Vec<TimedContact>> = None;
@@ -261,7 +273,7 @@ impl<L: CrackTip> Run<'_, L> {
                 .as_ref()
                 .map(|earlier| extrapolate(earlier, &states));
             if let (Some(better), Some(coarser)) = (&better, &extrapolated) {
-                change = difference(better, coarser);
+                change = difference(better, coarser, self.asked);
             }
             let likely = if before.is_finite() {
                 change.max(CHANCE * before)
@@ -303,26 +315,59 @@ fn extrapolate(coarse: &[TimedContact], fine: &[TimedContact]) -> Vec<TimedConta
     pairs.map(of).collect()
 }
 
-/// Returns the largest difference of loads, radii and penetrations, each relative to the largest; infinity
-/// where one of them is not a number.
-fn difference(a: &[TimedContact], b: &[TimedContact]) -> f64 {
+/// Returns the largest difference of loads, radii and penetrations at some times, each in parts of the largest one at
+/// all; infinity where one of them is not finite.
+fn difference(a: &[TimedContact], b: &[TimedContact], times: &[f64]) -> f64 {
     let of = |of: fn(&State) -> f64| {
         let largest = a.iter().map(|at| of(&at.state).abs()).fold(0.0, f64::max);
-        let changes = a
-            .iter()
-            .zip(b)
-            .map(|(a, b)| (of(&a.state) - of(&b.state)).abs());
-        let change = changes.fold(
-            0.0,
-            |most, change| if change <= most { most } else { change },
-        );
-        match change {
+        let pairs = a.iter().zip(b);
+        let counts = |(at, _): &(&TimedContact, _)| {
+            times
+                .binary_search_by(|time| time.total_cmp(&at.time))
+                .is_ok()
+        };
+        let changes = pairs.filter(counts).map(|(a, b)| {
+            let change = (of(&a.state) - of(&b.state)).abs();
+            if change.is_finite() {
+                change
+            } else {
+                f64::INFINITY
+            }
+        });
+        match changes.fold(0.0, f64::max) {
             0.0 => 0.0,
-            change if change.is_nan() => f64::INFINITY,
+            f64::INFINITY => f64::INFINITY,
             change => change / largest,
         }
     };
     of(|state| state.load)
         .max(of(|state| state.contact_radius))
         .max(of(|state| state.penetration))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_not_finite_never_agrees() {
+        let of = |loads: [f64; 2]| {
+            loads.map(|load| TimedContact {
+                state: State {
+                    contact_radius: 1.0,
+                    load,
+                    penetration: 1.0,
+                },
+                ..TimedContact::separated(0.0, 0.0)
+            })
+        };
+        assert_eq!(difference(&of([1.0, 4.0]), &of([2.0, 4.0]), &[0.0]), 0.25);
+        assert_eq!(difference(&of([1.0, 4.0]), &of([2.0, 4.0]), &[]), 0.0);
+        for bad in [f64::NAN, f64::INFINITY] {
+            for (a, b) in [([bad, 1.0], [1.0, 1.0]), ([1.0, 1.0], [bad, 2.0])] {
+                let change = difference(&of(a), &of(b), &[0.0]);
+                assert_eq!(change, f64::INFINITY, "{a:?} {b:?}");
+            }
+        }
+    }
 }

@@ -11,7 +11,7 @@
 //! (`annulus`), linear in the curvature of the sphere and in the traction; `states` finds the outer
 //! radius at which the gap is `h0`. `checks` refuses what would not be a contact, `before_contact` is
 //! the attraction across a gap. `pull_off` looks for the minima of the imposed value (`search`) where
-//! those of JKR (`jkr`) are.
+//! those of JKR (`jkr`) are, among contacts that have just begun, and before the contact.
 //!
 //! ```
 //! # fn main() -> Result<(), solve::Error> {

@@ -3,7 +3,8 @@
 //!
 //! The imposed value has a minimum along the branch where a separation becomes unstable. Under a short
 //! range it is near that of JKR, from which the search starts; under a long one it may lie before the
-//! contact, whose surface the attraction holds up after the contact has closed. Where there are
+//! contact, whose surface the attraction holds up after the contact has closed, or at a contact that is far smaller than the
+//! attraction around it. Where there are
 //! several minima, a separation jumps from each to the next lower one, and ends at the lowest.
 
 use contact::Control;
@@ -18,18 +19,24 @@ use crate::cohesive::{Cohesive, CohesiveState, REACH};
 const SHORT_STEP: f64 = 0.1;
 const LONG_STEP: f64 = 0.25;
 
-/// The contact radius over that of the attraction below which the value hardly changes, the step of `ln a` there, and
-/// the ratio below which the states are as good as those before the contact: the value changes with its square.
+/// The contact radius over that of the attraction from which the search for a minimum of small contacts begins.
 const SMALL: f64 = 0.01;
+/// The step of `ln a` in this search.
 const SMALL_STEP: f64 = 1.4;
-const CLOSED: f64 = 1e-6;
+/// The ratio of both radii below which the states are those before the contact: the value changes with the square of
+/// this ratio.
+const CLOSED: f64 = 1e-4;
+/// The part of the value by which a small contact must be lower than the states before the contact, and by which it may
+/// be lower than contacts near those of JKR.
+const ROUNDING: f64 = 1e-9;
+const SHALLOW: f64 = 1e-3;
 
 impl Cohesive {
     /// Returns the last stable state of a separation: that of the lowest imposed value on the branch
     /// from large contacts to the attraction across a gap.
     ///
-    /// Under an imposed displacement or a soft spring it may be a state before the contact, of radius
-    /// 0: a long range holds the surface up after the contact has closed.
+    /// It may be a state before the contact, of radius 0: a long range holds the surface up after the contact has
+    /// closed.
     ///
     /// # Errors
     /// As [`Cohesive::state`] at the pull-off; [`Error::PullOffReach`] for a pull-off beyond
@@ -62,13 +69,19 @@ impl Cohesive {
             return Err(self.beyond());
         }
         let before = self.lowest_before_contact(control, last)?;
+        let size = before.1.abs();
+        if lowest.is_none_or(|lowest| before.1 < lowest.1 + SHALLOW * size) && first.is_some() {
+            let small = self.lowest_small_contact(control, last.ln())?;
+            let lower = small.filter(|small| {
+                small.1 < before.1 - ROUNDING * size
+                    && lowest.is_none_or(|lowest| small.1 < lowest.1)
+            });
+            lowest = lower.or(lowest);
+        }
         match lowest {
             Some((log, value)) if value < before.1 => self.state(log.exp() * self.thickness),
             _ if first.is_none() && before.0 >= last.ln() => Err(self.beyond()),
-            _ => match self.lowest_small_contact(control, last.ln())? {
-                Some((log, value)) if value < before.1 => self.state(log.exp() * self.thickness),
-                _ => Ok(self.before_contact(before.0.exp()).0),
-            },
+            _ => Ok(self.before_contact(before.0.exp()).0),
         }
     }
 
@@ -103,31 +116,23 @@ impl Cohesive {
                 pair => break pair?,
             }
         };
-        let bracket = if above.1 >= here.1 {
-            search::bracket(&mut value, [above, here], smallest)?
-        } else {
-            let bracket = search::bracket(&mut value, [here, above], largest)?;
-            Some(bracket.ok_or_else(|| self.beyond())?)
-        };
-        bracket
-            .map(|bracket| search::minimum(&mut value, bracket))
-            .transpose()
+        let rises = above.1 >= here.1;
+        match search::bracket_from(&mut value, [here, above], [smallest, largest])? {
+            Some(bracket) => Ok(Some(search::minimum(&mut value, bracket)?)),
+            None if rises => Ok(None),
+            None => Err(self.beyond()),
+        }
     }
 
     /// Finds the minimum of the imposed value among contacts that have just begun, where the logarithm of the radius of the
     /// attraction is `closed`.
     fn lowest_small_contact(&self, control: Control, closed: f64) -> Result<Option<Point>, Error> {
         let [small, smallest] = [SMALL, CLOSED].map(|ratio| closed + ratio.ln());
-        let mut width = None;
-        let mut value = |log: f64| self.imposed_at(control, log, &mut width);
-        let mut point = |log: f64| value(log).map(|value| (log, value));
-        let (above, here) = (point(small + SMALL_STEP)?, point(small)?);
-        let bracket = if above.1 >= here.1 {
-            search::bracket(&mut value, [above, here], smallest)?
-        } else {
-            search::bracket(&mut value, [here, above], closed)?
-        };
-        bracket
+        // Each annulus is sought anew: these contacts differ too much for one to be near the next.
+        let mut value = |log: f64| self.imposed_at(control, log, &mut None);
+        let point = |log: f64| value(log).map(|value| (log, value));
+        let points = [point(small)?, point(small + SMALL_STEP)?];
+        search::bracket_from(&mut value, points, [smallest, closed])?
             .map(|bracket| search::minimum(&mut value, bracket))
             .transpose()
     }

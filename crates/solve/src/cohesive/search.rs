@@ -30,6 +30,19 @@ pub fn bracket(
     Ok(None)
 }
 
+/// Goes downhill from two points, of which the second is above the first, to either side, as [`bracket`].
+pub fn bracket_from(
+    f: &mut impl FnMut(f64) -> Result<f64, Error>,
+    [here, above]: [Point; 2],
+    [smallest, largest]: [f64; 2],
+) -> Result<Option<[Point; 3]>, Error> {
+    if above.1 >= here.1 {
+        bracket(f, [above, here], smallest)
+    } else {
+        bracket(f, [here, above], largest)
+    }
+}
+
 /// Finds the minimum between the outer of three points to about 1e-7 of their distance; the value
 /// there is accurate to rounding.
 ///
