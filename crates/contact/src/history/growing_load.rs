@@ -63,7 +63,7 @@ pub(super) fn states(
 ) -> Result<(Vec<TimedContact>, f64), HistoryError> {
     let all = program.with(asked);
     let most = loads.iter().map(|load| load.1).fold(0.0, f64::max);
-    let ladder = ElasticLoads::up_to(contact, most)?;
+    let contacts = ElasticLoads::up_to(contact, most)?;
     let mut wanted = asked.iter().copied().peekable();
     let mut states = Vec::with_capacity(asked.len());
     let mut largest_error: f64 = 0.0;
@@ -75,7 +75,7 @@ pub(super) fn states(
                 states.push(TimedContact::separated(at.time, 0.0));
                 continue;
             }
-            let [contact_radius, penetration, error] = ladder.state(elastic, before)?;
+            let [contact_radius, penetration, error] = contacts.state(elastic, before)?;
             before = contact_radius;
             largest_error = largest_error.max(error);
             let phase = if grows {

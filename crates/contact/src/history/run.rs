@@ -322,9 +322,7 @@ fn difference(a: &[TimedContact], b: &[TimedContact], times: &[f64]) -> f64 {
         let largest = a.iter().map(|at| of(&at.state).abs()).fold(0.0, f64::max);
         let pairs = a.iter().zip(b);
         let counts = |(at, _): &(&TimedContact, _)| {
-            times
-                .binary_search_by(|time| time.total_cmp(&at.time))
-                .is_ok()
+            times.get(times.partition_point(|&time| time < at.time)) == Some(&at.time)
         };
         let changes = pairs.filter(counts).map(|(a, b)| {
             let change = (of(&a.state) - of(&b.state)).abs();

@@ -145,8 +145,8 @@ class Cohesive(Remade):
     def pull_off(self, *, control: Control = "load") -> CohesiveState:
         """Return the last stable state of a separation.
 
-        Under an imposed displacement or a soft spring it may be a state before the contact, of
-        radius 0: a long range holds the surface up after the contact has closed.
+        It may be a state before the contact, of radius 0: a long range holds the surface up after
+        the contact has closed.
 
         Parameters
         ----------
