@@ -224,7 +224,7 @@ impl QuantityGradient {
     /// Returns the derivatives with respect to the Poisson ratio of the substrate, by the
     /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
     ///
-    /// In the embedded table they are wrong by up to 1e-5 of the quantity (6000 random contacts beside direct solves).
+    /// In the embedded table they are wrong by up to 2e-5 of the quantity (2000 random contacts beside direct solves).
     ///
     /// # Errors
     /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the

@@ -38,7 +38,7 @@ const REACH: f64 = 0.7;
 /// with 1.5 it is 56, and an incompressible film took a tenth less time.
 const SHARED: f64 = 1.5;
 
-/// One over the range `u` on a far softer substrate, less one: with it the derivatives by `nu0` are wrong by 1e-5 of the
+/// One over the range `u` on a far softer substrate, less one: with it the derivatives by `nu0` are wrong by 2e-5 of the
 /// quantities or less; with 0, by up to 1e-3.
 const SOFT: f64 = 2.3;
 
