@@ -1,6 +1,8 @@
 //! The attraction of finite range against values by two other programs, Maugis' closed form, the
 //! energy balance and the limits of long and of short ranges.
 
+mod long_ranges;
+
 use acceptance::{Case, Data, larger, solid, solved_contact};
 use contact::Control;
 use interp::{Elastic, Probe, System};
@@ -361,109 +363,6 @@ fn a_short_range_is_the_limit_of_jkr() {
     });
     println!("film: {excess:?}");
     assert!(excess[0] > 0.0 && (excess[0] / excess[1] / 4.0 - 1.0).abs() < 0.02);
-}
-
-/// A long range, and what is imposed on its contact.
-struct Separation {
-    control: Control,
-    film: Elastic,
-    thickness: f64,
-    base: Elastic,
-    work_of_adhesion: f64,
-    range: f64,
-}
-
-fn separations() -> [Separation; 5] {
-    let rigid = solid(f64::INFINITY, 0.25);
-    let of = |control, film: [f64; 2], thickness, base, work_of_adhesion, range| Separation {
-        control,
-        film: solid(film[0], film[1]),
-        thickness,
-        base,
-        work_of_adhesion,
-        range,
-    };
-    let spring = Control::Spring { stiffness: 0.0456 };
-    let (soft, softer) = (solid(3.96e6, 0.25), solid(1.21e4, 0.25));
-    let displacement = Control::Displacement;
-    [
-        of(
-            displacement,
-            [5.85e10, 0.5],
-            1.87e-7,
-            softer,
-            5.6e-3,
-            1.63e-9,
-        ),
-        of(
-            Control::Load,
-            [3.31e8, 0.187],
-            9.73e-6,
-            rigid,
-            2.57e-3,
-            3.26e-8,
-        ),
-        of(
-            Control::Load,
-            [3e9, 0.309],
-            3.78e-8,
-            rigid,
-            1.09e-2,
-            2.49e-8,
-        ),
-        of(spring, [1.54e10, 0.256], 7.02e-8, soft, 2.52e-2, 3.4e-8),
-        // The annulus of a contact four times as large is another one.
-        of(
-            displacement,
-            [2.3354e6, 0.3],
-            1.3172e-8,
-            rigid,
-            6.48e-3,
-            3.928e-9,
-        ),
-    ]
-}
-
-/// Under a long range the lowest imposed value may be that of a contact a hundred times smaller than the attraction
-/// around it, lower than before the contact by some 1e-5 of itself.
-#[test]
-fn no_contact_is_below_the_pull_off() {
-    for separation in separations() {
-        let Separation { control, .. } = separation;
-        let system = System {
-            probe: Probe::Paraboloid { radius: 1e-5 },
-            sphere_modulus: f64::INFINITY,
-            film: separation.film,
-            film_thickness: separation.thickness,
-            substrate: separation.base,
-        };
-        let cohesive = Cohesive::new(&system, separation.work_of_adhesion, separation.range)
-            .expect("physical");
-        let pull_off = cohesive.pull_off(control).expect("within reach");
-        let imposed = |at: &CohesiveState| control.imposed(at.load, at.penetration);
-        let (lowest, outer) = (imposed(&pull_off), pull_off.outer_radius);
-        println!(
-            "{control:?}: {lowest} at {} of {outer}",
-            pull_off.contact_radius
-        );
-        assert!(pull_off.contact_radius > 0.0);
-        let before = cohesive
-            .without_contact(outer * (1.0 - 1e-6))
-            .map(|at| imposed(&at));
-        assert!(before.is_err() || before.is_ok_and(|before| lowest < before));
-        let ratios = (0..70).map(|i| 10f64.powf(-3.0 + 0.05 * f64::from(i)));
-        for radius in ratios.map(|ratio| ratio * outer) {
-            let Ok(state) = cohesive.state(radius) else {
-                continue;
-            };
-            let value = imposed(&state);
-            assert!(
-                value >= lowest + 1e-9 * lowest,
-                "{control:?}: {value} at {radius}, below {lowest} at {}",
-                pull_off.contact_radius
-            );
-        }
-    }
 }
 
 /// The contact begins where the attraction across the gap ends.

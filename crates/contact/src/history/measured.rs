@@ -58,9 +58,8 @@ impl History<'_> {
     ///
     /// The values grow, may be held, and fall once. The steps are those of the points, at most 1/120
     /// of the duration (of a spring 1/250), so that the loads are smooth functions of all numbers. Their errors are some
-    /// 1e-5 of the largest load (`tests/truth/viscoelastic.rs`). Of bodies that nearly flow they are larger just after the
-    /// first touch and after a sudden change of the speed: up to 4e-3, and with a spring 2e-2, of random laws and programs.
-    /// [`History::at`] holds a tolerance.
+    /// 1e-5 of the largest load. Of bodies that nearly flow they are larger just after the first touch and after a sudden
+    /// change of the speed: up to 4e-3 (`measured_tests.rs`), and with a spring more. [`History::at`] holds a tolerance.
     ///
     /// # Errors
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first

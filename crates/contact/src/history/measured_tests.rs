@@ -99,6 +99,30 @@ fn loads_agree_with_those_of_many_digits() {
     assert!(error < 1e-4, "{error:.1e}");
 }
 
+/// The first touch and a sudden change of the speed last no step here.
+#[test]
+fn bodies_that_nearly_flow() {
+    let contact = contact(1e3);
+    let fluid = Relaxation::Prony {
+        relaxed: 0.0,
+        terms: vec![[1.0, 0.002]],
+    };
+    let power = Relaxation::PowerLaw {
+        exponent: 0.9,
+        time: 1e-3,
+    };
+    for law in [fluid, power] {
+        let history = contact.history(&law).expect("a law");
+        let program = program(201, 0.0);
+        let exact = history.run(Control::Displacement, &program, Some(1e-6));
+        let exact = exact.expect("a course").states;
+        let own = history.measured(Control::Displacement, &program, None);
+        let error = difference(exact.iter(), own.expect("measured").states.iter());
+        println!("{law:?}: {error:.1e}");
+        assert!(error < 4e-3, "{law:?}: {error:.1e}");
+    }
+}
+
 /// The error of the steps of a spring is of second order; of singular laws, of the order 2 less the exponent.
 #[test]
 fn steps_of_a_spring_halved() {

@@ -106,8 +106,7 @@ pub struct Course {
     /// The estimated largest error of the loads, the contact radii and the penetrations, each in parts of the largest
     /// one of the program. That of the elastic curve itself adds.
     ///
-    /// Under adhesion the contact may separate suddenly. Near that time this does not bound the load; it bounds the error
-    /// of the time.
+    /// Under adhesion the contact may separate suddenly. Next to that time loads and radii may be those of the other side.
     ///
     /// `tests/truth/viscoelastic/errors.rs` compares it with the same histories to smaller tolerances.
     pub error: f64,

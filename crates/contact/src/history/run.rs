@@ -19,7 +19,7 @@ const FINER: f64 = 0.1;
 /// The stated error over the difference of the last two runs, of which the coarser one may be right by chance.
 const SAFETY: f64 = 4.0;
 /// The least error that is stated: rounding.
-const ROUNDING: f64 = 1e-14;
+const ROUNDING: f64 = 1e-13;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
 /// The number of elements and the longest step, in parts of the duration, of the first run.
@@ -121,7 +121,7 @@ impl<L: CrackTip> Run<'_, L> {
                 return Ok(None);
             };
             if let Some(coarse) = &coarse {
-                error = SAFETY * difference(&states, coarse, self.times) + hidden;
+                error = SAFETY * difference(&states, coarse, self.times) + hidden + ROUNDING;
                 let is_last = run + 1 == RUNS && self.tolerance.is_none();
                 if error <= self.digits() || is_last && error.is_finite() {
                     return Ok(Some(Course {
@@ -175,7 +175,7 @@ impl<L: CrackTip> Run<'_, L> {
         let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
         let (states, error) =
             growing_load::states(self.history.contact, &loads, self.program, self.times)?;
-        Ok((states, error + law.error.max(ROUNDING)))
+        Ok((states, error + law.error))
     }
 
     /// Returns the time until the largest value, s.

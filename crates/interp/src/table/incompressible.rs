@@ -1,12 +1,11 @@
 //! Derivatives with respect to the Poisson ratio of nearly incompressible films.
 //!
 //! With `w = 1 - 2 nu1` and `x = a/t`, the quantities change where `w` changes by about `w + u`, `u
-//! = 1/(1 + x^2)` on a rigid substrate. A substrate of the share `1 - p = E1*/(E0* + E1*)` of both moduli lets the
-//! film escape, and `u = 1/(1 + p x^2 + 2.3 (1 - p))`. The coordinate `v` of `nu1`, see [`Parameter::coordinate`], must resolve the
-//! smallest `w + u` of all `x`. Where `u` is much larger, a small step of `v` changes the
-//! quantities by less than the error of the table, and the slope of the spline is that of the
-//! error. The derivative multiplies it by `(w + u) |dv/dw|`, which is 2e4 for thick incompressible
-//! films.
+//! = 1/(1 + x^2)` on a rigid substrate. A substrate that deforms, with `p = E0*/(E0* + E1*)` below 1, confines
+//! the film less: `u = 1/(1 + p x^2 + 2.3 (1 - p))`. The coordinate `v` of `nu1`, see
+//! [`Parameter::coordinate`], must resolve the smallest `w + u` of all `x`. Where `u` is much larger, a small
+//! step of `v` changes the quantities by less than the error of the table, and the slope of the spline is that
+//! of the error. The derivative multiplies it by `(w + u) |dv/dw|`, which is 2e4 for thick incompressible films.
 //!
 //! There the derivative is a difference of values over distances in `w` of about `w + u` instead.
 //! `tests/contact/gradient` measures the errors per unit of `w + u`. The constants below balance two
@@ -58,7 +57,7 @@ pub(crate) fn need_better_slopes(v: f64, [e1, nu1, e0, nu0]: [f64; 4]) -> bool {
 /// those of the spline are inaccurate.
 ///
 /// The coefficients are those of the material at `coordinates`: a group of the quantities held
-/// for each node of `a_over_t`. The axis of `nu1` begins at `least`.
+/// for each node of `a_over_t`. The axis of `nu1` begins at `least`, and `share` is `p`.
 pub(crate) fn improve_slopes(
     spline: &TensorSpline,
     coordinates: [f64; 3],

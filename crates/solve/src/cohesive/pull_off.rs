@@ -3,9 +3,9 @@
 //!
 //! The imposed value has a minimum along the branch where a separation becomes unstable. Under a short
 //! range it is near that of JKR, from which the search starts; under a long one it may lie before the
-//! contact, whose surface the attraction holds up after the contact has closed, or at a contact that is far smaller than the
-//! attraction around it. Where there are
-//! several minima, a separation jumps from each to the next lower one, and ends at the lowest.
+//! contact, whose surface the attraction holds up after the contact has closed, or at a contact that is
+//! far smaller than the attraction around it. Where there are several minima, a separation jumps from
+//! each to the next lower one, and ends at the lowest.
 
 use contact::Control;
 
@@ -26,9 +26,9 @@ const SMALL_STEP: f64 = 1.4;
 /// The ratio of both radii below which the states are those before the contact: the value changes with the square of
 /// this ratio.
 const CLOSED: f64 = 1e-4;
-/// The part of the value by which a small contact must be lower than the states before the contact, and by which it may
-/// be lower than contacts near those of JKR.
+/// The part of the value by which a small contact must be lower than the states before the contact.
 const ROUNDING: f64 = 1e-9;
+/// The part of the value by which a small contact may be lower than these states, at most.
 const SHALLOW: f64 = 1e-3;
 
 impl Cohesive {
