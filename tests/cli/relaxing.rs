@@ -43,6 +43,8 @@ fn what_is_simulated_is_found() {
     assert_eq!(relaxation["law"], "power-law");
     assert_eq!(relaxation["moduli"].as_array().expect("a list").len(), 3);
     assert_eq!(relaxation["made_monotone"], 0.0);
+    let steps = relaxation["steps_error"].as_f64().expect("a number");
+    assert!(0.0 < steps && steps < 1e-4, "{steps}");
     assert!(fit(&workdir, "--relaxation sls")["parameters"]["relaxed_fraction"].is_object());
 }
 

@@ -272,6 +272,26 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     assert!(found(&with_base(2e4, true)).is_ok());
 }
 
+/// A spring that stops suddenly relaxes in much less than a step where the law nearly flows.
+#[test]
+fn steps_that_are_seen_beside_the_noise_are_told() {
+    let law = |exponent: f64| Relaxation::PowerLaw {
+        exponent,
+        time: 1e-3,
+    };
+    let warns = |exponent: f64, noise: f64| {
+        let plan = planned(Kind::ForceHeight, 5e-6, &law(exponent), 1.0);
+        let mut data = measured(&plan, 3);
+        data.noise = Some(noise * data.noise.expect("a noise"));
+        let fit = fit_all(&[data], &[Free::new(FilmModulus)]).expect("a fit");
+        let relaxation = fit.experiments[0].relaxation.expect("it relaxes");
+        println!("{exponent}: {:.1e}", relaxation.steps_error);
+        fit.warns_of(WarningKind::Steps)
+    };
+    assert!(warns(0.9, 0.1));
+    assert!(!warns(0.2, 1.0));
+}
+
 /// A loop in time that no relaxation is fitted to.
 #[test]
 fn a_loop_in_time_asks_for_a_relaxation() {

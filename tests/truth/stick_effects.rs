@@ -53,6 +53,16 @@ fn pull_offs_of_three_histories_agree() {
                 (found - expected).abs() < 6e-5,
                 "{l}: {found}, not {expected}"
             );
+            // The slope of the force curve vanishes there; without adhesion it is that of the punch.
+            let a = pull_off.contact_radius;
+            let slope = |of: f64, w: f64| contact.moving_stiffness(of * a, w).expect("in range");
+            let punch = contact.stiffness(a).expect("in range");
+            let found = [slope(1.0, w), slope(1.0, 0.0) - punch].map(|slope| slope / punch);
+            assert!(
+                found[0].abs() < 1e-4 && found[1].abs() < 1e-5,
+                "{l}: {found:?}"
+            );
+            assert!(slope(0.99, w) < 0.0 && slope(1.01, w) > 0.0, "{l}");
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::line_energy::LineEnergy;
 use crate::Contact;
 use crate::Error;
+use interp::Curve;
 use interp::check::finite_result;
 
 impl Contact {
@@ -18,7 +19,8 @@ impl Contact {
     ///
     /// which follows from eqs. 8 and 9 and from `F0' = S delta0'`, for every probe. Without adhesion
     /// `K = S`. `K` is 0 at the pull-off under a load, infinite at that under a penetration, and
-    /// negative between them.
+    /// negative between them. With full friction `F0' = S delta0'` holds for the `S` of a flat punch that sticks, which is not
+    /// that of eq. 9, and `K` is the quotient of the slopes of load and penetration.
     ///
     /// Measured accuracy: 1e-13 of `S` against JKR's closed form on a half-space; on films 4e-7 of the
     /// larger of `S` and `|K|` against differences of force curves, which have a similar error, for
@@ -30,6 +32,15 @@ impl Contact {
     pub fn moving_stiffness(&self, a: f64, w: f64) -> Result<f64, Error> {
         self.mechanics().edge_singularity(a, w)?;
         let (_, slopes, values, relative) = self.everything_and_slopes(a)?;
+        if self.curve().and_then(Curve::stick).is_some() {
+            let energy = LineEnergy::of_jkr(w);
+            let [_, by_radius] = self.lowered_and_slopes(a, energy, &values, &relative)?;
+            let load = slopes.load - by_radius.load;
+            return Ok(finite_result(
+                a,
+                load / (slopes.penetration - by_radius.penetration),
+            )?);
+        }
         let pinned = self.mechanics().stiffness(a, values.eeq);
         if w == 0.0 {
             return Ok(finite_result(a, pinned)?);

@@ -239,7 +239,13 @@ fn points<'py>(
     fields.set_item("loss", loss(py, experiment.loss)?)?;
     let relaxation = experiment.relaxation.map(|found| {
         let [times, moduli] = [0, 1].map(|i| found.moduli.map(|pair| pair[i]).to_vec());
-        (times, moduli, found.made_monotone, found.unlike_bodies)
+        (
+            times,
+            moduli,
+            found.made_monotone,
+            found.unlike_bodies,
+            found.steps_error,
+        )
     });
     fields.set_item("relaxation", relaxation)?;
     fields.set_item("noise", experiment.noise)?;

@@ -48,9 +48,10 @@ def test_modulus_and_law_are_found() -> None:
     found = fit(other, FREE)
     for name, truth in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)]:
         assert found.params[name] == pytest.approx(truth, abs=4 * found.stderr[name])
-    times, moduli, changed, unlike = found.experiments[0].relaxation
+    times, moduli, changed, unlike, steps = found.experiments[0].relaxation
     assert moduli[1] == pytest.approx(found.params["film_modulus"] * times[1] ** -0.2, rel=0.02)
     assert changed == unlike == 0.0
+    assert 0.0 < steps < 1e-4
     assert "Young's modulus" in str(found)
     expected = forecast(plan(), FREE)
     assert found.stderr["film_modulus"] == pytest.approx(expected.stderr["film_modulus"], rel=0.2)

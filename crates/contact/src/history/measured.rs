@@ -18,17 +18,19 @@ use super::exponentials::Exponentials;
 use super::program::Program;
 use super::return_steps::Return;
 use super::setting::Setting;
+use super::steps::Steps;
 use super::variation::with_derivatives;
 use super::{History, HistoryError, LawParameter, TimedContact};
 use crate::{Control, Input};
 use interp::check::finite_result;
 
-/// The fewest steps of a history; longer steps between points are divided.
-const STEPS: f64 = 120.0;
-const STEPS_OF_A_SPRING: f64 = 250.0;
 /// The relative tolerance of the exponentials, and of the elastic curve.
 const LAW: f64 = 1e-6;
 const ELASTIC: f64 = 1e-7;
+/// The estimated error over the difference from steps of half the length, and the least estimate: a body that
+/// nearly flows may magnify the two tolerances ten times.
+const SAFETY: f64 = 2.0;
+const LEAST: f64 = 1e-5;
 
 /// What the loads of a measured history are differentiated by, beside the place of the program and
 /// the stiffness of the spring.
@@ -56,10 +58,10 @@ impl History<'_> {
     /// lines, and returns the states at the points, with the derivatives of the loads if `inputs` are
     /// given.
     ///
-    /// The values grow, may be held, and fall once. The steps are those of the points, at most 1/120
-    /// of the duration (of a spring 1/250), so that the loads are smooth functions of all numbers. Their errors are some
-    /// 1e-5 of the largest load. Of bodies that nearly flow they are larger just after the first touch and after a sudden
-    /// change of the speed: up to 4e-3 (`measured_tests.rs`), and with a spring more. [`History::at`] holds a tolerance.
+    /// The values grow, may be held, and fall once. The steps depend on the points alone, so that the loads
+    /// are smooth functions of all numbers. Of imposed penetrations the errors are some 1e-5 of the largest load;
+    /// under a spring they are below 1e-4 in most cases, and some 5e-3 where bodies that nearly flow turn
+    /// suddenly. [`History::error_of_measured`] estimates them, and [`History::at`] holds a tolerance.
     ///
     /// # Errors
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
@@ -71,6 +73,41 @@ impl History<'_> {
         control: Control,
         points: &[(f64, f64)],
         inputs: Option<HistoryInputs<'_>>,
+    ) -> Result<MeasuredHistory, HistoryError> {
+        self.followed(control, points, inputs, |steps| steps)
+    }
+
+    /// Estimates the largest error of the loads of a [measured history](History::measured) by its steps, in
+    /// parts of the largest load: twice the difference from steps of half the length, and 1e-5 for the
+    /// exponentials and the elastic curve.
+    ///
+    /// It takes twice as long as the history. `measured_tests.rs` compares it with histories of many digits.
+    ///
+    /// # Errors
+    /// As [`History::measured`].
+    pub fn error_of_measured(
+        &self,
+        control: Control,
+        points: &[(f64, f64)],
+        measured: &MeasuredHistory,
+    ) -> Result<f64, HistoryError> {
+        let finer = self.followed(control, points, None, Steps::halved)?;
+        let (mut most, mut largest) = (0.0_f64, 0.0_f64);
+        for (own, finer) in measured.states.iter().zip(&finer.states) {
+            most = most.max((own.state.load - finer.state.load).abs());
+            largest = largest.max(finer.state.load.abs());
+        }
+        let of_steps = if largest > 0.0 { most / largest } else { 0.0 };
+        Ok(SAFETY * of_steps + LEAST)
+    }
+
+    /// Follows a measured history in steps that are made from the usual ones.
+    fn followed(
+        &self,
+        control: Control,
+        points: &[(f64, f64)],
+        inputs: Option<HistoryInputs<'_>>,
+        of_usual: fn(Steps) -> Steps,
     ) -> Result<MeasuredHistory, HistoryError> {
         control.check()?;
         let compliance = match control {
@@ -99,17 +136,10 @@ impl History<'_> {
             found.states.extend(apart);
             return Ok(found);
         }
-        let count = match control {
-            Control::Spring { .. } => STEPS_OF_A_SPRING,
-            _ => STEPS,
-        };
-        let steps = steps(&program, count);
-        // What the first touch divides has small loads.
-        let ends = program.times.windows(2).map(|pair| pair[1] - pair[0]);
-        let shortest = ends.fold(program.duration() / count, f64::min);
+        let steps = of_usual(Steps::new(&program, compliance > 0.0));
         let (law, variations) = with_derivatives(
             &self.relaxation,
-            [shortest, program.duration()],
+            [steps.shortest(&program), program.duration()],
             LAW,
             inputs.law,
         );
@@ -122,7 +152,7 @@ impl History<'_> {
             compliance,
             width,
         };
-        follow(&setting, &steps, &mut found)?;
+        follow(&setting, &steps.places(&program), &mut found)?;
         for (point, at) in found.states.iter().enumerate() {
             let radius = at.state.contact_radius;
             finite_result(radius, at.state.load)?;
@@ -161,62 +191,15 @@ impl History<'_> {
     }
 }
 
-/// Returns the places of the program: its points, the first touch, and what divides long steps.
-fn steps(program: &Program, count: f64) -> Vec<Place> {
-    let longest = program.duration() / count;
-    let mut steps = vec![Place {
-        time: program.times[0],
-        value: program.values[0],
-        point: Some(0),
-    }];
-    let mut touched = program.values[0] >= 0.0;
-    for end in 1..program.times.len() {
-        let [t0, t1] = [program.times[end - 1], program.times[end]];
-        let [v0, v1] = [program.values[end - 1], program.values[end]];
-        let mut inner: Vec<f64> = Vec::new();
-        if !touched && v1 > 0.0 {
-            touched = true;
-            let touch = t0 + (t1 - t0) * (v0 / (v0 - v1));
-            if touch > t0 && touch < t1 {
-                inner.push(touch);
-            }
-        }
-        let begin = inner.first().copied().unwrap_or(t0);
-        // Before the touch nothing happens.
-        if touched {
-            let parts = ((t1 - begin) / longest * (1.0 - 1e-9)).ceil().max(1.0) as usize;
-            inner.extend((1..parts).map(|i| begin + (t1 - begin) * (i as f64 / parts as f64)));
-        }
-        for time in inner {
-            let value = if time == begin {
-                0.0
-            } else {
-                program.on_segment(end, time)
-            };
-            steps.push(Place {
-                time,
-                value,
-                point: None,
-            });
-        }
-        steps.push(Place {
-            time: t1,
-            value: v1,
-            point: Some(end),
-        });
-    }
-    steps
-}
-
 /// Takes the steps.
 fn follow(
     setting: &Setting<'_>,
-    steps: &[Place],
+    places: &[Place],
     found: &mut MeasuredHistory,
 ) -> Result<(), HistoryError> {
     let width = setting.width;
     let mut by = vec![0.0; width];
-    let mut approach = Approach::new(setting, &steps[0], steps.len());
+    let mut approach = Approach::new(setting, &places[0], places.len());
     let mut add = |place: &Place, state: TimedContact, by: &[f64]| {
         if let Some(point) = place.point {
             found.states.push(state);
@@ -224,12 +207,12 @@ fn follow(
         }
     };
     add(
-        &steps[0],
-        TimedContact::separated(steps[0].time, steps[0].value),
+        &places[0],
+        TimedContact::separated(places[0].time, places[0].value),
         &by,
     );
     let mut done = 1;
-    for place in &steps[1..] {
+    for place in &places[1..] {
         let Some(state) = approach.advance(place, &mut by)? else {
             break;
         };
@@ -237,7 +220,7 @@ fn follow(
         done += 1;
     }
     let mut back = Return::new(&approach);
-    for place in &steps[done..] {
+    for place in &places[done..] {
         let state = back.recede(place, &mut by)?;
         add(place, state, &by);
     }

@@ -6,7 +6,7 @@
 //! curve, `program` what is imposed. `one_turn` (with `retract` and its `adhesion`) and `growing_load` have many digits,
 //! `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses among them and refines. `density` and `variation` hold the
 //! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
-//! them `measured`, in the steps of `approach` and `return_steps`, which share a `setting`, follows measured points and
+//! them `measured`, at the places of `steps`, by `approach` and `return_steps`, which share a `setting`, follows measured points and
 //! differentiates their loads. `moments` and `gamma` are functions for them.
 
 mod adhesion;
@@ -33,6 +33,7 @@ mod return_steps;
 mod rim;
 mod run;
 mod setting;
+mod steps;
 mod variation;
 
 pub use self::error::HistoryError;

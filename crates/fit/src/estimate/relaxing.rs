@@ -11,6 +11,8 @@ const UNLIKE: f64 = 1e-3;
 /// The stiffness of a film over that of a substrate that relaxes with it, above which the contact
 /// may pull inside.
 const STIFF_FILM: f64 = 3.0;
+/// The error of the steps in time, in parts of the noise, above which there is a warning.
+const SEEN: f64 = 0.1;
 /// The change of an abscissa over their range above which it is no noise.
 const MONOTONE: f64 = 0.01;
 
@@ -24,13 +26,15 @@ pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxat
         return Ok(None);
     };
     let program = experiment.program();
-    let mut unlike_bodies = 0.0;
-    if let Some(rigid) = experiment.beside_rigid(problem.table)? {
-        let contact = problem.contact(&experiment.bodies, false)?;
-        let history = contact.history(&relaxing.law)?.beside(&rigid);
-        let measured = history.measured(experiment.control(), &program.points, None)?;
-        unlike_bodies = history.unlike_bodies(&measured)?;
-    }
+    let contact = problem.contact(&experiment.bodies, false)?;
+    let history = contact.history(&relaxing.law)?;
+    let (control, points) = (experiment.control(), &program.points);
+    let measured = history.measured(control, points, None)?;
+    let steps_error = history.error_of_measured(control, points, &measured)?;
+    let unlike_bodies = match experiment.beside_rigid(problem.table)? {
+        Some(rigid) => history.beside(&rigid).unlike_bodies(&measured)?,
+        None => 0.0,
+    };
     let [shortest, duration] = times(&experiment.times);
     let young = experiment.bodies.film().young();
     let modulus = |t: f64| Ok::<_, Error>([t, young * relaxing.law.modulus(t)?]);
@@ -42,6 +46,7 @@ pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxat
         ],
         made_monotone: program.changed,
         unlike_bodies,
+        steps_error,
     }))
 }
 
@@ -96,6 +101,22 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
                 "{name}: probe or substrate deform beside the film and do not relax: the loads may be wrong \
                  by {:.1e} of the largest load",
                 found.unlike_bodies
+            ),
+        );
+    }
+    let largest = fit.experiments[e]
+        .points
+        .iter()
+        .filter_map(|point| point.fit);
+    let steps = found.steps_error * largest.fold(0.0, |most: f64, load| most.max(load.abs()));
+    if steps > SEEN * fit.experiments[e].noise {
+        warnings.add(
+            WarningKind::Steps,
+            format!(
+                "{name}: the loads may be wrong by {steps:.1e} N ({:.1e} of the largest load), because the contact \
+                 changes much within a step in time; the noise is {:.1e} N: measure at more times, or with \
+                 turns that are less sudden",
+                found.steps_error, fit.experiments[e].noise
             ),
         );
     }

@@ -132,6 +132,8 @@ pub struct FittedRelaxation {
     pub made_monotone: f64,
     /// The bound of the error by bodies that do not relax, in parts of the largest load.
     pub unlike_bodies: f64,
+    /// The estimated largest error of the loads by the steps in time, in parts of the largest load.
+    pub steps_error: f64,
 }
 
 /// Points that were left out for one reason.
@@ -366,6 +368,8 @@ pub enum WarningKind {
     /// Penetrations or heights in time that go back and forth by more than a hundredth of their
     /// range.
     NotMonotone,
+    /// Steps in time whose error is seen beside the noise.
+    Steps,
 }
 
 impl WarningKind {
@@ -402,6 +406,7 @@ impl WarningKind {
             Self::UnlikeBodies => "unlike-bodies",
             Self::TensileInside => "tensile-inside",
             Self::NotMonotone => "not-monotone",
+            Self::Steps => "steps",
         }
     }
 }

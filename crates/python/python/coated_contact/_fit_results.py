@@ -103,8 +103,9 @@ class FittedExperiment(OneLine):
         where phases are measured.
     relaxation : tuple or None
         Where the film relaxes, the times (s) and the Young's moduli (Pa) at them after a step of
-        the strain, the largest change (m) of an abscissa that made them one rise and one fall, and
-        the bound of the error by bodies that do not relax, in parts of the largest load.
+        the strain, the largest change (m) of an abscissa that made them one rise and one fall, the
+        bound of the error by bodies that do not relax, and the estimated error of the loads by the
+        steps in time, both in parts of the largest load.
     """
 
     name: str
@@ -123,7 +124,7 @@ class FittedExperiment(OneLine):
     left_out: dict[str, int]
     retract: NDArray[np.bool_] | None
     loss: dict[str, float] | None
-    relaxation: tuple[list[float], list[float], float, float] | None
+    relaxation: tuple[list[float], list[float], float, float, float] | None
     _jkr: tuple[Array, ...] | str = field(repr=False)
 
     @property

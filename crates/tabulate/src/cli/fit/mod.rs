@@ -185,7 +185,7 @@ pub struct Arguments {
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
     /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
-    /// "unlike_bodies"} with --relaxation, "without_film": {...},
+    /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
     /// own is a list. With --intervals each parameter has an "interval".

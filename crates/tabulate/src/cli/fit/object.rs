@@ -93,6 +93,7 @@ struct RelaxationObject {
     moduli: Vec<ModulusInTime>,
     made_monotone: Number,
     unlike_bodies: Number,
+    steps_error: Number,
 }
 
 #[derive(Serialize)]
@@ -115,6 +116,7 @@ impl RelaxationObject {
                 .into(),
             made_monotone: Number(found.made_monotone),
             unlike_bodies: Number(found.unlike_bodies),
+            steps_error: Number(found.steps_error),
         })
     }
 }
