@@ -70,7 +70,9 @@ impl Magnitude {
     /// ```
     pub fn length(what: impl Into<Cow<'static, str>>, value: f64) -> Option<Self> {
         let [least, most] = LENGTHS;
-        let reason = if value > most {
+        let reason = if 1e-9 * value > most {
+            format!("is above {most} m: check it and its unit")
+        } else if value > most {
             let value = short(value);
             format!("is above {most} m: {value} mm, {value} um or {value} nm was probably meant")
         } else if value < least && value > 0.0 {

@@ -90,10 +90,11 @@ impl Fitting {
     /// of `range`.
     fn coarsest_and_finest(range: [f64; 2]) -> [u32; 2] {
         // A piece is shorter than the whole range. Otherwise the samples of a piece that extends
-        // out of the range would lie closer to each other.
+        // out of the range would lie closer to each other. An octave has two pieces at least, because the
+        // loads of other functions of `x` than these, such as the shape of a sphere, follow on them.
         let length = (range[1] - range[0]) / range[0];
         let coarsest = if length > 0.0 {
-            (-length.log2()).ceil().clamp(0.0, 40.0) as u32
+            (-length.log2()).ceil().clamp(1.0, 40.0) as u32
         } else {
             0
         };

@@ -330,8 +330,11 @@ class Gradient(OneLine):
             film on a half-space, and the work of adhesion where it is 0. Not where the gradient was
             computed with ``errors="nan"``.
         KeyError
-            For another name.
+            For another name; the message lists the names.
         """
+        if name not in self._derivatives:
+            names = ", ".join(self._derivatives)
+            raise KeyError(f"{name!r} is no input: choose among {names}")
         load, penetration = self._derivatives[name]
         if self._errors == "raise" and np.isnan(load).any():
             raise _core.no_derivative(INPUTS.index(name))

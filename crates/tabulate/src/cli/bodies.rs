@@ -3,15 +3,19 @@
 
 use std::path::{Path, PathBuf};
 
+use anyhow::ensure;
 use clap::ValueHint;
+use contact::Validity;
 use contact::magnitude::Magnitude;
-use interp::System;
+use interp::{Probe, System};
 
 use super::allow::{self, Allowed};
 use super::interface::InterfaceArguments;
+use super::note;
 use super::quantity::length;
 use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
+use crate::large_contact::LARGE_CONTACT;
 use solve::cohesive::Cohesive;
 
 /// The flags of the bodies. A command that takes them has an argument `table`.
@@ -123,6 +127,19 @@ impl BodiesArguments {
 }
 
 impl Bodies {
+    /// Notes on standard error that a contact radius (m) is too large for a paraboloid to stand for a
+    /// sphere.
+    pub fn note_large_contact(&self, a: f64) {
+        let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
+        if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
+            note(&format!(
+                "{LARGE_CONTACT} The largest contact radius here is {:.2} R. --probe sphere takes the shape of the \
+                 sphere.",
+                a / self.sphere_radius
+            ));
+        }
+    }
+
     /// Returns the attraction of a finite `range` (m) between the bodies.
     pub fn cohesive(&self, range: f64) -> anyhow::Result<Cohesive> {
         let Self {
@@ -131,6 +148,11 @@ impl Bodies {
             sphere_radius,
             work_of_adhesion,
         } = *self;
+        ensure!(
+            range > 0.0,
+            "--interaction-range {range:?}: give the distance over which the attraction acts, such as 5nm; without \
+             --interaction-range it acts at the edge of the contact alone (JKR)"
+        );
         Ok(match stack {
             Some(layers) => Cohesive::on_stack(
                 layers.stack(),

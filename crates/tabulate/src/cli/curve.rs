@@ -9,17 +9,15 @@ use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
-use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
 use super::quantity::{self, length};
 use super::stack_file::Layers;
 use super::table_name::{self, TableName};
-use crate::large_contact::LARGE_CONTACT;
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
-use solve::{curve as adaptive, solve};
+use solve::{A_OVER_T, curve as adaptive, solve};
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -32,7 +30,7 @@ use solve::{curve as adaptive, solve};
 /// Two columns are slopes dF/d delta (N/m): contact_stiffness where the contact line stays, which a
 /// small fast oscillation measures, and moving_stiffness where it moves in equilibrium, which the
 /// force curve itself has. Without adhesion they are equal; under a flat punch, whose line cannot
-/// move, the second is NaN. Where a table does not hold eeq and gamma, a slope that needs them is NaN.
+/// move, the second is NaN. With --friction stick the first is that of a flat punch that sticks. Where a table does not hold eeq and gamma, a slope that needs them is NaN.
 ///
 /// With --interaction-range the attraction is not that of JKR, and in place of the two slopes there
 /// is a column outer_radius (m): the radius within which it acts.
@@ -65,7 +63,7 @@ pub struct Arguments {
     attracting: AttractingArguments,
     #[command(flatten)]
     history: HistoryArguments,
-    /// Smallest contact radius, m [default: 1e-6; without --to, 1/150 of the largest]
+    /// Smallest contact radius, m [default: 1e-6, or 1/150 of the largest if that is less]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
@@ -87,16 +85,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let given = &arguments.attracting.bodies;
     let table = arguments.table.as_ref().and_then(TableName::path);
     let [stack, profile] = given.files();
-    let output = Output::new(arguments.output.as_deref(), [table, stack, profile])?;
+    let output = Output::of_text(arguments.output.as_deref(), [table, stack, profile])?;
     let bodies = given.read_checked()?;
     let system = &bodies.system;
     let [from, to] = arguments.radii(system);
+    let [from_default, to_default] = [arguments.from, arguments.to].map(|given| match given {
+        Some(_) => "",
+        None => ", which is not given,",
+    });
     ensure!(
         from > 0.0 && to > from && to < f64::INFINITY,
-        "the contact radii must run from > 0 to more than that: from {from:?} to {to:?} m"
+        "contact radii run from above 0 to more than that: --from{from_default} is {from:?} m, and \
+         --to{to_default} is {to:?} m"
     );
     let mechanics = Mechanics::new(system)?;
     let punch = matches!(system.probe, Probe::FlatPunch { .. });
+    ensure!(
+        !punch || arguments.from.is_none() && arguments.to.is_none(),
+        "--probe flat-punch has one contact radius, --sphere-radius: leave out --from and --to"
+    );
     if !punch {
         // Refuses too large a radius before any work.
         mechanics.edge_singularity(to, bodies.work_of_adhesion)?;
@@ -117,10 +124,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         rows
     };
     given.name_example();
-    let paraboloid = matches!(system.probe, Probe::Paraboloid { .. });
-    if paraboloid && to > Validity::WARNING_A_OVER_R * bodies.sphere_radius {
-        note(LARGE_CONTACT);
-    }
+    bodies.note_large_contact(to);
     if arguments.history.sticks()?.is_none() {
         friction::note_size(&bodies, if punch { bodies.sphere_radius } else { to });
     }
@@ -155,11 +159,7 @@ impl Arguments {
             _ => f64::INFINITY,
         };
         let to = self.to.unwrap_or(USUAL[1].min(most));
-        let scale = if self.to.is_none() {
-            to / USUAL[1]
-        } else {
-            1.0
-        };
+        let scale = (to / USUAL[1]).min(1.0);
         [self.from.unwrap_or(USUAL[0] * scale), to]
     }
 }
@@ -204,7 +204,7 @@ impl<'a> States<'a> {
             let (contact, receding) =
                 arguments
                     .history
-                    .contact(bodies, nu2, [from, to], tolerance)?;
+                    .contact(bodies, nu2, [from, to], arguments.tolerance)?;
             work_of_adhesion = receding;
             Source::Curve(Box::new(contact))
         } else if let Some(range) = attracting.interaction_range {
@@ -228,9 +228,9 @@ impl<'a> States<'a> {
                     Source::Solves(slopes.transpose()?.map(Box::new))
                 }
                 Probe::FlatPunch { radius } => {
-                    Source::Curve(Box::new(of_shape(system, radius, tolerance)?))
+                    Source::Curve(Box::new(of_shape(system, [radius; 2], tolerance)?))
                 }
-                _ => Source::Curve(Box::new(of_shape(system, to, tolerance)?)),
+                _ => Source::Curve(Box::new(of_shape(system, [from, to], tolerance)?)),
             }
         };
         Ok(Self {
@@ -296,13 +296,15 @@ fn of_slopes(system: &System, radii: [f64; 2], tolerance: f64) -> anyhow::Result
     Ok(Contact::new(system, curve)?)
 }
 
-/// Makes the contact of any shape up to contact radius `most` from solves of its material alone.
-fn of_shape(system: &System, most: f64, tolerance: f64) -> anyhow::Result<Contact> {
-    /// The `a/t` from which on the shape is integrated over the curve.
+/// Makes the contact of any shape between two contact radii from solves of its material alone.
+fn of_shape(system: &System, radii: [f64; 2], tolerance: f64) -> anyhow::Result<Contact> {
+    /// The largest `a/t` from which on the shape is integrated over the curve.
     const BEGIN: f64 = 1e-3;
     /// How far the curve reaches beyond the largest contact, because the integrals do.
     const BEYOND: f64 = 1.5;
-    let end = (BEYOND * most / system.film_thickness).max(10.0 * BEGIN);
-    let curve = adaptive(&system.material()?, [BEGIN, end], tolerance)?;
+    let [from, to] = radii.map(|a| a / system.film_thickness);
+    let begin = from.clamp(A_OVER_T[0], BEGIN);
+    let end = (BEYOND * to).max(10.0 * begin);
+    let curve = adaptive(&system.material()?, [begin, end], tolerance)?;
     Ok(Contact::new(system, curve)?)
 }

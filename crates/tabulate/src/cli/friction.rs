@@ -145,7 +145,9 @@ pub fn within<T>(
             Error::StickNotConverged { reached, .. }
             | Error::NotConverged { reached, .. }
             | Error::StackNotConverged { reached, .. },
-        ) if given.is_none() && 2.0 * reached <= LARGEST_ERROR => solve(2.0 * reached),
+        ) if given.is_none() && 2.0 * reached <= LARGEST_ERROR => {
+            within(given, 2.0 * reached, solve)
+        }
         result => result,
     }
 }
@@ -193,18 +195,24 @@ impl HistoryArguments {
     }
 
     /// Makes the contact that recedes, of `bodies` that stick, over the contact radii (m) `radii`,
-    /// and returns it with the work of adhesion of its states.
+    /// and returns it with the work of adhesion of its states. Without a `tolerance` it is 1e-8, or what
+    /// rounding allows up to 1e-6.
     pub fn contact(
         &self,
         bodies: &Bodies,
         nu2: f64,
         [from, to]: [f64; 2],
-        tolerance: f64,
+        tolerance: Option<f64>,
     ) -> anyhow::Result<(Contact, f64)> {
+        /// The relative tolerance where none is given.
+        const TOLERANCE: f64 = 1e-8;
         let system = &bodies.system;
         let (receding, ratio) = self.works(bodies.work_of_adhesion)?;
         let range = [from, to].map(|a| a / system.film_thickness);
-        let curves = StickCurves::new(&sticking(bodies, nu2)?, range, tolerance)?;
+        let sticking = sticking(bodies, nu2)?;
+        let curves = within(tolerance, tolerance.unwrap_or(TOLERANCE), |tolerance| {
+            StickCurves::new(&sticking, range, tolerance)
+        })?;
         let contact = Contact::new(system, curves.receding(ratio)?)?;
         Ok((contact, receding))
     }
@@ -244,10 +252,20 @@ pub fn note_size(bodies: &Bodies, a: f64) {
     if let Ok((a, ratio)) = found
         && ratio > 1.0 + MUCH
     {
+        let is_solved =
+            matches!(bodies.system.probe, Probe::Paraboloid { .. }) && a <= reach(bodies);
         note(&format!(
             "The model takes the surfaces to slide freely. With full friction, a flat punch of the contact \
-             radius {a:.3e} m would be stiffer by {:.0} %. --friction stick solves contacts with full friction.",
-            1e2 * (ratio - 1.0)
+             radius {a:.3e} m would be stiffer by {:.0} %.{}",
+            1e2 * (ratio - 1.0),
+            if is_solved {
+                " --friction stick solves contacts with full friction.".to_owned()
+            } else {
+                format!(
+                    " --friction stick solves those of --probe paraboloid up to the radius {:.3e} m.",
+                    reach(bodies)
+                )
+            }
         ));
     }
 }

@@ -26,6 +26,27 @@ impl<'a> Output<'a> {
         Self::beside(path, &inputs)
     }
 
+    /// As [`Output::new`], for a text: a name that ends like that of a table is refused.
+    pub fn of_text<const N: usize>(
+        path: Option<&'a Path>,
+        inputs: [Option<&Path>; N],
+    ) -> anyhow::Result<Self> {
+        /// The endings of the names of tables.
+        const TABLES: [&str; 3] = ["h5", "hdf5", "bin"];
+        if let Some(path) = path
+            && let Some(ending) = path.extension()
+            && TABLES
+                .iter()
+                .any(|table| ending.eq_ignore_ascii_case(table))
+        {
+            bail!(
+                "{} is the name of a table, and this command writes a text; choose another name",
+                printable::path(path)
+            );
+        }
+        Self::new(path, inputs)
+    }
+
     /// As [`Output::new`], for any number of inputs.
     pub fn beside(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Self> {
         if let Some(path) = path {

@@ -1,5 +1,6 @@
 //! The shape of the probe, as the command line gives it.
 
+use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +39,8 @@ pub struct ProbeArguments {
     /// Shape of the probe
     #[arg(long, value_enum, default_value = "paraboloid")]
     pub probe: Shape,
-    /// Angle between the axis and the flank of a cone, in DEGREES, between 0 and 90
+    /// Angle between the axis and the flank of a cone, in DEGREES, below 90. Up to 1.57 it was
+    /// probably meant in radians, and is refused
     #[arg(long, value_name = "DEGREES", value_parser = number, allow_hyphen_values = true)]
     pub half_angle: Option<f64>,
     /// Exponent n of the power law c r^n, from 1 to 20
@@ -59,9 +61,9 @@ impl ProbeArguments {
         !matches!(self.probe, Shape::Cone | Shape::PowerLaw | Shape::Profile)
     }
 
-    /// Returns the shape; `radius` is --sphere-radius. A flag that the shape does not have, or that
-    /// is missing, is an error.
-    pub fn probe(&self, radius: f64) -> anyhow::Result<Probe> {
+    /// Returns the shape; `radius` is --sphere-radius, or a usual one where that is not given. A flag that
+    /// the shape does not have, or that is missing, is an error.
+    pub fn probe(&self, given_radius: Option<f64>, radius: f64) -> anyhow::Result<Probe> {
         let name = self
             .probe
             .to_possible_value()
@@ -77,6 +79,11 @@ impl ProbeArguments {
             ("--coefficient", self.coefficient.is_some(), power),
             ("--profile", self.profile.is_some(), measured),
         ];
+        ensure!(
+            self.has_radius() || given_radius.is_none(),
+            "--probe {name} has no --sphere-radius: leave it out, or choose another --probe, such as \
+             rounded-cone for a cone with a round end"
+        );
         for (flag, given, needed) in flags {
             ensure!(given || !needed, "--probe {name} needs {flag}");
             ensure!(
@@ -90,6 +97,12 @@ impl ProbeArguments {
                     degrees > 0.0 && degrees < 90.0,
                     "--half-angle {degrees:?}: it must be between 0 and 90 degrees, the angle \
                      between the axis and the flank"
+                );
+                ensure!(
+                    degrees > FRAC_PI_2,
+                    "--half-angle {degrees:?} is in degrees, and no cone is so sharp: {degrees:?} rad are {:.4} \
+                     degrees, which were probably meant",
+                    degrees.to_degrees()
                 );
                 degrees.to_radians()
             }

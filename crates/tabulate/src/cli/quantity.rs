@@ -7,9 +7,19 @@ pub fn length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::Length))
 }
 
-/// Reads a modulus.
+/// Reads a modulus. A small number needs a unit: MPa or GPa were probably meant.
 pub fn modulus(text: &str) -> Result<f64, String> {
-    read(text, Some(Dimension::Modulus))
+    /// The modulus (Pa) below which hardly any solid is.
+    const SMALL: f64 = 1e3;
+    let value = read(text, Some(Dimension::Modulus))?;
+    let number = text.trim();
+    if value > 0.0 && value < SMALL && number.parse::<f64>().is_ok() {
+        return Err(format!(
+            "{number} has no unit and is in Pa, softer than almost all solids: write {number}MPa or {number}GPa, or \
+             {number}Pa if that is meant"
+        ));
+    }
+    Ok(value)
 }
 
 /// Reads a stiffness or a work of adhesion.

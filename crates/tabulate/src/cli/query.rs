@@ -45,14 +45,15 @@ pub struct Arguments {
     output: Option<PathBuf>,
     /// Print the derivatives too: d_pi0_d_a_over_t, d_pi0_d_e1_over_e2, ..., d_delta0_d_nu0
     ///
-    /// A field is empty where the scene of the table fixes the parameter. There are no derivatives
+    /// A field is empty where the scene of the table fixes the parameter to a finite value, and 0 with
+    /// respect to a rigid substrate. There are no derivatives
     /// above the a/t of the table, and none from a table without all four quantities.
     #[arg(long)]
     gradient: bool,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let output = Output::new(
+    let output = Output::of_text(
         arguments.output.as_deref(),
         [Some(&arguments.points), arguments.table.path()],
     )?;

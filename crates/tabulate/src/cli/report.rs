@@ -35,7 +35,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let output = Output::new(
+    let output = Output::of_text(
         Some(&arguments.output),
         [
             arguments.table.path(),

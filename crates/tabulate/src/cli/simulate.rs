@@ -8,7 +8,7 @@ use ::fit::report::{self, UnitOf};
 use ::fit::{
     Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate_experiment,
 };
-use anyhow::{Context, ensure};
+use anyhow::{Context, bail, ensure};
 use clap::builder::TypedValueParser;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
@@ -127,6 +127,24 @@ fn ways() -> impl TypedValueParser<Value = &'static [Option<Direction>]> {
 }
 
 impl Arguments {
+    /// Returns the ways measured.
+    fn ways(&self) -> &'static [Option<Direction>] {
+        let usual = match self.kind {
+            Kind::LoadPenetration | Kind::ForceHeight => CYCLE,
+            _ => NONE,
+        };
+        self.segments.unwrap_or(usual)
+    }
+
+    /// Tells whether the probe moves away from the first abscissa to the last one.
+    fn recedes(&self, [from, to]: [f64; 2]) -> bool {
+        if self.kind == Kind::ForceHeight {
+            to > from
+        } else {
+            to < from
+        }
+    }
+
     /// Returns the first and the last abscissa, lengths or loads.
     fn ends(&self) -> anyhow::Result<[f64; 2]> {
         let dimension: Dimension = roles(self.kind)[0].dimension();
@@ -141,16 +159,33 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let [stack, profile] = arguments.known.bodies.files();
     let inputs = [arguments.table.path(), stack, profile];
-    let output = Output::new(arguments.output.as_deref(), inputs)?;
+    let output = Output::of_text(arguments.output.as_deref(), inputs)?;
     let [from, to] = arguments.ends()?;
     ensure!(
         from.is_finite() && to.is_finite() && from != to,
         "--from {from:?} and --to {to:?} must be two different numbers"
     );
     let noise = arguments.noise.of(arguments.kind)?;
+    let approaches = |way: &Option<Direction>| way.is_some();
+    if arguments.ways().iter().any(approaches) && arguments.recedes([from, to]) {
+        bail!(
+            "--from {from:?} to --to {to:?} moves away: an approach ends at --to, closer to the sample, where the {} \
+             is {}; exchange the two",
+            roles(arguments.kind)[0].name().replace('_', " "),
+            if arguments.kind == Kind::ForceHeight {
+                "smaller"
+            } else {
+                "larger"
+            }
+        );
+    }
     let measurement = plan(arguments, [from, to]);
     arguments.known.history.needs_poisson_ratio()?;
     let mut experiments = arguments.known.experiments(vec![measurement], &[])?;
+    ensure!(
+        arguments.kind != Kind::ForceHeight || experiments[0].stiffness.is_some(),
+        "--kind force-height needs --stiffness, that of the cantilever, for example 0.1N/m"
+    );
     experiments[0].noise = Some(noise);
     ensure!(
         arguments.loss_tangent == 0.0 || arguments.kind.is_stiffness(),
@@ -160,7 +195,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     experiments[0].indentation.loss_tangent = arguments.loss_tangent;
     let free = if arguments.expect {
-        arguments.free.of(&experiments, &[])?
+        arguments
+            .free
+            .of(&experiments, &[], &arguments.known.bodies.system)?
     } else {
         Vec::new()
     };
@@ -193,10 +230,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// Returns the measurement to be made, without ordinates.
 fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
     let Arguments { kind, points, .. } = *arguments;
-    let usual = match kind {
-        Kind::LoadPenetration | Kind::ForceHeight => CYCLE,
-        _ => NONE,
-    };
     let interval = arguments.known.relaxing.sample_interval;
     let held = arguments.hold.zip(interval);
     // A conversion of a float saturates, and a plan of points has an end.
@@ -218,12 +251,7 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
     Measurement {
         name: "the experiment".into(),
         kind,
-        points: arguments
-            .segments
-            .unwrap_or(usual)
-            .iter()
-            .flat_map(way)
-            .collect(),
+        points: arguments.ways().iter().flat_map(way).collect(),
     }
 }
 

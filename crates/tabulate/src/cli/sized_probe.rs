@@ -1,7 +1,9 @@
 //! The probe of the commands that set nothing else of a system: `plot` and `report`.
 
+use contact::magnitude::Magnitude;
 use interp::Probe;
 
+use super::allow::{self, Allowed};
 use super::probe::ProbeArguments;
 use super::quantity::length;
 use super::system::Value;
@@ -16,13 +18,19 @@ pub struct SizedProbeArguments {
     /// 1mm]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     sphere_radius: Option<f64>,
+    /// Accept these, which are errors otherwise
+    #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
+    allow: Vec<Allowed>,
 }
 
 impl SizedProbeArguments {
     /// Returns the shape.
     pub fn probe(&self) -> anyhow::Result<Probe> {
-        self.shape
-            .probe(Value::SphereRadius.or_of_paper(self.sphere_radius)?)
+        let radius = Value::SphereRadius.or_of_paper(self.sphere_radius)?;
+        let probe = self.shape.probe(self.sphere_radius, radius)?;
+        let found = Magnitude::length("the radius of the sphere", radius);
+        allow::magnitudes(found.as_slice(), &self.allow)?;
+        Ok(probe)
     }
 
     /// Lists the values of the paper's system that are not given.

@@ -108,7 +108,6 @@ pub struct Arguments {
     #[arg(
         long,
         value_name = "PA",
-        requires = "stack",
         value_parser = modulus,
         allow_hyphen_values = true
     )]
@@ -142,6 +141,11 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     arguments.friction.check()?;
+    ensure!(
+        arguments.stack.is_some() || arguments.sphere_modulus.is_none(),
+        "--sphere-modulus is of the sphere on a --stack: without a stack the moduli are ratios, --e1-over-e2 and \
+         --e0-over-e2; leave it out, or give --stack"
+    );
     let exponents = &arguments.exponents;
     for (i, exponent) in exponents.iter().enumerate() {
         ensure!(
@@ -337,7 +341,7 @@ fn print_solution(
 }
 
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    let output = Output::new(arguments.output.as_deref(), [Some(path)])?;
+    let output = Output::of_text(arguments.output.as_deref(), [Some(path)])?;
     let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
     points.answer("solving", &output, &further_columns(arguments), |point| {
         let (solution, power_laws) = solve_film(arguments, point.a_over_t, &point.material)?;

@@ -195,7 +195,9 @@ impl SystemArguments {
             Elastic::new(self.value(young)?, self.value(poisson)?).context(name)
         };
         Ok(System {
-            probe: self.shape.probe(self.value(Value::SphereRadius)?)?,
+            probe: self
+                .shape
+                .probe(self.sphere_radius, self.value(Value::SphereRadius)?)?,
             sphere_modulus: self.value(Value::SphereModulus)?,
             film: solid(film, "film")?,
             film_thickness: self.value(Value::FilmThickness)?,

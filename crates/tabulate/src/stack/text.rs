@@ -81,8 +81,14 @@ impl NamedStack {
     /// Parses the text of a stack file. An error is a sentence, which names the layer if it is
     /// about one.
     fn parse(text: &str) -> Result<Self, String> {
-        let text: Text =
-            toml::from_str(text).map_err(|error| error.to_string().trim_end().to_owned())?;
+        let text: Text = toml::from_str(text).map_err(|error| {
+            let hint = if error.message().contains("expected f64") {
+                "; numbers here are in SI units and stand without quotes, such as 7.5e-6"
+            } else {
+                ""
+            };
+            format!("{}{hint}", error.to_string().trim_end())
+        })?;
         text.stack()
     }
 }

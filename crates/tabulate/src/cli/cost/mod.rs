@@ -83,7 +83,7 @@ impl Rows {
         measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,
         markdown: fn(&[R]) -> String,
     ) -> anyhow::Result<()> {
-        let output = Output::new(
+        let output = Output::of_text(
             self.output.as_deref(),
             [input, self.data.as_deref(), self.compare.as_deref()],
         )?;

@@ -15,9 +15,10 @@ use super::setting::{Bounds, Given, Known, Values};
 use super::value::{fixed, parameter, questions};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
+use crate::cli::note;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
-use crate::cli::system::{self, Value};
+use crate::cli::system::{self, SystemArguments, Value};
 use fit::DirectSolver;
 use solve::stack::Layer;
 
@@ -28,7 +29,9 @@ pub struct KnownArguments {
     pub bodies: BodiesArguments,
     /// No film and no substrate: the sphere touches a half-space with the modulus and the Poisson
     /// ratio of the film
-    #[arg(long, conflicts_with_all = ["stack", "interface", "interface_stiffness"])]
+    #[arg(long, conflicts_with_all = [
+        "stack", "interface", "interface_stiffness", "film_thickness", "substrate_modulus", "substrate_poisson_ratio",
+    ])]
     pub half_space: bool,
     #[command(flatten)]
     pub history: HistoryArguments,
@@ -299,9 +302,29 @@ impl FreeArguments {
     }
 
     /// Returns the free parameters of experiments.
-    pub fn of(&self, experiments: &[Experiment], values: &[Values]) -> anyhow::Result<Vec<Free>> {
+    pub fn of(
+        &self,
+        experiments: &[Experiment],
+        values: &[Values],
+        given: &SystemArguments,
+    ) -> anyhow::Result<Vec<Free>> {
         let names = if self.free.is_empty() {
-            usual(experiments)
+            let mut names = usual(experiments);
+            // No fit starts from a work of adhesion of 0.
+            if given.given(Value::WorkOfAdhesion) == Some(0.0) {
+                names.retain(|&name| name != Parameter::WorkOfAdhesion);
+            }
+            let starts = |value: &Value| {
+                let is_free = |parameter| names.contains(&parameter);
+                given.given(*value).is_some() && parameter(*value).is_some_and(is_free)
+            };
+            for value in Value::ALL.into_iter().filter(starts) {
+                note(&format!(
+                    "{} is where the fit starts, because it finds this value unless --free names others",
+                    value.flag()
+                ));
+            }
+            names
         } else {
             self.free.clone()
         };

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Fit, Kind, Loss, Options, Parameter, WarningKind};
+use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, WarningKind};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -30,11 +30,13 @@ use self::indentation::{Noise, Range, ReferenceArguments};
 use self::picture::PictureArguments;
 use self::reading::{doubted, measured, typed};
 use self::setting::{Given, unit_of};
+use self::value::fixed;
 use super::allow::{self, Allowed};
 use super::json;
 use super::output::Output;
 use super::print;
 use super::quantity::{length, number, read};
+use super::system::Value;
 use super::table_name::{self, TableName};
 use crate::printable;
 
@@ -351,8 +353,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
     }
+    for given in &arguments.given {
+        let value = Value::ALL
+            .into_iter()
+            .find(|&value| fixed(value) == given.quantity);
+        if let Some(value) = value
+            && let Some(other) = arguments.known.bodies.system.given(value)
+        {
+            ensure!(
+                other == given.value,
+                "{} {other:?} and --known {}={:?} are two values of one quantity: leave one of them out",
+                value.flag(),
+                given.quantity.name(),
+                given.value
+            );
+        }
+    }
     let values = arguments.known.all_values()?;
-    let free = arguments.free.of(&experiments, &values)?;
+    let system = &arguments.known.bodies.system;
+    let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
     let set: Vec<Parameter> = values.iter().map(|one| one.parameter).collect();
     arguments
@@ -379,6 +398,21 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
          which is not free; free it, --free sphere-modulus, or let the surfaces stick, --friction \
          stick, or leave the Poisson ratio out"
     );
+    let in_heights = |one: &Experiment| one.measurement.kind == Kind::ForceHeight;
+    ensure!(
+        from_deflection
+            || experiments.iter().any(in_heights)
+            || arguments.known.stiffness.is_none() && arguments.sensitivity.is_none(),
+        "--stiffness and --sensitivity are those of a cantilever, and no file has heights or deflections: leave \
+         them out, or name the columns, --column height=.."
+    );
+    for unit in &arguments.units {
+        ensure!(
+            free.iter().any(|free| free.parameter == unit.parameter),
+            "--units {}: the fit does not find it: name a free parameter",
+            unit.parameter
+        );
+    }
     arguments.known.ask(&experiments, &free, &arguments.given)?;
     let allowed = &arguments.known.bodies.allow;
     for experiment in &experiments {

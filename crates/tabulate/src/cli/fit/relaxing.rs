@@ -1,6 +1,6 @@
 //! The flags of bodies that relax, for measurements.
 
-use ::fit::{Experiment, Kind, Parameter, Relaxing};
+use ::fit::{Experiment, Kind, Measurement, Parameter, Relaxing};
 use anyhow::{bail, ensure};
 use contact::Relaxation;
 
@@ -178,6 +178,13 @@ impl RelaxingArguments {
             experiment.times = (0..count).map(|i| i as f64 * interval).collect();
         }
         if let Some(relaxing) = self.any() {
+            let Measurement { name, kind, .. } = &experiment.measurement;
+            ensure!(
+                matches!(kind, Kind::LoadPenetration | Kind::ForceHeight),
+                "{name}: a relaxation is found from loads at penetrations or heights in time, and {} is measured: \
+                 leave out --relaxation",
+                kind.name()
+            );
             // That of the example.
             experiment.work_of_adhesion = 0.0;
             experiment.relaxing = Some(relaxing);

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueHint, value_parser};
 use contact::{Contact, Control, Course, History, HistoryError, Hysteresis, Relaxation};
-use interp::{Elastic, System};
+use interp::{Elastic, Probe, System};
 use solve::curve;
 
 use self::program::{Imposed, Program};
@@ -105,7 +105,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let table = arguments.table.as_ref().and_then(TableName::path);
     let [stack, profile] = given.files();
     let program_file = program::file(&arguments.program);
-    let output = Output::new(
+    let output = Output::of_text(
         arguments.output.as_deref(),
         [table, stack, profile, program_file],
     )?;
@@ -125,6 +125,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let mut bodies = given.read_checked()?;
     bodies.work_of_adhesion = 0.0;
+    ensure!(
+        !matches!(bodies.system.probe, Probe::FlatPunch { .. }),
+        "--probe flat-punch: a history is that of a contact that grows and shrinks, and the contact of a punch does \
+         not; choose another --probe"
+    );
     let times = arguments.times(&program)?;
     let mut sorted = times.clone();
     sorted.sort_by(f64::total_cmp);
@@ -134,6 +139,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         missing.retain(|&value| value != Value::WorkOfAdhesion);
         system::name_example(&missing);
     }
+    let radii = course.states.iter().map(|at| at.state.contact_radius);
+    bodies.note_large_contact(radii.fold(0.0, f64::max));
     arguments.warn(&bodies.system, &course);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["time", "penetration", "load", "contact_radius", "phase"])?;
@@ -189,7 +196,7 @@ impl Arguments {
         times: &[f64],
     ) -> anyhow::Result<Course> {
         /// The largest `a/t` of the direct solves, one after the other.
-        const REACHES: [f64; 6] = [1.0, 4.0, 16.0, 64.0, 256.0, 1024.0];
+        const REACHES: [f64; 7] = [0.01, 1.0, 4.0, 16.0, 64.0, 256.0, 1024.0];
         let system = &bodies.system;
         let rigid = self.rigid(bodies)?;
         let follow = |contact: &Contact, rigid: Option<&Contact>| {

@@ -119,6 +119,11 @@ impl RelaxationArguments {
                         "a time in seconds or several, for example 0.02,0.5"
                     )
                 );
+                ensure!(
+                    relaxed < 1.0,
+                    "--relaxed-fraction {relaxed:?}: nothing of the modulus relaxes; give a number from 0 to below 1, or ask \
+                     `tabulate curve`"
+                );
                 let weights = if relaxation_weight.is_empty() && relaxation_time.len() == 1 {
                     vec![1.0 - relaxed]
                 } else {
