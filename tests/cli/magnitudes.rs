@@ -51,7 +51,7 @@ fn a_wrong_unit_does_not_pass() {
         ("lens.csv", "--substrate-modulus 2e20", &["2000 GPa"]),
         (
             "lens.csv",
-            "--film-modulus 0.1",
+            "--film-modulus 0.1Pa",
             &["below the moduli of all solids"],
         ),
         (

@@ -12,6 +12,7 @@ mod cost_solve;
 mod cost_table;
 mod curve;
 mod embedded;
+mod first_calls;
 mod fit;
 mod fit_doubts;
 mod fit_files;

@@ -133,7 +133,7 @@ impl Bodies {
         let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
             note(&format!(
-                "{LARGE_CONTACT} The largest contact radius here is {:.2} R. --probe sphere takes the shape of the \
+                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. --probe sphere takes the shape of the \
                  sphere.",
                 a / self.sphere_radius
             ));
@@ -149,9 +149,9 @@ impl Bodies {
             work_of_adhesion,
         } = *self;
         ensure!(
-            range > 0.0,
-            "--interaction-range {range:?}: give the distance over which the attraction acts, such as 5nm; without \
-             --interaction-range it acts at the edge of the contact alone (JKR)"
+            range != 0.0,
+            "interaction range = 0.0: an attraction without range is that of JKR: leave out --interaction-range, or \
+             give a distance such as 5nm"
         );
         Ok(match stack {
             Some(layers) => Cohesive::on_stack(

@@ -63,7 +63,7 @@ pub struct Arguments {
     attracting: AttractingArguments,
     #[command(flatten)]
     history: HistoryArguments,
-    /// Smallest contact radius, m [default: 1e-6, or 1/150 of the largest if that is less]
+    /// Smallest contact radius, m [default: 1e-6; without --to, or up to that, 1/150 of the largest]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
@@ -159,7 +159,11 @@ impl Arguments {
             _ => f64::INFINITY,
         };
         let to = self.to.unwrap_or(USUAL[1].min(most));
-        let scale = (to / USUAL[1]).min(1.0);
+        let scale = if self.to.is_none() || to <= USUAL[0] {
+            to / USUAL[1]
+        } else {
+            1.0
+        };
         [self.from.unwrap_or(USUAL[0] * scale), to]
     }
 }

@@ -171,7 +171,7 @@ fn sticking(
     }
     Err(anyhow!(
         "the pull-off has a contact radius that is not solved with --friction stick: on this film or stack radii \
-         from {:e} m to {widest:e} m are; without --friction stick others are solved",
+         from {:.3e} m to {widest:.3e} m are; without --friction stick others are solved",
         NARROWEST * widest
     ))
 }

@@ -15,7 +15,6 @@ use super::setting::{Bounds, Given, Known, Values};
 use super::value::{fixed, parameter, questions};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
-use crate::cli::note;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, SystemArguments, Value};
@@ -267,7 +266,7 @@ pub struct FreeArguments {
     /// LAYER.interface-stiffness (tangential, of the interface below, Pa/m) of a layer by its name in
     /// the file take the place of those of the film; with --interface the film is the layer `film`
     ///
-    /// Default: the work of adhesion; the modulus of the sphere, or of the film or top layer under
+    /// Default: the work of adhesion, unless --work-of-adhesion 0 says that there is none; the modulus of the sphere, or of the film or top layer under
     /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the
     /// baseline with heights; of a contact stiffness the modulus of the film or top layer; with
     /// --relaxation the modulus of the film or top layer, the numbers of the law, the contact point and
@@ -310,19 +309,9 @@ impl FreeArguments {
     ) -> anyhow::Result<Vec<Free>> {
         let names = if self.free.is_empty() {
             let mut names = usual(experiments);
-            // No fit starts from a work of adhesion of 0.
+            // It is no place to start from, but that there is no adhesion.
             if given.given(Value::WorkOfAdhesion) == Some(0.0) {
                 names.retain(|&name| name != Parameter::WorkOfAdhesion);
-            }
-            let starts = |value: &Value| {
-                let is_free = |parameter| names.contains(&parameter);
-                given.given(*value).is_some() && parameter(*value).is_some_and(is_free)
-            };
-            for value in Value::ALL.into_iter().filter(starts) {
-                note(&format!(
-                    "{} is where the fit starts, because it finds this value unless --free names others",
-                    value.flag()
-                ));
             }
             names
         } else {

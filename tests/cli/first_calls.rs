@@ -1,0 +1,227 @@
+//! Calls of a person who does not know the program yet: what must not pass silently, and thick films,
+//! wide spheres and full friction beside the table and beside differences.
+
+use acceptance::{Data, assert_names, shipped, workdir};
+
+#[test]
+fn what_has_no_effect_or_another_meaning_is_refused() {
+    let workdir = workdir!();
+    let lens = shipped("../crates/fit/data/lens.csv");
+    let lens = lens.display();
+    let fit = format!("fit {lens} --specimen paper");
+    let film = format!("{fit} --film-thickness 30um");
+    let cases: [(&str, i32, &[&str]); 19] = [
+        ("pull-off --stiffness 0.1N/m", 1, &["--control spring"]),
+        ("curve --film-modulus 5", 2, &["5MPa", "5Pa"]),
+        ("curve --sphere-modulus 210", 2, &["210GPa"]),
+        (
+            "curve --probe cone --half-angle 70 --sphere-radius 1um",
+            1,
+            &["no --sphere-radius", "rounded-cone"],
+        ),
+        (
+            "curve --probe cone --half-angle 1.2",
+            1,
+            &["1.2", "degrees", "68.7549"],
+        ),
+        (
+            "curve --probe flat-punch --from 1um --to 5um",
+            1,
+            &["--sphere-radius", "leave out --from"],
+        ),
+        (
+            "curve --from 200um",
+            1,
+            &["--from", "0.0002", "--to, which is not given"],
+        ),
+        ("curve -o table.h5", 1, &["table.h5", "another name"]),
+        (
+            "curve --film-thickness inf",
+            1,
+            &["film thickness", "inf", "0.1 m"],
+        ),
+        (
+            "curve --interaction-range 0",
+            1,
+            &["interaction range = 0.0", "JKR"],
+        ),
+        (
+            "solve --a-over-t 1 --e1-over-e2 1 --nu1 0.3 --e0-over-e2 1 --sphere-modulus 2MPa",
+            1,
+            &["--sphere-modulus", "--stack"],
+        ),
+        (
+            "simulate --specimen paper --kind force-height --from=-1um --to=1um --noise 1nN --stiffness 0.1",
+            1,
+            &["moves away", "the height is smaller"],
+        ),
+        (
+            "simulate --specimen paper --kind load-penetration --from=1um --to=-1um --noise 1nN",
+            1,
+            &["moves away", "the penetration is larger"],
+        ),
+        (
+            "simulate --specimen paper --kind force-height --from=1um --to=-1um --noise 1nN",
+            1,
+            &["--stiffness", "0.1N/m"],
+        ),
+        (
+            "history --probe flat-punch --relaxation power-law -n 0.2 --all-relax -p 'penetration 0:0 1:1um'",
+            1,
+            &["flat-punch", "another --probe"],
+        ),
+        (
+            "history --relaxation power-law -n 0.2 -p 'penetration 0:0 1:1um'",
+            1,
+            &["--all-relax", "--sphere-modulus inf"],
+        ),
+        (
+            "history --relaxation prony --relaxed-fraction 1 --relaxation-time 1 -p 'penetration 0:0 1:1um'",
+            1,
+            &["--relaxed-fraction 1", "below 1"],
+        ),
+        (
+            "report embedded --sphere-radius 5 -o page.html",
+            1,
+            &["5 m", "0.1 m", "5 mm"],
+        ),
+        (
+            "pull-off --sphere-modulus inf --friction stick --work-of-adhesion-receding 200",
+            1,
+            &["--friction stick", "radii"],
+        ),
+    ];
+    let of_fits: [(String, i32, &[&str]); 6] = [
+        (
+            format!("{fit} --half-space --film-thickness 30um"),
+            2,
+            &["--half-space", "--film-thickness"],
+        ),
+        (
+            format!("{film} --stiffness 0.1"),
+            1,
+            &["--stiffness", "cantilever"],
+        ),
+        (
+            format!("{film} --sensitivity 50nm/V"),
+            1,
+            &["--sensitivity", "cantilever"],
+        ),
+        (
+            format!("{film} --units film-modulus=MPa"),
+            1,
+            &["--units film-modulus", "free"],
+        ),
+        (
+            format!("{film} --known film-thickness=2e-5+-1e-6"),
+            1,
+            &["3e-5", "2e-5", "two values"],
+        ),
+        (
+            format!("{film} --relaxation power-law"),
+            1,
+            &["load-radius", "leave out --relaxation"],
+        ),
+    ];
+    let of_fits = of_fits
+        .iter()
+        .map(|(call, status, words)| (&**call, *status, *words));
+    for (call, status, words) in cases.into_iter().chain(of_fits) {
+        let error = workdir.fail(status, call);
+        assert_names(&error, words);
+    }
+    assert_eq!(workdir.files(), [""; 0]);
+}
+
+/// A work of adhesion of 0 is no start of a fit: there is none.
+#[test]
+fn a_fit_without_adhesion() {
+    let workdir = workdir!();
+    workdir.succeed("simulate --specimen paper --work-of-adhesion 0 --kind load-radius --film-thickness 30um --from 42um \
+                     --to 130um --noise 2uN -o lens.csv");
+    let text = workdir
+        .succeed("fit lens.csv --specimen paper --film-thickness 30um --work-of-adhesion 0 --json");
+    let found: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let names: Vec<_> = found["parameters"]
+        .as_object()
+        .expect("an object")
+        .keys()
+        .collect();
+    assert_eq!(names, ["sphere_modulus"]);
+}
+
+#[test]
+fn a_contact_that_is_wide_beside_the_sphere_is_told() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --sphere-radius 5um --film-thickness 20um --sphere-modulus inf";
+    for call in [
+        format!("pull-off {bodies} --film-modulus 5kPa --work-of-adhesion 5mJ/m^2"),
+        format!(
+            "history {bodies} --all-relax --relaxation power-law -n 0.2 -p 'penetration 0:0 1:4um'"
+        ),
+        format!("curve {bodies} --to 4um --points 3"),
+    ] {
+        let run = workdir.run(&call);
+        assert_eq!(run.status, 0, "{run:?}");
+        assert_names(&run.stderr, &["0.3 R", "--probe sphere"]);
+    }
+}
+
+/// Solves of a film so thick that contacts are small beside it, and of a film of the material of its
+/// substrate under a wide sphere, beside the embedded table.
+#[test]
+fn thick_films_and_wide_spheres_are_solved_as_they_are_looked_up() {
+    let workdir = workdir!();
+    let thick = "--specimen paper --film-thickness 2mm --points 5";
+    let alike = "--film-modulus 1MPa --film-poisson-ratio 0.3 --substrate-modulus 1MPa \
+                 --substrate-poisson-ratio 0.3 --sphere-modulus inf --sphere-radius 1mm --film-thickness 10um \
+                 --work-of-adhesion 0 --from 5um --to 540um --points 9";
+    for call in [
+        format!("{thick} --probe sphere"),
+        format!("{thick} --probe cone --half-angle 70"),
+        format!("{thick} --probe rounded-cone --half-angle 70 --sphere-radius 1um"),
+        format!("{alike} --probe sphere"),
+    ] {
+        let [direct, looked_up] = ["", "embedded"].map(|table| {
+            let run = workdir.run(format!("curve {table} {call}"));
+            assert_eq!(run.status, 0, "{run:?}");
+            Data::parse("curve", &run.stdout)
+        });
+        for column in ["load", "penetration"] {
+            let values = |data: &Data| data.cases().map(|row| row.get(column)).collect::<Vec<_>>();
+            let [direct, looked_up] = [values(&direct), values(&looked_up)];
+            let largest = direct
+                .iter()
+                .fold(0.0, |most: f64, value| most.max(value.abs()));
+            for (direct, looked_up) in direct.iter().zip(looked_up) {
+                let error = (direct - looked_up).abs() / largest;
+                assert!(error < 1e-6, "{call}: {column} {direct} and {looked_up}");
+            }
+        }
+    }
+    // A history in the same thick film knows its smallest contacts.
+    let history = workdir.run(
+        "history --specimen paper --film-thickness 10mm --probe cone --half-angle 70 --relaxation power-law \
+         -n 0.2 --all-relax --tolerance 1e-4 -p 'penetration 0:0 1:1um'",
+    );
+    assert_eq!(history.status, 0, "{history:?}");
+}
+
+/// The slope of the force curve under full friction, by differences of its own rows.
+#[test]
+fn the_moving_stiffness_with_stick_is_the_slope_of_the_curve() {
+    let workdir = workdir!();
+    for work in ["0", "40mJ/m^2"] {
+        let text = workdir.succeed(format!(
+            "curve --specimen paper --film-thickness 10um --sphere-modulus inf --friction stick --work-of-adhesion {work} \
+             --from 39.9um --to 40.1um --points 3"
+        ));
+        let data = Data::parse("curve", &text);
+        let rows: Vec<[f64; 3]> = data
+            .cases()
+            .map(|row| ["load", "penetration", "moving_stiffness"].map(|name| row.get(name)))
+            .collect();
+        let slope = (rows[2][0] - rows[0][0]) / (rows[2][1] - rows[0][1]);
+        assert!((rows[1][2] / slope - 1.0).abs() < 1e-4, "{work}: {rows:?}");
+    }
+}
