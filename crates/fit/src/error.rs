@@ -62,7 +62,10 @@ pub enum Error {
     #[error("{0} and {1} are one number: free one of them")]
     Redundant(Parameter, Parameter),
     /// A start, a bound, a prior, a noise or an option that is not allowed.
-    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
+    #[error(
+        "{name} {}: it must be {allowed}",
+        if value.is_nan() { "is not given, or is no number".into() } else { format!("= {value:?} cannot be used") }
+    )]
     Setting {
         /// The name of the parameter or option.
         name: String,

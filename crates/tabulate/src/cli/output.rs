@@ -33,6 +33,7 @@ impl<'a> Output<'a> {
     ) -> anyhow::Result<Self> {
         /// The endings of the names of tables.
         const TABLES: [&str; 3] = ["h5", "hdf5", "bin"];
+        let output = Self::new(path, inputs)?;
         if let Some(path) = path
             && let Some(ending) = path.extension()
             && TABLES
@@ -44,7 +45,7 @@ impl<'a> Output<'a> {
                 printable::path(path)
             );
         }
-        Self::new(path, inputs)
+        Ok(output)
     }
 
     /// As [`Output::new`], for any number of inputs.
