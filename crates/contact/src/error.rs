@@ -115,7 +115,7 @@ fn of_the_table(from: f64, to: f64) -> String {
     };
     format!(
         "the table or curve does not hold: it holds those from {from} to {to:?} m; give another value, \
-         or make a table with a larger range of a_over_t"
+         or make the table or the curve over a larger range of a_over_t"
     )
 }
 

@@ -84,8 +84,8 @@ pub enum Error {
     },
     /// A query outside the box of the table or outside the `a/t` of the curve.
     #[error(
-        "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, make a \
-         table whose scene covers it, or solve the contact without a table",
+        "{axis} = {value:?} is outside the table or curve, which {}; ask for a value inside, make the \
+         table or the curve over a wider range, or solve the contact without a table",
         extent(*from, *to)
     )]
     OutsideTable {
