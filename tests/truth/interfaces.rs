@@ -1,32 +1,13 @@
-//! Layers that slide or are joined by springs, against independent values: the surface compliance,
-//! contacts, and a second method of solution at random contacts.
+//! Layers that slide or are joined by springs: the slope of the surface compliance, and a second
+//! method of solution at random contacts. `stacks.rs` compares them with independent values.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use acceptance::{Contacts, Data, larger, layer, relative_error, solid, springs, with_interfaces};
 use interp::Quantities;
+use solve::solve_stack;
 use solve::stack::{Interface, Stack};
 use solve::{LayeredCompliance, SurfaceCompliance};
-use solve::{solve_stack, stack_curve};
-
-/// Values by Love's stress function with one linear system for all layers. Measured: 4.4e-16 of
-/// `X` and 6.6e-16 of `max(X, 1)`.
-#[test]
-fn the_compliance_agrees_with_loves_stress_function() {
-    let [mut excess_error, mut x_error] = [0.0; 2];
-    for case in Data::read("interfaces_x").cases() {
-        let stack = case.stack_with_interfaces();
-        let compliance = LayeredCompliance::new(&stack);
-        let top = stack.layers().last().expect("a layer").thickness;
-        let (q, x) = (case.get("kt") * top / stack.thickness(), case.get("X"));
-        let error = (compliance.sample(q).excess - case.get("X_minus_1")).abs() / x.max(1.0);
-        excess_error = larger(excess_error, error);
-        x_error = larger(x_error, (compliance.x(q) / x - 1.0).abs());
-    }
-    println!("largest errors: X - 1 {excess_error:.1e}, X {x_error:.1e}");
-    assert!(excess_error <= 5e-15);
-    assert!(x_error <= 5e-15);
-}
 
 /// Central differences of fourth order, whose own error is some 1e-11. Measured: 1.1e-11 of the
 /// larger of 1, `X` and the slope.
@@ -46,42 +27,6 @@ fn the_slope_is_the_derivative_of_the_compliance() {
     }
     println!("largest difference from the slope: {worst:.1e}");
     assert!(worst <= 1e-10);
-}
-
-/// Measured: 2.4e-14 at the tolerance 1e-12, 2.6e-11 at 1e-8.
-#[test]
-fn contacts_agree_and_the_stated_error_bounds_the_true_one() {
-    for (tolerance, allowed) in [(1e-12, 1e-13), (1e-8, 1e-9)] {
-        let mut worst = 0.0;
-        for case in Data::read("interfaces_contacts").cases() {
-            let stack = case.stack_with_interfaces();
-            let solution = solve_stack(case.get("a_over_t"), &stack, 1.0, tolerance)
-                .unwrap_or_else(|e| panic!("{}: {e}", case.text("name")));
-            let error = relative_error(&solution.quantities, &case.quantities());
-            assert!(solution.error <= tolerance, "{}", case.text("name"));
-            assert!(error <= solution.error, "{}: {error:e}", case.text("name"));
-            worst = larger(worst, error);
-        }
-        println!("largest error at {tolerance:e}: {worst:.1e}");
-        assert!(worst <= allowed);
-    }
-}
-
-/// Measured: 5.4e-14.
-#[test]
-fn curves_agree() {
-    const TOLERANCE: f64 = 1e-10;
-    let mut worst = 0.0;
-    for case in Data::read("interfaces_contacts").cases() {
-        let x = case.get("a_over_t");
-        let range = [0.5 * x, 1.7 * x];
-        let curve = stack_curve(&case.stack_with_interfaces(), 1.0, range, TOLERANCE)
-            .unwrap_or_else(|e| panic!("{}: {e}", case.text("name")));
-        let quantities = curve.quantities(x).expect("between the ends");
-        worst = larger(worst, relative_error(&quantities, &case.quantities()));
-    }
-    println!("largest error of curves at {TOLERANCE:e}: {worst:.1e}");
-    assert!(worst <= TOLERANCE);
 }
 
 /// Returns the nodes and weights of Gauss and Legendre's rule on `[0, 1]`.
