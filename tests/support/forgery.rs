@@ -1,8 +1,5 @@
 //! Forged packed tables: their length and checksum are right, so that readers look at the payload.
 
-/// The number of bytes before the payload of a packed table.
-pub const PREFIX: usize = 24;
-
 /// Computes the CRC-32 of zip and PNG, bit by bit.
 pub fn checksum(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0_u32, |crc, &byte| {

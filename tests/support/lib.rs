@@ -15,7 +15,7 @@ mod workdir;
 pub use contacts::Contacts;
 pub use data::{Case, Data};
 pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relative_errors};
-pub use forgery::{Checked, PREFIX, checksum, with_payload};
+pub use forgery::{Checked, checksum, with_payload};
 pub use material::{looked_up, material, paper_system, rigid_probe, solved_contact};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table, write_hdf5};

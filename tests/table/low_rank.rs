@@ -40,17 +40,6 @@ const ONE_RADIUS: &str = "
 
 pub static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
 
-/// A low-rank table with few nodes, packed.
-pub static PACKED: LazyLock<Vec<u8>> = LazyLock::new(|| {
-    let few_nodes = RIGID_SPHERE
-        .replace("1e-4", "1e-1")
-        .replace("nodes = 20", "nodes = 7")
-        .replace("nodes = 9", "nodes = 5");
-    low_rank(&table(&few_nodes), 1e-4)
-        .to_packed()
-        .expect("a small table")
-});
-
 /// Returns the largest relative difference between the values of two tables at their nodes.
 fn apart(found: &Table, expected: &Table) -> f64 {
     assert_eq!(

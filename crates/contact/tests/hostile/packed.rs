@@ -99,13 +99,36 @@ fn the_prefix_is_that_of_the_format() {
 }
 
 #[test]
-fn truncated_bytes_are_an_error_at_every_length() {
+fn any_other_length_is_an_error_that_states_both() {
     for (form, bytes) in packed() {
+        let payload = bytes.len() - PREFIX;
         for length in 0..bytes.len() {
-            let result = read(&bytes[..length]);
+            match (length, read(&bytes[..length])) {
+                (0..8, Err(Error::Foreign(_))) => {}
+                (_, Err(Error::Length { expected, found })) => {
+                    let stated = if length < PREFIX {
+                        [PREFIX, length]
+                    } else {
+                        [payload, length - PREFIX]
+                    };
+                    assert_eq!([expected, found], stated.map(|length| length as u64));
+                }
+                (_, other) => panic!("{form}, {length} bytes: {other:?}"),
+            }
+        }
+        for more in [1, 8, 1000] {
+            let error = read(&[&bytes[..], &vec![0; more]].concat()).expect_err("too long");
+            let message = error.to_string();
             assert!(
-                matches!(result, Err(Error::Foreign(_) | Error::Length { .. })),
-                "{form}, {length} bytes: {result:?}"
+                message.contains("copy or download the file again"),
+                "{message}"
+            );
+            let Error::Length { expected, found } = error else {
+                panic!("{form}, {more} bytes more: {error:?}")
+            };
+            assert_eq!(
+                [expected, found],
+                [payload, payload + more].map(|n| n as u64)
             );
         }
         for length in PREFIX..bytes.len() {
@@ -114,19 +137,51 @@ fn truncated_bytes_are_an_error_at_every_length() {
                 &bytes[PREFIX..length],
             );
         }
+        assert_malformed(
+            &format!("{form}, a byte more, valid checksum"),
+            &[&bytes[PREFIX..], &[0]].concat(),
+        );
+    }
+}
+
+/// Every bit of every byte is changed alone, and all together.
+#[test]
+fn every_changed_byte_is_an_error_by_its_place_and_with_a_valid_checksum_harmless() {
+    for (form, bytes) in packed() {
+        let mut changed = bytes.clone();
+        for at in 0..bytes.len() {
+            for (i, change) in (0..8).map(|bit| 1 << bit).chain([0xff]).enumerate() {
+                let case = format!("{form}, byte {at} changed by {change:#x}");
+                changed[at] ^= change;
+                match (at, read(&changed)) {
+                    (0..8, Err(Error::Foreign(_))) => {}
+                    (8..12, Err(Error::Version { supported: 4, .. })) => {}
+                    (12..20, Err(Error::Length { .. })) => {}
+                    (20.., Err(Error::Checksum { stored, found })) => {
+                        assert_ne!(stored, found, "{case}");
+                    }
+                    (_, other) => panic!("{case}: {other:?}"),
+                }
+                assert_harmless(&case, 9 * at + i, &changed[PREFIX..]);
+                // Neither may panic, whatever they return.
+                if let Ok(table) = read_payload(&changed[PREFIX..]) {
+                    let _ = (table.curve(&tables::material()), table.expand());
+                }
+                changed[at] ^= change;
+            }
+        }
     }
 }
 
 #[test]
-fn every_flipped_bit_is_an_error_and_with_a_valid_checksum_harmless() {
-    for (form, bytes) in packed() {
-        let mut flipped = bytes.clone();
-        for bit in 0..8 * bytes.len() {
-            flipped[bit / 8] ^= 1 << (bit % 8);
-            assert!(read(&flipped).is_err(), "{form}, bit {bit}");
-            assert_harmless(&format!("{form}, bit {bit}"), bit, &flipped[PREFIX..]);
-            flipped[bit / 8] ^= 1 << (bit % 8);
-        }
+fn a_value_that_is_not_positive_is_malformed() {
+    let [(form, bytes), _] = packed();
+    for value in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        let last = bytes.len() - 8;
+        assert_malformed(
+            &format!("{form}, {value}"),
+            &[&bytes[PREFIX..last], &value.to_le_bytes()].concat(),
+        );
     }
 }
 
