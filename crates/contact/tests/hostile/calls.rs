@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 use contact::{Contact, Control, Input, State};
-use interp::{Curve, Elastic, Error, Material, Probe, Quantity, System, Table};
+use interp::{Curve, Elastic, Error, HalfSpace, Material, Probe, Quantity, System, Table};
 
 use crate::tables;
 
@@ -15,6 +15,45 @@ pub type Results = Result<Vec<f64>, contact::Error>;
 /// A contact on a film, and one on a half-space.
 pub static CONTACTS: LazyLock<[Contact; 2]> =
     LazyLock::new(|| [tables::contact(), tables::bare_contact()]);
+
+/// Contacts whose radius and modulus or thickness are at the ends of arithmetic: all that are
+/// accepted, on half-spaces and on films.
+static EXTREMES: LazyLock<Vec<Contact>> = LazyLock::new(|| {
+    const NUMBERS: [f64; 12] = [
+        5e-324,
+        f64::MIN_POSITIVE,
+        1e-150,
+        1e-30,
+        1e-9,
+        5e-5,
+        0.04,
+        1.0,
+        1e30,
+        1e150,
+        f64::MAX,
+        f64::INFINITY,
+    ];
+    let film = CONTACTS[0].system().expect("on a film");
+    let of = |radius: f64, number: f64| {
+        let probe = Probe::Paraboloid { radius };
+        let half_space = HalfSpace {
+            probe: probe.clone(),
+            sphere_modulus: number,
+            solid: film.without_film().solid,
+        };
+        let film = System {
+            probe,
+            film_thickness: number,
+            ..film.clone()
+        };
+        let on_film = Contact::in_table(Table::embedded(), &film);
+        Contact::half_space(&half_space).into_iter().chain(on_film)
+    };
+    let pairs = NUMBERS
+        .iter()
+        .flat_map(|&r| NUMBERS.map(|number| (r, number)));
+    pairs.flat_map(|(r, number)| of(r, number)).collect()
+});
 
 /// The contact on a film, with gradients.
 pub static GRADIENTS: LazyLock<Contact> = LazyLock::new(|| {
@@ -28,12 +67,31 @@ pub fn curve() -> &'static Curve {
 }
 
 /// Calls a function of both contacts. It is an error only if both calls are.
-pub fn each(call: impl Fn(&Contact) -> Results) -> Results {
+pub fn both(call: impl Fn(&Contact) -> Results) -> Results {
     let [film, half_space] = CONTACTS.each_ref().map(call);
     match (film, half_space) {
         (Ok(film), Ok(half_space)) => Ok([film, half_space].concat()),
         (film, half_space) => film.or(half_space),
     }
+}
+
+/// As [`both`], and checks the results of three of [`EXTREMES`] too, which the bits of the arguments
+/// `x` choose.
+pub fn each(x: &[f64], call: impl Fn(&Contact) -> Results) -> Results {
+    let mixed = x.iter().fold(0_u64, |mixed, number| {
+        (mixed ^ number.to_bits())
+            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            .rotate_left(29)
+    });
+    for shift in [0, 16, 32] {
+        let contact = &EXTREMES[(mixed >> shift) as usize % EXTREMES.len()];
+        let results = call(contact).unwrap_or_default();
+        assert!(
+            results.iter().all(|value| value.is_finite()),
+            "{results:?} of {contact:?}"
+        );
+    }
+    both(call)
 }
 
 /// Returns all controls.

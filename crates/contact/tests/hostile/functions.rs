@@ -14,7 +14,7 @@ use low_rank::{IntegerTrain, Malformed};
 use piecewise::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 
 use crate::calls::{
-    GRADIENTS, Results, controls, curve, each, gradients, loads, material, moduli, numbers,
+    GRADIENTS, Results, both, controls, curve, each, gradients, loads, material, moduli, numbers,
     quantities, system,
 };
 use crate::tables::{self, AXES, look_up};
@@ -134,32 +134,36 @@ pub const FUNCTIONS: &[Function] = &[
         },
     ),
     ("Contact::quantities", &[6e-5], |x| {
-        each(|contact| Ok(contact.quantities(x[0])?.to_array().to_vec()))
+        each(x, |contact| {
+            Ok(contact.quantities(x[0])?.to_array().to_vec())
+        })
     }),
     ("Contact::load", &[6e-5, 0.04], |x| {
-        each(|contact| loads(contact, x[0], x[1]))
+        each(x, |contact| loads(contact, x[0], x[1]))
     }),
     ("Contact::load_at_all", &[6e-5, 5e-5, 0.04], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let mut loads = [0.0; 2];
             contact.load_at_all(&x[..2], x[2], &mut loads)?;
             Ok(loads.to_vec())
         })
     }),
     ("Contact::stiffness", &[6e-5], |x| {
-        each(|contact| Ok(vec![contact.stiffness(x[0])?]))
+        each(x, |contact| Ok(vec![contact.stiffness(x[0])?]))
     }),
     ("Contact::stress_intensity", &[6e-5, 0.04], |x| {
-        each(|contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))
+        each(x, |contact| Ok(vec![contact.stress_intensity(x[0], x[1])?]))
     }),
     ("Contact::energy_release_rate_at_load", &[6e-5, 1e-4], |x| {
-        each(|contact| Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?]))
+        each(x, |contact| {
+            Ok(vec![contact.energy_release_rate_at_load(x[0], x[1])?])
+        })
     }),
     (
         "Contact::energy_release_rate_at_penetration",
         &[6e-5, 1e-6],
         |x| {
-            each(|contact| {
+            each(x, |contact| {
                 Ok(vec![
                     contact.energy_release_rate_at_penetration(x[0], x[1])?,
                 ])
@@ -170,7 +174,7 @@ pub const FUNCTIONS: &[Function] = &[
         "Contact::radius_and_energy_release_rate",
         &[-1e-4, 1e-7],
         |x| {
-            each(|contact| {
+            each(x, |contact| {
                 contact
                     .radius_and_energy_release_rate(x[0], x[1])
                     .map(|(a, g)| vec![a, g])
@@ -178,7 +182,7 @@ pub const FUNCTIONS: &[Function] = &[
         },
     ),
     ("Contact::validity", &[6e-5], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let validity = contact.validity(x[0])?;
             let film = validity
                 .film
@@ -187,7 +191,7 @@ pub const FUNCTIONS: &[Function] = &[
         })
     }),
     ("Contact::zone_size", &[0.04, 1e-9], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let range = contact.zone_size(x[0], x[1])?;
             let _ = range.is_short_beside(x[1]);
             let error = range.pull_off_error().unwrap_or_default();
@@ -198,7 +202,7 @@ pub const FUNCTIONS: &[Function] = &[
         "Contact::cohesive_zone",
         &[0.04, 1e6, 6e-5, -1e-5, 50.0],
         |x| {
-            each(|contact| {
+            each(x, |contact| {
                 let range = CohesiveZone { stress: x[1] };
                 let attraction = contact.cohesive_zone(x[0], range)?;
                 let mut found: Vec<_> = attraction.state(x[2]).into_iter().collect();
@@ -220,14 +224,14 @@ pub const FUNCTIONS: &[Function] = &[
         },
     ),
     ("Contact::jkr_fit", &[0.04, 5e-5, 1e-4, 2e6], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let fit = contact.jkr_fit(x[0], [x[1], x[2]], 4)?;
             let _ = fit.work_of_adhesion_with(x[3]);
             Ok(vec![fit.modulus, fit.intercept])
         })
     }),
     ("Contact::film_bias", &[0.04, 5e-5, 1e-4], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let bias = contact.film_bias(x[0], [x[1], x[2]], 5)?;
             let _ = bias.exceeds(x[1]);
             Ok(vec![
@@ -239,7 +243,7 @@ pub const FUNCTIONS: &[Function] = &[
         })
     }),
     ("Contact::equilibria", &[0.04, -1e-5, 50.0], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let mut found = Vec::new();
             for control in controls(x[2]) {
                 let equilibria = contact.equilibria(x[0], control)?;
@@ -271,7 +275,7 @@ pub const FUNCTIONS: &[Function] = &[
         })
     }),
     ("Contact::zero_load", &[0.04, 50.0], |x| {
-        each(|contact| {
+        each(x, |contact| {
             let apart = controls(x[1]).map(|control| contact.pull_off(x[0], control));
             let at_rest = contact.zero_load(x[0])?;
             Ok(apart
@@ -286,7 +290,7 @@ pub const FUNCTIONS: &[Function] = &[
         "Contact::line",
         &[0.03, 0.05, 6e-5, 50.0, 1e-4, -1e-5],
         |x| {
-            each(|contact| {
+            each(x, |contact| {
                 let mut line = contact.line(Hysteresis::new(x[0], x[1])?, x[2])?;
                 let states = controls(x[3]).map(|control| {
                     line.impose(control, x[4])
@@ -305,14 +309,16 @@ pub const FUNCTIONS: &[Function] = &[
     ),
     (
         "ContactLine::ramp",
-        &[0.03, 0.05, 1e-6, 0.6, 6e-5, 1e-4, 1.0, 1e-4],
+        &[0.03, 0.05, 1e-6, 0.6, 6e-5, 1e-4, 1.0, 1e-4, 0.0, 50.0],
         |x| {
-            each(|contact| {
+            // Not the contacts of `each`, some of which take the largest number of steps, a second.
+            both(|contact| {
                 let mut line = contact.line(
                     RateDependent::new(Hysteresis::new(x[0], x[1])?, x[2], x[3])?,
                     x[4],
                 )?;
-                let states = line.ramp(contact::Control::Load, x[5], x[6], x[7])?;
+                let control = controls(x[9])[x[8].abs() as usize % 3];
+                let states = line.ramp(control, x[5], x[6], x[7])?;
                 Ok(states
                     .into_iter()
                     .flat_map(|at| [vec![at.time], numbers(at.state).to_vec()].concat())
