@@ -2,7 +2,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, looked_up, paper_system, rigid_probe, solid, solved_contact};
+use acceptance::{
+    Contacts, geometric, larger, looked_up, paper_system, rigid_probe, solid, solved_contact,
+};
 use contact::Error;
 use contact::{Contact, Control, ForceDisplacement, State};
 use interp::{Curve, Probe, Quantities, System, Table};
@@ -177,15 +179,11 @@ fn no_equilibrium_is_missed() {
             let equilibria = contact.equilibria(w, control).expect("physical");
             // Below 1e-15 m there are only values closer to 0 than those asked for.
             let [least, to] = contact.contact_radius_range();
-            let from = least.max(1e-15);
-            let radius = |i: u32| (from * (to / from).powf(f64::from(i) / 4000.0)).clamp(from, to);
-            let states: Vec<State> = (0..=4000)
-                .map(|i| {
-                    let (load, penetration) = contact
-                        .load_and_penetration(radius(i), w)
-                        .expect("in range");
+            let states: Vec<State> = geometric([least.max(1e-15), to], 4000)
+                .map(|a| {
+                    let (load, penetration) = contact.load_and_penetration(a, w).expect("in range");
                     State {
-                        contact_radius: radius(i),
+                        contact_radius: a,
                         load,
                         penetration,
                     }

@@ -1,7 +1,7 @@
 //! A stack of layers answers what a film answers; what would assume one film is an error, or is of
 //! all layers.
 
-use acceptance::{larger, layer, paper_system, solid, solved_contact, stack};
+use acceptance::{geometric, larger, layer, paper_system, solid, solved_contact, stack};
 use contact::Error;
 use contact::{Contact, Control};
 use interp::Quantity;
@@ -68,9 +68,7 @@ fn a_film_cut_into_layers_gives_the_answers_of_the_film() {
 fn the_equilibria_of_a_stack_are_consistent() {
     let contact = contact(&two_layers());
     let pull_off = contact.pull_off(W, Control::Load).expect("there is one");
-    for i in 0..=200 {
-        let a = RADII[0] * (RADII[1] / RADII[0]).powf(f64::from(i) / 200.0);
-        let a = a.clamp(RADII[0], RADII[1]);
+    for a in geometric(RADII, 200) {
         let load = contact.load(a, W).expect("in range");
         assert!(load >= pull_off.load * (1.0 + 1e-12), "{load} at {a}");
         let g = contact

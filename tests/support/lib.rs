@@ -21,6 +21,12 @@ pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table, write_hdf5};
 pub use workdir::{Arguments, Run, Workdir, assert_names, nothing_starts, start};
 
+/// Returns `count + 1` numbers from `from` to `to`, evenly spaced in the logarithm.
+pub fn geometric([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> {
+    (0..=count)
+        .map(move |i| (from * (to / from).powf(f64::from(i) / f64::from(count))).clamp(from, to))
+}
+
 /// Returns the number of random cases of a search: `default`, or that of the environment variable
 /// `SEARCH_CASES`.
 pub fn cases(default: u64) -> u64 {

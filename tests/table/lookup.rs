@@ -1,7 +1,7 @@
 //! The errors that a lookup adds to those of a low-rank table: dropped terms, and the polynomial
 //! pieces of its curves.
 
-use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, larger, low_rank, material, table};
+use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, geometric, larger, low_rank, material, table};
 use interp::Parameter;
 use interp::{Description, Quantity, Table};
 
@@ -104,8 +104,7 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
             };
             let [curve, exact] =
                 [table, &finest].map(|table| table.curve(&material).expect("inside"));
-            for k in 0..=300 {
-                let x = (from * (to / from).powf(f64::from(k) / 300.0)).clamp(from, to);
+            for x in geometric([from, to], 300) {
                 for quantity in table.quantities() {
                     let [found, expected] = [&curve, &exact]
                         .map(|curve| curve.quantity(quantity, x).expect("in range"));

@@ -1,6 +1,6 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
-use acceptance::{Data, larger, material, paper_system, relative_error, solid, table};
+use acceptance::{Data, geometric, larger, material, paper_system, relative_error, solid, table};
 use contact::Contact;
 use interp::{Curve, Description, Error, Parameter, Quantity, System, Table};
 use solve::solve;
@@ -52,17 +52,12 @@ fn curve_of(table: &Table) -> Curve {
     table.curve(&material).expect("its only material")
 }
 
-/// Returns `n + 1` points from `from` to `to`, evenly spaced in the logarithm.
-fn points([from, to]: [f64; 2], n: i32) -> impl Iterator<Item = f64> {
-    (0..=n).map(move |i| (from * (to / from).powf(f64::from(i) / f64::from(n))).clamp(from, to))
-}
-
 #[test]
 fn they_are_those_of_direct_solves() {
     for name in MATERIALS {
         let curve = curve_of(&table_of(name, TOLERANCE, [1e-3, 1e3]));
         let mut errors = [0.0; 4];
-        for x in points(curve.range(), 150) {
+        for x in geometric(curve.range(), 150) {
             let solved = solve(x, curve.material(), 1e-9).expect("it converges");
             for quantity in Quantity::ALL {
                 let found = curve.quantity(quantity, x).expect("in range");
@@ -132,7 +127,7 @@ fn an_error_of_gamma_grows_little() {
             // The beginning is not accurate to the tolerance any more.
             let other = changed(&table, ERROR, |x, gamma| 1.0 + kind(x, gamma / es));
             let other = curve_of(&other);
-            for x in points(curve.range(), 1000) {
+            for x in geometric(curve.range(), 1000) {
                 let [exact, found] = [&curve, &other].map(|c| c.quantities(x).expect("in range"));
                 *worst = larger(*worst, relative_error(&found, &exact) / error);
             }
@@ -217,7 +212,7 @@ fn they_go_on_beyond_the_nodes() {
     for name in MATERIALS {
         let curve = curve_of(&table_of(name, 1e-6, [1e-3, 1e3]));
         let mut count = 0;
-        for x in points([1e-6, 0.99e-3], 20).chain(points([1.01e3, 1e5], 20)) {
+        for x in geometric([1e-6, 0.99e-3], 20).chain(geometric([1.01e3, 1e5], 20)) {
             let Ok(found) = curve.quantities(x) else {
                 continue;
             };

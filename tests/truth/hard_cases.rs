@@ -2,7 +2,7 @@
 //! the corners of the domain, at which the solve neither panics nor returns NaN nor understates an
 //! error.
 
-use acceptance::{Contacts, Data, larger, material, relative_error};
+use acceptance::{Contacts, Data, geometric, larger, material, relative_error};
 use interp::{Material, Quantities};
 use solve::Compliance;
 use solve::Error;
@@ -25,11 +25,8 @@ fn condition(x: f64, material: &Material) -> f64 {
     const STEPS: u32 = 4000;
     let compliance = Compliance::new(material);
     let from = (0.1 / x).min(FLAT);
-    let symbol = |i: u32| {
-        let q = from * (FLAT / from).powf(f64::from(i) / f64::from(STEPS));
-        material.sphere_compliance() + compliance.x(q) / material.film_modulus()
-    };
-    let (smallest, largest) = (0..=STEPS)
+    let symbol = |q: f64| material.sphere_compliance() + compliance.x(q) / material.film_modulus();
+    let (smallest, largest) = geometric([from, FLAT], STEPS)
         .map(symbol)
         .fold((INF, 0.0_f64), |(small, large), s| {
             (small.min(s), large.max(s))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, rigid_probe, solid};
+use acceptance::{Contacts, geometric, rigid_probe, solid};
 use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
 use interp::{Probe, Profile};
@@ -36,7 +36,7 @@ fn random_profile(contacts: &mut Contacts, size: f64) -> Probe {
 /// are found at an imposed value as a fine scan of the contact radii passes.
 #[test]
 fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
-    const POINTS: usize = 1500;
+    const POINTS: u32 = 1500;
     // A flat end far below the nodes.
     let blunt = Probe::FlatEndedCone {
         radius: 2e-8,
@@ -108,14 +108,9 @@ fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
         let [from, to] = contact.contact_radius_range();
         let from = from.max(1e-4 * apart.contact_radius);
         let to = to * (1.0 - 1e-12);
-        let even = |from: f64, to: f64| {
-            (0..=POINTS).map(move |i| from * (to / from).powf(i as f64 / POINTS as f64))
-        };
-        let mut radii: Vec<f64> = even(from, to)
-            .chain(even(
-                0.1 * apart.contact_radius,
-                10.0 * apart.contact_radius,
-            ))
+        let near = [0.1, 10.0].map(|factor| factor * apart.contact_radius);
+        let mut radii: Vec<f64> = geometric([from, to], POINTS)
+            .chain(geometric(near, POINTS))
             .map(|a| a.clamp(from, to))
             .collect();
         radii.sort_by(f64::total_cmp);
