@@ -212,7 +212,6 @@ fn films_that_slide_are_drawn_as_well() {
             "--interface sliding --interface-stiffness 1e13",
             ["--interface", "--interface-stiffness"],
         ),
-        ("--interface-stiffness 1e13,0", ["layer", "normal"]),
         ("--interface-stiffness=-1", ["layer", "-1"]),
     ] {
         let run = plot(wrong);

@@ -192,6 +192,12 @@ mod tests {
             ),
             ("5e5", "-1", ["layer \"primer\", 1 of 2", "Young's modulus"]),
             ("35e5", "1e300", ["layer 2 of 2", "1e9 times"]),
+            (
+                "poisson_ratio = 0.5",
+                "poisson_ratio = 0.51",
+                ["layer \"primer\", 1 of 2", "(-1, 0.5]"],
+            ),
+            ("thickness", "height", ["unknown field", "height"]),
             ("75e-7", "0", ["layer 2 of 2", "> 0 and finite"]),
             (
                 "2e11, poisson_ratio = 0.25",
