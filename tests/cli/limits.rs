@@ -116,12 +116,22 @@ fn write_with(workdir: &Workdir, costs: &str, row: usize, column: usize, value: 
     row + 2
 }
 
+/// Some of what is refused, in full: the file of measurements, the column and the value.
+const REFUSED: [(&str, &str, &str); 6] = [
+    ("lookup", "seconds", "0"),
+    ("lookup", "seconds", "inf"),
+    ("lookup", "max_error", "1e300"),
+    ("table", "solve_seconds", "0"),
+    ("solve", "tolerance", "0"),
+    ("effects", "worst_error", "inf"),
+];
+
 /// Every number of every file of measurements is replaced by numbers that no measurement gives. The
 /// figure and the summary either show it, or name the line and the column.
 #[test]
 fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
     let workdir = workdir!();
-    let mut report = String::new();
+    let (mut report, mut named) = (String::new(), 0);
     for (costs, figure) in FIGURES {
         let text = fs::read_to_string(shipped(&format!("figures/{costs}.csv"))).expect("shipped");
         let header: Vec<&str> = text.lines().next().expect("a header").split(',').collect();
@@ -129,6 +139,13 @@ fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
         for (column, name) in header.iter().enumerate() {
             for value in ["0", "inf", "-1", "1e300", "NaN"] {
                 let line = write_with(&workdir, costs, 1, column, value);
+                if REFUSED.contains(&(costs, name, value)) {
+                    let message =
+                        workdir.fail(1, format!("plot {figure} --data costs.csv -o no.svg"));
+                    let words = format!("line {line}: {name} = {value} is outside");
+                    assert_names(&message, &["costs.csv", &words]);
+                    named += 1;
+                }
                 for command in [
                     &format!("plot {figure} --data costs.csv -o x.svg"),
                     &format!("cost {costs} --data costs.csv"),
@@ -158,31 +175,6 @@ fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
         assert!(refused > 50);
     }
     print!("{report}");
-}
-
-#[test]
-fn the_values_of_the_report_are_refused_by_name() {
-    let workdir = workdir!();
-    for (costs, figure, name, value) in [
-        ("lookup", "lookup-cost", "seconds", "0"),
-        ("lookup", "lookup-cost", "seconds", "inf"),
-        ("lookup", "lookup-cost", "max_error", "1e300"),
-        ("table", "table-cost", "solve_seconds", "0"),
-        ("solve", "work-precision", "tolerance", "0"),
-        ("effects", "effects", "worst_error", "inf"),
-    ] {
-        let text = fs::read_to_string(shipped(&format!("figures/{costs}.csv"))).expect("shipped");
-        let header = text.lines().next().expect("a header");
-        let column = header.split(',').position(|column| column == name);
-        let line = write_with(&workdir, costs, 2, column.expect("a column"), value);
-        let message = workdir.fail(1, format!("plot {figure} --data costs.csv -o x.svg"));
-        assert_names(
-            &message,
-            &[
-                "costs.csv",
-                &format!("line {line}: {name} = {value} is outside"),
-            ],
-        );
-    }
-    assert_eq!(workdir.files(), ["costs.csv"]);
+    assert_eq!(named, REFUSED.len());
+    assert_eq!(workdir.files(), ["costs.csv", "x.svg"]);
 }

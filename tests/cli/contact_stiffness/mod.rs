@@ -284,11 +284,6 @@ fn wrong_first_calls_are_answered() {
             with(depth, "--frame-compliance 2nm"),
             &["--frame-compliance", "a compliance"],
         ),
-        (
-            with(depth, "--frame-compliance -1"),
-            &["frame-compliance", "at least 0"],
-        ),
-        (with(depth, "--hardness 0"), &["hardness", "positive"]),
         (with(depth, "--area 0"), &["--area", "positive"]),
         (
             with(depth, "--contact-depth hertz"),
@@ -309,12 +304,7 @@ fn wrong_first_calls_are_answered() {
             with(depth, "--reference radius.csv"),
             &["radius.csv", "penetration"],
         ),
-        // What these data cannot tell.
-        (with(depth, "--free hardness"), &["hardness", "load"]),
-        (
-            with("fit radius.csv", "--free tip-rounding"),
-            &["tip-rounding", "depth"],
-        ),
+        // What simulated data need.
         (
             with(
                 "simulate --kind stiffness-depth",

@@ -38,7 +38,7 @@ fn what_is_no_contact_stiffness_is_refused() {
     );
     refused(
         &|one| one.indentation.frame_compliance = -1e-6,
-        &["frame-compliance"],
+        &["frame-compliance", "at least 0"],
     );
     refused(
         &|one| one.indentation.frame_compliance = 0.1,
@@ -53,13 +53,15 @@ fn what_is_no_contact_stiffness_is_refused() {
         &["phase", "rad"],
     );
     refused(&|one| one.noise = Some(0.0), &["noise"]);
-    refused(
-        &|one| {
-            one.measurement.kind = Kind::StiffnessLoad;
-            one.indentation.hardness = Some(-1.0);
-        },
-        &["hardness"],
-    );
+    for hardness in [-1.0, 0.0] {
+        refused(
+            &|one| {
+                one.measurement.kind = Kind::StiffnessLoad;
+                one.indentation.hardness = Some(hardness);
+            },
+            &["hardness", "positive"],
+        );
+    }
     refused(
         &|one| {
             one.measurement.kind = Kind::StiffnessLoad;
