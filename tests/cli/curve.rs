@@ -95,7 +95,6 @@ fn curve_takes_every_part_of_the_system() {
     assert_eq!(workdir.succeed(arguments), "");
     let output = String::from_utf8(workdir.read("curve.csv")).expect("UTF-8");
     let data = Data::parse("curve.csv", &output);
-    let solid = |young, poisson| solid(young, poisson);
     let system = rigid_probe(
         Probe::Paraboloid { radius: 5e-4 },
         solid(5e6, 0.4),

@@ -24,7 +24,6 @@ fn imposed(control: Control, load: f64, penetration: f64) -> f64 {
 
 /// Returns systems of soft and rigid spheres on films from thin to thick.
 fn systems() -> Vec<System> {
-    let solid = |young, poisson| solid(young, poisson);
     let rigid = System {
         sphere_modulus: f64::INFINITY,
         film: solid(2e4, 0.45),

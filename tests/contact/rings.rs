@@ -139,7 +139,6 @@ fn load(system: &System, shape: &dyn Fn(f64) -> f64, penetration: f64, most: f64
 
 #[test]
 fn loads_are_those_of_rings_of_pressure() {
-    let solid = |young, poisson| solid(young, poisson);
     let films = [
         (solid(1e6, 0.45), solid(1e8, 0.3)),
         (solid(1e7, 0.3), solid(1e6, 0.4)),

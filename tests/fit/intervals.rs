@@ -1,11 +1,11 @@
 //! Intervals of the profile likelihood are nested, contain the estimate, and say why they are open.
 
-use acceptance::{assert_names, solid};
+use acceptance::{assert_names, paper_system, solid};
 use fit::{
     Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point, WarningKind,
     fit,
 };
-use interp::{Probe, System, Table};
+use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
@@ -91,13 +91,9 @@ fn lens() -> Experiment {
             direction: None,
         }
     };
-    let solid = |young, poisson| solid(young, poisson);
     let system = System {
-        probe: Probe::Paraboloid { radius: 1e-3 },
-        sphere_modulus: 2e6,
-        film: solid(3.5e6, 0.5),
-        film_thickness: 3e-5,
         substrate: solid(1.6e11, 0.27),
+        ..paper_system(3e-5)
     };
     let measurement = measurement(Kind::LoadRadius, rows.map(point).collect());
     let mut experiment = Experiment::new(measurement, Bodies::Coated(system));

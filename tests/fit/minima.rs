@@ -3,12 +3,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{assert_names, solid};
+use acceptance::{assert_names, paper_system, solid};
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Parameter, Point, WarningKind,
     simulate,
 };
-use interp::{Probe, System, Table};
+use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
@@ -278,11 +278,8 @@ fn another_minimum_is_named_with_its_values() {
 fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
     let (modulus, noise) = (5e5, 1e-6);
     let system = System {
-        probe: Probe::Paraboloid { radius: 1e-3 },
-        sphere_modulus: 2e6,
         film: solid(modulus, 0.45),
-        film_thickness: 1e-5,
-        substrate: solid(2e11, 0.25),
+        ..paper_system(1e-5)
     };
     let point = |i: u32| Point {
         line: u64::from(i) + 1,

@@ -1,7 +1,7 @@
 //! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
-use acceptance::{cases, larger, solid};
+use acceptance::{cases, larger, paper_system, solid};
 use contact::{CohesiveZone, Contact, Control};
 use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
@@ -396,13 +396,7 @@ fn stacks_have_the_pull_off_of_the_first_order() {
 /// gave.
 #[test]
 fn a_pull_off_beyond_the_reach_names_the_layer() {
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e-3 },
-        sphere_modulus: 2e6,
-        film: solid(3.5e6, 0.5),
-        film_thickness: 1e-7,
-        substrate: solid(2e11, 0.25),
-    };
+    let system = paper_system(1e-7);
     for control in [Control::Load, Control::Displacement] {
         let cohesive = Cohesive::new(&system, 0.04, 1e-10).expect("physical");
         let error = cohesive

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{material, rigid_probe, solid};
+use acceptance::{material, paper_system, rigid_probe, solid};
 use contact::{Contact, Control};
 use interp::{Curve, Material, Probe, System};
 use solve::stick::{StickCurves, Sticking};
@@ -140,13 +140,7 @@ fn full_friction_does_not_explain_the_deviations_of_the_paper() {
     let curves = curves.map(|curve| curve.expect("converges"));
     let mut change = 0.0_f64;
     for i in 0..13 {
-        let system = System {
-            probe: Probe::Paraboloid { radius: 1e-3 },
-            sphere_modulus: 2e6,
-            film: solid(3.5e6, 0.5),
-            film_thickness: 2e-6 * 150_f64.powf(f64::from(i) / 12.0),
-            substrate: solid(2e11, 0.25),
-        };
+        let system = paper_system(2e-6 * 150_f64.powf(f64::from(i) / 12.0));
         let [stick, slide] = curves.each_ref().map(|curve| {
             let contact = Contact::new(&system, curve.clone()).expect("its own curve");
             let pull_off = contact.pull_off(0.04, Control::Load);

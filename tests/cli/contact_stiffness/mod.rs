@@ -2,7 +2,7 @@
 
 mod published;
 
-use acceptance::{Data, Workdir, assert_names, larger, looked_up, solid, workdir};
+use acceptance::{Data, Workdir, assert_names, larger, looked_up, paper_system, solid, workdir};
 use interp::{Probe, System};
 use serde_json::Value;
 
@@ -38,10 +38,7 @@ fn curves_have_both_stiffnesses() {
     let workdir = workdir!();
     let film = "--specimen paper --film-thickness 30um";
     let range = "--from 40um --to 130um --points 10";
-    let system = System {
-        film_thickness: 3e-5,
-        ..acceptance::paper_system(1e-6)
-    };
+    let system = paper_system(3e-5);
     let contact = looked_up(&system);
     for table in ["", "embedded"] {
         let text = workdir.succeed(format!("curve {table} {film} {range}"));
