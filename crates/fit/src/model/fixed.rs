@@ -86,13 +86,10 @@ impl Fixed {
 
     /// Returns the SI unit; `"1"` for a Poisson ratio.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Parameter(parameter) => parameter.unit(),
-            Self::SphereRadius | Self::LayerThickness(_) => "m",
-            Self::SubstrateModulus | Self::LayerModulus(_) => "Pa",
-            Self::SubstratePoissonRatio
-            | Self::LayerPoissonRatio(_)
-            | Self::NamedPoissonRatio(_) => "1",
+        match (self, self.dimension()) {
+            (Self::Parameter(parameter), _) => parameter.unit(),
+            (_, Some(dimension)) => dimension.unit(),
+            (_, None) => "1",
         }
     }
 

@@ -119,24 +119,12 @@ impl Parameter {
 
     /// Returns the SI unit; `"1"` for a number without one.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::SphereModulus | Self::FilmModulus | Self::Hardness | Self::LayerModulus(_) => {
-                "Pa"
-            }
-            Self::FilmPoissonRatio
-            | Self::RelaxedFraction
-            | Self::RelaxationExponent
-            | Self::RelaxationWeight(_) => "1",
-            Self::RelaxationTime(_) => "s",
-            Self::FilmThickness
-            | Self::LayerThickness(_)
-            | Self::ContactPoint
-            | Self::TipRounding => "m",
-            Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding => "J/m^2",
-            Self::LayerInterfaceStiffness(_) => "Pa/m",
-            Self::LoadOffset | Self::Baseline => "N",
-            Self::BaselineSlope | Self::Stiffness => "N/m",
-            Self::FrameCompliance => "m/N",
+        match (self, self.dimension()) {
+            // A force per length is also an energy per area.
+            (Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding, _) => "J/m^2",
+            (_, Some(Dimension::ForcePerLength)) => "N/m",
+            (_, Some(dimension)) => dimension.unit(),
+            (_, None) => "1",
         }
     }
 
