@@ -28,6 +28,37 @@ impl Timing {
             Self::Brief => 1,
         }
     }
+
+    /// Returns the time of one call over that of another. Both are made with each of `items` in
+    /// turn, for `budget` seconds a round, in turns with each other, and the fastest rounds count.
+    /// Before that, each is made once with every item.
+    ///
+    /// # Errors
+    /// Those of the calls.
+    pub fn ratio<I, A, B, EA, EB, E>(
+        self,
+        budget: f64,
+        rounds: usize,
+        items: &[I],
+        mut one: impl FnMut(&I) -> Result<A, EA>,
+        mut other: impl FnMut(&I) -> Result<B, EB>,
+    ) -> Result<f64, E>
+    where
+        E: From<EA> + From<EB>,
+    {
+        for item in items {
+            one(item)?;
+            other(item)?;
+        }
+        let [mut ones, mut others] = [Times::default(), Times::default()];
+        for _ in 0..self.rounds(rounds) {
+            let mut next = items.iter().cycle();
+            ones.add(self.seconds(budget, || one(next.next()?).ok()));
+            let mut next = items.iter().cycle();
+            others.add(self.seconds(budget, || other(next.next()?).ok()));
+        }
+        Ok(ones.fastest() / others.fastest())
+    }
 }
 
 /// Returns the median time of a call in seconds.

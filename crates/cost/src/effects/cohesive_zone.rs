@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use contact::{CohesiveZone, Contact, Control, ZoneSize};
-use interp::{Elastic, Material, Probe, Quantities, System, Table};
+use interp::{Material, Probe, Quantities, Table};
 
-use crate::clock::{Times, Timing};
+use crate::clock::Timing;
+use crate::effects::films_on_glass;
 use solve::Error;
 use solve::{A_OVER_T, solve};
 
@@ -61,22 +62,12 @@ pub(super) fn error_of_jkr(
 /// # Errors
 /// Those of [`Contact::pull_off`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
-    const FILMS: i32 = 64;
     const WORK: f64 = 0.02;
-    let contact = |i: i32| {
-        let system = System {
-            probe: Probe::Paraboloid { radius: 1e-5 },
-            sphere_modulus: f64::INFINITY,
-            // From 1e6 to 1e9 Pa on glass.
-            film: Elastic::new(1e6 * 1e3_f64.powf(f64::from(i) / f64::from(FILMS)), 0.45)?,
-            film_thickness: 1e-6,
-            substrate: Elastic::new(7e10, 0.22)?,
-        };
-        Ok(Contact::in_table(Table::embedded(), &system)?)
-    };
-    let contacts = (0..FILMS)
-        .map(contact)
-        .collect::<Result<Vec<Contact>, Error>>()?;
+    let films = films_on_glass(64, [1e6, 1e9], &Probe::Paraboloid { radius: 1e-5 })?;
+    let contacts = films
+        .iter()
+        .map(|film| Contact::in_table(Table::embedded(), film))
+        .collect::<Result<Vec<Contact>, _>>()?;
     let range = CohesiveZone { stress: 1e9 };
     let jkr = |contact: &Contact| {
         contact
@@ -87,17 +78,5 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
         let attraction = contact.cohesive_zone(WORK, range)?;
         attraction.pull_off(Control::Load).map(|state| state.load)
     };
-    for contact in &contacts {
-        jkr(contact)?;
-        corrected(contact)?;
-    }
-    let mut times = [Times::default(), Times::default()];
-    for _ in 0..timing.rounds(ROUNDS) {
-        let mut next = contacts.iter().cycle();
-        times[0].add(timing.seconds(SECONDS, || corrected(next.next()?).ok()));
-        let mut next = contacts.iter().cycle();
-        times[1].add(timing.seconds(SECONDS, || jkr(next.next()?).ok()));
-    }
-    let [corrected, jkr] = times.map(|times| times.fastest());
-    Ok(corrected / jkr)
+    timing.ratio(SECONDS, ROUNDS, &contacts, corrected, jkr)
 }

@@ -4,7 +4,7 @@ use interp::Material;
 use solve::curve;
 use solve::stick::{StickCurves, Sticking};
 
-use crate::clock::{Times, Timing};
+use crate::clock::Timing;
 use solve::Error;
 
 /// The largest `a/t` at which friction is judged; at larger ones the effect is taken to be that at
@@ -40,15 +40,7 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const TOLERANCE: f64 = 1e-8;
     let material = Material::new(0.0, 0.5, 1e3, 0.25)?;
     let sticking = Sticking::on_film(&material, NU2)?;
-    let sticks = || StickCurves::new(&sticking, RANGE, TOLERANCE)?.receding(1.0);
-    let slides = || curve(&material, RANGE, TOLERANCE);
-    sticks()?;
-    slides()?;
-    let mut times = [Times::default(), Times::default()];
-    for _ in 0..timing.rounds(ROUNDS) {
-        times[0].add(timing.seconds(SECONDS, || sticks().ok()));
-        times[1].add(timing.seconds(SECONDS, || slides().ok()));
-    }
-    let [sticks, slides] = times.map(|times| times.fastest());
-    Ok(sticks / slides)
+    let sticks = |(): &()| StickCurves::new(&sticking, RANGE, TOLERANCE)?.receding(1.0);
+    let slides = |(): &()| curve(&material, RANGE, TOLERANCE);
+    timing.ratio(SECONDS, ROUNDS, &[()], sticks, slides)
 }

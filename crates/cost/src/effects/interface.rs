@@ -4,7 +4,8 @@
 use contact::Contact;
 use interp::{Curve, Elastic, Material, Normalisation, Probe, Quantities, System, Table};
 
-use crate::clock::{Times, Timing};
+use crate::clock::Timing;
+use crate::effects::films_on_glass;
 use solve::Error;
 use solve::stack::{Interface, Layer, MOST_A_OVER_TOP, Stack};
 use solve::{solve_stack, stack_curve};
@@ -45,34 +46,12 @@ pub(super) fn sliding(
 /// # Errors
 /// Those of [`Contact::in_table`] and [`stack_curve`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
-    const FILMS: i32 = 8;
-    let system = |i: i32| {
-        Ok::<_, Error>(System {
-            probe: Probe::Paraboloid { radius: 1e-5 },
-            sphere_modulus: f64::INFINITY,
-            // From 1e5 to 1e9 Pa on glass.
-            film: Elastic::new(1e5 * 1e4_f64.powf(f64::from(i) / f64::from(FILMS)), 0.45)?,
-            film_thickness: 1e-6,
-            substrate: Elastic::new(7e10, 0.22)?,
-        })
-    };
-    let systems = (0..FILMS).map(system).collect::<Result<Vec<_>, _>>()?;
+    let systems = films_on_glass(8, [1e5, 1e9], &Probe::Paraboloid { radius: 1e-5 })?;
     let table = Table::embedded();
     let solved = |system: &System| -> Result<Curve, Error> {
         let stack = Stack::of_film(system, Interface::Sliding)?;
         stack_curve(&stack, system.sphere_modulus, [0.01, 10.0], 1e-8)
     };
-    for system in &systems {
-        Contact::in_table(table, system)?;
-        solved(system)?;
-    }
-    let mut times = [Times::default(), Times::default()];
-    for _ in 0..timing.rounds(ROUNDS) {
-        let mut next = systems.iter().cycle();
-        times[0].add(timing.seconds(SECONDS, || solved(next.next()?).ok()));
-        let mut next = systems.iter().cycle();
-        times[1].add(timing.seconds(SECONDS, || Contact::in_table(table, next.next()?).ok()));
-    }
-    let [sliding, bonded] = times.map(|times| times.fastest());
-    Ok(sliding / bonded)
+    let bonded = |system: &System| Contact::in_table(table, system);
+    timing.ratio(SECONDS, ROUNDS, &systems, solved, bonded)
 }

@@ -3,7 +3,7 @@
 use contact::{Contact, Control, HistoryError, Relaxation};
 use interp::{Elastic, Material, Normalisation, Probe, System};
 
-use crate::clock::{Times, Timing};
+use crate::clock::Timing;
 use crate::history::contact_on_gel;
 use solve::Error;
 use solve::{A_OVER_T, curve};
@@ -106,20 +106,12 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const LARGEST: f64 = 3e-6;
     let contact = contact_on_gel()?;
     let (_, penetration) = contact.load_and_penetration(LARGEST, 0.0)?;
-    let relaxing = || follow(&contact, &law(), penetration, POINTS, None);
-    let elastic = || -> Result<Vec<(f64, f64)>, Error> {
+    let relaxing = |(): &()| follow(&contact, &law(), penetration, POINTS, None);
+    let elastic = |(): &()| {
         let radii = (1..=POINTS).map(|i| LARGEST * f64::from(i) / f64::from(POINTS));
-        Ok(radii
+        radii
             .map(|a| contact.load_and_penetration(a, 0.0))
-            .collect::<Result<_, _>>()?)
+            .collect::<Result<Vec<(f64, f64)>, _>>()
     };
-    relaxing()?;
-    elastic()?;
-    let mut times = [Times::default(), Times::default()];
-    for _ in 0..timing.rounds(ROUNDS) {
-        times[0].add(timing.seconds(SECONDS, || relaxing().ok()));
-        times[1].add(timing.seconds(SECONDS, || elastic().ok()));
-    }
-    let [relaxing, elastic] = times.map(|times| times.fastest());
-    Ok(relaxing / elastic)
+    timing.ratio(SECONDS, ROUNDS, &[()], relaxing, elastic)
 }

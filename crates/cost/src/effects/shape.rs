@@ -2,9 +2,10 @@
 //! sphere.
 
 use contact::{Contact, Validity};
-use interp::{Elastic, Material, Probe, System, Table};
+use interp::{Material, Probe, System, Table};
 
-use crate::clock::{Times, Timing};
+use crate::clock::Timing;
+use crate::effects::films_on_glass;
 use solve::Error;
 use solve::solve_power_laws;
 
@@ -55,37 +56,16 @@ pub(super) fn error_of_paraboloid(
 /// # Errors
 /// Those of [`Contact::in_table`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
-    const FILMS: i32 = 64;
     let radius = 1e-5;
-    let systems = |probe: Probe| {
-        let system = |i: i32| {
-            Ok(System {
-                probe: probe.clone(),
-                sphere_modulus: f64::INFINITY,
-                // From 1e5 to 1e9 Pa on glass.
-                film: Elastic::new(1e5 * 1e4_f64.powf(f64::from(i) / f64::from(FILMS)), 0.45)?,
-                film_thickness: 1e-6,
-                substrate: Elastic::new(7e10, 0.22)?,
-            })
-        };
-        (0..FILMS).map(system).collect::<Result<Vec<_>, Error>>()
-    };
+    let [spheres, paraboloids] = [Probe::Sphere { radius }, Probe::Paraboloid { radius }]
+        .map(|probe| films_on_glass(64, [1e5, 1e9], &probe));
+    let pairs: Vec<(System, System)> = spheres?.into_iter().zip(paraboloids?).collect();
     let table = Table::embedded();
-    let probes = [
-        systems(Probe::Sphere { radius })?,
-        systems(Probe::Paraboloid { radius })?,
-    ];
-    for system in probes.iter().flatten() {
-        Contact::in_table(table, system)?;
-    }
-    let mut times = [Times::default(), Times::default()];
-    for _ in 0..timing.rounds(ROUNDS) {
-        for (systems, times) in probes.iter().zip(&mut times) {
-            let mut next = systems.iter().cycle();
-            let contact = || -> Option<Contact> { Contact::in_table(table, next.next()?).ok() };
-            times.add(timing.seconds(SECONDS, contact));
-        }
-    }
-    let [sphere, paraboloid] = times.map(|times| times.fastest());
-    Ok(sphere / paraboloid)
+    timing.ratio(
+        SECONDS,
+        ROUNDS,
+        &pairs,
+        |(sphere, _)| Contact::in_table(table, sphere),
+        |(_, paraboloid)| Contact::in_table(table, paraboloid),
+    )
 }
