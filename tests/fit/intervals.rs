@@ -9,7 +9,7 @@ use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::measurement;
+use crate::imagined::{Imagined, measurement};
 
 /// The levels of the intervals.
 const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
@@ -171,4 +171,38 @@ fn an_open_interval_gives_the_reason() {
             "give it a prior",
         ],
     );
+}
+
+#[test]
+fn intervals_of_few_points_hold_the_truth_as_often_as_their_level_says() {
+    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+    for (points, noise_is_known) in [(4, false), (4, true), (6, false)] {
+        let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 2e-6, &free);
+        lens.points = [points, 0];
+        lens.noise_is_known = noise_is_known;
+        let exact = lens.exact();
+        let options = Options {
+            profile_level: Some(0.95),
+            ..Options::default()
+        };
+        let holds = |seed: u64| {
+            let experiment = lens.measured(&exact, seed);
+            let found = fit(Table::embedded(), &[experiment], &lens.free, &options);
+            found.expect("sound").estimates.iter().all(|estimate| {
+                let truth = lens.truth.get(estimate.parameter).expect("a value");
+                let [low, high] = estimate.profile.expect("it was asked for");
+                truth >= low && truth <= high
+            })
+        };
+        let many = 300_u64;
+        let held = (0..many)
+            .into_par_iter()
+            .filter(|&seed| holds(seed))
+            .count();
+        println!("{points} points: {held} of {many} hold both truths");
+        // Both at once: between 0.95^2 of independent ones and 0.95. Three standard deviations of a
+        // count are 4 %.
+        let part = held as f64 / many as f64;
+        assert!((0.86..=0.99).contains(&part), "{points} points: {part}");
+    }
 }

@@ -105,6 +105,49 @@ pub(crate) fn deviations(level: f64) -> f64 {
     z + (upper_tail(z) - tail) / density
 }
 
+/// The degrees of freedom from which on Student's distribution is taken for the normal one: its
+/// quantiles differ by less than one part in a thousand.
+const MANY: usize = 5000;
+
+/// Returns within how many standard errors, estimated with `freedom >= 1` degrees of freedom, a number
+/// stays with probability `level`: the quantile of Student's distribution.
+pub(crate) fn student_deviations(level: f64, freedom: usize) -> f64 {
+    if freedom > MANY {
+        return deviations(level);
+    }
+    // The angle whose tangent is `t/sqrt(freedom)`.
+    let [mut low, mut high] = [0.0, std::f64::consts::FRAC_PI_2];
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if student_within(middle, freedom) < level {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    (freedom as f64).sqrt() * low.tan()
+}
+
+/// Returns the probability that Student's number is between `-t` and `t` with
+/// `t = sqrt(freedom) tan(angle)` (Abramowitz and Stegun, 26.7.3 and 26.7.4).
+fn student_within(angle: f64, freedom: usize) -> f64 {
+    let (sine, cosine) = angle.sin_cos();
+    let is_odd = freedom % 2 == 1;
+    let mut term = if is_odd { cosine } else { 1.0 };
+    let mut sum = if freedom == 1 { 0.0 } else { term };
+    let mut power = if is_odd { 1 } else { 0 };
+    while power + 2 + 2 <= freedom {
+        power += 2;
+        term *= cosine * cosine * (power - 1) as f64 / power as f64;
+        sum += term;
+    }
+    if is_odd {
+        std::f64::consts::FRAC_2_PI * (angle + sine * sum)
+    } else {
+        sine * sum
+    }
+}
+
 /// Returns the probability that a normal number exceeds `z >= 0`.
 fn upper_tail(z: f64) -> f64 {
     let x = z * std::f64::consts::FRAC_1_SQRT_2;
@@ -172,6 +215,25 @@ mod tests {
         let [deviations, ratio] = likeness_of_neighbours(&slope).expect("many");
         assert!(deviations > 9.0 && ratio > 1000.0, "{deviations}, {ratio}");
         assert_eq!(likeness_of_neighbours(&[1.0, 2.0]), None);
+    }
+
+    #[test]
+    fn student_quantiles_are_those_of_tables() {
+        for (freedom, level, expected) in [
+            (1, 0.95, 12.706_205),
+            (2, 0.95, 4.302_653),
+            (3, 0.95, 3.182_446),
+            (4, 0.95, 2.776_445),
+            (5, 0.99, 4.032_143),
+            (10, 0.5, 0.699_812),
+            (30, 0.95, 2.042_272),
+            (121, 0.99, 2.616_879),
+        ] {
+            let found = student_deviations(level, freedom);
+            assert!((found - expected).abs() < 2e-4, "{freedom}: {found}");
+        }
+        let ends = [MANY, MANY + 1].map(|freedom| student_deviations(0.95, freedom));
+        assert!((ends[0] / ends[1] - 1.0).abs() < 1e-3, "{ends:?}");
     }
 
     #[test]

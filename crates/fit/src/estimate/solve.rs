@@ -9,7 +9,7 @@ use super::slot::{Slot, slots};
 use super::uncertainty::{Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
 use crate::model::Freedom;
-use crate::statistics::deviations;
+use crate::statistics::{deviations, student_deviations};
 use crate::{
     Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, FittedRelaxation, Free,
     LeftOut, LossAngle, Options, Parameter,
@@ -98,12 +98,19 @@ fn intervals<'a>(
     data: &Data,
     options: &Options,
 ) -> Option<Vec<[profile::End; 2]>> {
-    let deviations = deviations(options.profile_level?);
+    let level = options.profile_level?;
     for _ in 0..MOST_RESTARTS {
         let uncertainty = found.uncertainty.as_ref()?;
         if found.ending != Ending::Converged {
             return None;
         }
+        // An estimated noise has an error of its own, which is large where points are few.
+        let (freedom, known) = freedom(&found.problem);
+        let deviations = if known {
+            deviations(level)
+        } else {
+            student_deviations(level, freedom.max(1))
+        };
         match profile::intervals(&found.problem, uncertainty, deviations) {
             Ok(intervals) => {
                 found.problem.evaluations += intervals.evaluations;
@@ -115,6 +122,18 @@ fn intervals<'a>(
     // Each round has found a lower minimum: this one is none.
     found.ending = Ending::OutOfPatience;
     None
+}
+
+/// Returns the number of points that count, and of priors, less that of the values found, and whether
+/// the noise of all experiments is known.
+fn freedom(problem: &Problem<'_>) -> (usize, bool) {
+    let priors = problem.slots.iter().filter(|slot| slot.prior.is_some());
+    let rows = problem.counting() + priors.count();
+    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
+    (
+        rows.saturating_sub(problem.slots.len()),
+        experiments.all(|one| one.usual_noise().is_some()),
+    )
 }
 
 /// Accepts a minimum whose values all have finite errors, or one that the result calls none.
@@ -276,13 +295,8 @@ fn result(
         estimate.profile = Some([low.or(unlimited), high.or(f64::INFINITY)]);
     }
     let residuals = problem.plain_residuals();
-    let count = residuals.as_ref().map_or(0, nalgebra::Matrix::len);
     let chi_squared = residuals.map_or(f64::NAN, |residuals| residuals.norm_squared());
-    let degrees_of_freedom = count.saturating_sub(problem.slots.len());
-    let all_given = problem
-        .assigned
-        .iter()
-        .all(|assigned| assigned.experiment.usual_noise().is_some());
+    let (degrees_of_freedom, all_given) = freedom(problem);
     let (without_film, predictions) = without.map_or((None, None), |found| {
         (Some(found.result), Some(found.predictions))
     });

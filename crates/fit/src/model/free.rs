@@ -142,7 +142,9 @@ pub struct Options {
     /// The loss.
     pub loss: Loss,
     /// The level, such as 0.95, of profile-likelihood intervals; `None` does without them. An
-    /// interval takes some twenty further fits for each parameter.
+    /// interval takes some twenty further fits for each parameter. Where the noise of an experiment is
+    /// not given, the interval has the quantile of Student's distribution, as the noise estimated has
+    /// an error.
     pub profile_level: Option<f64>,
     /// The range `z0` of the attraction (m), for Tabor's parameter.
     pub interaction_range: f64,
