@@ -231,13 +231,48 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
         }
         _ => return None,
     };
-    let undetermined = if standard_error < UNDETERMINED * value {
-        ""
+    let usual = found.reason;
+    let reason = if standard_error < UNDETERMINED * value {
+        format!("{usual}{mistake}")
     } else {
-        "; the data do not determine it, either: fix it or give a prior"
+        let undetermined = "is not determined by these data: fix it or give a prior";
+        match parameter {
+            // The thickness of a film that the data do not see goes to any value. Its unit was given
+            // with its start, which is checked.
+            Parameter::FilmThickness | Parameter::LayerThickness(_) => undetermined.into(),
+            // Loads or lengths in a wrong unit may leave a modulus undetermined.
+            _ => format!("{undetermined}; it {usual}{mistake}"),
+        }
     };
     Some(Magnitude {
-        reason: format!("{}{mistake}{undetermined}", found.reason).into(),
-        ..found
+        reason: reason.into(),
+        what: found.what,
+        value: found.value,
+        unit: found.unit,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_that_is_not_determined_is_no_mistake_of_a_unit() {
+        let text = |standard_error: f64| {
+            let found = of_estimate(&Estimate {
+                parameter: Parameter::FilmThickness,
+                experiment: None,
+                value: 7e40,
+                standard_error,
+                profile: None,
+            });
+            found.expect("no film is as thick").to_string()
+        };
+        for error in [7e44, f64::INFINITY, f64::NAN] {
+            let text = text(error);
+            assert!(text.contains("m is not determined by these data"), "{text}");
+            assert!(!text.contains("probably meant"), "{text}");
+        }
+        assert!(text(1e39).contains("probably meant"));
+    }
 }
