@@ -1,12 +1,12 @@
 //! Points that are left out are counted by reason; most of them, or an error that is not finite, is
 //! no result.
 
-use acceptance::assert_names;
+use acceptance::{assert_names, solid};
 use fit::{
     Bodies, Branch, Direction, Experiment, Fit, Free, Kind, LeftOutReason, Options, Parameter,
     Point, WarningKind, fit,
 };
-use interp::Table;
+use interp::{Probe, System, Table};
 
 use crate::imagined::{Course, Imagined, fit_all, gel, measurement};
 
@@ -154,4 +154,66 @@ fn a_value_that_changes_nothing_is_no_result() {
     ];
     let found = fit_all(&[experiment], &known);
     assert!(found.expect("the prior tells it").converged);
+}
+
+/// The curve that the program shows as an example, made with a film of 5 kPa and 20 um.
+fn shipped_gel() -> Experiment {
+    let text = include_str!("../../crates/fit/data/gel.csv");
+    let point = |(row, line): (&str, u64)| {
+        let mut cells = row.split(',');
+        let mut number = || cells.next().and_then(|cell| cell.parse().ok());
+        let (abscissa, ordinate) = number().zip(number()).expect("two numbers");
+        Point {
+            line,
+            abscissa,
+            ordinate,
+            direction: Some(if row.ends_with("approach") {
+                Direction::Approach
+            } else {
+                Direction::Retract
+            }),
+        }
+    };
+    let points = text.lines().skip(3).zip(4..).map(point).collect();
+    let system = System {
+        probe: Probe::Paraboloid { radius: 10e-6 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(5e3, 0.5),
+        film_thickness: 20e-6,
+        substrate: solid(70e9, 0.25),
+    };
+    let measurement = measurement(Kind::ForceHeight, points);
+    let mut experiment = Experiment::new(measurement, Bodies::Coated(system));
+    experiment.stiffness = Some(0.1);
+    experiment
+}
+
+#[test]
+fn a_start_that_leads_nowhere_does_not_leave_out_all_points() {
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::FilmThickness,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    let found = fit_with(&shipped_gel(), &free, false).expect("sound data");
+    assert!(found.converged, "{:?}", found.warnings);
+    for (parameter, truth, largest) in [
+        (Parameter::FilmModulus, 5e3, 200.0),
+        (Parameter::FilmThickness, 20e-6, 4e-6),
+        (Parameter::WorkOfAdhesion, 5e-5, 5e-7),
+    ] {
+        let estimate = found.estimate(parameter).expect("it is free");
+        let error = estimate.standard_error;
+        assert!(error < largest, "{estimate:?}");
+        assert!((estimate.value - truth).abs() < 3.0 * error, "{estimate:?}");
+    }
+    let near: usize = found.experiments[0]
+        .left_out
+        .iter()
+        .filter(|group| group.reason.is_of_contact())
+        .map(|group| group.points)
+        .sum();
+    assert!(near <= 10, "{near} of 94 points in contact are left out");
 }

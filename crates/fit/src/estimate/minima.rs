@@ -20,6 +20,9 @@ const FACTORS: [f64; 2] = [0.05, 20.0];
 const THICKNESSES: [f64; 2] = [0.1, 1.0];
 /// The most evaluations over the number of parameters + 1 of a fit from another start.
 const FEWER: usize = 12;
+/// A minimum is no better than one found before it if its sum of squares is smaller by less than this:
+/// one standard error of one value makes as much.
+const ALIKE: f64 = 1.0;
 /// Minima whose values differ by less than this number of standard errors are one.
 const APART: f64 = 3.0;
 
@@ -218,7 +221,7 @@ fn best<'a>(mut ends: Vec<(Problem<'a>, Ending)>, data: &Data, evaluations: usiz
         match failed {
             [false, true] => true,
             [true, false] => false,
-            _ => excess(one, other) > 0.0,
+            _ => excess(one, other) > ALIKE,
         }
     };
     let first = (1..minima.len()).fold(0, |best, i| {
@@ -301,16 +304,34 @@ fn rival(best: &Minimum<'_>, other: &Minimum<'_>) -> Option<Rival> {
 }
 
 /// Returns by how much the sum of squares of `other` exceeds that of `one`, on the points that count
-/// in both. Where the noise is not known it is the excess of the same likelihood,
-/// `nu ln(S_other/S_one)` with the sums `S` and the degrees of freedom `nu`.
+/// in either: on those that count in both, the one that leaves out more would seem better. One that
+/// is of fewer points is minimised again on these. Where the noise is not known it is the excess of
+/// the same likelihood, `nu ln(S_other/S_one)` with the sums `S` and the degrees of freedom `nu`.
 fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
-    let one = &one.problem;
-    let mut other = other.problem.clone();
+    let counts = [one, other].map(|minimum| minimum.problem.counting());
+    let (mut one, mut other) = (one.problem.clone(), other.problem.clone());
+    for (one, other) in one.assigned.iter_mut().zip(&mut other.assigned) {
+        for (one, other) in one.branches.iter_mut().zip(&mut other.branches) {
+            if *one == Branch::LeftOut {
+                *one = *other;
+            }
+            *other = *one;
+        }
+    }
+    if one.update().is_err() || one.weigh().is_err() || other.update().is_err() {
+        return f64::NAN;
+    }
     for (other, one) in other.assigned.iter_mut().zip(&one.assigned) {
         other.noise = one.noise;
         other.abscissa_parts.clone_from(&one.abscissa_parts);
     }
-    let [Some(of_one), Some(of_other)] = [one, &other].map(squares) else {
+    if one.counting() > counts[0] {
+        one = one.minimise(FEWER, COARSE).0;
+    }
+    if other.counting() > counts[1] {
+        other = other.minimise(FEWER, COARSE).0;
+    }
+    let [Some(of_one), Some(of_other)] = [&one, &other].map(squares) else {
         return f64::NAN;
     };
     let mut excess = of_other.1 - of_one.1;
@@ -322,7 +343,7 @@ fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
                 count += 1;
             }
         }
-        excess += if has_known_scale(one, e) {
+        excess += if has_known_scale(&one, e) {
             sums[1] - sums[0]
         } else {
             let freedom = usize::max(count, one.slots.len() + 1) - one.slots.len();

@@ -20,6 +20,9 @@ const HELD_BACK: f64 = 0.03;
 /// Points count from this number of standard errors of the end of their branch on. Nearer to it a
 /// force is no linear function of the parameters.
 const CLEAR: f64 = 4.0;
+/// The most of the points in contact that are left out for being near the end of their branch. Each
+/// point left out makes the end less certain, which would leave out more, until none is left.
+const MOST_NEAR: f64 = 0.1;
 /// The most rounds of noise and branches.
 const ROUNDS: usize = 6;
 /// The largest distance of the end of a fit from the minimum of its linearisation, in standard
@@ -159,13 +162,6 @@ pub(super) fn settle<'a>(
     mut ending: Ending,
     data: &Data,
 ) -> (Problem<'a>, Ending, Option<Uncertainty>) {
-    // A point left out for being near the end stays out, so that the rounds come to an end. The
-    // first round, on few points, only proposes.
-    let mut excluded: Vec<Vec<bool>> = data
-        .assigned
-        .iter()
-        .map(|assigned| vec![false; assigned.branches.len()])
-        .collect();
     let mut round = 0;
     loop {
         let weights = problem.weigh();
@@ -175,24 +171,9 @@ pub(super) fn settle<'a>(
         };
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
-        for (e, excluded) in excluded.iter_mut().enumerate() {
-            let whole = &data.assigned[e];
-            let ends = ends(&problem, e, &uncertainty, whole);
-            let mut near = near_the_end(whole, &ends);
-            for (near, out) in near.iter_mut().zip(&mut *excluded) {
-                *near |= *out;
-                *out = *near && round > 0;
-            }
-            let branches = whole.branches.iter().zip(near);
-            let mut branches: Vec<Branch> = branches
-                .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
-                .collect();
-            let counting = branches.iter().filter(|own| **own != Branch::LeftOut);
-            if counting.count() < problem.slots.len() {
-                // The values are so uncertain that the branch may end anywhere.
-                branches = hold_back(whole).branches;
-            }
-            if branches != problem.assigned[e].branches {
+        for (e, whole) in data.assigned.iter().enumerate() {
+            let branches = clear_branches(&problem, e, &uncertainty, whole);
+            if branches != problem.assigned[e].branches && round < ROUNDS {
                 problem.assigned[e].branches = branches;
                 branches_changed = true;
             }
@@ -209,18 +190,62 @@ pub(super) fn settle<'a>(
         let weights_changed = weights > WEIGHTS_CHANGE;
         let settled =
             !(branches_changed || weights_changed || noise_changed && noise_matters || stalled);
-        if settled || (round == ROUNDS && !branches_changed) {
+        if settled || round > ROUNDS {
             return (problem, ending, Some(uncertainty));
         }
         if problem.update().is_err() {
             return (problem, Ending::Failed, None);
         }
-        if round == ROUNDS {
-            // The points that count still change, and the uncertainty is that of other points.
-            let uncertainty = Uncertainty::of(&problem);
-            return (problem, Ending::OutOfPatience, uncertainty);
-        }
         (problem, ending) = problem.minimise(PATIENCE, FINE);
+    }
+}
+
+/// Returns the branches without the points that are beyond the end of their branch, or too near to
+/// it.
+fn clear_branches(
+    problem: &Problem<'_>,
+    e: usize,
+    uncertainty: &Uncertainty,
+    whole: &Assigned,
+) -> Vec<Branch> {
+    let mut ends = ends(problem, e, uncertainty, whole);
+    narrow(whole, &mut ends);
+    let near = near_the_end(whole, &ends);
+    let branches = whole.branches.iter().zip(near);
+    let branches: Vec<Branch> = branches
+        .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
+        .collect();
+    let counting = branches.iter().filter(|own| **own != Branch::LeftOut);
+    if counting.count() < problem.slots.len() {
+        // The values are so uncertain that the branch may end anywhere.
+        return hold_back(whole).branches;
+    }
+    branches
+}
+
+/// Narrows the distances from which on points are clear of the ends, until no more than
+/// [`MOST_NEAR`] of the points in contact are nearer. Points that are clearly beyond an end have no
+/// contact, and are none of these.
+fn narrow(whole: &Assigned, ends: &mut [End]) {
+    let sense = whole.experiment.sense();
+    let points = whole.experiment.measurement.points.iter();
+    let mut near: Vec<f64> = points
+        .zip(&whole.branches)
+        .filter_map(|(point, branch)| {
+            let end = ends.iter().find(|end| end.branch == *branch)?;
+            let distance = sense * point.abscissa - end.position;
+            (distance.abs() <= end.clear).then_some(distance)
+        })
+        .collect();
+    let is_contact = |branch: &&Branch| matches!(branch, Branch::Advancing | Branch::Receding);
+    let contacts = whole.branches.iter().filter(is_contact).count();
+    let most = (MOST_NEAR * contacts as f64).ceil() as usize;
+    if near.len() > most {
+        near.sort_by(f64::total_cmp);
+        let clear = near[most - 1];
+        for end in ends {
+            end.clear = end.clear.min(clear);
+        }
     }
 }
 

@@ -31,7 +31,8 @@ const MOST_RESTARTS: usize = 8;
 ///
 /// Points whose force lies within 4 standard errors of the end of their branch are left out,
 /// because there it depends on the parameters in no linear way, and standard errors would be too
-/// small.
+/// small; but no more than a tenth of the points in contact, beside those that are clearly beyond the
+/// end.
 ///
 /// The fit is deterministic and uses one thread. The curves of a map can be fitted side by side:
 /// threads may share the `table`.
