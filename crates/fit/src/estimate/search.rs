@@ -71,7 +71,7 @@ impl Data {
 }
 
 /// Returns the range of the ordinates.
-fn range(experiment: &Experiment) -> f64 {
+pub(super) fn range(experiment: &Experiment) -> f64 {
     let count = experiment.measurement.points.len();
     let readings = (0..count).map(|i| experiment.compared(i));
     let [least, most] = readings.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], y| {
