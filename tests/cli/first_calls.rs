@@ -12,7 +12,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
     let film = format!("{fit} --film-thickness 30um");
     let cases: [(&str, i32, &[&str]); 19] = [
         ("pull-off --stiffness 0.1N/m", 1, &["--control spring"]),
-        ("curve --film-modulus 5", 2, &["5MPa", "5Pa"]),
+        ("curve --film-modulus 5", 2, &["5kPa", "5MPa", "5Pa"]),
         ("curve --sphere-modulus 210", 2, &["210GPa"]),
         (
             "curve --probe cone --half-angle 70 --sphere-radius 1um",

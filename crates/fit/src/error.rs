@@ -64,7 +64,7 @@ pub enum Error {
     /// A start, a bound, a prior, a noise or an option that is not allowed.
     #[error(
         "{name} {}: it must be {allowed}",
-        if value.is_nan() { "is not given, or is no number".into() } else { format!("= {value:?} cannot be used") }
+        if value.is_nan() { "is not given, or is NaN".into() } else { format!("= {value:?} cannot be used") }
     )]
     Setting {
         /// The name of the parameter or option.

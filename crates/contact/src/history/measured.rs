@@ -27,10 +27,8 @@ use interp::check::finite_result;
 /// The relative tolerance of the exponentials, and of the elastic curve.
 const LAW: f64 = 1e-6;
 const ELASTIC: f64 = 1e-7;
-/// The estimated error over the difference from steps of half the length, and the least estimate: a body that
-/// nearly flows may magnify the two tolerances ten times.
+/// The estimated error over the difference from steps of half the length.
 const SAFETY: f64 = 2.0;
-const LEAST: f64 = 1e-5;
 
 /// What the loads of a measured history are differentiated by, beside the place of the program and
 /// the stiffness of the spring.
@@ -58,10 +56,11 @@ impl History<'_> {
     /// lines, and returns the states at the points, with the derivatives of the loads if `inputs` are
     /// given.
     ///
-    /// The values grow, may be held, and fall once. The steps depend on the points alone, so that the loads
-    /// are smooth functions of all numbers. Of imposed penetrations the errors are some 1e-5 of the largest load;
-    /// under a spring they are below 1e-4 in most cases, and some 5e-3 where bodies that nearly flow turn
-    /// suddenly. [`History::error_of_measured`] estimates them, and [`History::at`] holds a tolerance.
+    /// The values grow, may be held, and fall once. The steps depend on the points and on the first touch alone,
+    /// so that the loads are smooth functions of all numbers, but for their errors. Of imposed penetrations
+    /// these are some 1e-5 of the largest load. Under a spring they are larger, and most where a body that
+    /// nearly flows turns suddenly. [`History::error_of_measured`] estimates them, and [`History::at`] holds a
+    /// tolerance.
     ///
     /// # Errors
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
@@ -78,8 +77,8 @@ impl History<'_> {
     }
 
     /// Estimates the largest error of the loads of a [measured history](History::measured) by its steps, in
-    /// parts of the largest load: twice the difference from steps of half the length, and 1e-5 for the
-    /// exponentials and the elastic curve.
+    /// parts of the largest load: twice the difference from steps of half the length. To it come up to 1e-5 by
+    /// the exponentials and the elastic curve.
     ///
     /// It takes twice as long as the history. `measured_tests.rs` compares it with histories of many digits.
     ///
@@ -97,8 +96,11 @@ impl History<'_> {
             most = most.max((own.state.load - finer.state.load).abs());
             largest = largest.max(finer.state.load.abs());
         }
-        let of_steps = if largest > 0.0 { most / largest } else { 0.0 };
-        Ok(SAFETY * of_steps + LEAST)
+        Ok(if largest > 0.0 {
+            SAFETY * most / largest
+        } else {
+            0.0
+        })
     }
 
     /// Follows a measured history in steps that are made from the usual ones.
@@ -115,7 +117,10 @@ impl History<'_> {
             Control::Spring { stiffness } => 1.0 / stiffness,
             Control::Load => return Err(HistoryError::MeasuredLoad),
         };
-        let program = Program::new(points, &[])?;
+        let mut program = Program::new(points, &[])?;
+        // From the first point on, times resolve the shortest steps.
+        let origin = program.times[0];
+        program.times.iter_mut().for_each(|time| *time -= origin);
         if program.values[0] > 0.0 {
             return Err(HistoryError::BeginsInContact {
                 name: control.name(),
@@ -152,8 +157,14 @@ impl History<'_> {
             compliance,
             width,
         };
-        follow(&setting, &steps.places(&program), &mut found)?;
-        for (point, at) in found.states.iter().enumerate() {
+        follow(&setting, &steps.places(&program), &mut found).map_err(|error| match error {
+            HistoryError::GrowsAgain { time } => HistoryError::GrowsAgain {
+                time: time + origin,
+            },
+            error => error,
+        })?;
+        for (point, at) in found.states.iter_mut().enumerate() {
+            at.time = points[point].0;
             let radius = at.state.contact_radius;
             finite_result(radius, at.state.load)?;
             for by in &found.derivatives[point * width..][..width] {

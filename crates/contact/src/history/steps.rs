@@ -83,7 +83,7 @@ impl Steps {
                 let mut time = t0;
                 if change.is_none() && v1 > 0.0 {
                     // A program begins at 0 or below.
-                    time += (t1 - t0) * (v0 / (v0 - v1));
+                    time = (time + (t1 - t0) * (v0 / (v0 - v1))).min(t1);
                     change = Some(time);
                     if time > t0 && time < t1 {
                         places.push(inner(time, 0.0));
@@ -113,8 +113,9 @@ impl Steps {
         let parts = (left / self.longest * (1.0 - 1e-9)).ceil().max(1.0);
         let graded = (self.growth * (from - change)).max(FIRST * self.longest);
         let step = graded.min(left / parts);
-        // The last step may be half as long again: none is very short.
-        (1.5 * step < left).then_some(from + step)
+        // The last step may be half as long again: none is very short. Times do not resolve shorter ones.
+        let next = from + step;
+        (1.5 * step < left && next > from).then_some(next)
     }
 }
 

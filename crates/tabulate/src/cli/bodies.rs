@@ -133,8 +133,8 @@ impl Bodies {
         let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
             note(&format!(
-                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. --probe sphere takes the shape of the \
-                 sphere.",
+                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. Without friction, --probe sphere takes the \
+                 shape of the sphere, on a film up to 0.55 R.",
                 a / self.sphere_radius
             ));
         }

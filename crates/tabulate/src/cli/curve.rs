@@ -63,7 +63,7 @@ pub struct Arguments {
     attracting: AttractingArguments,
     #[command(flatten)]
     history: HistoryArguments,
-    /// Smallest contact radius, m [default: 1e-6; without --to, or up to that, 1/150 of the largest]
+    /// Smallest contact radius, m [default: 1e-6; where --to is not given, or is at most 1e-6, 1/150 of the largest]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
@@ -89,6 +89,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bodies = given.read_checked()?;
     let system = &bodies.system;
     let [from, to] = arguments.radii(system);
+    ensure!(
+        to > 0.0 && to < f64::INFINITY,
+        "--to {to:?} m: the largest contact radius is above 0 and finite"
+    );
+    let least = A_OVER_T[0] * system.film_thickness;
+    ensure!(
+        arguments.table.is_some() || from <= 0.0 || from >= least,
+        "--from {from:?} m: direct solves begin at a millionth of the thickness of the film or stack, {least:e} m; give a larger \
+         radius, or take the film as thinner: so thick a film is a half-space"
+    );
     let [from_default, to_default] = [arguments.from, arguments.to].map(|given| match given {
         Some(_) => "",
         None => ", which is not given,",

@@ -208,7 +208,16 @@ impl HistoryArguments {
         const TOLERANCE: f64 = 1e-8;
         let system = &bodies.system;
         let (receding, ratio) = self.works(bodies.work_of_adhesion)?;
+        // The reach itself may be a rounding beyond it in units of the thickness.
+        let most = reach(bodies) / system.film_thickness;
         let range = [from, to].map(|a| a / system.film_thickness);
+        let range = range.map(|x| {
+            if x < most * (1.0 + 1e-12) {
+                x.min(most)
+            } else {
+                x
+            }
+        });
         let sticking = sticking(bodies, nu2)?;
         let curves = within(tolerance, tolerance.unwrap_or(TOLERANCE), |tolerance| {
             StickCurves::new(&sticking, range, tolerance)
@@ -247,25 +256,22 @@ pub fn note_size(bodies: &Bodies, a: f64) {
         // Of a wider contact than is solved, the widest that is.
         let a_over_t = (a / bodies.system.film_thickness).min(sticking.most_of_punch());
         let ratio = sticking.stiffening(a_over_t, TOLERANCE)?;
-        Ok((a_over_t * bodies.system.film_thickness, ratio))
+        let is_solved =
+            sticking.beta() == 0.0 && matches!(bodies.system.probe, Probe::Paraboloid { .. });
+        Ok((a_over_t * bodies.system.film_thickness, ratio, is_solved))
     });
-    if let Ok((a, ratio)) = found
+    if let Ok((a, ratio, is_solved)) = found
         && ratio > 1.0 + MUCH
     {
-        let is_solved =
-            matches!(bodies.system.probe, Probe::Paraboloid { .. }) && a <= reach(bodies);
+        let recommended = if is_solved && a <= reach(bodies) {
+            " --friction stick solves contacts with full friction, without a table and without --interaction-range."
+        } else {
+            ""
+        };
         note(&format!(
             "The model takes the surfaces to slide freely. With full friction, a flat punch of the contact \
-             radius {a:.3e} m would be stiffer by {:.0} %.{}",
-            1e2 * (ratio - 1.0),
-            if is_solved {
-                " --friction stick solves contacts with full friction.".to_owned()
-            } else {
-                format!(
-                    " --friction stick solves those of --probe paraboloid up to the radius {:.3e} m.",
-                    reach(bodies)
-                )
-            }
+             radius {a:.3e} m would be stiffer by {:.0} %.{recommended}",
+            1e2 * (ratio - 1.0)
         ));
     }
 }

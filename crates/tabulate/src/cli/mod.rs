@@ -84,7 +84,8 @@ const OF_FIGURES: [&str; 5] = ["fit", "simulate", "report", "plot", "cost"];
 /// modulus E1* instead of E2*, and e0_over_e2 is read as E0/E1.
 ///
 /// Lengths, moduli, forces, stiffnesses and works of adhesion are in SI units, or have a unit behind
-/// them: 30um, 70GPa, 2uN, 0.1N/m, 40mJ/m^2. `u` stands for micro; mN and MN differ.
+/// them: 30um, 70GPa, 2uN, 0.1N/m, 40mJ/m^2. `u` stands for micro; mN and MN differ. A modulus below
+/// 1000 Pa needs its unit: 500Pa.
 ///
 /// Wherever a command takes a TABLE, the word `embedded` stands for the table that is compiled into
 /// the program.

@@ -31,10 +31,14 @@ impl<'a> Output<'a> {
         path: Option<&'a Path>,
         inputs: [Option<&Path>; N],
     ) -> anyhow::Result<Self> {
+        Self::new(path, inputs)?.no_table()
+    }
+
+    /// Refuses a name that ends like that of a table.
+    pub fn no_table(self) -> anyhow::Result<Self> {
         /// The endings of the names of tables.
         const TABLES: [&str; 3] = ["h5", "hdf5", "bin"];
-        let output = Self::new(path, inputs)?;
-        if let Some(path) = path
+        if let Some(path) = self.0
             && let Some(ending) = path.extension()
             && TABLES
                 .iter()
@@ -45,7 +49,7 @@ impl<'a> Output<'a> {
                 printable::path(path)
             );
         }
-        Ok(output)
+        Ok(self)
     }
 
     /// As [`Output::new`], for any number of inputs.

@@ -15,8 +15,8 @@ pub fn modulus(text: &str) -> Result<f64, String> {
     let number = text.trim();
     if value > 0.0 && value < SMALL && number.parse::<f64>().is_ok() {
         return Err(format!(
-            "{number} has no unit and is in Pa, softer than almost all solids: write {number}MPa or {number}GPa, or \
-             {number}Pa if that is meant"
+            "{number} has no unit and is in Pa, softer than almost all solids: write {number}kPa, {number}MPa or \
+             {number}GPa, or {number}Pa if pascals are meant"
         ));
     }
     Ok(value)

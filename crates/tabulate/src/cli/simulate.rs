@@ -56,7 +56,7 @@ pub struct Arguments {
     /// First abscissa: of the contact radii, penetrations or heights (m), or loads (N)
     #[arg(long, value_parser = any, allow_hyphen_values = true)]
     from: Quantity,
-    /// Last abscissa, where an approach ends
+    /// Last abscissa, where an approach ends and a retract begins
     #[arg(long, value_parser = any, allow_hyphen_values = true)]
     to: Quantity,
     /// Number of points, equally spaced; of a cycle, on each way
@@ -169,8 +169,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let approaches = |way: &Option<Direction>| way.is_some();
     if arguments.ways().iter().any(approaches) && arguments.recedes([from, to]) {
         bail!(
-            "--from {from:?} to --to {to:?} moves away: an approach ends at --to, closer to the sample, where the {} \
-             is {}; exchange the two",
+            "--from {from:?} to --to {to:?} (SI units) moves away: an approach ends at --to and a retract begins there, \
+             closer to the sample, where the {} is {}; exchange the two",
             roles(arguments.kind)[0].name().replace('_', " "),
             if arguments.kind == Kind::ForceHeight {
                 "smaller"
@@ -185,6 +185,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     ensure!(
         arguments.kind != Kind::ForceHeight || experiments[0].stiffness.is_some(),
         "--kind force-height needs --stiffness, that of the cantilever, for example 0.1N/m"
+    );
+    ensure!(
+        arguments.kind == Kind::ForceHeight || arguments.known.stiffness.is_none(),
+        "--stiffness is that of a cantilever, of --kind force-height: leave it out"
     );
     experiments[0].noise = Some(noise);
     ensure!(

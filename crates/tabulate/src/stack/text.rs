@@ -82,7 +82,10 @@ impl NamedStack {
     /// about one.
     fn parse(text: &str) -> Result<Self, String> {
         let text: Text = toml::from_str(text).map_err(|error| {
-            let hint = if error.message().contains("expected f64") {
+            let about_a_number = ["expected f64", "must be quoted"]
+                .iter()
+                .any(|part| error.message().contains(part));
+            let hint = if about_a_number {
                 "; numbers here are in SI units and stand without quotes, such as 7.5e-6"
             } else {
                 ""

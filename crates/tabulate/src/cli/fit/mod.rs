@@ -276,7 +276,8 @@ fn next_steps(fit: &Fit, timed: bool) -> String {
 
 /// Accepts a file to write, if one is asked for.
 fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
-    path.map(|_| Output::beside(path, inputs)).transpose()
+    path.map(|_| Output::beside(path, inputs)?.no_table())
+        .transpose()
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {

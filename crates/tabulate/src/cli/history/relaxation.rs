@@ -121,8 +121,8 @@ impl RelaxationArguments {
                 );
                 ensure!(
                     relaxed < 1.0,
-                    "--relaxed-fraction {relaxed:?}: nothing of the modulus relaxes; give a number from 0 to below 1, or ask \
-                     `tabulate curve`"
+                    "--relaxed-fraction {relaxed:?}: give the part of the modulus that does not relax, from 0 to below 1; of 1 \
+                     nothing relaxes, and `tabulate curve` answers"
                 );
                 let weights = if relaxation_weight.is_empty() && relaxation_time.len() == 1 {
                     vec![1.0 - relaxed]
