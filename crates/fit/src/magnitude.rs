@@ -258,21 +258,21 @@ mod tests {
 
     #[test]
     fn a_value_that_is_not_determined_is_no_mistake_of_a_unit() {
-        let text = |standard_error: f64| {
+        let text = |value: f64, standard_error: f64| {
             let found = of_estimate(&Estimate {
                 parameter: Parameter::FilmThickness,
                 experiment: None,
-                value: 7e40,
+                value,
                 standard_error,
                 profile: None,
             });
             found.expect("no film is as thick").to_string()
         };
         for error in [7e44, f64::INFINITY, f64::NAN] {
-            let text = text(error);
+            let text = text(7e40, error);
             assert!(text.contains("m is not determined by these data"), "{text}");
             assert!(!text.contains("probably meant"), "{text}");
         }
-        assert!(text(1e39).contains("probably meant"));
+        assert!(text(7.0, 0.1).contains("probably meant"));
     }
 }
