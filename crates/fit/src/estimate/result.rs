@@ -157,7 +157,8 @@ pub enum LeftOutReason {
     NoContact,
     /// They are near the largest radius of a cycle, where the line may not have moved yet.
     Turn,
-    /// They are in contact, but within 4 standard errors of the end of the fitted branch.
+    /// They are in contact, but within 4 standard errors of the end of the fitted branch. No more than a tenth of the
+    /// points in contact is left out for this.
     NearEnd,
     /// They are in contact, but the fitted branch ends before them.
     BeyondEnd,
