@@ -1,10 +1,10 @@
 //! Points that are left out are counted by reason; most of them, or an error that is not finite, is
 //! no result.
 
-use acceptance::{assert_names, solid};
+use acceptance::{assert_names, paper_system, solid};
 use fit::{
     Bodies, Branch, Direction, Experiment, Fit, Free, Kind, LeftOutReason, Options, Parameter,
-    Point, WarningKind, fit,
+    Point, WarningKind, fit, simulate,
 };
 use interp::{Probe, System, Table};
 
@@ -216,4 +216,48 @@ fn a_start_that_leads_nowhere_does_not_leave_out_all_points() {
         .map(|group| group.points)
         .sum();
     assert!(near <= 10, "{near} of 94 points in contact are left out");
+}
+
+/// Loads without adhesion, whose noise asks for less than none in half of the cases.
+#[test]
+fn a_work_of_adhesion_that_ends_at_0_is_told() {
+    let radius = |i: u32| 4e-5 + 2e-6 * f64::from(i);
+    let point = |i: u32| Point {
+        line: u64::from(i) + 2,
+        abscissa: radius(i),
+        ordinate: 0.0,
+        direction: None,
+    };
+    let measurement = measurement(Kind::LoadRadius, (0..40).map(point).collect());
+    let mut plan = Experiment::new(measurement, Bodies::Coated(paper_system(3e-5)));
+    plan.work_of_adhesion = 0.0;
+    let noise = 1e-5;
+    let mut ended = 0;
+    for seed in 0..12 {
+        let mut made = plan.clone();
+        made.measurement = simulate(Table::embedded(), &plan, noise, seed).expect("in the table");
+        made.noise = Some(noise);
+        made.work_of_adhesion = 0.04;
+        let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+        let found = fit_with(&made, &free, true).expect("sound data");
+        let work = found
+            .estimate(Parameter::WorkOfAdhesion)
+            .expect("free")
+            .value;
+        println!("{seed}: {work:.1e} J/m^2");
+        if work < 1e-12 {
+            ended += 1;
+            let told = found
+                .warnings
+                .iter()
+                .filter(|one| one.kind == WarningKind::AtBound);
+            let told: Vec<_> = told.collect();
+            assert_eq!(told.len(), 1, "{:?}", found.warnings);
+            assert_names(
+                &told[0].text,
+                &["work-of-adhesion", "ended at 0", "fix it at 0"],
+            );
+        }
+    }
+    assert!(ended > 0);
 }
