@@ -91,7 +91,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
             &["--friction stick", "radii"],
         ),
     ];
-    let of_fits: [(String, i32, &[&str]); 6] = [
+    let of_fits: [(String, i32, &[&str]); 9] = [
         (
             format!("{fit} --half-space --film-thickness 30um"),
             2,
@@ -116,6 +116,23 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
             format!("{film} --known film-thickness=2e-5+-1e-6"),
             1,
             &["3e-5", "2e-5", "two values"],
+        ),
+        (
+            format!("{film} --value sphere-modulus=2"),
+            2,
+            &["2MPa", "2Pa"],
+        ),
+        (
+            format!("{film} --known substrate-modulus=70+-1"),
+            2,
+            &["70GPa"],
+        ),
+        (
+            "simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN --expect \
+             --units film-thickness=um"
+                .to_owned(),
+            1,
+            &["--units film-thickness", "free"],
         ),
         (
             format!("{film} --relaxation power-law"),

@@ -264,7 +264,8 @@ fn times_of_a_clock() {
     let (early, late) = (at(0.0), at(1.7e9));
     // The clock of 1.7e9 s resolves 2.4e-7 s, a fortieth of an interval.
     let error = difference(early.iter(), late.iter());
-    assert!(error < 0.05, "{error:.1e}");
+    println!("a clock of 1.7e9 s: {error:.1e}");
+    assert!(error < 1e-3, "{error:.1e}");
 }
 
 #[test]

@@ -11,23 +11,20 @@ use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
 use super::profile::End;
-use super::search::{Data, SHORT, range};
+use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, friction, indentation, interfaces, relaxing, wanted};
+use super::{agreement, cycle, friction, indentation, interfaces, no_adhesion, relaxing, wanted};
 use crate::magnitude::{self, STIFFNESSES};
 use crate::statistics::missing_runs;
 use crate::{
-    Bodies, Branch, Estimate, Fit, Kind, LeftOutReason, Options, Parameter, Warning, WarningKind,
+    Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
 };
 
 /// A contact radius (m) below which there is no continuum.
 const SMALLEST_RADIUS: f64 = 1e-9;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
-/// The work of adhesion times the radius of the sphere, over the range of the loads, below which a
-/// work of adhesion ended at 0: it changes no load by more than one part in ten thousand.
-const NO_ADHESION: f64 = 1e-9;
 /// The largest strain of the film that counts as small.
 const SMALL_STRAIN: f64 = 0.1;
 
@@ -49,7 +46,7 @@ pub(super) fn warnings(
     }
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem);
-        without_adhesion(&mut warnings, problem);
+        no_adhesion::add(&mut warnings, problem);
         if uncertainty.short > SHORT && problem.refused && !stopped {
             warnings.add(
                 WarningKind::EndOfTable,
@@ -209,41 +206,6 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>) -> bool {
         }
     }
     any
-}
-
-/// Warns of works of adhesion that ended at 0, which their logarithms never reach.
-fn without_adhesion(warnings: &mut Warnings, problem: &Problem<'_>) {
-    for (i, slot) in problem.slots.iter().enumerate() {
-        let parameter = slot.parameter;
-        if !matches!(
-            parameter,
-            Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
-        ) {
-            continue;
-        }
-        let value = problem.value(i);
-        let is_none = |assigned: &Assigned| {
-            let experiment = &assigned.experiment;
-            let Some(radius) = experiment.bodies.probe().radius() else {
-                return false;
-            };
-            !experiment.measurement.kind.is_stiffness()
-                && experiment.measurement.kind != Kind::PenetrationRadius
-                && value * radius < NO_ADHESION * range(experiment)
-        };
-        let mut own = (problem.assigned.iter().enumerate())
-            .filter(|(e, _)| slot.experiment.is_none_or(|own| own == *e));
-        if own.all(|(_, assigned)| is_none(assigned)) {
-            warnings.add(
-                WarningKind::AtBound,
-                format!(
-                    "{parameter} = {value:.1e} J/m^2 ended at 0, its bound: these data show no \
-                     adhesion, and neither its standard error nor those of the other parameters \
-                     hold there; fix it at 0, give it a prior, or measure the pull-off"
-                ),
-            );
-        }
-    }
 }
 
 /// Warns of parameters and combinations that the data do not determine.

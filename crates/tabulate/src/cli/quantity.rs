@@ -7,19 +7,9 @@ pub fn length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::Length))
 }
 
-/// Reads a modulus. A small number needs a unit: MPa or GPa were probably meant.
+/// Reads a modulus.
 pub fn modulus(text: &str) -> Result<f64, String> {
-    /// The modulus (Pa) below which hardly any solid is.
-    const SMALL: f64 = 1e3;
-    let value = read(text, Some(Dimension::Modulus))?;
-    let number = text.trim();
-    if value > 0.0 && value < SMALL && number.parse::<f64>().is_ok() {
-        return Err(format!(
-            "{number} has no unit and is in Pa, softer than almost all solids: write {number}kPa, {number}MPa or \
-             {number}GPa, or {number}Pa if pascals are meant"
-        ));
-    }
-    Ok(value)
+    value(text, Some(Dimension::Modulus))
 }
 
 /// Reads a stiffness or a work of adhesion.
@@ -41,6 +31,23 @@ pub fn any(text: &str) -> Result<Quantity, String> {
 /// Reads a quantity of a dimension, or a plain number.
 pub fn read(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
     any(text)?.of(wanted).map_err(|error| error.to_string())
+}
+
+/// Reads the value of a quantity, as [`read`]. A small modulus needs a unit: MPa or GPa were probably
+/// meant.
+pub fn value(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
+    /// The modulus (Pa) below which hardly any solid is.
+    const SMALL: f64 = 1e3;
+    let value = read(text, wanted)?;
+    let number = text.trim();
+    let is_small = wanted == Some(Dimension::Modulus) && value > 0.0 && value < SMALL;
+    if is_small && number.parse::<f64>().is_ok() {
+        return Err(format!(
+            "{number} has no unit and is in Pa, softer than almost all solids: write {number}kPa, {number}MPa or \
+             {number}GPa, or {number}Pa if pascals are meant"
+        ));
+    }
+    Ok(value)
 }
 
 /// Refuses the next flag in place of a value that is missing.

@@ -19,7 +19,7 @@ use super::fit::experiments::{FreeArguments, KnownArguments, forget_shapes};
 use super::fit::indentation::{self, Noise};
 use super::fit::object::{Estimates, matrix};
 use super::fit::reading::doubted;
-use super::fit::setting::unit_of;
+use super::fit::setting::{check_units, unit_of};
 use super::fit::{kinds, one_of};
 use super::json::{self, Number};
 use super::output::Output;
@@ -212,6 +212,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
     let table = arguments.table.read()?;
     if arguments.expect {
+        check_units(&arguments.units, &free)?;
         let expected = forecast(&table, &experiments, &free)?;
         arguments.known.name_example(&experiments[0]);
         return if arguments.json {

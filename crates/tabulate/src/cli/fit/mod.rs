@@ -29,7 +29,7 @@ use self::experiments::{FreeArguments, KnownArguments};
 use self::indentation::{Noise, Range, ReferenceArguments};
 use self::picture::PictureArguments;
 use self::reading::{doubted, measured, typed};
-use self::setting::{Given, unit_of};
+use self::setting::{Given, check_units, unit_of};
 use self::value::fixed;
 use super::allow::{self, Allowed};
 use super::json;
@@ -407,13 +407,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--stiffness and --sensitivity are those of a cantilever, and no file has heights or deflections: leave \
          them out, or name the columns, --column height=.."
     );
-    for unit in &arguments.units {
-        ensure!(
-            free.iter().any(|free| free.parameter == unit.parameter),
-            "--units {}: the fit does not find it: name a free parameter",
-            unit.parameter
-        );
-    }
+    check_units(&arguments.units, &free)?;
     arguments.known.ask(&experiments, &free, &arguments.given)?;
     let allowed = &arguments.known.bodies.allow;
     for experiment in &experiments {

@@ -3,10 +3,11 @@
 use std::str::FromStr;
 
 use ::fit::report::UnitOf;
-use ::fit::{Fixed, Parameter};
+use ::fit::{Fixed, Free, Parameter};
+use anyhow::ensure;
 use units::Dimension;
 
-use crate::cli::quantity::read;
+use crate::cli::quantity::{self, read};
 
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,7 +77,7 @@ impl FromStr for Values {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (parameter, values) = split(text, "NAME=VALUE, such as load-offset=1e-6")?;
-        let value = |text| read(text, parameter.dimension());
+        let value = |text| quantity::value(text, parameter.dimension());
         Ok(Self {
             parameter,
             values: values.split(',').map(value).collect::<Result<_, _>>()?,
@@ -121,7 +122,7 @@ impl FromStr for Known {
 fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f64; 2], String> {
     let ends = text.split_once("+-").or_else(|| text.split_once('±'));
     let (value, error) = ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))?;
-    Ok([read(value, dimension)?, read(error, dimension)?])
+    Ok([quantity::value(value, dimension)?, read(error, dimension)?])
 }
 
 /// Reads a unit for the report, `NAME=UNIT`.
@@ -130,6 +131,18 @@ pub fn unit_of(text: &str) -> Result<UnitOf, String> {
     let si = parameter.unit();
     UnitOf::new(parameter, unit)
         .ok_or_else(|| format!("{unit:?} is not {si} with a prefix of the SI, such as m{si}"))
+}
+
+/// Refuses a unit of a parameter that is not found.
+pub fn check_units(units: &[UnitOf], free: &[Free]) -> anyhow::Result<()> {
+    for unit in units {
+        ensure!(
+            free.iter().any(|free| free.parameter == unit.parameter),
+            "--units {}: the fit does not find it: name a free parameter",
+            unit.parameter
+        );
+    }
+    Ok(())
 }
 
 /// Splits `NAME=...`.
