@@ -90,3 +90,28 @@ fn a_model_that_does_not_describe_the_data_is_doubted_without_the_noise_too() {
         }
     }
 }
+
+/// The 95 % quantiles of Student's distribution are published: 12.706 with 1 degree of freedom, 3.182
+/// with 3.
+#[test]
+fn a_report_says_what_standard_errors_of_few_points_mean() {
+    for (points, said) in [
+        (
+            3,
+            "1 degree of freedom, so few that 95 % of the true values lie within 12.7 standard",
+        ),
+        (
+            5,
+            "3 degrees of freedom, so few that 95 % of the true values lie within 3.2 standard",
+        ),
+        (40, "38 degrees of freedom\n"),
+    ] {
+        let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 2e-6, &LENS);
+        lens.points = [points, 0];
+        let mut experiment = lens.measured(&lens.exact(), 1);
+        experiment.noise = None;
+        let here = fitted(experiment, &lens.free);
+        let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
+        assert!(report.contains(said), "{report}");
+    }
+}

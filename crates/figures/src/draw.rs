@@ -163,13 +163,13 @@ fn draw_texts(
         (middle, top - base.1 - fine(16.0)),
         text(TITLE, BLACK).pos(centred),
     ))?;
-    // Labels may reach a little beyond the ends of the vertical axis, as its numbers do.
-    let beyond = 0.6 * TEXT;
+    // Labels may reach a little above the vertical axis, as its numbers do, but not into the horizontal one.
+    let [above, from_below] = [0.6 * TEXT, 3.0];
     let pixels = |place: i32| f64::from(place) / f64::from(FINE);
     let bottom = top + height as i32;
     let room = Room {
         x: [pixels(left), pixels(base.0 + width as i32) - 3.0],
-        y: [pixels(top) - beyond, pixels(bottom) + beyond],
+        y: [pixels(top) - above, pixels(bottom) - from_below],
     };
     let label = |name: &Name| -> Result<Label, Error> {
         // A label of a point outside the axes is at their edge.

@@ -22,6 +22,7 @@ pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Notes, Source};
 use crate::estimate::left_out_text;
+use crate::statistics::student_deviations;
 use crate::{
     Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, NamedLayer,
     Parameter,
@@ -403,7 +404,7 @@ fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         format!("{noise}{ordinate}{abscissa}")
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
-    let freedom = fit.degrees_of_freedom;
+    let freedom = degrees_of_freedom(fit.degrees_of_freedom);
     let is_stiffness = |one: &Experiment| one.measurement.kind.is_stiffness();
     let what = if experiments.iter().all(is_stiffness) {
         "noise"
@@ -411,11 +412,26 @@ fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         "noise (SI)"
     };
     match fit.reduced_chi_squared {
-        Some(reduced) => {
-            format!("reduced chi^2 {reduced:.2} with {freedom} degrees of freedom; {what} {noise}")
-        }
-        None => format!("{what} {noise}; {freedom} degrees of freedom"),
+        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; {what} {noise}"),
+        None => format!(
+            "{what} {noise}; {freedom}{}",
+            if_few(fit.degrees_of_freedom)
+        ),
     }
+}
+
+fn degrees_of_freedom(number: usize) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} degree{plural} of freedom")
+}
+
+/// Says what standard errors mean where few residuals give the noise, and with it these errors.
+fn if_few(degrees_of_freedom: usize) -> String {
+    let within = student_deviations(0.95, degrees_of_freedom);
+    if within < 2.3 {
+        return String::new();
+    }
+    format!(", so few that 95 % of the true values lie within {within:.1} standard errors, not 2")
 }
 
 /// Says whether the film matters, or the layers.
