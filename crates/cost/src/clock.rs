@@ -30,15 +30,13 @@ impl Timing {
     }
 
     /// Returns the time of one call over that of another. Both are made with each of `items` in
-    /// turn, for `budget` seconds a round, in turns with each other, and the fastest rounds count.
+    /// turn, for 0.05 s a round, in turns with each other, and the fastest of ten rounds count.
     /// Before that, each is made once with every item.
     ///
     /// # Errors
     /// Those of the calls.
     pub fn ratio<I, A, B, EA, EB, E>(
         self,
-        budget: f64,
-        rounds: usize,
         items: &[I],
         mut one: impl FnMut(&I) -> Result<A, EA>,
         mut other: impl FnMut(&I) -> Result<B, EB>,
@@ -46,16 +44,18 @@ impl Timing {
     where
         E: From<EA> + From<EB>,
     {
+        const SECONDS: f64 = 0.05;
+        const ROUNDS: usize = 10;
         for item in items {
             one(item)?;
             other(item)?;
         }
         let [mut ones, mut others] = [Times::default(), Times::default()];
-        for _ in 0..self.rounds(rounds) {
+        for _ in 0..self.rounds(ROUNDS) {
             let mut next = items.iter().cycle();
-            ones.add(self.seconds(budget, || one(next.next()?).ok()));
+            ones.add(self.seconds(SECONDS, || one(next.next()?).ok()));
             let mut next = items.iter().cycle();
-            others.add(self.seconds(budget, || other(next.next()?).ok()));
+            others.add(self.seconds(SECONDS, || other(next.next()?).ok()));
         }
         Ok(ones.fastest() / others.fastest())
     }

@@ -31,56 +31,41 @@ pub enum Dimension {
 }
 
 impl Dimension {
+    /// Returns the name with its article, the SI unit, and numbers with a unit as examples.
+    const fn words(self) -> [&'static str; 3] {
+        match self {
+            Self::Length => ["a length", "m", "30um or 5e-7 m"],
+            Self::Force => ["a force", "N", "2uN or 5e-9 N"],
+            Self::Voltage => ["a voltage", "V", "20mV"],
+            Self::Modulus => ["a modulus", "Pa", "3.5MPa or 70GPa"],
+            Self::ForcePerLength => [
+                "a stiffness or a work of adhesion",
+                "N/m or J/m^2",
+                "0.1N/m or 40mJ/m^2",
+            ],
+            Self::LengthPerVoltage => ["a sensitivity", "m/V", "30nm/V"],
+            Self::Compliance => ["a compliance", "m/N", "0.2nm/mN"],
+            Self::Area => ["an area", "m^2", "2e6nm^2"],
+            Self::Angle => ["an angle", "rad", "12deg"],
+            Self::ModulusPerLength => ["a stiffness per area", "Pa/m", "2e14 Pa/m or 200GPa/mm"],
+            Self::Time => ["a time", "s", "0.5s or 20ms"],
+        }
+    }
+
     /// Returns the SI unit.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::Length => "m",
-            Self::Force => "N",
-            Self::Voltage => "V",
-            Self::Modulus => "Pa",
-            Self::ForcePerLength => "N/m or J/m^2",
-            Self::LengthPerVoltage => "m/V",
-            Self::Compliance => "m/N",
-            Self::Area => "m^2",
-            Self::Angle => "rad",
-            Self::ModulusPerLength => "Pa/m",
-            Self::Time => "s",
-        }
+        self.words()[1]
     }
 
     /// Returns numbers with a unit, as examples.
     pub const fn examples(self) -> &'static str {
-        match self {
-            Self::Length => "30um or 5e-7 m",
-            Self::Force => "2uN or 5e-9 N",
-            Self::Voltage => "20mV",
-            Self::Modulus => "3.5MPa or 70GPa",
-            Self::ForcePerLength => "0.1N/m or 40mJ/m^2",
-            Self::LengthPerVoltage => "30nm/V",
-            Self::Compliance => "0.2nm/mN",
-            Self::Area => "2e6nm^2",
-            Self::Angle => "12deg",
-            Self::ModulusPerLength => "2e14 Pa/m or 200GPa/mm",
-            Self::Time => "0.5s or 20ms",
-        }
+        self.words()[2]
     }
 }
 
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Length => "a length",
-            Self::Force => "a force",
-            Self::Voltage => "a voltage",
-            Self::Modulus => "a modulus",
-            Self::ForcePerLength => "a stiffness or a work of adhesion",
-            Self::LengthPerVoltage => "a sensitivity",
-            Self::Compliance => "a compliance",
-            Self::Area => "an area",
-            Self::Angle => "an angle",
-            Self::ModulusPerLength => "a stiffness per area",
-            Self::Time => "a time",
-        })
+        f.write_str(self.words()[0])
     }
 }
 

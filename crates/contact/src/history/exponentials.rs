@@ -26,6 +26,8 @@ pub(super) struct Exponentials {
 
 /// The weight of a term that cannot be told from 0, in parts of that of all slower ones.
 const NEGLIGIBLE: f64 = 1e-13;
+/// The product of a rate and a time beyond which an exponential is 0.
+const FORGOTTEN: f64 = 45.0;
 /// The number of times at which the sum is compared with the law.
 const COMPARISONS: i32 = 16;
 
@@ -65,6 +67,13 @@ impl Exponentials {
             second_impulse: 0.0,
             error: 0.0,
         }
+    }
+
+    /// Returns `weight exp(-rate time)` and the rate of the terms that have not died out after a time.
+    pub fn after(&self, time: f64) -> impl Iterator<Item = (f64, f64)> {
+        let terms = self.weights.iter().zip(&self.rates);
+        let alive = terms.take_while(move |(_, rate)| **rate * time <= FORGOTTEN);
+        alive.map(move |(weight, rate)| (weight * (-rate * time).exp(), *rate))
     }
 
     /// Leaves out the terms that cannot be told from 0 beside the slower ones: zero and pole of such a term

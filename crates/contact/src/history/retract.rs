@@ -10,8 +10,6 @@ use super::program::Instant;
 use super::{HistoryError, Phase, TimedContact};
 use crate::State;
 
-/// The lag times the rate beyond which an exponential is 0.
-const FORGOTTEN: f64 = 45.0;
 /// The part of the approach by which `t1` may rise from rounding, and the part of the largest
 /// penetration by which the surface may come back.
 const ROUNDING: f64 = 1e-9;
@@ -200,12 +198,8 @@ impl OneTurn<'_> {
         };
         let lag = now.time - t1;
         let mut load = self.law.constant * self.curve.load(piece, penetration).0;
-        for ((weight, rate), memory) in self.law.weights.iter().zip(&self.law.rates).zip(&memories)
-        {
-            if rate * lag > FORGOTTEN {
-                break;
-            }
-            load += weight * (-rate * lag).exp() * memory;
+        for ((weight, _), memory) in self.law.after(lag).zip(&memories) {
+            load += weight * memory;
         }
         let contact_radius = self.curve.radius(penetration);
         if let Some(adhesion) = adhesion {
@@ -256,21 +250,13 @@ impl<'a> Now<'a> {
         }
     }
 
-    /// Returns the number of exponentials that have not died out after a lag.
-    fn alive(&self, lag: f64) -> usize {
-        self.law
-            .rates
-            .partition_point(|rate| rate * lag <= FORGOTTEN)
-    }
-
     /// Returns `D(t1, t)` for the time of a point of the approach.
     fn since(&self, own: &OneTurn<'_>, point: usize) -> f64 {
         let m = self.law.len();
         let lag = self.time - own.times[point];
-        let old = &own.lengths[point * m..][..self.alive(lag)];
         let mut sum = self.whole - self.law.constant * own.penetrations[point];
-        for ((weight, rate), old) in self.law.weights.iter().zip(&self.law.rates).zip(old) {
-            sum -= weight * (-rate * lag).exp() * old;
+        for ((weight, _), old) in self.law.after(lag).zip(&own.lengths[point * m..]) {
+            sum -= weight * old;
         }
         sum
     }
@@ -279,15 +265,14 @@ impl<'a> Now<'a> {
     fn between(&'a self, own: &OneTurn<'_>, low: usize, speed: f64) -> Between<'a> {
         let m = self.law.len();
         let (begin, penetration) = (own.times[low], own.penetrations[low]);
-        let lag = self.time - begin;
-        let old = &own.lengths[low * m..][..self.alive(lag)];
-        let terms = self.law.weights.iter().zip(&self.law.rates).zip(old);
+        let terms = self.law.after(self.time - begin);
         let mut whole = self.whole;
-        let factors = terms.map(|((weight, rate), old)| {
-            let e = (-rate * lag).exp();
-            whole -= weight * e * old;
-            e
-        });
+        let factors = terms
+            .zip(&own.lengths[low * m..])
+            .map(|((weight, _), old)| {
+                whole -= weight * old;
+                weight
+            });
         let factors = factors.collect();
         Between {
             now: self,
@@ -308,7 +293,7 @@ struct Between<'a> {
     speed: f64,
     /// The part that does not depend on `t1`.
     whole: f64,
-    /// `exp(-rate (t - begin))`; 0 for the rates that are left out.
+    /// `weight exp(-rate (t - begin))`; 0 for the rates that are left out.
     factors: Vec<f64>,
 }
 
@@ -321,12 +306,7 @@ impl Between<'_> {
         let (lag, h) = (self.now.time - t1, t1 - self.begin);
         let mut sum = self.whole - law.constant * (self.penetration + self.speed * h);
         let mut modulus = law.constant;
-        for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
-            let exponent = rate * lag;
-            if exponent > FORGOTTEN {
-                break;
-            }
-            let e = (-exponent).exp();
+        for (k, (e, rate)) in law.after(lag).enumerate() {
             let z = rate * h;
             let old = self.factors.get(k).copied().unwrap_or(0.0);
             let length = if z < SERIES {
@@ -334,8 +314,8 @@ impl Between<'_> {
             } else {
                 (e - old) / rate
             };
-            modulus += weight * e;
-            sum -= weight * self.speed * length;
+            modulus += e;
+            sum -= self.speed * length;
         }
         (sum, -modulus * self.speed)
     }

@@ -7,8 +7,6 @@ use super::one_turn::Step;
 use super::{HistoryError, Phase, TimedContact};
 use crate::State;
 
-/// The lag times the rate beyond which an exponential is 0.
-const FORGOTTEN: f64 = 45.0;
 /// The part of the approach by which its time of the present radius may rise.
 const ROUNDING: f64 = 1e-9;
 /// The change of that time, in parts of a step, over which the load is linear to rounding.
@@ -258,12 +256,7 @@ impl<'a> Return<'a> {
             law.constant * passed.load,
         );
         let mut modulus = law.constant;
-        for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
-            let exponent = rate * lag;
-            if exponent > FORGOTTEN {
-                break;
-            }
-            let e = weight * (-exponent).exp();
+        for (k, (e, _)) in law.after(lag).enumerate() {
             modulus += e;
             length += e * lengths[k];
             if spring {
@@ -290,12 +283,7 @@ impl<'a> Return<'a> {
             law.constant * passed.load,
         );
         let mut modulus = law.constant;
-        for (k, (weight, rate)) in law.weights.iter().zip(&law.rates).enumerate() {
-            let exponent = rate * lag;
-            if exponent > FORGOTTEN {
-                break;
-            }
-            let own = weight * (-exponent).exp();
+        for (k, (own, rate)) in law.after(lag).enumerate() {
             let (e, [i0, i1, i2]) = moments(rate * h);
             modulus += own;
             length += own * (e * self.approach.lengths[low * m + k] + rise * i0);
@@ -343,12 +331,8 @@ impl<'a> Return<'a> {
         let last_rise = state.state.penetration - self.penetration;
         // At the time of the line: the decay since, that within its step, and the mean there.
         let factors = law.rates.iter().map(|rate| {
-            let decay = if rate * lag > FORGOTTEN {
-                0.0
-            } else {
-                (-rate * lag).exp()
-            };
-            (decay, moments(rate * h))
+            // Far below the rounding of the rest from 45 on.
+            ((-rate * lag).exp(), moments(rate * h))
         });
         let factors: Vec<(f64, (f64, [f64; 3]))> = factors.collect();
         let between = |of: &[f64], column: usize| {

@@ -13,11 +13,6 @@ use solve::{A_OVER_T, solve};
 /// Tabor's parameter at which the range is judged: the smallest at which a contact counts as JKR's.
 pub const TABOR: f64 = ZoneSize::JKR;
 
-/// The seconds spent on measuring the time of each pull-off once.
-const SECONDS: f64 = 0.02;
-/// The number of times that each is measured, in turns with the other. The fastest time counts.
-const ROUNDS: usize = 20;
-
 /// Returns the part by which JKR's pull-off load under a sphere that pulls off at the contact radius
 /// `a` is too small, at Tabor's parameter [`TABOR`] and to first order in the length of the zone of
 /// attraction, see [`ZoneSize::pull_off_error`].
@@ -78,5 +73,5 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
         let attraction = contact.cohesive_zone(WORK, range)?;
         attraction.pull_off(Control::Load).map(|state| state.load)
     };
-    timing.ratio(SECONDS, ROUNDS, &contacts, corrected, jkr)
+    timing.ratio(&contacts, corrected, jkr)
 }

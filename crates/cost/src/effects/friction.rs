@@ -15,10 +15,6 @@ pub const WIDEST: f64 = 100.0;
 const NU2: f64 = 0.5;
 /// The relative tolerance of the punches.
 const TOLERANCE: f64 = 1e-5;
-/// The seconds spent on measuring the time of each curve once.
-const SECONDS: f64 = 0.05;
-/// The number of times that each is measured, in turns with the other. The fastest time counts.
-const ROUNDS: usize = 10;
 
 /// Returns the part by which the load of a flat punch without friction is below that with full
 /// friction at the same penetration.
@@ -42,5 +38,5 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     let sticking = Sticking::on_film(&material, NU2)?;
     let sticks = |(): &()| StickCurves::new(&sticking, RANGE, TOLERANCE)?.receding(1.0);
     let slides = |(): &()| curve(&material, RANGE, TOLERANCE);
-    timing.ratio(SECONDS, ROUNDS, &[()], sticks, slides)
+    timing.ratio(&[()], sticks, slides)
 }

@@ -10,11 +10,6 @@ use solve::Error;
 use solve::stack::{Interface, Layer, MOST_A_OVER_TOP, Stack};
 use solve::{solve_stack, stack_curve};
 
-/// The seconds spent on measuring the time of each contact once.
-const SECONDS: f64 = 0.02;
-/// The number of times that each is measured, in turns with the other. The fastest time counts.
-const ROUNDS: usize = 10;
-
 /// Returns the quantities of a film that slides on its substrate, in the unit of those of the film
 /// that is bonded. Contacts wider than [`MOST_A_OVER_TOP`] have those of this radius.
 ///
@@ -53,5 +48,5 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
         stack_curve(&stack, system.sphere_modulus, [0.01, 10.0], 1e-8)
     };
     let bonded = |system: &System| Contact::in_table(table, system);
-    timing.ratio(SECONDS, ROUNDS, &systems, solved, bonded)
+    timing.ratio(&systems, solved, bonded)
 }

@@ -19,10 +19,6 @@ const TOLERANCE: f64 = 1e-6;
 const COMPARED: u32 = 100;
 /// The number of points of a history that is timed.
 const POINTS: u32 = 1001;
-/// The seconds spent on measuring the time of each curve once.
-const SECONDS: f64 = 0.05;
-/// The number of times that each is measured, in turns with the other. The fastest time counts.
-const ROUNDS: usize = 10;
 
 /// Returns the loads (N) in a cycle up to a penetration (m) under a law.
 fn follow(
@@ -113,5 +109,5 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
             .map(|a| contact.load_and_penetration(a, 0.0))
             .collect::<Result<Vec<(f64, f64)>, _>>()
     };
-    timing.ratio(SECONDS, ROUNDS, &[()], relaxing, elastic)
+    timing.ratio(&[()], relaxing, elastic)
 }

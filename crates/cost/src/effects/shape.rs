@@ -13,11 +13,6 @@ use solve::solve_power_laws;
 /// [`Validity`] warns.
 pub const A_OVER_R: f64 = Validity::WARNING_A_OVER_R;
 
-/// The seconds spent on measuring the time of each probe once.
-const SECONDS: f64 = 0.02;
-/// The number of times that each is measured, in turns with the other. The fastest time counts.
-const ROUNDS: usize = 20;
-
 /// Returns the relative error of the adhesionless load under a paraboloid, beside that under the
 /// sphere of its radius `R`, at one contact radius `a` with `a/R` of [`A_OVER_R`].
 ///
@@ -62,8 +57,6 @@ pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     let pairs: Vec<(System, System)> = spheres?.into_iter().zip(paraboloids?).collect();
     let table = Table::embedded();
     timing.ratio(
-        SECONDS,
-        ROUNDS,
         &pairs,
         |(sphere, _)| Contact::in_table(table, sphere),
         |(_, paraboloid)| Contact::in_table(table, paraboloid),

@@ -11,5 +11,7 @@ mod table;
 pub use effects::measure as effects;
 pub use limits::Limits;
 pub use made::Made;
+#[cfg(test)]
+pub(crate) use rows::rows;
 pub use rows::{read_csv, read_earlier};
 pub use table::measure as table;

@@ -30,24 +30,30 @@ pub fn read_earlier<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
 }
 
 fn read<R: Measurement>(path: &Path, ranges: &[(&str, [f64; 2])]) -> Result<Vec<R>, Error> {
-    let attempt = || {
-        let mut reader = csv::Reader::from_reader(input::open(path, LONGEST)?.0);
-        let headers = reader.headers()?.clone();
-        let mut rows = Vec::new();
-        for record in reader.records() {
-            let record = record?;
-            check(&headers, &record, ranges)?;
-            rows.push(record.deserialize(Some(&headers))?);
-        }
-        if rows.is_empty() {
-            return Err(invalid("it has no rows".to_owned()));
-        }
-        Ok(rows)
-    };
-    attempt().map_err(|source: io::Error| Error::Read {
+    let rows = input::open(path, LONGEST).and_then(|(file, _)| rows(file, ranges));
+    rows.map_err(|source| Error::Read {
         path: path.to_owned(),
         source,
     })
+}
+
+/// Reads the rows of an open file.
+pub fn rows<R: Measurement>(
+    file: impl io::Read,
+    ranges: &[(&str, [f64; 2])],
+) -> io::Result<Vec<R>> {
+    let mut reader = csv::Reader::from_reader(file);
+    let headers = reader.headers()?.clone();
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record?;
+        check(&headers, &record, ranges)?;
+        rows.push(record.deserialize(Some(&headers))?);
+    }
+    if rows.is_empty() {
+        return Err(invalid("it has no rows".to_owned()));
+    }
+    Ok(rows)
 }
 
 /// Accepts the numbers and the texts of a row, which may come from anywhere.
