@@ -33,6 +33,11 @@ impl Failure {
     pub(crate) fn argument(text: impl Into<String>) -> Self {
         Self(CcStatus::Argument, text.into())
     }
+
+    /// The same failure with what it is about.
+    pub(crate) fn of(self, what: &str) -> Self {
+        Self(self.0, format!("{what}: {}", self.1))
+    }
 }
 
 impl From<interp::Error> for Failure {

@@ -88,9 +88,18 @@ impl CcSystem {
         Ok(System {
             probe,
             sphere_modulus: self.probe_modulus,
-            film: Elastic::new(self.film_modulus, self.film_poisson_ratio)?,
+            film: solid("film", self.film_modulus, self.film_poisson_ratio)?,
             film_thickness: self.film_thickness,
-            substrate: Elastic::new(self.substrate_modulus, self.substrate_poisson_ratio)?,
+            substrate: solid(
+                "substrate",
+                self.substrate_modulus,
+                self.substrate_poisson_ratio,
+            )?,
         })
     }
+}
+
+/// Returns a solid; the error names the body.
+fn solid(name: &str, young: f64, poisson: f64) -> Result<Elastic, Failure> {
+    Elastic::new(young, poisson).map_err(|error| Failure::from(error).of(name))
 }

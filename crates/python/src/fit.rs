@@ -134,19 +134,26 @@ fn checked_fit(
     options: &Options,
     allow_magnitudes: bool,
 ) -> Result<Fit, Box<Failure>> {
-    let accept = |name: &str, found: &[Magnitude]| {
-        let failure = Failure::magnitudes(name, found).filter(|_| !allow_magnitudes);
-        failure.map_or(Ok(()), |failure| Err(Box::new(failure)))
-    };
-    for experiment in experiments {
-        accept(&experiment.measurement.name, &experiment.magnitudes())?;
-    }
+    accept_magnitudes(experiments, allow_magnitudes)?;
     let found = fit::fit(table, experiments, free, options);
     let found = found.map_err(|error| Box::new(Failure::from(error)))?;
-    if found.converged {
+    if found.converged && !allow_magnitudes {
         accept("the fit", &found.magnitudes())?;
     }
     Ok(found)
+}
+
+/// Refuses numbers that no experiment has, unless they are allowed.
+pub fn accept_magnitudes(experiments: &[Experiment], allowed: bool) -> Result<(), Box<Failure>> {
+    let refused = experiments.iter().filter(|_| !allowed);
+    refused
+        .map(|one| accept(&one.measurement.name, &one.magnitudes()))
+        .collect()
+}
+
+fn accept(name: &str, found: &[Magnitude]) -> Result<(), Box<Failure>> {
+    let failure = Failure::magnitudes(name, found);
+    failure.map_or(Ok(()), |failure| Err(Box::new(failure)))
 }
 
 /// Makes the options, and tells whether any magnitude is allowed.
@@ -193,6 +200,7 @@ pub fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound
 /// speaks of the lines of a file.
 fn of_points(text: &str) -> String {
     text.replace(", in lines ", ", in points ")
+        .replace("(lines ", "(points ")
 }
 
 /// Returns what a fit of a map and a single one have in common.

@@ -55,10 +55,8 @@ impl NativeLikelihood {
         values: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<Output<'py>> {
         let (table, values) = (self.table.get(), values.as_slice()?);
-        let rows = values.chunks_exact(self.width());
-        let at = |row| self.likelihood.value(table, row);
-        let found: Result<Vec<f64>, _> = py.detach(|| rows.map(at).collect());
-        Ok(PyArray1::from_vec(py, found.or_raise(py)?))
+        let found = self.rows(py, values, |row| self.likelihood.value(table, row))?;
+        Ok(PyArray1::from_vec(py, found))
     }
 
     /// Returns the logarithms of the likelihood at the rows of values, and their gradients, one row
@@ -69,16 +67,34 @@ impl NativeLikelihood {
         values: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<[Output<'py>; 2]> {
         let (table, values) = (self.table.get(), values.as_slice()?);
-        let rows = values.chunks_exact(self.width());
-        let at = |row| self.likelihood.value_and_gradient(table, row);
-        let found: Result<Vec<(f64, Vec<f64>)>, _> = py.detach(|| rows.map(at).collect());
-        let (values, gradients): (Vec<f64>, Vec<Vec<f64>>) =
-            found.or_raise(py)?.into_iter().unzip();
+        let at = |row: &[f64]| self.likelihood.value_and_gradient(table, row);
+        let found = self.rows(py, values, at)?;
+        let (values, gradients): (Vec<f64>, Vec<Vec<f64>>) = found.into_iter().unzip();
         Ok([values, gradients.concat()].map(|column| PyArray1::from_vec(py, column)))
     }
 }
 
 impl NativeLikelihood {
+    /// Evaluates a function of each row of values. A signal, such as Ctrl-C, ends it between some rows.
+    fn rows<T: Send>(
+        &self,
+        py: Python<'_>,
+        values: &[f64],
+        at: impl Fn(&[f64]) -> Result<T, fit::Error> + Sync,
+    ) -> PyResult<Vec<T>> {
+        /// The number of rows between two looks at signals.
+        const BLOCK: usize = 64;
+        let width = self.width();
+        let mut found = Vec::with_capacity(values.len() / width);
+        for block in values.chunks(BLOCK * width) {
+            let rows = block.chunks_exact(width);
+            let some: Result<Vec<T>, _> = py.detach(|| rows.map(&at).collect());
+            found.extend(some.or_raise(py)?);
+            py.check_signals()?;
+        }
+        Ok(found)
+    }
+
     /// Returns the number of parameters.
     fn width(&self) -> usize {
         self.likelihood.parameters().count()

@@ -1,6 +1,7 @@
 //! The model of measured contacts: branches read from data, predictions, synthetic data, and the
 //! errors of planned experiments.
 
+use std::slice;
 use std::sync::Arc;
 
 use fit::DirectSolver;
@@ -13,7 +14,7 @@ use crate::arrays::Output;
 use crate::contacts_on_layers::Solvers;
 use crate::error::{OrRaise as _, unknown};
 use crate::experiment::{Given, all, one};
-use crate::fit::estimates;
+use crate::fit::{accept_magnitudes, estimates};
 use crate::parameter::{GivenFree, frees, parameter};
 use crate::table::Table;
 
@@ -94,9 +95,12 @@ pub fn simulate<'py>(
     given: Given<'py>,
     noise: f64,
     seed: u64,
+    allow_magnitudes: bool,
 ) -> PyResult<[Output<'py>; 3]> {
     let table = table.get();
     let experiment = one(py, &given, &Solvers::new(table.layered_solver(py)?))?;
+    let accepted = accept_magnitudes(slice::from_ref(&experiment), allow_magnitudes);
+    accepted.map_err(|failure| failure.raise(py))?;
     let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
     let made = made.or_raise(py)?;
     let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
@@ -115,10 +119,13 @@ pub fn forecast<'py>(
     table: &Bound<'py, Table>,
     experiments: Vec<Given<'py>>,
     free: Vec<GivenFree>,
+    allow_magnitudes: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
     let solvers = Solvers::new(table.layered_solver(py)?);
     let experiments = all(py, &experiments, &solvers)?;
+    let accepted = accept_magnitudes(&experiments, allow_magnitudes);
+    accepted.map_err(|failure| failure.raise(py))?;
     let free = frees(py, free)?;
     let found = py.detach(|| fit::forecast(table.get(), &experiments, &free));
     let found = found.or_raise(py)?;

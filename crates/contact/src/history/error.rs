@@ -165,6 +165,12 @@ pub enum HistoryError {
         /// The relative rise of the elastic load when the elastic bodies are made rigid.
         chi: f64,
     },
+    /// Rigid bodies beside others than those of the history.
+    #[error(
+        "the contact between rigid bodies is not that of this history: it must have the same film, thickness and probe, with a \
+         rigid sphere and a rigid base"
+    )]
+    OtherBodies,
     /// An error of the elastic contact.
     #[error(transparent)]
     Contact(#[from] Error),

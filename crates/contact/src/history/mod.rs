@@ -309,8 +309,8 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// the largest load; 0 unless [`History::beside`] is told of them.
     ///
     /// # Errors
-    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii)
-    /// where the curve of the rigid bodies does not hold the contact.
+    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::OtherBodies`] if the rigid bodies are
+    /// not those of this history; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the curve of the rigid bodies does not hold the contact.
     pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
         match (self.rigid, &measured.states[..]) {
             (Some(rigid), states @ [first, second, ..]) => {
@@ -330,6 +330,9 @@ impl<'a, L: CrackTip> History<'a, L> {
         [step, duration]: [f64; 2],
         states: &[TimedContact],
     ) -> Result<f64, HistoryError> {
+        if !rigid.bodies.are_rigid_beside(&self.contact.bodies) {
+            return Err(HistoryError::OtherBodies);
+        }
         let penetrations = states.iter().map(|at| at.state.penetration);
         let largest = penetrations.fold(0.0, f64::max);
         if largest == 0.0 {

@@ -52,6 +52,7 @@ pub use assignment::roles;
 pub use column::{Column, Role};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue};
+pub use number::Commas;
 pub use remedy::{Named, Remedy};
 pub use sign::Doubt;
 pub use source::Source;
@@ -139,6 +140,8 @@ pub struct Notes {
     pub blocks: u64,
     /// Whether the points were split at the largest load.
     pub split: bool,
+    /// What the commas of numbers are.
+    pub commas: Commas,
     /// What the head of the file tells of the cantilever.
     pub head: Head,
     /// The cantilever that was used: the one given, completed by the head.

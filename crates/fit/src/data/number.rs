@@ -2,7 +2,23 @@
 
 /// The decimal mark of a file. The first number that has one decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct DecimalMark(Option<Mark>);
+pub struct DecimalMark {
+    mark: Option<Mark>,
+    /// Whether a comma stands where none parts thousands.
+    surely_decimal: bool,
+}
+
+/// What the commas of numbers are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Commas {
+    /// There are none.
+    #[default]
+    None,
+    /// Decimal marks.
+    Decimal,
+    /// Read as decimal marks, although each could part thousands: `41,250`.
+    Unclear,
+}
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mark {
@@ -39,6 +55,15 @@ const MISSING: [&str; 17] = [
 const PLACEHOLDER: f64 = 1e300;
 
 impl DecimalMark {
+    /// Returns what the commas of the numbers are that were read.
+    pub fn commas(self) -> Commas {
+        match self.mark {
+            Some(Mark::Comma) if self.surely_decimal => Commas::Decimal,
+            Some(Mark::Comma) => Commas::Unclear,
+            _ => Commas::None,
+        }
+    }
+
     /// Reads a cell.
     pub fn read(&mut self, text: &str) -> Cell {
         let text = text.trim();
@@ -73,10 +98,12 @@ impl DecimalMark {
             };
         };
         if let Some(mark) = mark
-            && *self.0.get_or_insert(mark) != mark
+            && *self.mark.get_or_insert(mark) != mark
         {
             return Cell::OtherMark;
         }
+        self.surely_decimal |=
+            mark == Some(Mark::Comma) && (!has_thousands(text) || value.abs() < 1.0);
         // 15 digits of the largest number are above it.
         let is_largest = || text.to_ascii_lowercase().ends_with("308");
         if value.is_infinite() && !is_largest() {
@@ -135,8 +162,15 @@ mod tests {
         assert_eq!(mark.read(" -1,5e-3 "), Cell::Number(-1.5e-3));
         assert_eq!(mark.read("1.5"), Cell::OtherMark);
         assert_eq!(mark.read("1,5"), Cell::Number(1.5));
+        assert_eq!(mark.commas(), Commas::Decimal);
+        let mut unclear = DecimalMark::default();
+        assert_eq!(unclear.read("-41,250"), Cell::Number(-41.25));
+        assert_eq!(unclear.commas(), Commas::Unclear);
+        assert_eq!(unclear.read("0,250"), Cell::Number(0.25));
+        assert_eq!(unclear.commas(), Commas::Decimal);
         let mut point = DecimalMark::default();
         assert_eq!(point.read(".5"), Cell::Number(0.5));
+        assert_eq!(point.commas(), Commas::None);
         assert_eq!(point.read("1,5"), Cell::OtherMark);
     }
 

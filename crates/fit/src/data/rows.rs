@@ -359,6 +359,7 @@ impl Rows<'_> {
         let notes = Notes {
             missing: self.missing,
             pauses: self.pauses,
+            commas: self.mark.commas(),
             cantilever: self.format.cantilever,
             head: self.head,
             ..Notes::default()

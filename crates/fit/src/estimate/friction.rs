@@ -48,7 +48,9 @@ pub(super) fn add(
     } else {
         modulus.value / ratio
     };
-    if (other - modulus.value).abs() <= modulus.standard_error {
+    // The standard error may be none.
+    let matters = (other - modulus.value).abs() > modulus.standard_error;
+    if !matters {
         return;
     }
     let [stick, slide] = if sticks {
@@ -59,9 +61,10 @@ pub(super) fn add(
     warnings.add(
         WarningKind::Friction,
         format!(
-            "{name}: full friction would raise the load of the widest contact by {:.1} %, which is more \
-             than the standard error of {} says: it is between {stick:.4e} Pa (stick) and {slide:.4e} \
-             Pa (no friction); fit with both, or use contacts that are less wide beside the film",
+            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {:.1} %, \
+             which bounds its effect on the load and is more than the standard error of {} says: it is between \
+             {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction); fit with both, or use contacts that are less wide \
+             beside the film",
             1e2 * (ratio - 1.0),
             modulus.parameter,
         ),

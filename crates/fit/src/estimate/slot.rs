@@ -28,7 +28,7 @@ pub(crate) struct Coordinate {
     /// The value at 0, and the change of the value (of its logarithm, 1) by a coordinate of 1.
     start: f64,
     unit: f64,
-    /// The bounds of the value or of its logarithm.
+    /// The bounds of the value.
     bounds: Option<[f64; 2]>,
 }
 
@@ -46,13 +46,17 @@ impl Slot {
 impl Coordinate {
     /// Takes the start, the unit of a value that may be negative, and the bounds.
     pub fn new(positive: bool, start: f64, unit: f64, bounds: Option<[f64; 2]>) -> Self {
-        let scale = |value: f64| if positive { value.ln() } else { value };
         Self {
             positive,
             start,
             unit: if positive { 1.0 } else { unit },
-            bounds: bounds.map(|bounds| bounds.map(scale)),
+            bounds,
         }
+    }
+
+    /// Returns a value, or its logarithm if it is positive.
+    fn scaled(&self, value: f64) -> f64 {
+        if self.positive { value.ln() } else { value }
     }
 
     /// Returns the same coordinate with another start.
@@ -83,10 +87,10 @@ impl Coordinate {
     /// bounds.
     pub fn of(&self, value: f64) -> f64 {
         match (self.bounds, self.positive) {
-            (Some([least, most]), positive) => {
-                let scaled = if positive { value.ln() } else { value };
-                let part = ((scaled - least) / (most - least)).clamp(INSIDE, 1.0 - INSIDE);
-                (2.0 * part - 1.0).asin()
+            (Some(bounds), _) => {
+                let [least, most] = bounds.map(|bound| self.scaled(bound));
+                let part = (self.scaled(value) - least) / (most - least);
+                (2.0 * part.clamp(INSIDE, 1.0 - INSIDE) - 1.0).asin()
             }
             (None, true) => (value / self.start).ln(),
             (None, false) => (value - self.start) / self.unit,
@@ -96,9 +100,12 @@ impl Coordinate {
     /// Returns the value at a coordinate.
     pub fn value(&self, x: f64) -> f64 {
         match (self.bounds, self.positive) {
-            (Some([least, most]), positive) => {
+            (Some(bounds), positive) => {
+                let [least, most] = bounds.map(|bound| self.scaled(bound));
                 let scaled = least + (most - least) * 0.5 * (1.0 + x.sin());
-                if positive { scaled.exp() } else { scaled }
+                let value = if positive { scaled.exp() } else { scaled };
+                // Rounding may lead out of the bounds.
+                value.clamp(bounds[0], bounds[1])
             }
             (None, true) => self.start * x.exp(),
             (None, false) => self.start + x * self.unit,
@@ -108,7 +115,8 @@ impl Coordinate {
     /// Returns the derivative of the value at a coordinate.
     pub fn slope(&self, x: f64) -> f64 {
         match (self.bounds, self.positive) {
-            (Some([least, most]), positive) => {
+            (Some(bounds), positive) => {
+                let [least, most] = bounds.map(|bound| self.scaled(bound));
                 let slope = (most - least) * 0.5 * x.cos();
                 if positive {
                     self.value(x) * slope
@@ -129,9 +137,9 @@ impl Coordinate {
 
     /// Tells whether a value is at one of its bounds.
     pub fn is_at_bound(&self, value: f64) -> bool {
-        let scaled = if self.positive { value.ln() } else { value };
-        self.bounds.is_some_and(|[least, most]| {
-            let part = (scaled - least) / (most - least);
+        self.bounds.is_some_and(|bounds| {
+            let [least, most] = bounds.map(|bound| self.scaled(bound));
+            let part = (self.scaled(value) - least) / (most - least);
             !(AT_BOUND..=1.0 - AT_BOUND).contains(&part)
         })
     }

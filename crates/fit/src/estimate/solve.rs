@@ -173,7 +173,7 @@ pub(crate) fn prepare(
     let mut assignments = Vec::new();
     for experiment in &mut experiments {
         experiment.accept_instrument()?;
-        accept_numbers(experiment)?;
+        accept_numbers(experiment, free.len())?;
         if is_free(Parameter::Hardness) && experiment.indentation.hardness.is_none() {
             experiment.indentation.hardness = experiment.hardness_to_start_from();
         }
@@ -199,12 +199,12 @@ pub(crate) fn prepare(
 }
 
 /// Accepts noise and works of adhesion.
-fn accept_numbers(experiment: &Experiment) -> Result<(), Error> {
+fn accept_numbers(experiment: &Experiment, parameters: usize) -> Result<(), Error> {
     let name = &experiment.measurement.name;
     if experiment.measurement.points.is_empty() {
         return Err(Error::TooFewPoints {
             points: 0,
-            parameters: 1,
+            parameters,
         });
     }
     let setting = |what: &str, value: f64, allowed: &str| Error::Setting {

@@ -20,7 +20,7 @@ pub use self::indentation::a_over_t;
 pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
-use crate::data::{Notes, Source};
+use crate::data::{Commas, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::statistics::student_deviations;
 use crate::{
@@ -128,6 +128,10 @@ fn write_report(
     Ok(out)
 }
 
+/// Says how commas were read that may part thousands.
+pub const UNCLEAR_COMMAS: &str =
+    "commas are read as decimal marks: if they part thousands, remove them from the file";
+
 /// Returns how a file was read, in one line.
 pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
@@ -146,6 +150,11 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     }
     if notes.split {
         text += "; split at the largest load";
+    }
+    match notes.commas {
+        Commas::None => {}
+        Commas::Decimal => text += "; commas are decimal",
+        Commas::Unclear => text += &format!("; {UNCLEAR_COMMAS}"),
     }
     for value in notes.from_head() {
         text += &format!("; {value}");

@@ -126,12 +126,12 @@ impl HalfSpace {
     }
 }
 
-/// Accepts a positive modulus, infinity included.
+/// Accepts a positive modulus, infinity included. Quantities in units of a larger one underflow.
 fn sphere_modulus(value: f64) -> Result<(), Error> {
     Error::unless(
-        value > 0.0,
+        (value > 0.0 && value <= 1e25) || value == f64::INFINITY,
         "sphere_modulus",
         value,
-        "> 0 (inf is a rigid sphere)",
+        "> 0 and at most 1e25 Pa (inf is a rigid sphere)",
     )
 }

@@ -41,12 +41,21 @@ def integer(name: str, value: int, least: int, end: int) -> int:
 
 def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Return real numbers as an array of float64; refuse what would lose a part on the way."""
+    if hasattr(type(value), "units") or hasattr(type(value), "unit"):
+        raise TypeError(f"{name} = {value!r} has a unit of its own: give its value in SI units")
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} must be real numbers, not of the type {array.dtype}")
     if ma.is_masked(value):
-        raise TypeError(f'{name} is masked: fill it with NaN, and pass errors="nan"')
+        raise TypeError(f"{name} is masked: leave out these points, or fill them with numbers")
     return np.asarray(array, dtype=np.float64)
+
+
+def fixed(array: ArrayLike) -> NDArray[Any]:
+    """Return a contiguous copy that does not change."""
+    copy = np.array(array, order="C")
+    copy.setflags(write=False)
+    return copy
 
 
 def evaluate(

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import InitVar, dataclass, field
+from dataclasses import InitVar, dataclass
 from typing import Any, final
 
 from . import _core
 from ._probe import Probe, probe_of, radius_of, with_radius
-from ._values import Remade, set_field, set_number, set_numbers
+from ._values import Native, set_field, set_number, set_numbers
 
 
 def check_solid(name: str, value: object) -> None:
@@ -57,7 +57,7 @@ class Elastic:
 
 
 @dataclass(frozen=True, init=False, slots=True)
-class UnderProbe(Remade):
+class UnderProbe(Native):
     """What ``System``, ``HalfSpace`` and ``StackSystem`` have in common: the probe.
 
     ``dataclasses.replace(system, sphere_radius=R)`` gives the sphere or the paraboloid of the
@@ -66,7 +66,6 @@ class UnderProbe(Remade):
 
     probe: Probe
     sphere_modulus: float
-    _native: Any = field(init=False, repr=False, compare=False)
     # `dataclasses.replace` passes the value of this attribute to the new instance, which so knows
     # the probe that was not asked for.
     _replaced: InitVar[Probe | None]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import Any, final, overload
+from dataclasses import dataclass
+from typing import final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,12 +16,12 @@ from ._columns import Array
 from ._control import Control, native_control
 from ._results import CohesiveState, CohesiveStates, cohesive_states
 from ._stack import StackSystem
-from ._values import Remade, set_field, set_numbers
+from ._values import Native, set_field, set_numbers
 
 
 @final
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Cohesive(Remade):
+class Cohesive(Native):
     """A paraboloid on a film or a stack, with an attraction of finite range (Dugdale's law).
 
     The traction w/h0 acts wherever the gap is below h0: in an annulus around the contact (Maugis,
@@ -61,7 +61,6 @@ class Cohesive(Remade):
     system: System | StackSystem
     work_of_adhesion: float
     interaction_range: float
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.system, System | StackSystem):

@@ -42,7 +42,7 @@ class Columns(OneLine):
 
     def __len__(self) -> int:
         first, *_ = self._columns().values()
-        return len(first)
+        return first.size
 
     def _rows(self) -> Iterator[tuple[float, ...]]:
         """Return the rows of the flattened arrays."""

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, final, overload
 
 from numpy.typing import ArrayLike
 
 from . import _core, _html
-from ._arrays import Errors, evaluate, number, scalar_or_array
+from ._arrays import Errors, evaluate, fixed, number, scalar_or_array
 from ._bodies import HalfSpace, System
 from ._cohesive_zone import ShortZone
 from ._columns import Array
-from ._control import Control, native_control
+from ._control import Control, check_friction, native_control
 from ._equilibria import Equilibria
 from ._results import INPUTS, ForceDisplacement, Gradient, State, States, states
 from ._stack import StackSystem
 from ._validity import Validity, ZoneSize, validity
-from ._values import Remade, set_field, set_numbers
+from ._values import Native, set_field, set_numbers
 
 if TYPE_CHECKING:
     from ._history import HistoryStates, Relaxation
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @final
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Contact(Remade):
+class Contact(Native):
     """A contact of a probe with a coated substrate, a stack of layers or a half-space.
 
     ``Table.contact``, ``Stack.contact`` and ``SolvedCurve.contact`` make it. It is frozen, hashable
@@ -60,7 +60,6 @@ class Contact(Remade):
 
     system: System | HalfSpace | StackSystem
     table: Table | SolvedCurve | None
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         set_field(self, "_native", _native(self.system, self.table))
@@ -458,7 +457,7 @@ class Contact(Remade):
         (0.065, False, True)
         """
         found = evaluate(self._native.validity, errors, contact_radius=a)
-        return validity(found, self, a, errors)
+        return validity(found, self, fixed(a), errors)
 
     def zone_size(
         self, w: ArrayLike, *, interaction_range: ArrayLike = 3e-10, errors: Errors = "raise"
@@ -487,7 +486,7 @@ class Contact(Remade):
             interaction_range=interaction_range,
         )
         tabor, zone = map(scalar_or_array, found)
-        return ZoneSize(tabor, zone, self, w, interaction_range, errors)
+        return ZoneSize(tabor, zone, self, fixed(w), fixed(interaction_range), errors)
 
     def cohesive_zone(self, w: float, *, stress: float) -> ShortZone:
         """Correct the contact for an attraction of short, finite range, to first order.
@@ -580,6 +579,7 @@ class SolvedCurve:
         set_numbers(self, "tolerance", "sphere_poisson_ratio", "advancing")
         if self.friction not in ("none", "stick"):
             raise ValueError(f'friction is {self.friction!r}, but must be "none" or "stick"')
+        check_friction(self.friction, self.sphere_poisson_ratio, self.advancing)
 
     def contact(self, system: System | StackSystem) -> Contact:
         """Solve the contact of a system.

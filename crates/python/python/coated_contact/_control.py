@@ -42,3 +42,13 @@ def native_control(control: Control) -> tuple[str, float]:
         axis="control",
         allowed='"load", "displacement" or Spring(stiffness=k)',
     )
+
+
+def check_friction(friction: str, sphere_poisson_ratio: float, advancing: float) -> None:
+    """Refuse numbers of friction where there is none."""
+    if friction == "none" and (sphere_poisson_ratio, advancing) != (0.5, 1.0):
+        raise InputError(
+            "sphere_poisson_ratio and advancing have no effect without friction: give "
+            'friction="stick", or leave them out',
+            axis="friction",
+        )

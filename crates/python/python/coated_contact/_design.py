@@ -12,7 +12,7 @@ from . import _html
 from ._columns import axes
 from ._errors import ContactError, FitError
 from ._experiment import Experiment, Free, ParameterName, unit_of
-from ._fit import free_of
+from ._fit import Allowed, free_of
 from ._fit_results import Forecast
 from ._model import forecast
 from ._table import Table
@@ -107,6 +107,7 @@ def design(
     *,
     about: str,
     table: Table | None = None,
+    allow: Iterable[Allowed] = (),
 ) -> Design:
     """Return which of several planned experiments tells most about one parameter.
 
@@ -124,6 +125,8 @@ def design(
         The parameter of interest; ``contact_point[1]`` is that of the second experiment of a plan.
     table : Table, optional
         The table; by default the embedded one, of films.
+    allow : iterable of {"magnitudes"}
+        Take numbers that no contact experiment has, such as a film of 1 m.
 
     Returns
     -------
@@ -158,7 +161,7 @@ def design(
     forecasts: dict[str, Forecast] = {}
     for name, plan in given.items():
         try:
-            expected = forecast(plan, wanted, table=table)
+            expected = forecast(plan, wanted, table=table, allow=allow)
         except ContactError as error:
             error.add_note(f"plan {name!r}")
             raise

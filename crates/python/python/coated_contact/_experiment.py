@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 import numpy as np
+from numpy import ma
 from numpy.typing import NDArray
 
-from ._arrays import number, real
+from ._arrays import fixed, number, real
 from ._bodies import HalfSpace, System
+from ._control import check_friction
 from ._errors import FitError
 from ._history import Relaxation
 from ._indentation import Indentation
@@ -194,6 +196,7 @@ class Experiment(Remade, OneLine):
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
             )
         one_of("friction", self.friction, ("none", "stick"))
+        check_friction(self.friction, self.sphere_poisson_ratio, self.advancing)
         if self.friction == "stick" and isinstance(self.system, HalfSpace):
             raise FitError(
                 "friction on a half-space is not fitted (none at a Poisson ratio of 0.5): "
@@ -210,16 +213,17 @@ class Experiment(Remade, OneLine):
             object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
         for name, array in zip(("abscissa", "ordinate"), points, strict=True):
-            object.__setattr__(self, name, _fixed(array))
+            object.__setattr__(self, name, fixed(array))
         shapes = {array.shape for array in points}
         if self.retract is not None:
             retract = np.asarray(self.retract)
-            if retract.dtype != np.bool_:
-                raise TypeError(f"retract must be True or False, not of the type {retract.dtype}")
-            object.__setattr__(self, "retract", _fixed(retract))
+            if retract.dtype != np.bool_ or ma.is_masked(self.retract):
+                kind = "masked" if ma.is_masked(self.retract) else f"of the type {retract.dtype}"
+                raise TypeError(f"retract must be True or False, not {kind}")
+            object.__setattr__(self, "retract", fixed(retract))
             shapes.add(retract.shape)
         if self.time is not None:
-            time = _fixed(real("time", self.time))
+            time = fixed(real("time", self.time))
             if time.shape != points[0].shape:
                 count = points[0].shape
                 raise FitError(
@@ -289,14 +293,7 @@ def _deviation(name: str, value: Any, shape: tuple[int, ...]) -> float | NDArray
             f"{name} must be one number or one for each point, {shape}, not {array.shape}",
             axis=name,
         )
-    return _fixed(array)
-
-
-def _fixed(array: NDArray[Any]) -> NDArray[Any]:
-    """Return a contiguous copy that does not change."""
-    copy = np.array(array, order="C")
-    copy.setflags(write=False)
-    return copy
+    return fixed(array)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

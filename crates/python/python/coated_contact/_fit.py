@@ -23,7 +23,7 @@ from ._fit_results import (
     warnings_of,
     without_film_of,
 )
-from ._table import Table
+from ._table import Table, native_table
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -110,7 +110,7 @@ def fit(
     the data and the fit.
     """
     errors = [(name, number(f"known[{name!r}]", error)) for name, error in (known or {}).items()]
-    options = (loss, profile_level, interaction_range, tuple(allow))
+    options = (loss, profile_level, interaction_range, allowed_of(allow))
     found = _native(_core.fit, experiments, free, table, *options, errors, fixed_values)
     film = found["without_film"]
     return Fit(
@@ -169,7 +169,7 @@ def fit_map(
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     free = free_of(free)
-    options = (loss, profile_level, interaction_range, tuple(allow))
+    options = (loss, profile_level, interaction_range, allowed_of(allow))
     given = _batched(curves)
     done: dict[int, FitMap] = {}
     blocks: Iterator[tuple[int, FitMap]]
@@ -198,7 +198,7 @@ def fit_block(
     curves: Iterable[Experiment],
     free: list[Free],
     table: Table | None,
-    options: tuple[Loss, float | None, float, tuple[Allowed, ...]],
+    options: tuple[Loss, float | None, float, set[Allowed]],
 ) -> FitMap:
     """Fit some of the curves of a map."""
     results = _native(_core.fit_map, curves, free, table, *options)
@@ -267,19 +267,25 @@ def _native(
     loss: Loss,
     profile_level: float | None,
     interaction_range: float,
-    allow: tuple[Allowed, ...],
+    allowed: set[Allowed],
     *further: Any,
 ) -> Any:
     """Check the arguments and call the native part."""
     one_of("loss", loss, get_args(Loss))
     given = experiments_of(experiments)
     level = None if profile_level is None else number("profile_level", profile_level)
-    allowed = set(allow)
-    for one in allowed:
-        one_of("allow", one, get_args(Allowed))
     attraction = number("interaction_range", interaction_range)
     options = (loss, level, attraction, "magnitudes" in allowed, "left-out" in allowed)
-    return function((table or Table.embedded())._native, given, free_of(free), options, *further)
+    return function(native_table(table), given, free_of(free), options, *further)
+
+
+def allowed_of(allow: Iterable[Allowed]) -> set[Allowed]:
+    """Return the doubts that are allowed; refuse other words."""
+    if isinstance(allow, str):
+        raise TypeError(f"allow must be a list of words: [{allow!r}]")
+    for one in (words := list(allow)):
+        one_of("allow", one, get_args(Allowed))
+    return set(words)
 
 
 def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]:

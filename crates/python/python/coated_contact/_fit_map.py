@@ -73,10 +73,11 @@ class FitMap(OneLine):
         return "\n".join(lines + [f"{kind}: {count} curves" for kind, count in self._doubts()])
 
     def _medians(self) -> list[tuple[str, ...]]:
-        """Return name, quartiles and median standard error of each parameter."""
+        """Return name, quartiles and median standard error of each parameter, of converged fits."""
         rows = []
         for name, values in self.params.items():
-            found, errors = values[~np.isnan(values)], self.stderr[name]
+            converged = self.converged & ~np.isnan(values)
+            found, errors = values[converged], self.stderr[name][converged]
             quartiles = np.quantile(found, [0.25, 0.5, 0.75]) if len(found) else [np.nan] * 3
             known = errors[np.isfinite(errors)]
             error = np.median(known) if len(known) else np.nan

@@ -43,11 +43,13 @@ class Relaxation:
 
     law: str
     relaxed: float = 0.0
-    exponent: float = float("nan")
+    exponent: float = 0.0
     times: tuple[float, ...] = ()
     weights: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
+        for name in ("times", "weights"):
+            object.__setattr__(self, name, tuple(getattr(self, name)))
         _core.check_relaxation(self._numbers())
 
     def _numbers(self) -> tuple[Any, ...]:
@@ -207,6 +209,11 @@ def history(
             f"{values.shape}"
         )
     asked = times if at is None else np.atleast_1d(real("at", at))
+    if rigid is not None and not hasattr(rigid, "_native"):
+        raise TypeError(
+            "rigid must be the Contact of the same film between a rigid probe and a rigid "
+            f"substrate, not {rigid!r}"
+        )
     order = np.argsort(asked, kind="stable")
     columns, phases, error, unlike = _core.history(
         contact._native,

@@ -7,7 +7,7 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from ._arrays import number, real
+from ._arrays import fixed, number, real
 from ._errors import FitError
 from ._values import OneLine, Remade
 
@@ -106,7 +106,6 @@ class Indentation(Remade, OneLine):
         object.__setattr__(self, "area", tuple(float(one) for one in area))
         for name in ("loads", "phases"):
             if getattr(self, name) is not None:
-                array = np.array(real(name, getattr(self, name)))
-                array.setflags(write=False)
-                object.__setattr__(self, name, array)
-        object.__setattr__(self, "reference", bool(self.reference))
+                object.__setattr__(self, name, fixed(real(name, getattr(self, name))))
+        if not isinstance(self.reference, bool):
+            raise TypeError(f"reference must be True or False, not {self.reference!r}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, get_args
 
 from numpy.typing import ArrayLike
@@ -15,12 +15,12 @@ from ._errors import FitError
 from ._experiment import Experiment, Free, ParameterName, one_of
 from ._fit import experiments_of, free_of
 from ._model import BranchName
-from ._table import Table
-from ._values import OneLine, Remade, set_field
+from ._table import Table, native_table
+from ._values import Native, OneLine, set_field
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False, repr=False)
-class LogLikelihood(Remade, OneLine):
+class LogLikelihood(Native, OneLine):
     """The logarithm of the likelihood of flat vectors of parameters: see :func:`log_likelihood`.
 
     Calling it with values, SI units, in the order of ``names``, returns a float; with an array
@@ -43,10 +43,9 @@ class LogLikelihood(Remade, OneLine):
     free: tuple[Free, ...]
     branches: list[list[str]] | None = None
     table: Table | None = None
-    _native: Any = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        table = (self.table or Table.embedded())._native
+        table = native_table(self.table)
         made = _core.NativeLikelihood(table, list(self.experiments), list(self.free), self.branches)
         set_field(self, "_native", made)
 

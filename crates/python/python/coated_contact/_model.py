@@ -13,10 +13,10 @@ from . import _core
 from ._arrays import integer, number
 from ._columns import Array
 from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
-from ._fit import experiments_of, free_of
+from ._fit import Allowed, allowed_of, experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of
 from ._indentation import Indentation
-from ._table import Table
+from ._table import Table, native_table
 from ._values import OneLine
 
 if TYPE_CHECKING:
@@ -138,13 +138,18 @@ def predict(
     words = None if branches is None else list(branches)
     for word in words or ():
         one_of("branch", word, get_args(BranchName))
-    found = _core.predict((table or Table.embedded())._native, experiment, words, names)
+    found = _core.predict(native_table(table), experiment, words, names)
     columns = found.pop("derivatives").T
     return Prediction(derivatives=dict(zip(names, columns, strict=True)), **found)
 
 
 def simulate(
-    experiment: Experiment, *, noise: float, seed: int, table: Table | None = None
+    experiment: Experiment,
+    *,
+    noise: float,
+    seed: int,
+    table: Table | None = None,
+    allow: Iterable[Allowed] = (),
 ) -> Experiment:
     """Return the experiment with synthetic ordinates.
 
@@ -163,6 +168,8 @@ def simulate(
     table : Table, optional
         The table; by default the embedded one, of films. Contacts on a stack are looked up in the
         table of this stack, and solved beside a table of films.
+    allow : iterable of {"magnitudes"}
+        Take numbers that no contact experiment has, such as a film of 1 m.
 
     Returns
     -------
@@ -181,9 +188,11 @@ def simulate(
     array([-0.000168 ,  0.0012486])
     """
     experiments_of([experiment])
-    native = (table or Table.embedded())._native
+    native = native_table(table)
     whole = integer("seed", seed, 0, 2**63)
-    ordinate, loads, phases = _core.simulate(native, experiment, number("noise", noise), whole)
+    ordinate, loads, phases = _core.simulate(
+        native, experiment, number("noise", noise), whole, "magnitudes" in allowed_of(allow)
+    )
     indentation = experiment.indentation
     if loads.size or phases.size:
         made = {"loads": loads, "phases": phases}
@@ -197,6 +206,7 @@ def forecast(
     free: Iterable[ParameterName | Free],
     *,
     table: Table | None = None,
+    allow: Iterable[Allowed] = (),
 ) -> Forecast:
     """Return the standard errors that planned experiments would give, before they are made.
 
@@ -210,6 +220,8 @@ def forecast(
     table : Table, optional
         The table; by default the embedded one, of films. Contacts on a stack are looked up in the
         table of this stack, and solved beside a table of films.
+    allow : iterable of {"magnitudes"}
+        Take numbers that no contact experiment has, such as a film of 1 m.
 
     Returns
     -------
@@ -234,8 +246,8 @@ def forecast(
     6.8e+03 Pa
     """
     given = experiments_of(experiments)
-    native = (table or Table.embedded())._native
-    found = _core.forecast(native, given, free_of(free))
+    native = native_table(table)
+    found = _core.forecast(native, given, free_of(free), "magnitudes" in allowed_of(allow))
     estimates = estimates_of(found)
     return Forecast(
         estimates=estimates,

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields, replace
-from typing import Any, ClassVar, final
+from dataclasses import dataclass, fields, replace
+from typing import ClassVar, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import real
-from ._values import Remade, set_field, set_numbers
+from ._values import Native, set_field, set_numbers
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Probe(Remade):
+class Probe(Native):
     """The shape of a probe: the height f(r) of its surface above its lowest point.
 
     Here r is the distance from the axis. The shapes are :class:`Paraboloid`, :class:`Sphere`,
@@ -28,7 +28,6 @@ class Probe(Remade):
 
     #: The name in words.
     name: ClassVar[str]
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if type(self) is Probe:

@@ -57,7 +57,7 @@ def read_experiment(
     kind: Kind | None = None,
     *,
     system: System | HalfSpace | StackSystem,
-    columns: Mapping[Role, str | Sequence[str]] | None = None,
+    columns: Mapping[Role, str | int | Sequence[str]] | None = None,
     segments: Segments = "auto",
     only: Direction | None = None,
     between: tuple[float, float] | None = None,
@@ -167,11 +167,13 @@ def _ends(between: tuple[float, float]) -> tuple[float, float]:
     return least, most
 
 
-def _columns(given: Mapping[Role, str | Sequence[str]]) -> list[tuple[str, str]]:
+def _columns(given: Mapping[Role, str | int | Sequence[str]]) -> list[tuple[str, str]]:
     """Return what each column holds and its heading."""
     found: list[tuple[str, str]] = []
     for role, headings in given.items():
         one_of("columns", role, get_args(Role))
+        if isinstance(headings, int):
+            headings = str(headings)
         for heading in [headings] if isinstance(headings, str) else headings:
             if not isinstance(heading, str):
                 raise TypeError(f"columns: the heading of {role} must be a str, not {heading!r}")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _html
-from ._arrays import Errors, evaluate, real, scalar_or_array
+from ._arrays import Errors, evaluate, fixed, real, scalar_or_array
 from ._columns import axes
 from ._stack import Stack
 from ._values import OneLine
@@ -271,4 +271,7 @@ def solution(
     """Evaluate the broadcast parameters, and further numbers that are none of the solution's."""
     found = evaluate(native, errors, **parameters, **further)
     pi0, eeq, gamma, delta0, error = map(scalar_or_array, found)
-    return Solution(pi0, eeq, gamma, delta0, error, parameters)
+    given: dict[str, ArrayLike] = {
+        name: fixed(real(name, value)) for name, value in parameters.items()
+    }
+    return Solution(pi0, eeq, gamma, delta0, error, given)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import os
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any, Literal, final
 
@@ -13,7 +13,7 @@ from . import _core
 from ._bodies import Elastic, UnderProbe, check_solid
 from ._errors import InputError
 from ._probe import Probe
-from ._values import Remade, set_field, set_numbers
+from ._values import Native, set_field, set_numbers
 
 if TYPE_CHECKING:
     from ._contact import Contact
@@ -104,7 +104,7 @@ def _interface(tangential: float, normal: float) -> Interface:
 
 @final
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Stack(Remade):
+class Stack(Native):
     """Layers on a base.
 
     Layers are counted from the base up: the first one is on the base, and the probe touches the
@@ -156,7 +156,6 @@ class Stack(Remade):
     base: Elastic
     layers: tuple[Layer, ...]
     surface: Elastic | None = None
-    _native: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         check_solid("base", self.base)

@@ -296,3 +296,12 @@ class Table:
 @cache
 def _embedded() -> Table:
     return Table(_core.Table.embedded())
+
+
+def native_table(table: Table | None) -> Any:
+    """Return the native part of a table, of the embedded one for None."""
+    if table is None:
+        table = Table.embedded()
+    if not isinstance(table, Table):
+        raise TypeError(f"table must be a Table, such as Table.read(path), not {table!r}")
+    return table._native

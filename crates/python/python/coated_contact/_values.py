@@ -21,6 +21,13 @@ class Remade:
         return (_again, (type(self), values))
 
 
+class Native(Remade):
+    """An instance that holds an object of the native part beside its values."""
+
+    __slots__ = ("_native",)
+    _native: Any
+
+
 class OneLine:
     """An instance of a dataclass that shows itself on one line, arrays by their shape.
 

@@ -84,6 +84,8 @@ class Model(LmfitModel):  # type: ignore[misc]
         table: Table | None = None,
         **kwargs: Any,
     ) -> None:
+        if isinstance(free, str):
+            raise TypeError(f"free must be a list of parameters: [{free!r}]")
         varied = list(free)
         self._experiment, self._table = experiment, table
         measured = not np.isnan(experiment.ordinate).any()

@@ -260,6 +260,11 @@ impl From<fit::Error> for Failure {
                 "{experiment}: its points have no times, on which the forces of bodies that relax depend: \
                  give the experiment time, in s, one for each point"
             )),
+            // Points of arrays have numbers, and no lines.
+            Error::LeftOut { .. } => of.saying(&format!(
+                "{}: allow=(\"left-out\",)",
+                error.to_string().replace("(lines ", "(points ")
+            )),
             Error::DifferentBodies { .. } => of.saying(&format!(
                 "{error}: all_relax=True states that all bodies relax"
             )),

@@ -253,6 +253,9 @@ impl Sticking {
             });
         }
         let most = MOST_OF_TIP / self.thickness_over_top;
+        // A quotient of lengths is rounded.
+        let is_end = a_over_t > most && a_over_t <= most * (1.0 + 4.0 * f64::EPSILON);
+        let a_over_t = if is_end { most } else { a_over_t };
         Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, most])?;
         let x = a_over_t * self.thickness_over_top;
         let not_converged = |reached| Error::StickNotConverged {
