@@ -1,9 +1,9 @@
 # %% [markdown]
 # # A colloidal probe on a gel
 #
-# A glass sphere of 10 µm on a cantilever touches a layer of gel, 5 µm thick, on glass. Adhesion is
-# larger on retract than on approach. The height of the cantilever's base and the force are
-# measured.
+# A glass sphere of radius 10 µm on a cantilever touches a layer of gel, 5 µm thick, on glass.
+# Adhesion is larger on retract than on approach. The height of the cantilever's base and the force
+# are measured.
 
 # %%
 import matplotlib.pyplot as plt
@@ -66,7 +66,7 @@ axes.set_ylabel("load (nN)")
 # contact is read from the data.
 
 # %%
-down = np.linspace(4e-6, 0.5e-6, 300)
+down = np.linspace(4e-6, 1.5e-6, 300)
 truth = Experiment(
     kind="force-height",
     abscissa=np.concatenate([down, down[::-1]]),

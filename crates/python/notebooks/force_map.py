@@ -58,7 +58,7 @@ right.set_xlabel("curve")
 right.set_ylabel("error of the film modulus (%)")
 
 # %% [markdown]
-# The standard errors are honest if the errors in their units have a standard deviation of 1.
+# The standard errors are right if the errors over them have a standard deviation of 1.
 
 # %%
 units = (found.params["film_modulus"] - true_modulus) / found.stderr["film_modulus"]

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # A JKR lens on a film
 #
-# An elastomer lens of 1 mm touches a film of 30 µm on silicon. Contact radii are seen through the
-# lens, loads are measured by a balance. We plan the experiment, make synthetic data, fit them, and
-# see what JKR without the film would have given.
+# An elastomer lens of radius 1 mm touches a film of 30 µm on silicon. Contact radii are seen
+# through the lens, loads are measured by a balance. We plan the experiment, make synthetic data,
+# fit them, and see what JKR without the film would have given.
 
 # %%
 import matplotlib.pyplot as plt

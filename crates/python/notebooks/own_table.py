@@ -52,7 +52,7 @@ axes.legend()
 # %% [markdown]
 # ## As a contact
 #
-# The table answers like the embedded one; a direct solve is the judge.
+# The table answers like the embedded one; compare it with a direct solve.
 
 # %%
 system = System(
