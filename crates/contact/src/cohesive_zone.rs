@@ -35,12 +35,12 @@ pub struct CohesiveZone {
 }
 
 impl CohesiveZone {
-    /// The longest zone of attraction that counts as short, over the contact radius and over the
+    /// The longest cohesive zone that counts as short, over the contact radius and over the
     /// thickness of the film, or of the top layer of a stack.
     pub const LONGEST: f64 = 0.25;
 }
 
-/// A state with a zone of attraction around the contact.
+/// A state with a cohesive zone around the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CohesiveState {
     /// Contact radius `a`, m; 0 before the contact.
@@ -53,7 +53,7 @@ pub struct CohesiveState {
     pub penetration: f64,
 }
 
-/// An equilibrium at an imposed value, with a zone of attraction around the contact.
+/// An equilibrium at an imposed value, with a cohesive zone around the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CohesiveEquilibrium {
     /// The state of the contact.
@@ -74,16 +74,15 @@ pub struct ShortZone<'a> {
 impl Contact {
     /// Corrects the contact with work of adhesion `w` (J/m^2) for an attraction of finite `range`.
     ///
-    /// The correction is exact to first order in the length `l` of the zone of attraction over the
+    /// The correction is exact to first order in the length `l` of the cohesive zone over the
     /// contact radius and over the thickness of the film, or of the top layer of a stack. It costs
     /// as much as JKR. Measured for pull-off loads (`tests/truth/cohesive_zone.rs`: five films and
     /// stacks, soft, stiff and confined): the error is at most 0.6 % where `l` is a fifth of the
     /// shorter of contact radius and thickness, and 0.05 % where it is a twentieth; it falls with
     /// the square of `l`. At a given contact radius load and penetration err by more, on
     /// half-spaces by up to 3 % of what adhesion lowers them by where `l` is a twentieth of the
-    /// radius, because they are not stationary there. The crate `tabulate` solves zones of any
-    /// length (`cohesive::Cohesive`, `tabulate pull-off
-    /// --interaction-range`).
+    /// radius, because they are not stationary there. The crate `solve` solves zones of any length
+    /// (`solve::cohesive::Cohesive`; on the command line `pull-off --interaction-range`).
     ///
     /// ```
     /// # fn main() -> Result<(), contact::Error> {
@@ -109,7 +108,7 @@ impl Contact {
         self.with_zone(w, 0.25 * PI * (modulus / range.stress) * (w / range.stress))
     }
 
-    /// Corrects the contact for a zone of attraction of the length `zone`, m.
+    /// Corrects the contact for a cohesive zone of the length `zone`, m.
     pub(crate) fn with_zone(&self, w: f64, zone: f64) -> Result<ShortZone<'_>, Error> {
         self.smooth_probe()?;
         self.without_stick(
@@ -159,7 +158,7 @@ impl Contact {
 }
 
 impl ShortZone<'_> {
-    /// Returns the length `l = pi Es* w/(4 sigma0^2)` of the zone of attraction, m.
+    /// Returns the length `l = pi Es* w/(4 sigma0^2)` of the cohesive zone, m.
     pub const fn zone(&self) -> f64 {
         self.zone
     }

@@ -45,7 +45,7 @@ pub enum Error {
         /// The material of the system: `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`.
         system: [f64; 4],
     },
-    /// A zone of attraction that is not short.
+    /// A cohesive zone that is not short.
     #[error(
         "the zone of attraction is {zone:?} m long, more than {most} times the {what}, {length:?} m, and \
          the correction for a short zone does not hold: give a larger stress of the attraction, or solve \

@@ -3,7 +3,7 @@
 /// The energy release rate `G(a) = w (1 + l/(6 a))` at which a contact line of radius `a` is at
 /// rest.
 ///
-/// Eq. 8 is `l = 0`. A short zone of attraction of the length `l` raises `G` by a term per length
+/// Eq. 8 is `l = 0`. A short cohesive zone of the length `l` raises `G` by a term per length
 /// of line; `cohesive_zone` derives it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineEnergy {

@@ -24,7 +24,7 @@ pub struct Validity {
     /// curvature. It is the effect that [`Probe::Sphere`] adds.
     pub shape: f64,
     /// The part by which the load at a given penetration rises because the surface moves sideways
-    /// under the sloping probe, which the model neglects: `(3/4 pi) (1 - 2 nu)/(1 - nu) a/R`, with
+    /// under the sloping probe, which the model neglects: `3/(4 pi) (1 - 2 nu)/(1 - nu) a/R`, with
     /// the Poisson ratio of the film or half-space.
     ///
     /// It follows from the displacement `u_r` of Hertz's contact on a half-space, which meets the
@@ -85,7 +85,7 @@ impl Validity {
     ///
     /// The displacement sideways is compared with [`Validity::shape`] itself. An elastic probe
     /// counts above an `a/R` of 0.1 if its share of the compliance is above 0.1, and the strain of
-    /// the film counts above 0.1: at a large `a/t` it leaves small strains before `a/R` matters.
+    /// the film counts above 0.1: at a large `a/t` it is no longer small before `a/R` matters.
     pub fn neglected(&self) -> Vec<Neglected> {
         let mut all = Vec::new();
         if self.sideways > self.shape {
@@ -160,14 +160,14 @@ impl ZoneSize<'_> {
         self.tabor >= Self::JKR
     }
 
-    /// Tells whether the zone of attraction is at most [`ZoneSize::SMALL_ZONE`] of a `length`
+    /// Tells whether the cohesive zone is at most [`ZoneSize::SMALL_ZONE`] of a `length`
     /// (m), such as contact radius or film thickness.
     pub fn is_short_beside(&self, length: f64) -> bool {
         self.cohesive_zone <= Self::SMALL_ZONE * length
     }
 
     /// Returns the part by which the pull-off load of JKR is too small, for Dugdale's law and to
-    /// first order in the length `l` of the zone of attraction:
+    /// first order in the length `l` of the cohesive zone:
     ///
     /// ```text
     /// F/F_JKR - 1 = (S |delta_fp|/(2 |F_JKR|)) l/(6 a)        0.0859/mu^2 on a half-space

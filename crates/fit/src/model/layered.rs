@@ -159,8 +159,8 @@ pub trait LayeredSolver: fmt::Debug + Send + Sync {
 /// A probe on a stack of layers on a base.
 #[derive(Clone, Debug)]
 pub struct Layered {
-    /// The shape of the probe. The solvers of `tabulate` take [`Probe::Paraboloid`] and
-    /// [`Probe::FlatPunch`].
+    /// The shape of the probe. [`DirectSolver`](crate::DirectSolver) and `tabulate::table::StackTable`
+    /// take [`Probe::Paraboloid`] and [`Probe::FlatPunch`].
     pub probe: Probe,
     /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
     pub sphere_modulus: f64,

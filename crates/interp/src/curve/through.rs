@@ -14,7 +14,7 @@ impl Curve {
     /// `ln Delta0` over `ln(a/t)`. Its error falls like the sixth power of the distance of the
     /// nodes. The pieces that replace the spline add 1e-13 if the nodes are on a smooth curve.
     ///
-    /// The quantities are not compared with `material`; the crate `tabulate` makes a curve of
+    /// The quantities are not compared with `material`; the crate `solve` makes a curve of
     /// stated accuracy from a material alone. The curve has no expansions beyond the nodes and no
     /// derivatives with respect to the material.
     ///

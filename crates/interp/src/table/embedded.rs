@@ -21,7 +21,7 @@ impl Table {
     /// [`certificate`](crate::Description::certificate) states the largest error of all four at
     /// sampled points.
     ///
-    /// The table consists of five parts, each for other moduli. The first lookup in a part decodes it.
+    /// The table consists of seven tiles, each for other moduli. The first lookup in a tile decodes it.
     ///
     /// ```
     /// # fn main() -> Result<(), interp::Error> {

@@ -126,7 +126,7 @@ fn explain(table: &Table) -> Result<String, std::fmt::Error> {
     }
     row(
         "tolerance",
-        "the relative error for which the nodes were chosen",
+        "the relative error for which the nodes were chosen, or to which the values were compressed",
     )?;
     row(
         "certified error",

@@ -16,7 +16,7 @@ use crate::printable;
 use crate::table::low_rank;
 use crate::table::points_for;
 
-/// Convert an HDF5 table to the packed form that `interp` loads without HDF5
+/// Convert a table to the packed form that `interp` loads without HDF5
 ///
 /// Value for value, or with --tolerance in low-rank form, which is some 100 times smaller for four
 /// axes. The low-rank form is compared with direct solves at points of its own. The largest error

@@ -13,11 +13,11 @@ use crate::report::{figures, report, steps};
 
 /// Write an HTML page about a table, with force curves that follow sliders
 ///
-/// The page shows the range of the table, its certificate, a map of its errors, and the force curve of
-/// any system in the table. The page computes the curve, accurately enough for a picture, and shows
-/// numbers with four digits. It is one file and needs no network.
+/// The page shows the range of the table, its certificate, a map of its errors (of a table over
+/// e1_over_e2), and the force curve of any system in the table. The page computes the curve, accurately
+/// enough for a picture, and shows numbers with four digits. It is one file and needs no network.
 ///
-/// The page opens with --probe: the paraboloid, the sphere or the flat punch.
+/// The page opens with --probe, one of paraboloid, sphere and flat-punch; it computes no other.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate report tables/paper.h5 -o paper.html",

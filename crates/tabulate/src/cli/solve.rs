@@ -123,8 +123,8 @@ pub struct Arguments {
     /// Solve a probe with the profile c r^N too, N from 0.1 to 20: 1 is a cone. May be repeated
     ///
     /// Adds pi_N and delta_N, the load and the penetration without adhesion. With kappa =
-    /// sqrt(pi) Gammafunction(N/2 + 1)/Gammafunction((N + 1)/2) they are delta0 = c kappa a^N delta_N
-    /// and F0 = c kappa a^(N+1) (E2*/2) pi_N. Where N = 2 and c = 1/(2 R), these are delta0 and pi0.
+    /// sqrt(pi) Gammafunction(N/2 + 1)/Gammafunction((N + 1)/2) the penetration is c kappa a^N delta_N
+    /// and the load c kappa a^(N+1) (E2*/2) pi_N. delta_2 and pi_2 equal delta0 and pi0.
     #[arg(long = "exponent", value_name = "N", value_parser = plain, allow_hyphen_values = true)]
     exponents: Vec<f64>,
     /// Print one JSON object

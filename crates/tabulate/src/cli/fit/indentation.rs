@@ -163,7 +163,7 @@ pub fn forget_shape(experiment: &mut Experiment) {
 #[group(skip)]
 pub struct ReferenceArguments {
     /// A measurement of the same indenter on a bare sample of known modulus, of the same kind and
-    /// with the same columns: it tells the tip rounding and the compliance of the frame, which are
+    /// with the same columns: it determines the tip rounding and the compliance of the frame, which are
     /// common to all files
     #[arg(long, help_heading = HEADING, value_name = "DATA", value_hint = ValueHint::FilePath)]
     pub reference: Option<PathBuf>,

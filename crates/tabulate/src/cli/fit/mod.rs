@@ -53,9 +53,9 @@ use crate::printable;
 /// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
 /// file names, unless flags give others.
 ///
-/// A contact stiffness (--kind stiffness-radius, stiffness-load, stiffness-depth) is that of a contact
-/// line that stays, as nanoindenters (CSM) and dynamic AFMs measure it. With a column of its phase or of
-/// its loss part, the modulus of the film is the absolute value of a complex one, and the report tells
+/// A contact stiffness (--kind stiffness-radius, stiffness-load, stiffness-depth) is that of a pinned
+/// contact line, as nanoindenters (CSM) and dynamic AFMs measure it. With a column of its phase or of
+/// its loss part, the modulus of the film is the absolute value of a complex one, and the report gives
 /// the loss tangent.
 ///
 /// Loads are positive in compression; heights are smaller when the cantilever is closer to the
@@ -67,7 +67,7 @@ use crate::printable;
 ///
 /// Values that the fit needs and that are not given are an error that lists them. A value of the bodies
 /// is fixed unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
-/// value: the data tell where to start.
+/// value: the fit takes its start from the data.
 ///
 /// With --relaxation the film relaxes in time. The points of a file are an approach, a hold and a
 /// retract without adhesion; they give the modulus of the film and its relaxation function. The effect
@@ -76,7 +76,7 @@ use crate::printable;
 /// has the same relaxation times at both.
 ///
 /// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
-/// without it, a warning tells where full friction would change the modulus by more than its standard
+/// without it, a warning says where full friction would change the modulus by more than its standard
 /// error.
 ///
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
