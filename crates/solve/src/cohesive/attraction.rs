@@ -25,16 +25,16 @@ pub struct Cohesive {
     pub(super) curvature: f64,
     /// `tau = 2 sigma0`.
     pub(super) traction: f64,
-    /// `h0`.
+    /// `z0`.
     pub(super) range: f64,
 }
 
 impl Cohesive {
-    /// Takes a film on a substrate, the work of adhesion `w` (J/m^2) and the range `h0` (m) of the
-    /// attraction, whose traction is `sigma0 = w/h0`. The probe is a paraboloid.
+    /// Takes a film on a substrate, the work of adhesion `w` (J/m^2) and the range `z0` (m) of the
+    /// attraction, whose traction is `sigma0 = w/z0`. The probe is a paraboloid.
     ///
     /// # Errors
-    /// As [`System::material`]; [`Error::Domain`] unless `w` and `h0` are positive, and for a range
+    /// As [`System::material`]; [`Error::Domain`] unless `w` and `z0` are positive, and for a range
     /// that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
     pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
         let surface = Surface::Film(Compliance::new(&system.material()?));

@@ -6,7 +6,7 @@
 //! -u(r) = tau c [ e(r/c)/es + (1/e1) int_0^inf (X-1) J1(qc) J0(qr)/q dq ],      e(0) = 1, e(1) = 2/pi
 //! ```
 //!
-//! and the gap is `h0` at `r = c`: `delta = c^2/2R + u(c) - h0`, `F = -pi sigma0 c^2`. The contact
+//! and the gap is `z0` at `r = c`: `delta = c^2/2R + u(c) - z0`, `F = -pi sigma0 c^2`. The contact
 //! begins where the gap in the middle, `u(0) - delta`, is 0.
 
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -98,7 +98,7 @@ impl Cohesive {
         /// The part of the range to which the gap has closed where the steps become short.
         const NEAR: f64 = 0.9;
         let gap = |c: f64| self.before_contact(c).1;
-        // The gap is `h0 - c^2/2R - (1-2/pi) tau c/es`, with `S/es` for `1/es` in a mean over the
+        // The gap is `z0 - c^2/2R - (1-2/pi) tau c/es`, with `S/es` for `1/es` in a mean over the
         // symbol: below this radius none of both terms closes more than a sixteenth of it.
         let rigid = (2.0 * self.range / self.curvature).sqrt();
         let compliance = (1.0 + self.symbol.contrast()) / self.symbol.modulus();

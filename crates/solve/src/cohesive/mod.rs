@@ -1,15 +1,15 @@
-//! An attraction of finite range: a constant traction `sigma0` wherever the gap is below `h0`, in an
+//! An attraction of finite range: a constant traction `sigma0` wherever the gap is below `z0`, in an
 //! annulus around the contact.
 //!
-//! JKR lets the attraction act at a distance of 0. Here the work of adhesion is `w = sigma0 h0`
+//! JKR lets the attraction act at a distance of 0. Here the work of adhesion is `w = sigma0 z0`
 //! (Dugdale's law; Maugis, J. Colloid Interface Sci. 150, 243, 1992, solved the half-space). The
-//! contact has the radius `a`, the traction acts in `a < r < c`, the gap is `h0` at `r = c`, and no
+//! contact has the radius `a`, the traction acts in `a < r < c`, the gap is `z0` at `r = c`, and no
 //! stress is singular. Everything else is as in the solver: the same kernel, any film and any stack of
 //! layers. Long ranges give DMT's `-2 pi w R` as the pull-off load on every film, short ones JKR.
 //!
 //! `attraction` takes the bodies. `fixed_radius` solves one contact radius with any annulus
 //! (`annulus`), linear in the curvature of the sphere and in the traction; `states` finds the outer
-//! radius at which the gap is `h0`. `checks` refuses what would not be a contact, `before_contact` is
+//! radius at which the gap is `z0`. `checks` refuses what would not be a contact, `before_contact` is
 //! the attraction across a gap. `pull_off` looks for the minima of the imposed value (`search`) where
 //! those of JKR (`jkr`) are, among contacts that have just begun, and before the contact.
 //!

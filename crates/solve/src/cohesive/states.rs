@@ -9,13 +9,13 @@ use crate::cohesive::{Cohesive, CohesiveState, REACH, SMALLEST, search};
 impl Cohesive {
     /// Returns the state at the contact radius `a`, m.
     ///
-    /// Of several outer radii at which the gap is `h0`, it is the smallest.
+    /// Of several outer radii at which the gap is `z0`, it is the smallest.
     ///
     /// # Errors
     /// [`Error::Domain`] for a radius below [`SMALLEST`] or beyond [`REACH`];
     /// [`Error::AnnulusReach`] for one whose annulus is beyond it;
     /// [`Error::NotAContact`] where the contact would open inside, or the gap in the annulus is not
-    /// between 0 and `h0`.
+    /// between 0 and `z0`.
     pub fn state(&self, contact_radius: f64) -> Result<CohesiveState, Error> {
         let mut contact = self.fixed(contact_radius)?;
         let solution = self.solution(&mut contact, contact_radius, None)?;
@@ -110,7 +110,7 @@ impl Cohesive {
         })
     }
 
-    /// Finds the smallest annulus at whose outer radius the gap is `h0`.
+    /// Finds the smallest annulus at whose outer radius the gap is `z0`.
     fn annulus(
         &self,
         contact: &mut FixedRadius<'_>,
