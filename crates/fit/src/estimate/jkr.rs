@@ -23,6 +23,9 @@ pub(crate) struct Unknown {
     pub contact_point: bool,
 }
 
+/// The smallest modulus (Pa) of a homogeneous contact: far below that of any solid.
+const LEAST_MODULUS: f64 = 1e-100;
+
 /// A homogeneous contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Homogeneous {
@@ -43,12 +46,14 @@ pub(crate) struct Homogeneous {
 
 /// Fits a homogeneous contact; `None` if it has no positive modulus.
 pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
-    match assigned.experiment.measurement.kind {
+    let found = match assigned.experiment.measurement.kind {
         Kind::LoadRadius => of_loads_at_radii(assigned, unknown),
         Kind::PenetrationRadius => of_penetrations_at_radii(assigned, unknown),
         Kind::LoadPenetration | Kind::ForceHeight => of_loads_at_positions(assigned, unknown),
         Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => None,
-    }
+    };
+    // Data of the wrong sign lead to a modulus of 0.
+    found.filter(|found| found.modulus.is_none_or(|modulus| modulus > LEAST_MODULUS))
 }
 
 /// Returns at most [`MOST_POINTS`] points of a branch, from the largest contact to the smallest.
