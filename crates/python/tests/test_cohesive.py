@@ -15,10 +15,8 @@ from coated_contact import (
     NoContactError,
     Paraboloid,
     SolveError,
-    Spring,
     StackSystem,
     System,
-    Table,
 )
 from conftest import ROOT, make_system, rows
 from test_stack import stack_of
@@ -63,15 +61,6 @@ def cohesive():
     return Cohesive(system=system, work_of_adhesion=0.05, interaction_range=1e-8)
 
 
-def test_a_long_range_is_dmt_and_a_short_one_jkr(cohesive):
-    unit = pi * 0.05 * 1e-5
-    long = replace(cohesive, interaction_range=2e-6).pull_off()
-    assert long.load / unit == pytest.approx(-2, rel=0.01)
-    short = replace(cohesive, interaction_range=1e-10).pull_off()
-    jkr = Table.embedded().contact(cohesive.system).pull_off(0.05)
-    assert short.load == pytest.approx(jkr.load, rel=0.01)
-
-
 def test_states_broadcast_and_are_those_of_a_branch(cohesive):
     branch = cohesive.branch((1e-6, 4e-6), 5)
     assert len(branch) == 5
@@ -82,17 +71,6 @@ def test_states_broadcast_and_are_those_of_a_branch(cohesive):
     assert list(found)[2] == one
     assert one.outer_radius > one.contact_radius
     assert cohesive.state(branch.contact_radius.reshape(5, 1)).load.shape == (5, 1)
-
-
-def test_the_energy_balance(cohesive):
-    """Along a branch F d(delta) is the change of an energy: the pull-off is where dF/da = 0."""
-    pulled = cohesive.pull_off()
-    around = cohesive.state(pulled.contact_radius * np.array([0.99, 1.0, 1.01]))
-    assert np.argmin(around.load) == 1
-    spring = cohesive.pull_off(control=Spring(stiffness=1e12))
-    rigid = cohesive.pull_off(control="displacement")
-    assert spring.penetration == pytest.approx(rigid.penetration, rel=1e-3)
-    assert rigid.load > pulled.load
 
 
 def test_pressure_and_gap(cohesive):

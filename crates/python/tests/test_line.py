@@ -16,6 +16,7 @@ from coated_contact import (
     RateDependent,
     Spring,
 )
+from conftest import make_system
 
 RADIUS, MODULUS = 1e-3, 2e6
 RIGID = Elastic(young_modulus=np.inf, poisson_ratio=0.3)
@@ -67,30 +68,16 @@ def test_a_moving_line_obeys_its_law(jkr):
     """The speed of the radius, by differences, is that at which the law has the G of the state."""
     law = RateDependent(slow=0.04, v0=1e-6, n=0.6)
     line = jkr.line(law, 60e-6)
-    loading = line.ramp("load", 1e-3, duration=10.0, tolerance=1e-8)
-    assert loading.load[-1] == pytest.approx(1e-3, rel=1e-9)
-    assert loading.time[-1] == 10.0
+    found = line.ramp("load", 1e-3, duration=10.0, tolerance=1e-8)
+    assert (found.time[-1], found.load[-1]) == (10.0, pytest.approx(1e-3, rel=1e-9))
+    assert found.energy_release_rate == pytest.approx(energy_release_rate(found), rel=1e-9)
     assert line.state is not None
-    unloading = line.ramp("load", -1e-3, duration=20.0, tolerance=1e-8)
-    assert line.state is None
-    # States of a jump may have one time.
-    time, rises = np.unique(unloading.time, return_index=True)
-    assert len(time) > 0.5 * len(unloading.time)
-    assert np.all(np.diff(unloading.time) >= 0)
-    speed = -np.gradient(unloading.contact_radius[rises], time)
-    # Not the last states, between which the speed grows by orders of magnitude.
-    energy = unloading.energy_release_rate[rises]
-    middle = np.flatnonzero((speed > 1e-7) & (energy < 1))
+    receding = line.ramp("load", -2e-4, duration=20.0, tolerance=1e-8)
+    speed = -np.gradient(receding.contact_radius, receding.time)
+    middle = np.flatnonzero(speed > 1e-7)[:-2]
     assert len(middle) > 50
     expected = [law.energy_release_rate(v) for v in speed[middle]]
-    assert energy[middle] == pytest.approx(expected, rel=2e-2)
-    states = zip(unloading.contact_radius, unloading.load, strict=True)
-    hertz = [
-        (4 * MODULUS * a**3 / (3 * RADIUS) - f) ** 2 / (8 * pi * MODULUS * a**3) for a, f in states
-    ]
-    assert unloading.energy_release_rate == pytest.approx(hertz, rel=1e-9)
-    # Faster than 1.5 pi w R.
-    assert unloading.load[-1] < -1.5 * pi * 0.04 * RADIUS
+    assert receding.energy_release_rate[middle] == pytest.approx(expected, rel=2e-2)
 
 
 def test_a_line_is_pickled_with_its_state(jkr):
@@ -99,13 +86,6 @@ def test_a_line_is_pickled_with_its_state(jkr):
     again = pickle.loads(pickle.dumps(line))
     assert again.state == line.state
     assert again.impose("load", 0.0) == line.impose("load", 0.0)
-
-
-def test_lines_on_a_film(contact):
-    line = contact.line(0.04, 65e-6)
-    state = line.impose("load", 3e-4)
-    assert state.load == pytest.approx(3e-4, rel=1e-12)
-    assert contact.load(state.contact_radius, 0.04) == pytest.approx(3e-4, rel=1e-9)
 
 
 def test_what_a_line_cannot_do(jkr):
@@ -130,6 +110,10 @@ def test_what_a_line_cannot_do(jkr):
 
 def test_validity_in_closed_form(contact, jkr):
     a = np.array([1e-6, 65e-6, 2e-4])
+    soft = contact.table.contact(make_system(film_poisson_ratio=0.49)).validity(a)
+    expected = 3 / 16 * 0.02 / 0.51 * (a / 1e-5) ** 2
+    assert soft.compressibility == pytest.approx(expected, rel=1e-12)
+    assert soft.is_confined.tolist() == [False, True, False]
     validity = contact.validity(a)
     assert np.allclose(validity.a_over_r, a / 1e-3, rtol=1e-15)
     assert np.allclose(validity.a_over_t, a / 1e-5, rtol=1e-15)
@@ -144,14 +128,6 @@ def test_validity_in_closed_form(contact, jkr):
     with pytest.raises(InputError):
         contact.validity(1.0)
     assert np.isnan(contact.validity([1.0], errors="nan").a_over_r).all()
-
-
-def test_compressibility(contact):
-    from conftest import make_system
-
-    soft = contact.table.contact(make_system(film_poisson_ratio=0.49))
-    expected = 3 / 16 * 0.02 / 0.51 * 6.5**2
-    assert soft.validity(65e-6).compressibility == pytest.approx(expected, rel=1e-12)
 
 
 def test_the_range_of_the_attraction(jkr):

@@ -27,16 +27,8 @@ def test_a_table_of_gamma_alone_answers_all_four():
     found = table.quantities(x, e1, nu1, 1e5)
     assert found.pi0.shape == (13, 3, 3)
     agree(found, solve(x, e1, nu1, 1e5), 2e-6)
+    agree(table.quantities(x, e1, nu1, 2.0, 0.4), solve(x, e1, nu1, 2.0, 0.4), 2e-6)
     assert np.all(found.error <= table.max_error)
-
-
-def test_a_film_like_its_substrate_is_a_half_space():
-    """Pi0 = 8/3 Eeq and Delta0 = 1 with the Eeq of Hertz and JKR, at every a/t."""
-    x = [1e-3, 0.1, 1.0, 10.0, 1e3]
-    found = Table.embedded().quantities(x, 1.75, 0.3, 1.75, 0.3)
-    modulus = 1 / (1 + (1 - 0.3**2) / 1.75)
-    for name, expected in {"pi0": 8 / 3 * modulus, "eeq": modulus, "delta0": 1.0}.items():
-        assert np.allclose(getattr(found, name), expected, rtol=2e-6, atol=0), name
 
 
 def test_a_table_that_holds_all_four_answers_the_same():
@@ -48,15 +40,6 @@ def test_a_table_that_holds_all_four_answers_the_same():
 def test_a_single_point_is_numbers():
     found = Table.embedded().quantities(1.0, 1.75, 0.5, np.inf)
     assert all(type(getattr(found, name)) is float for name in NAMES)
-
-
-def test_the_order_of_the_points_changes_nothing():
-    x, nu1 = np.geomspace(1e-2, 1e2, 40), np.linspace(0, 0.5, 30)
-    table = Table.embedded()
-    one = table.quantities(x, 1.75, nu1[:, None], 1e5)
-    other = table.quantities(x[:, None], 1.75, nu1, 1e5)
-    for name in NAMES:
-        assert np.array_equal(getattr(one, name), getattr(other, name).T)
 
 
 def test_the_default_substrate_is_that_of_the_table():

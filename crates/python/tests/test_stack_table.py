@@ -12,14 +12,11 @@ from coated_contact import (
     Elastic,
     FlatPunch,
     InputError,
-    Layer,
     OutsideTableError,
-    Stack,
     StackSystem,
     Table,
     TableError,
     generate,
-    solve_stack,
 )
 from conftest import ROOT, make_system
 
@@ -48,29 +45,6 @@ def test_a_table_has_its_stack(table, stack):
     assert (again, again.stack) == (table, stack)
     nameless = [replace(layer, name=None) for layer in stack.layers]
     table.contact(on(replace(stack, layers=nameless)))
-
-
-def test_lookups_agree_with_direct_solves(table, stack):
-    assert table.max_error <= table.tolerance
-    x = np.geomspace(0.06, 19, 30)
-    for modulus in (4e5, 2e6, 3e7):
-        exact = solve_stack(x, stack, modulus, 1e-10)
-        a = x * stack.thickness
-        contact = table.contact(on(stack, modulus))
-        assert contact.stiffness(a) == pytest.approx(2 * a * modulus * exact.eeq, rel=1e-5)
-        expected = a**3 * modulus * exact.pi0 / 2e-3
-        assert contact.load(a, 0.0) == pytest.approx(expected, rel=1e-5)
-
-
-def test_one_film_cut_into_layers_is_that_film():
-    system = make_system(film_poisson_ratio=0.3)
-    layers = [Layer(material=system.film, thickness=t * 1e-5) for t in (0.4, 0.6)]
-    cut = Stack(base=system.substrate, layers=layers)
-    contact = generate(scene(cut), progress=False).contact(on(cut))
-    film = Table.embedded().contact(system)
-    a = np.geomspace(1e-6, 1.5e-4, 20)
-    assert contact.load(a, 0.0) == pytest.approx(film.load(a, 0.0), rel=2e-5)
-    assert contact.pull_off(0.04).load == pytest.approx(film.pull_off(0.04).load, rel=2e-5)
 
 
 def test_a_contact_answers_what_a_solved_one_does(table, stack):
