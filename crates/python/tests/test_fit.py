@@ -17,12 +17,10 @@ from coated_contact import (
     HalfSpace,
     Paraboloid,
     System,
-    Table,
     fit,
     fit_map,
     forecast,
 )
-from conftest import make_system
 
 RADIUS, MODULUS, W = 1e-3, 2e6, 0.04
 WANTED = ["sphere_modulus", "work_of_adhesion"]
@@ -73,28 +71,6 @@ def test_jkr_is_linear_least_squares():
     assert points.noise == pytest.approx(sqrt(np.sum(residuals**2) / 38), rel=1e-6)
     assert np.array_equal(points.contact_radius, one.abscissa)
     assert set(points.branch) == {"advancing"}
-
-
-def test_a_coated_contact_is_found_within_its_errors():
-    """The film matters: without it the modulus of the sphere is far off."""
-    truth, noise = make_system(film_modulus=5e5, film_poisson_ratio=0.45), 2e-6
-    a = np.linspace(50e-6, 110e-6, 40)
-    load = Table.embedded().contact(truth).load(a, W)
-    load = load + noise * np.random.default_rng(7).standard_normal(len(a))
-    guess = make_system(film_modulus=3e6, film_poisson_ratio=0.45)
-    one = Experiment(kind="load-radius", abscissa=a, ordinate=load, system=guess, noise=noise)
-    found = fit(one, ["film_modulus", "work_of_adhesion"], profile_level=0.95)
-    assert found.converged
-    for name, value in {"film_modulus": 5e5, "work_of_adhesion": W}.items():
-        assert abs(found.params[name] - value) < 4 * found.stderr[name]
-        assert found.stderr[name] < 0.2 * value
-    assert 0.5 < found.reduced_chi_squared < 2
-    for estimate in found.estimates:
-        low, high = estimate.profile
-        assert low < estimate.value < high
-    assert found.without_film is not None
-    assert found.without_film.modulus == "film_modulus"
-    assert found.without_film.film_matters
 
 
 def test_experiments_share_a_parameter():
@@ -307,49 +283,6 @@ def test_a_value_without_a_finite_error_is_no_result():
         fit(lens(seed=1), [*WANTED, "work_of_adhesion_receding"])
 
 
-def test_noise_of_the_abscissae_counts_by_the_slope():
-    """The effective variance of JKR's load, whose slope is known in closed form."""
-    one = lens(seed=1, noise=2e-6, abscissa_noise=3e-7)
-    assert one.abscissa_noise == 3e-7
-    exact, radii = fit(lens(seed=1, noise=2e-6), WANTED), fit(one, WANTED)
-    points = radii.experiments[0]
-    modulus, w = (radii.params[name] for name in WANTED)
-    a = points.abscissa
-    slope = 4 * modulus * a**2 / RADIUS - 1.5 * np.sqrt(8 * pi * w * modulus * a)
-    expected = np.hypot(points.noise, slope * 3e-7)
-    np.testing.assert_allclose(points.deviation, expected, rtol=2e-3)
-    assert radii.stderr["sphere_modulus"] > exact.stderr["sphere_modulus"]
-    # One number for each point is the same as one for all.
-    count = len(one.abscissa)
-    each = Experiment(
-        kind="load-radius",
-        abscissa=one.abscissa,
-        ordinate=one.ordinate,
-        system=one.system,
-        noise=np.full(count, 2e-6),
-        abscissa_noise=np.full(count, 3e-7),
-    )
-    both = Experiment(
-        kind="load-radius",
-        abscissa=one.abscissa,
-        ordinate=one.ordinate,
-        system=one.system,
-        noise=2e-6,
-        abscissa_noise=3e-7,
-    )
-    assert fit(each, WANTED).params == fit(both, WANTED).params
-    with pytest.raises(FitError, match="abscissa_noise must be one number or one for each point"):
-        Experiment(
-            kind="load-radius",
-            abscissa=one.abscissa,
-            ordinate=one.ordinate,
-            system=one.system,
-            abscissa_noise=[1e-7, 1e-7],
-        )
-    with pytest.raises(FitError, match="contact radius"):
-        fit(lens(seed=1, abscissa_noise=-1e-7), WANTED)
-
-
 def test_fixed_values_and_their_errors():
     """E* is proportional to the radius of the lens where the film and adhesion are none."""
     found = fit(lens(seed=1), WANTED)
@@ -384,3 +317,14 @@ def test_a_forecast_of_no_adhesion_is_refused_where_it_is_free():
         forecast(plan, WANTED)
     expected = forecast(replace(plan, work_of_adhesion=0.04), WANTED)
     assert np.isfinite(expected.stderr["work_of_adhesion"])
+
+
+def test_what_is_no_noise_of_the_abscissae_is_refused():
+    with pytest.raises(FitError, match="abscissa_noise must be one number or one for each point"):
+        lens(seed=1, abscissa_noise=[1e-7, 1e-7])
+    with pytest.raises(FitError, match="contact radius"):
+        fit(lens(seed=1, abscissa_noise=-1e-7), WANTED)
+    # One number for each point is the same as one for all.
+    both = replace(lens(seed=1, abscissa_noise=3e-7), noise=2e-6)
+    each = replace(both, noise=np.full(40, 2e-6), abscissa_noise=np.full(40, 3e-7))
+    assert fit(each, WANTED).params == fit(both, WANTED).params

@@ -17,7 +17,6 @@ from coated_contact import (
     Relaxation,
     System,
     fit,
-    fit_map,
     forecast,
     predict,
     simulate,
@@ -71,13 +70,6 @@ def test_several_terms_have_names() -> None:
     slope = (moved[1] - moved[0]) / (2 * step)
     largest = np.abs(slope).max()
     assert found.derivatives["relaxation_time.2"] == pytest.approx(slope, abs=1e-3 * largest)
-
-
-def test_a_map_of_curves() -> None:
-    curves = [simulate(plan(), noise=1e-10, seed=seed) for seed in range(4)]
-    found = fit_map(curves, FREE)
-    assert found.params["film_modulus"] == pytest.approx([2e3] * 4, rel=0.05)
-    assert not found.failures
 
 
 def test_a_loop_in_time_asks_for_a_relaxation() -> None:

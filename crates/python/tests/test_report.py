@@ -1,5 +1,6 @@
 """What results print of themselves."""
 
+import json
 import re
 import subprocess
 from dataclasses import fields, is_dataclass, replace
@@ -41,7 +42,8 @@ def measured():
 
 def test_a_fit_prints_the_report_of_the_program(program, tmp_path, measured):
     """All but the first line, which names the columns of a file, and the default noise."""
-    found = fit(replace(measured, noise=2e-6), [*WANTED, "load_offset"])
+    known = replace(measured, noise=2e-6, abscissa_noise=3e-8)
+    found = fit(known, [*WANTED, "load_offset"], profile_level=0.95)
     path = tmp_path / "lens.csv"
     rows = zip(measured.abscissa.tolist(), measured.ordinate.tolist(), strict=True)
     path.write_text("contact_radius,load\n" + "".join(f"{a!r},{load!r}\n" for a, load in rows))
@@ -54,16 +56,41 @@ def test_a_fit_prints_the_report_of_the_program(program, tmp_path, measured):
         "substrate-poisson-ratio": 0.25,
     }
     flags = [word for name, value in bodies.items() for word in (f"--{name}", repr(value))]
-    command = [program, "fit", "lens.csv", *flags, "--noise", "2e-6"]
-    command += ["--free", "sphere-modulus,work-of-adhesion,load-offset"]
-    printed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
-    own, of_program = str(found).splitlines(), printed.stdout.splitlines()
+    command = [program, "fit", "lens.csv", *flags, "--noise=2e-6", "--abscissa-noise=3e-8"]
+    command += ["--free", "sphere-modulus,work-of-adhesion,load-offset", "--intervals=0.95"]
+
+    def run(*options):
+        call = [*command, *options]
+        done = subprocess.run(call, cwd=tmp_path, capture_output=True, text=True, check=True)
+        return done.stdout
+
+    own, of_program = str(found).splitlines(), run().splitlines()
     assert own[0] == "lens.csv: 40 points, load-radius"
     assert of_program[0].startswith(own[0])
     assert own[1:] == of_program[1:]
     assert str(found) == found.report
     assert "MPa" in found.report
     assert "correlation" in found.report
+    # The numbers, bit for bit.
+    expected = json.loads(run("--json"))
+    named = expected["parameters"]
+    assert found.params == {name: one["value"] for name, one in named.items()}
+    assert found.stderr == {name: one["stderr"] for name, one in named.items()}
+    assert [list(one.profile) for one in found.estimates] == [
+        one["interval"] for one in named.values()
+    ]
+    assert found.correlation.tolist() == expected["correlation"]
+    assert found.reduced_chi_squared == expected["reduced_chi_squared"]
+    bare, without = found.without_film, expected["without_film"]
+    assert bare.params == {name: one["value"] for name, one in without["parameters"].items()}
+    of_modulus = (bare.modulus, bare.relative_error, bare.standard_errors, bare.film_matters)
+    assert (bare.chi_squared, of_modulus) == (
+        without["chi_squared"],
+        tuple(without["modulus"].values()),
+    )
+    for one, other in zip(found.fixed_values, expected["fixed_values"], strict=True):
+        numbers = (one.quantity, one.value, one.step, list(one.changes.values()))
+        assert numbers == tuple(other[name] for name in ("name", "value", "step", "changes"))
 
 
 def test_a_map_prints_a_summary():
