@@ -2,6 +2,7 @@
 
 import csv
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -73,6 +74,24 @@ def stack():
             Layer(name="elastomer", material=elastomer, thickness=7.5e-6),
         ],
     )
+
+
+# Names of Rust, flags of the program, and lines of a file that nobody wrote.
+FOREIGN = re.compile(r"::|(?<![\w-])--?[a-z]|feature|\bline 0|tabulate (generate|solve)|lines? \d")
+
+
+def in_python(words):
+    """Accept words that a user of Python can follow."""
+    assert not FOREIGN.search(words), words
+
+
+def refuses(kind, words, call):
+    """Check that a call raises an error with these words, in those of Python, and return it."""
+    __tracebackhide__ = True
+    with pytest.raises(kind, match=words) as caught:
+        call()
+    in_python(str(caught.value))
+    return caught.value
 
 
 def rows(name):

@@ -18,7 +18,7 @@ from coated_contact import (
     StackSystem,
     System,
 )
-from conftest import ROOT, make_system, rows
+from conftest import ROOT, make_system, refuses, rows
 from test_stack import stack_of
 
 THICKNESS, MODULUS = 1e-6, 1e6
@@ -110,29 +110,21 @@ def test_numbers_are_those_of_rust_bit_for_bit(printed, stack):
 
 
 def test_what_is_not_solved_is_named(cohesive, stack):
-    with pytest.raises(SolveError, match="work of adhesion") as caught:
-        replace(cohesive, work_of_adhesion=0.0)
-    assert caught.value.value == 0.0
-    with pytest.raises(SolveError, match="interaction range"):
-        replace(cohesive, interaction_range=1.0)
+    error = refuses(SolveError, "work of adhesion", lambda: replace(cohesive, work_of_adhesion=0.0))
+    assert error.value == 0.0
+    refuses(SolveError, "interaction range", lambda: replace(cohesive, interaction_range=1.0))
     cone = replace(cohesive.system, probe=Cone(half_angle=1.2))
-    with pytest.raises(InputError, match="paraboloid only, not for a cone"):
-        replace(cohesive, system=cone)
+    refuses(InputError, "paraboloid only, not for a cone", lambda: replace(cohesive, system=cone))
     on_stack = StackSystem(stack=stack, probe=Cone(half_angle=1.2), sphere_modulus=2e6)
     with pytest.raises(InputError, match="paraboloid only, not for a cone"):
         replace(cohesive, system=on_stack)
-    with pytest.raises(TypeError, match="a System or a StackSystem"):
-        replace(cohesive, system=3)
-    with pytest.raises(SolveError, match="contact radius") as caught:
-        cohesive.state([1e-6, -1.0])
-    assert caught.value.index == (1,)
+    refuses(TypeError, "a System or a StackSystem", lambda: replace(cohesive, system=3))
+    error = refuses(SolveError, "contact radius", lambda: cohesive.state([1e-6, -1.0]))
+    assert error.index == (1,)
     wide = replace(cohesive, system=replace(cohesive.system, film_thickness=1e-9))
-    with pytest.raises(SolveError, match=r"attraction acts beyond|contact radius"):
-        wide.state(1.199e-7)
-    with pytest.raises(ContactError, match="from 2 to 1000000"):
-        cohesive.branch((1e-6, 2e-6), 1)
-    with pytest.raises(SolveError, match="outer radius"):
-        cohesive.without_contact(1e-3)
+    refuses(SolveError, r"attraction acts beyond|contact radius", lambda: wide.state(1.199e-7))
+    refuses(ContactError, "from 2 to 1000000", lambda: cohesive.branch((1e-6, 2e-6), 1))
+    refuses(SolveError, "outer radius", lambda: cohesive.without_contact(1e-3))
 
 
 def test_a_contact_that_opens_inside_is_refused():
@@ -143,8 +135,6 @@ def test_a_contact_that_opens_inside_is_refused():
         sphere_radius=1.2e-6, sphere_modulus=inf, film=film, film_thickness=1.2e-8, substrate=base
     )
     cohesive = Cohesive(system=system, work_of_adhesion=0.15, interaction_range=1.5e-7)
-    with pytest.raises(NoContactError, match="would open there") as caught:
-        cohesive.state([[5.3e-7]])
-    error = caught.value
+    error = refuses(NoContactError, "would open there", lambda: cohesive.state([[5.3e-7]]))
     assert (error.axis, error.index) == ("contact radius", (0, 0))
     assert error.value == pytest.approx(5.3e-7)

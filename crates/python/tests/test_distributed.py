@@ -8,7 +8,7 @@ import pytest
 
 from coated_contact import ContactError, Experiment, Table, fit_map, generate, simulate
 from coated_contact import _fit as fitting
-from conftest import ROOT
+from conftest import ROOT, refuses
 from test_fit import WANTED, lens
 from test_generate import SCENE, StoppedHereError
 from test_relaxing import FREE, plan
@@ -143,8 +143,7 @@ def test_an_error_of_a_worker_is_raised_here(client):
     with pytest.raises(ContactError, match="nu1"):
         generate({**SCENE, "nu1": 0.6}, progress=False, client=client)
     bad = lens(seed=1)
-    with pytest.raises(TypeError, match="must be an Experiment"):
-        fit_map([bad, 3], WANTED, client=client)
+    refuses(TypeError, "must be an Experiment", lambda: fit_map([bad, 3], WANTED, client=client))
 
 
 @pytest.mark.large

@@ -16,7 +16,7 @@ from coated_contact import (
     RateDependent,
     Spring,
 )
-from conftest import make_system
+from conftest import make_system, refuses
 
 RADIUS, MODULUS = 1e-3, 2e6
 RIGID = Elastic(young_modulus=np.inf, poisson_ratio=0.3)
@@ -89,14 +89,11 @@ def test_a_line_is_pickled_with_its_state(jkr):
 
 
 def test_what_a_line_cannot_do(jkr):
-    with pytest.raises(InputError, match="receding energy"):
-        Hysteresis(advancing=0.05, receding=0.03)
-    with pytest.raises(InputError, match="exponent n"):
-        RateDependent(slow=0.04, v0=1e-6, n=0.0)
+    refuses(InputError, "receding energy", lambda: Hysteresis(advancing=0.05, receding=0.03))
+    refuses(InputError, "exponent n", lambda: RateDependent(slow=0.04, v0=1e-6, n=0.0))
     line = jkr.line(0.04, 50e-6)
     before = line.state
-    with pytest.raises(InputError, match="speed of the crack-tip law"):
-        line.ramp("load", 1e-3, duration=1.0)
+    refuses(InputError, "speed of the crack-tip law", lambda: line.ramp("load", 1e-3, duration=1.0))
     with pytest.raises(InputError, match="duration"):
         jkr.line(RateDependent(slow=0.04, v0=1e-6, n=0.6), 5e-5).ramp("load", 0.0, duration=0.0)
     with pytest.raises(ContactError):
@@ -104,8 +101,7 @@ def test_what_a_line_cannot_do(jkr):
     assert line.state == before
     with pytest.raises(InputError):
         jkr.line(0.04, 1.0)
-    with pytest.raises(TypeError, match="law"):
-        jkr.line("0.04", 5e-5)
+    refuses(TypeError, "law", lambda: jkr.line("0.04", 5e-5))
 
 
 def test_validity_in_closed_form(contact, jkr):
@@ -141,5 +137,4 @@ def test_the_range_of_the_attraction(jkr):
     assert found.is_jkr
     assert found.is_short_beside(1e-6)
     assert jkr.zone_size([w, 1e-9], interaction_range=1e-6).is_jkr.tolist() == [False, False]
-    with pytest.raises(InputError, match="work of adhesion"):
-        jkr.zone_size(0.0)
+    refuses(InputError, "work of adhesion", lambda: jkr.zone_size(0.0))

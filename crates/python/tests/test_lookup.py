@@ -9,7 +9,7 @@ from coated_contact import (
     generate,
     solve,
 )
-from conftest import ROOT
+from conftest import ROOT, refuses
 
 NAMES = ("pi0", "eeq", "gamma", "delta0")
 
@@ -80,5 +80,4 @@ def test_a_table_of_a_stack_is_refused(stack):
         },
         progress=False,
     )
-    with pytest.raises(OutsideTableError, match="StackSystem"):
-        table.quantities(1.0, 1.75, 0.5, 1e5)
+    refuses(OutsideTableError, "StackSystem", lambda: table.quantities(1.0, 1.75, 0.5, 1e5))

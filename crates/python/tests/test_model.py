@@ -23,7 +23,7 @@ from coated_contact import (
     predict,
     simulate,
 )
-from conftest import make_system
+from conftest import make_system, refuses
 from test_fit import MODULUS, WANTED, W, jkr_load
 
 RIGID = HalfSpace(
@@ -94,28 +94,17 @@ def test_what_would_not_be_determined_is_named():
 
 
 def test_what_cannot_be_used_is_named():
-    with pytest.raises(FitError, match="noise"):
-        forecast(planned(), WANTED)
-    with pytest.raises(FitError, match="finite"):
-        fit(planned(), WANTED)
-    with pytest.raises(FitError, match="thickness"):
-        predict(planned(), ["film_thickness"])
-    with pytest.raises(FitError, match="number of branches = 1"):
-        predict(planned(), branches=["advancing"])
-    with pytest.raises(FitError, match="branch = 'up' cannot be used"):
-        predict(planned(), branches=["up"])
-    with pytest.raises(FitError, match="parameter = 'colour'"):
-        predict(planned(), ["colour"])
-    with pytest.raises(TypeError, match="must be a list"):
-        predict(planned(), "sphere_modulus")
-    with pytest.raises(TypeError, match="must be an Experiment"):
-        predict(3)
-    with pytest.raises(FitError, match="noise = -1"):
-        simulate(planned(), noise=-1.0, seed=0)
-    with pytest.raises(InputError, match="seed = -1"):
-        simulate(planned(), noise=1.0, seed=-1)
-    with pytest.raises(FitError, match="finite"):
-        branches(planned())
+    refuses(FitError, "noise", lambda: forecast(planned(), WANTED))
+    refuses(FitError, "finite", lambda: fit(planned(), WANTED))
+    refuses(FitError, "thickness", lambda: predict(planned(), ["film_thickness"]))
+    refuses(FitError, "number of branches = 1", lambda: predict(planned(), branches=["advancing"]))
+    refuses(FitError, "branch = 'up' cannot be used", lambda: predict(planned(), branches=["up"]))
+    refuses(FitError, "parameter = 'colour'", lambda: predict(planned(), ["colour"]))
+    refuses(TypeError, "must be a list", lambda: predict(planned(), "sphere_modulus"))
+    refuses(TypeError, "must be an Experiment", lambda: predict(3))
+    refuses(FitError, "noise = -1", lambda: simulate(planned(), noise=-1.0, seed=0))
+    refuses(InputError, "seed = -1", lambda: simulate(planned(), noise=1.0, seed=-1))
+    refuses(FitError, "finite", lambda: branches(planned()))
 
 
 def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):

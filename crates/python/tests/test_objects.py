@@ -32,7 +32,7 @@ from coated_contact import (
     TableError,
     __version__,
 )
-from conftest import PROBES, ROOT, make_system
+from conftest import PROBES, ROOT, make_system, refuses
 
 PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
 
@@ -117,8 +117,7 @@ def test_the_places_of_a_planned_experiment_are_replaced(system):
     assert np.isnan(finer.ordinate).all()
     # What was measured is not given up.
     measured = replace(plan, ordinate=np.zeros(10))
-    with pytest.raises(FitError, match="as long"):
-        replace(measured, abscissa=np.linspace(4e-5, 9e-5, 50))
+    refuses(FitError, "as long", lambda: replace(measured, abscissa=np.linspace(4e-5, 9e-5, 50)))
 
 
 def test_objects_do_not_change(objects):
@@ -152,18 +151,13 @@ def test_values_that_cannot_be_are_refused(system):
         Elastic(young_modulus=1e6, poisson_ratio=0.6)
     error = caught.value
     assert (error.axis, error.value, error.allowed) == ("Poisson ratio", 0.6, "in (-1, 0.5]")
-    with pytest.raises(InputError, match="film_thickness"):
-        dataclasses.replace(system, film_thickness=0.0)
-    with pytest.raises(TypeError, match="film must be an Elastic"):
-        dataclasses.replace(system, film=1e6)
+    refuses(InputError, "film_thickness", lambda: dataclasses.replace(system, film_thickness=0.0))
+    refuses(TypeError, "film must be an Elastic", lambda: dataclasses.replace(system, film=1e6))
     with pytest.raises(TypeError, match="young_modulus must be real"):
         Elastic(young_modulus="1e6", poisson_ratio=0.3)
-    with pytest.raises(TypeError, match="one number"):
-        Elastic(young_modulus=[1e6], poisson_ratio=0.3)
-    with pytest.raises(TypeError, match="positional"):
-        Elastic(1e6, 0.3)
-    with pytest.raises(TypeError, match="a contact needs"):
-        Contact(system=system, table=None)
+    refuses(TypeError, "one number", lambda: Elastic(young_modulus=[1e6], poisson_ratio=0.3))
+    refuses(TypeError, "positional", lambda: Elastic(1e6, 0.3))
+    refuses(TypeError, "a contact needs", lambda: Contact(system=system, table=None))
 
 
 def test_numpy_numbers_become_floats():
@@ -177,8 +171,7 @@ def test_controls(contact):
         contact.pull_off(0.04, control="weight")
     with pytest.raises(InputError, match="stiffness of the spring"):
         contact.pull_off(0.04, control=Spring(stiffness=-1.0))
-    with pytest.raises(InputError, match="work of adhesion"):
-        contact.equilibria(-1.0)
+    refuses(InputError, "work of adhesion", lambda: contact.equilibria(-1.0))
     with pytest.raises(ContactError, match=r"number of points = -5\.0"):
         contact.force_displacement(0.04, most=1e-6, points=-5)
     with pytest.raises(TypeError):
@@ -227,20 +220,16 @@ def test_files_that_cannot_be_read(tmp_path):
         assert caught.value.filename == str(missing)
         with pytest.raises(IsADirectoryError):
             read(tmp_path)
-    with pytest.raises(TableError, match="HDF5"):
-        Table.read(HDF5)
+    refuses(TableError, "HDF5", lambda: Table.read(HDF5))
     with pytest.raises(TableError):
         Table.open(PACKED)
     damaged = bytearray(PACKED.read_bytes())
     damaged[-1] ^= 1
-    with pytest.raises(TableError, match="corrupt"):
-        Table.from_packed(bytes(damaged))
-    with pytest.raises(TableError, match="truncated"):
-        Table.from_packed(bytes(damaged[:-1]))
+    refuses(TableError, "corrupt", lambda: Table.from_packed(bytes(damaged)))
+    refuses(TableError, "truncated", lambda: Table.from_packed(bytes(damaged[:-1])))
     with pytest.raises(TableError):
         Table.from_packed(b"")
-    with pytest.raises(TypeError, match="make a table with"):
-        Table(3)
+    refuses(TypeError, "make a table with", lambda: Table(3))
 
 
 def test_the_version_is_that_of_the_workspace():

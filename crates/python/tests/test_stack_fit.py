@@ -25,7 +25,7 @@ from coated_contact import (
     predict,
     simulate,
 )
-from conftest import ROOT, make_system
+from conftest import ROOT, make_system, refuses
 
 PRIMER = ROOT / "tables" / "stacks" / "primer.toml"
 A = [float(a) for a in np.linspace(4e-5, 1.3e-4, 25)]
@@ -126,21 +126,17 @@ def test_a_punch_on_a_stack_is_predicted(stack):
 
 def test_what_cannot_be_used_is_named(stack):
     plan = lens(stack)
-    with pytest.raises(FitError, match="it has layers instead of one film"):
-        predict(plan, ["film_modulus"])
+    refuses(FitError, "it has layers instead of one film", lambda: predict(plan, ["film_modulus"]))
     with pytest.raises(FitError, match=r"no such layer; its layers have primer\.modulus"):
         predict(plan, ["oxide.modulus"])
-    with pytest.raises(FitError, match=r"LAYER\.modulus"):
-        predict(plan, ["primer.colour"])
+    refuses(FitError, r"LAYER\.modulus", lambda: predict(plan, ["primer.colour"]))
     with pytest.raises(FitError, match="no stack of layers"):
         predict(replace(plan, system=make_system()), ["primer.modulus"])
     with pytest.raises(FitError, match="surface of its own"):
         lens(replace(stack, surface=stack.layers[0].material))
     layers = [replace(layer, name=f"{layer.name}, soft") for layer in stack.layers]
-    with pytest.raises(FitError, match="cannot name a layer"):
-        predict(lens(replace(stack, layers=layers)))
-    with pytest.raises(TypeError, match="a StackSystem"):
-        replace(plan, system=stack)
+    refuses(FitError, "cannot name a layer", lambda: predict(lens(replace(stack, layers=layers))))
+    refuses(TypeError, "a StackSystem", lambda: replace(plan, system=stack))
     # The radii reach beyond 1000 times the thickness of the top layer.
     thin = replace(stack.layers[1], thickness=1e-8)
     with pytest.raises(ContactError, match="out of reach") as caught:

@@ -18,7 +18,7 @@ from coated_contact import (
     TableError,
     generate,
 )
-from conftest import ROOT, make_system
+from conftest import ROOT, make_system, refuses
 
 RANGES = {"a_over_t": {"from": 0.05, "to": 20}, "e1_over_e2": {"from": 0.1, "to": 10}}
 
@@ -63,8 +63,7 @@ def test_a_contact_answers_what_a_solved_one_does(table, stack):
         StackSystem(stack=stack, probe=FlatPunch(radius=2e-5), sphere_modulus=2e6)
     )
     assert punch.stiffness(2e-5) == contact.stiffness(2e-5)
-    with pytest.raises(InputError, match="no derivatives"):
-        contact.gradient(65e-6, 0.04)
+    refuses(InputError, "no derivatives", lambda: contact.gradient(65e-6, 0.04))
 
 
 def test_files_of_both_forms_hold_one_table(tmp_path, program, stack):
@@ -84,14 +83,12 @@ def test_files_of_both_forms_hold_one_table(tmp_path, program, stack):
 
 
 def test_other_bodies_are_refused(table, stack):
-    with pytest.raises(OutsideTableError, match="of one stack of layers"):
-        table.contact(make_system())
+    refuses(OutsideTableError, "of one stack of layers", lambda: table.contact(make_system()))
     with pytest.raises(OutsideTableError, match="of another stack"):
         table.contact(on(replace(stack, layers=stack.layers[:1])))
     with pytest.raises(OutsideTableError, match="of films on substrates"):
         Table.embedded().contact(on(stack))
-    with pytest.raises(OutsideTableError, match="e1_over_e2"):
-        table.contact(on(stack, 2e8))
+    refuses(OutsideTableError, "e1_over_e2", lambda: table.contact(on(stack, 2e8)))
     with pytest.raises(InputError, match="paraboloid or a flat punch only"):
         table.contact(StackSystem(stack=stack, probe=Cone(half_angle=1.2), sphere_modulus=2e6))
 
@@ -103,8 +100,6 @@ def test_scenes_that_cannot_be_used_are_named(stack):
     on_rigid = scene(replace(stack, base=rigid), 1e-2)
     assert generate(on_rigid, progress=False).stack.base.young_modulus == float("inf")
     surface = replace(stack, surface=stack.layers[0].material)
-    with pytest.raises(InputError, match="surface of its own"):
-        generate(scene(surface), progress=False)
+    refuses(InputError, "surface of its own", lambda: generate(scene(surface), progress=False))
     given = {"base": {"young_modulus": 1e9, "poisson_ratio": 0.3}, "layers": []}
-    with pytest.raises(TableError, match="needs at least one"):
-        generate(scene(given), progress=False)
+    refuses(TableError, "needs at least one", lambda: generate(scene(given), progress=False))

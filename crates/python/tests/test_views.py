@@ -24,7 +24,7 @@ from coated_contact import (
     simulate,
     solve,
 )
-from conftest import PROBES, make_system
+from conftest import PROBES, make_system, refuses
 from test_fit import WANTED, lens
 
 
@@ -117,8 +117,7 @@ def test_a_solution_is_a_table_and_drawn(axes):
     assert np.array_equal(lines[1].get_ydata(), solution.eeq.ravel())
     assert axes.get_xlabel() == "a_over_t"
     assert f"<td>{solution.eeq[0, 0]:.6g}</td>" in solution._repr_html_()
-    with pytest.raises(ValueError, match="single numbers"):
-        solve(1.0, 1.75, 0.5, 1e5).plot(axes)
+    refuses(ValueError, "single numbers", lambda: solve(1.0, 1.75, 0.5, 1e5).plot(axes))
 
 
 def test_fits_are_tables():
@@ -230,8 +229,7 @@ def test_a_jkr_plot_is_drawn(axes):
 def test_what_cannot_be_drawn_is_refused(there_and_back, axes):
     with pytest.raises(FitError, match=r"no JKR plot: it needs loads .* contact radii"):
         there_and_back.plot(axes, kind="jkr")
-    with pytest.raises(ValueError, match='give "data" or "jkr"'):
-        there_and_back.plot(axes, kind="line")
+    refuses(ValueError, 'give "data" or "jkr"', lambda: there_and_back.plot(axes, kind="line"))
     depth = Experiment(
         kind="penetration-radius",
         abscissa=np.linspace(5e-5, 1e-4, 20),
@@ -241,8 +239,7 @@ def test_what_cannot_be_drawn_is_refused(there_and_back, axes):
     load = replace(depth, kind="load-radius")
     both = [simulate(depth, noise=1e-9, seed=1), simulate(load, noise=1e-6, seed=1)]
     found = fit(both, WANTED)
-    with pytest.raises(ValueError, match="experiment=0"):
-        found.plot(axes)
+    refuses(ValueError, "experiment=0", lambda: found.plot(axes))
     found.plot(axes, experiment=0)
     assert axes.get_ylabel() == "penetration (µm)"
 
@@ -357,10 +354,8 @@ def test_a_map_is_drawn_as_an_image(small_map, axes):
     expected = small_map.params["work_of_adhesion"].reshape(2, 3)
     assert np.array_equal(image.get_array().filled(np.nan), expected, equal_nan=True)
     assert image.get_array().mask.tolist() == [[False] * 3, [False, True, False]]
-    with pytest.raises(ValueError, match="of 4 curves, not 6"):
-        small_map.plot(shape=(2, 2), ax=axes)
-    with pytest.raises(ValueError, match="'colour' was not fitted"):
-        small_map.plot("colour", ax=axes)
+    refuses(ValueError, "of 4 curves, not 6", lambda: small_map.plot(shape=(2, 2), ax=axes))
+    refuses(ValueError, "'colour' was not fitted", lambda: small_map.plot("colour", ax=axes))
 
 
 def test_notebooks_show_maps_as_text(small_map):
