@@ -4,13 +4,17 @@ import csv
 import os
 import re
 import subprocess
+from dataclasses import replace
+from math import inf
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from coated_contact import (
     Cone,
     Elastic,
+    Experiment,
     FlatEndedCone,
     FlatPunch,
     Layer,
@@ -19,6 +23,7 @@ from coated_contact import (
     Profile,
     RoundedCone,
     Sphere,
+    Springs,
     Stack,
     System,
     Table,
@@ -37,6 +42,27 @@ def make_system(*, film_thickness=1e-5, film_modulus=3.5e6, film_poisson_ratio=0
         film_thickness=film_thickness,
         substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
     )
+
+
+def loads_at(system, radii, **known):
+    """A plan of loads at contact radii, with 0.04 J/m^2 of adhesion unless it is given."""
+    fields = {"kind": "load-radius", "work_of_adhesion": 0.04} | known
+    return Experiment(abscissa=radii, system=system, **fields)
+
+
+def without_result(curve):
+    """A curve with one load at every contact radius, which no contact has."""
+    return replace(curve, ordinate=np.full(len(curve.abscissa), 1e-5))
+
+
+RUBBER_ON_GLASS = {
+    "title": "Rubber on glass",
+    "tolerance": 1e-2,
+    "a_over_t": {"from": 0.1, "to": 10},
+    "e1_over_e2": 1.75,
+    "nu1": 0.5,
+    "e0_over_e2": 1e5,
+}
 
 
 @pytest.fixture(scope="session")
@@ -118,6 +144,30 @@ def system_of(row):
 
 
 BODIES = ("sphere", "film", "substrate")
+
+
+def stack_of(row, unit=1.0, length=1.0):
+    """The stack of a row of reference values, whose interfaces are bonded unless it has them."""
+
+    def solid(young, poisson=0.25):
+        return Elastic(young_modulus=float(young) * unit, poisson_ratio=float(poisson))
+
+    def interface(text):
+        """Read ``bonded``, ``sliding`` or ``kt:kn``."""
+        if ":" not in text:
+            return text
+        tangential, normal = map(float, text.split(":"))
+        return Springs(tangential_stiffness=tangential, normal_stiffness=normal)
+
+    layers = [layer.split(":") for layer in row["layers"].split("|")]
+    joined = row.get("interfaces", "|".join(["bonded"] * len(layers))).split("|")
+    return Stack(
+        base=solid(inf) if row["base"] == "rigid" else solid(*row["base"].split(":")),
+        layers=[
+            Layer(material=solid(*of), thickness=float(t) * length, interface=interface(text))
+            for (*of, t), text in zip(layers, joined, strict=True)
+        ],
+    )
 
 
 @pytest.fixture(scope="session")

@@ -18,8 +18,7 @@ from coated_contact import (
     StackSystem,
     System,
 )
-from conftest import ROOT, make_system, refuses, rows
-from test_stack import stack_of
+from conftest import ROOT, make_system, refuses, rows, stack_of
 
 THICKNESS, MODULUS = 1e-6, 1e6
 

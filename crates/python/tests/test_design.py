@@ -5,19 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import Experiment, FitError, Free, HalfSpace, Table, design, forecast
-from conftest import refuses
+from coated_contact import FitError, Free, HalfSpace, Table, design, forecast
+from conftest import loads_at, refuses
 
 FREE = ["film_modulus", "work_of_adhesion"]
 
 
 def lens(system, largest=1.2e-4, **known):
-    return Experiment(
-        kind="load-radius",
-        abscissa=np.linspace(3e-5, largest, 30),
-        system=system,
-        **{"work_of_adhesion": 0.04, "noise": 2e-6, **known},
-    )
+    return loads_at(system, np.linspace(3e-5, largest, 30), **{"noise": 2e-6} | known)
 
 
 def test_the_errors_are_those_of_the_forecasts_best_first(system):

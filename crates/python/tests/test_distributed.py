@@ -2,13 +2,14 @@
 
 import os
 import signal
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from coated_contact import ContactError, Experiment, Table, fit_map, generate, simulate
+from coated_contact import ContactError, Table, fit_map, generate, simulate
 from coated_contact import _fit as fitting
-from conftest import ROOT, refuses
+from conftest import ROOT, refuses, without_result
 from test_fit import WANTED, lens
 from test_generate import SCENE, StoppedHereError
 from test_relaxing import FREE, plan
@@ -76,10 +77,7 @@ def test_a_map_survives_the_loss_of_a_worker(client, small_blocks):
 def test_curves_without_a_result_keep_their_numbers(client, small_blocks):
     curves = [lens(seed=seed) for seed in range(35)]
     for i in (12, 27):
-        flat = np.full(40, 1e-5)
-        curves[i] = Experiment(
-            kind="load-radius", abscissa=curves[i].abscissa, ordinate=flat, system=curves[i].system
-        )
+        curves[i] = without_result(curves[i])
     found = fit_map(curves, WANTED, errors="nan", client=client)
     assert list(found.failures) == [12, 27]
     assert found.failures[27].index == (27,)
@@ -150,16 +148,7 @@ def test_an_error_of_a_worker_is_raised_here(client):
 def test_a_map_of_100_000_curves(client):
     """Two minutes on two cores: `pytest -m large`."""
     plan = lens(seed=1)
-    curves = (
-        Experiment(
-            kind="load-radius",
-            abscissa=plan.abscissa,
-            ordinate=plan.ordinate * (1 + 1e-3 * (i % 7)),
-            system=plan.system,
-            work_of_adhesion=0.1,
-        )
-        for i in range(100_000)
-    )
+    curves = (replace(plan, ordinate=plan.ordinate * (1 + 1e-3 * (i % 7))) for i in range(100_000))
     found = fit_map(curves, WANTED, client=client)
     assert len(found) == 100_000
     for i in range(7):

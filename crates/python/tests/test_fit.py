@@ -21,7 +21,7 @@ from coated_contact import (
     fit_map,
     forecast,
 )
-from conftest import refuses
+from conftest import refuses, without_result
 
 RADIUS, MODULUS, W = 1e-3, 2e6, 0.04
 WANTED = ["sphere_modulus", "work_of_adhesion"]
@@ -96,9 +96,7 @@ def test_wishes_are_heard():
     # One point far off moves least squares, and hardly Huber's loss.
     loads = one.ordinate.copy()
     loads[20] += 1e-3
-    spoilt = Experiment(
-        kind="load-radius", abscissa=one.abscissa, ordinate=loads, system=one.system
-    )
+    spoilt = replace(one, ordinate=loads)
     errors = [
         abs(fit(spoilt, WANTED, loss=loss).params["work_of_adhesion"] / W - 1)
         for loss in ("squares", "huber", "soft-l1")
@@ -126,10 +124,7 @@ def test_a_map_is_many_fits():
 
 def test_a_curve_without_a_result():
     curves = [lens(seed=seed) for seed in range(3)]
-    flat = np.full(40, 1e-5)
-    curves[1] = Experiment(
-        kind="load-radius", abscissa=curves[1].abscissa, ordinate=flat, system=curves[1].system
-    )
+    curves[1] = without_result(curves[1])
     with pytest.raises(ContactError) as caught:
         fit_map(curves, WANTED)
     assert caught.value.index == (1,)
@@ -299,9 +294,7 @@ def test_fixed_values_and_their_errors():
 
 
 def test_a_forecast_of_no_adhesion_is_refused_where_it_is_free():
-    plan = Experiment(
-        kind="load-radius", abscissa=np.linspace(4e-5, 1e-4, 20), system=lens(1).system, noise=1e-6
-    )
+    plan = replace(lens(1), ordinate=None, work_of_adhesion=0.0, noise=1e-6)
     with pytest.raises(FitError, match=r"work-of-adhesion of .* must be positive where it is free"):
         forecast(plan, WANTED)
     expected = forecast(replace(plan, work_of_adhesion=0.04), WANTED)

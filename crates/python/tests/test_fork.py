@@ -14,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from coated_contact import Cohesive, SolvedCurve, Table, fit_map, generate, solve
-from conftest import make_system
+from conftest import RUBBER_ON_GLASS, make_system
 from test_fit import WANTED, lens
 
 pytestmark = [
@@ -24,14 +24,6 @@ pytestmark = [
 ]
 
 LIMIT = 120
-SCENE = {
-    "title": "Rubber on glass",
-    "tolerance": 1e-2,
-    "a_over_t": {"from": 0.1, "to": 10},
-    "e1_over_e2": 1.75,
-    "nu1": 0.5,
-    "e0_over_e2": 1e5,
-}
 X = [0.5, 1.0, 2.0]
 
 
@@ -45,7 +37,7 @@ def mapped():
 
 
 def generated():
-    return generate(SCENE, progress=False).to_packed()
+    return generate(RUBBER_ON_GLASS, progress=False).to_packed()
 
 
 def looked_up():

@@ -9,7 +9,6 @@ import pytest
 
 from coated_contact import (
     Elastic,
-    Experiment,
     Free,
     InputError,
     Layer,
@@ -20,31 +19,10 @@ from coated_contact import (
     generate,
     solve_stack,
 )
-from conftest import refuses, rows
+from conftest import loads_at, refuses, rows, stack_of
 
 RUBBER = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
 SILICON = Elastic(young_modulus=2e11, poisson_ratio=0.25)
-
-
-def interface_of(text):
-    """Read ``bonded``, ``sliding`` or ``kt:kn``."""
-    if ":" not in text:
-        return text
-    tangential, normal = map(float, text.split(":"))
-    return Springs(tangential_stiffness=tangential, normal_stiffness=normal)
-
-
-def stack_of(row):
-    """The stack of a row of reference values, in its own units."""
-    young, poisson = ("inf", "0.25") if row["base"] == "rigid" else row["base"].split(":")
-    layers = []
-    for text, interface in zip(row["layers"].split("|"), row["interfaces"].split("|"), strict=True):
-        modulus, ratio, thickness = map(float, text.split(":"))
-        solid = Elastic(young_modulus=modulus, poisson_ratio=ratio)
-        layer = Layer(material=solid, thickness=thickness, interface=interface_of(interface))
-        layers.append(layer)
-    base = Elastic(young_modulus=float(young), poisson_ratio=float(poisson))
-    return Stack(base=base, layers=layers)
 
 
 def film(interface, **changes):
@@ -112,13 +90,7 @@ def test_a_fit_finds_the_stiffness():
     loads = springs.contact(**known, a_over_t=(0.1, 10)).load(radii, w)
     noise = 5e-8 * np.random.default_rng(1).standard_normal(len(radii))
     start = film(Springs(tangential_stiffness=1e12))
-    experiment = Experiment(
-        kind="load-radius",
-        abscissa=radii,
-        ordinate=loads + noise,
-        system=StackSystem(stack=start, **known),
-        work_of_adhesion=w,
-    )
+    experiment = loads_at(StackSystem(stack=start, **known), radii, ordinate=loads + noise)
     found = fit(experiment, [Free(parameter="film.interface_stiffness"), "work_of_adhesion"])
     (estimate, _) = found.estimates
     assert estimate.parameter == "film.interface_stiffness"

@@ -23,7 +23,7 @@ from coated_contact import (
     predict,
     simulate,
 )
-from conftest import refuses
+from conftest import loads_at, refuses
 
 GLASS = Elastic(young_modulus=64e9, poisson_ratio=0.2)
 GEL = System(
@@ -36,13 +36,7 @@ GEL = System(
 
 
 def lens(system, count=40):
-    plan = Experiment(
-        kind="load-radius",
-        abscissa=np.linspace(3e-5, 1.2e-4, count),
-        system=system,
-        work_of_adhesion=0.04,
-        noise=2e-6,
-    )
+    plan = loads_at(system, np.linspace(3e-5, 1.2e-4, count), noise=2e-6)
     return simulate(plan, noise=2e-6, seed=1)
 
 
@@ -68,13 +62,7 @@ def on_a_stack():
     ]
     stack = Stack(base=Elastic(young_modulus=2e11, poisson_ratio=0.25), layers=layers)
     system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
-    plan = Experiment(
-        kind="load-radius",
-        abscissa=np.linspace(3e-5, 6e-5, 5),
-        system=system,
-        work_of_adhesion=0.04,
-        noise=2e-6,
-    )
+    plan = loads_at(system, np.linspace(3e-5, 6e-5, 5), noise=2e-6)
     return simulate(plan, noise=2e-6, seed=1)
 
 

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import Experiment, Springs, StackSystem, fit, simulate
-from conftest import make_system, refuses
+from coated_contact import Springs, StackSystem, fit, simulate
+from conftest import loads_at, make_system, refuses
 from test_fit import WANTED, lens
 from test_model import retract
 
@@ -75,13 +75,8 @@ def test_the_fit_is_drawn_on_a_finer_grid(model_class):
 
 
 def test_expressions_and_fixed_parameters(model_class):
-    plan = Experiment(
-        kind="load-radius",
-        abscissa=np.linspace(50e-6, 110e-6, 40),
-        system=make_system(film_modulus=5e5, film_poisson_ratio=0.45),
-        work_of_adhesion=0.04,
-    )
-    made = simulate(plan, noise=1e-6, seed=3)
+    system = make_system(film_modulus=5e5, film_poisson_ratio=0.45)
+    made = simulate(loads_at(system, np.linspace(50e-6, 110e-6, 40)), noise=1e-6, seed=3)
     model = model_class(made, ["film_modulus", "work_of_adhesion"])
     params = model.make_params(film_modulus=4e5)
     params["sphere_modulus"].set(expr="4 * film_modulus")
@@ -96,13 +91,7 @@ def test_expressions_and_fixed_parameters(model_class):
 
 def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack):
     system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
-    plan = Experiment(
-        kind="load-radius",
-        abscissa=np.linspace(4e-5, 1.3e-4, 25),
-        system=system,
-        work_of_adhesion=0.04,
-    )
-    made = simulate(plan, noise=2e-6, seed=1)
+    made = simulate(loads_at(system, np.linspace(4e-5, 1.3e-4, 25)), noise=2e-6, seed=1)
     free = ["primer.modulus", "work_of_adhesion"]
     expected = fit(made, free)
     model = model_class(made, free)
@@ -118,13 +107,8 @@ def test_the_stiffness_of_an_interface_is_fitted_like_by_fit(model_class, stack)
     base, film = stack.layers
     springs = Springs(tangential_stiffness=3e10)
     on_springs = replace(stack, layers=(base, replace(film, interface=springs)))
-    plan = Experiment(
-        kind="load-radius",
-        abscissa=np.linspace(4e-5, 1.3e-4, 25),
-        system=StackSystem(stack=on_springs, sphere_radius=1e-3, sphere_modulus=2e6),
-        work_of_adhesion=0.04,
-    )
-    made = simulate(plan, noise=2e-6, seed=1)
+    system = StackSystem(stack=on_springs, sphere_radius=1e-3, sphere_modulus=2e6)
+    made = simulate(loads_at(system, np.linspace(4e-5, 1.3e-4, 25)), noise=2e-6, seed=1)
     free = [f"{film.name}.interface_stiffness", "work_of_adhesion"]
     expected = fit(made, free)
     name = f"{film.name}_interface_stiffness"

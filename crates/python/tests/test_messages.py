@@ -22,18 +22,10 @@ from coated_contact import (
     generate,
     solve,
 )
-from conftest import ROOT, in_python, make_system, refuses
+from conftest import ROOT, RUBBER_ON_GLASS, in_python, make_system, refuses
 from test_fit import WANTED, lens
 
 PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
-SCENE = {
-    "title": "Rubber on glass",
-    "tolerance": 1e-2,
-    "a_over_t": {"from": 0.1, "to": 10},
-    "e1_over_e2": 1.75,
-    "nu1": 0.5,
-    "e0_over_e2": 1e5,
-}
 
 
 def rigid(system):
@@ -119,7 +111,7 @@ CASES = {
         "tolerance",
     ),
     "a scene without a range": (
-        lambda _: generate(SCENE | {"a_over_t": {"from": 10, "to": 1}}, progress=False),
+        lambda _: generate(RUBBER_ON_GLASS | {"a_over_t": {"from": 10, "to": 1}}, progress=False),
         "a_over_t",
     ),
 }
@@ -140,8 +132,8 @@ def test_a_run_of_another_kind_is_not_resumed(tmp_path):
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        generate(SCENE, path, progress=interrupt)
-    other = SCENE | {"e1_over_e2": 2.0}
+        generate(RUBBER_ON_GLASS, path, progress=interrupt)
+    other = RUBBER_ON_GLASS | {"e1_over_e2": 2.0}
     refuses(
         ContactError, "cannot resume", lambda: generate(other, path, progress=False, resume=True)
     )

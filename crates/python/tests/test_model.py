@@ -23,7 +23,7 @@ from coated_contact import (
     predict,
     simulate,
 )
-from conftest import make_system, refuses
+from conftest import loads_at, make_system, refuses
 from test_fit import MODULUS, WANTED, W, jkr_load
 
 RIGID = HalfSpace(
@@ -35,7 +35,7 @@ RADII = np.linspace(50e-6, 110e-6, 40)
 
 
 def planned(**known):
-    return Experiment(kind="load-radius", abscissa=RADII, system=RIGID, work_of_adhesion=W, **known)
+    return loads_at(RIGID, RADII, **known)
 
 
 def retract(points=60, **known):
@@ -77,13 +77,7 @@ def test_branches_come_from_the_data():
 
 def test_what_would_not_be_determined_is_named():
     """Beside a thick film only the compound modulus of sphere and film counts."""
-    one = Experiment(
-        kind="load-radius",
-        abscissa=[5e-5, 6e-5, 7e-5],
-        system=make_system(film_thickness=1e-2),
-        work_of_adhesion=W,
-        noise=1e-6,
-    )
+    one = loads_at(make_system(film_thickness=1e-2), [5e-5, 6e-5, 7e-5], noise=1e-6)
     found = forecast(one, ["sphere_modulus", "film_modulus"])
     assert found.undetermined
     assert "film-modulus" in found.undetermined[0]
@@ -109,15 +103,8 @@ def test_what_cannot_be_used_is_named():
 
 def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
     program = os.environ["TABULATE"]
-    plan = Experiment(
-        kind="load-radius",
-        abscissa=[
-            float(number) for number in ("4e-5", "6.25e-5", "8.5e-5", "0.0001075", "0.00013")
-        ],
-        system=make_system(film_thickness=1e-6),
-        work_of_adhesion=0.04,
-        noise=5e-6,
-    )
+    radii = [4e-5, 6.25e-5, 8.5e-5, 0.0001075, 0.00013]
+    plan = loads_at(make_system(film_thickness=1e-6), radii, noise=5e-6)
     plan_options = {"kind": "load-radius", "from": 4e-5, "to": 1.3e-4, "points": 5, "noise": 5e-6}
     command = ["simulate", *(f"--{name}={value}" for name, value in plan_options.items())]
     run = subprocess.run(

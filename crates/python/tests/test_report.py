@@ -21,6 +21,7 @@ from coated_contact import (
     predict,
     solve,
 )
+from conftest import without_result
 from test_fit import WANTED, lens
 
 FILM = System(
@@ -95,7 +96,7 @@ def test_a_fit_prints_the_report_of_the_program(program, tmp_path, measured):
 
 def test_a_map_prints_a_summary():
     curves = [lens(seed=seed) for seed in range(30)]
-    curves[4] = replace(curves[4], ordinate=np.full(40, 1e-5))
+    curves[4] = without_result(curves[4])
     found = fit_map(curves, WANTED, errors="nan")
     lines = str(found).splitlines()
     assert len(lines) < 10

@@ -23,28 +23,10 @@ from coated_contact import (
     Table,
     solve_stack,
 )
-from conftest import ROOT, make_system, refuses, rows
+from conftest import ROOT, make_system, refuses, rows, stack_of
 
 PRIMER = ROOT / "tables" / "stacks" / "primer.toml"
 KNOWN = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
-
-
-def solid_of(text, unit):
-    """Read ``E:nu`` or ``rigid``."""
-    young, poisson = ("inf", "0.25") if text == "rigid" else text.split(":")
-    return Elastic(young_modulus=float(young) * unit, poisson_ratio=float(poisson))
-
-
-def stack_of(row, unit=1.0, length=1.0):
-    """The stack of a row of reference values."""
-    layers = [layer.rsplit(":", 1) for layer in row["layers"].split("|")]
-    return Stack(
-        base=solid_of(row["base"], unit),
-        layers=[
-            Layer(material=solid_of(solid, unit), thickness=float(thickness) * length)
-            for solid, thickness in layers
-        ],
-    )
 
 
 def test_solves_and_curves_agree_with_independent_values():

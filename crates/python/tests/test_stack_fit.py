@@ -12,7 +12,6 @@ import pytest
 from coated_contact import (
     ContactError,
     Elastic,
-    Experiment,
     FitError,
     FlatPunch,
     InputError,
@@ -25,7 +24,7 @@ from coated_contact import (
     predict,
     simulate,
 )
-from conftest import ROOT, make_system, refuses
+from conftest import ROOT, loads_at, make_system, refuses
 
 PRIMER = ROOT / "tables" / "stacks" / "primer.toml"
 A = [float(a) for a in np.linspace(4e-5, 1.3e-4, 25)]
@@ -33,8 +32,7 @@ A = [float(a) for a in np.linspace(4e-5, 1.3e-4, 25)]
 
 def lens(stack, **known):
     system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
-    known = {"work_of_adhesion": 0.04, "noise": 2e-6} | known
-    return Experiment(kind="load-radius", abscissa=A, system=system, **known)
+    return loads_at(system, A, **{"noise": 2e-6} | known)
 
 
 def test_a_layer_is_found_within_its_errors(stack):

@@ -24,7 +24,7 @@ from coated_contact import (
     simulate,
     solve,
 )
-from conftest import PROBES, make_system, refuses
+from conftest import PROBES, loads_at, make_system, refuses, without_result
 from test_fit import WANTED, lens
 
 
@@ -230,13 +230,8 @@ def test_what_cannot_be_drawn_is_refused(there_and_back, axes):
     with pytest.raises(FitError, match=r"no JKR plot: it needs loads .* contact radii"):
         there_and_back.plot(axes, kind="jkr")
     refuses(ValueError, 'give "data" or "jkr"', lambda: there_and_back.plot(axes, kind="line"))
-    depth = Experiment(
-        kind="penetration-radius",
-        abscissa=np.linspace(5e-5, 1e-4, 20),
-        system=make_system(),
-        work_of_adhesion=0.04,
-    )
-    load = replace(depth, kind="load-radius")
+    load = loads_at(make_system(), np.linspace(5e-5, 1e-4, 20))
+    depth = replace(load, kind="penetration-radius")
     both = [simulate(depth, noise=1e-9, seed=1), simulate(load, noise=1e-6, seed=1)]
     found = fit(both, WANTED)
     refuses(ValueError, "experiment=0", lambda: found.plot(axes))
@@ -334,10 +329,7 @@ def test_notebooks_show_fits_as_text():
 @pytest.fixture(scope="module")
 def small_map():
     curves = [lens(seed=seed) for seed in range(6)]
-    flat = np.full(40, 1e-5)
-    curves[4] = Experiment(
-        kind="load-radius", abscissa=curves[4].abscissa, ordinate=flat, system=curves[4].system
-    )
+    curves[4] = without_result(curves[4])
     return fit_map(curves, WANTED, errors="nan")
 
 
