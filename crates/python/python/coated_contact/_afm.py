@@ -88,8 +88,6 @@ def read_afm(
     FitError
         For a file that afmformats does not read, for one without the stiffness of the cantilever
         where none is given, and for one without a curve that can be used.
-    OSError
-        For a file that cannot be opened.
 
     Examples
     --------

@@ -28,11 +28,6 @@ class Elastic:
     poisson_ratio : float
         Poisson ratio, above -1 and at most 0.5.
 
-    Raises
-    ------
-    InputError
-        For other values.
-
     Examples
     --------
     >>> glass = Elastic(young_modulus=64e9, poisson_ratio=0.2)

@@ -38,13 +38,6 @@ class Cohesive(Native):
     interaction_range : float
         The range h0, m, above 0 and below the radius of the sphere.
 
-    Raises
-    ------
-    SolveError
-        For a work of adhesion or a range that cannot be.
-    InputError
-        For another probe.
-
     Examples
     --------
     >>> from coated_contact import Elastic
@@ -130,11 +123,6 @@ class Cohesive(Native):
             The first and the last contact radius, m.
         count : int
             The number of states, from 2 to 1,000,000.
-
-        Raises
-        ------
-        SolveError, NoContactError
-            As :meth:`state`.
         """
         first, last = contact_radii
         ends = [number("contact radius", first), number("contact radius", last)]

@@ -57,7 +57,8 @@ class ShortZone:
     Attributes
     ----------
     LONGEST : float
-        The longest zone that counts as short, over the contact radius and over the thickness.
+        The longest zone that counts as short, over the contact radius and over the thickness. A
+        stable state with a contact radius below ``zone / LONGEST`` is an InputError.
     """
 
     LONGEST: ClassVar[float] = _core.LONGEST_ZONE
@@ -92,13 +93,6 @@ class ShortZone:
             Contact radius, m.
         errors : {"raise", "nan"}
             What a point with an error gives.
-
-        Raises
-        ------
-        InputError
-            For a contact radius below the zone over ``LONGEST``.
-        ContactError
-            As ``Contact.load``.
         """
         native = partial(_core.zone_states, *self._native)
         return cohesive_states(evaluate(native, errors, contact_radius=a))
@@ -110,13 +104,6 @@ class ShortZone:
         ----------
         control : {"load", "displacement"} or Spring
             What is imposed.
-
-        Raises
-        ------
-        InputError
-            For a contact radius below the zone over ``LONGEST``.
-        NoContactError
-            If the contact radius is out of range.
         """
         return CohesiveState(*_core.zone_pull_off(*self._native, native_control(control)))
 
@@ -131,13 +118,6 @@ class ShortZone:
             A load (N), a penetration (m) or a position of the spring (m).
         control : {"load", "displacement"} or Spring
             What is imposed.
-
-        Raises
-        ------
-        InputError
-            For a stable equilibrium of such a contact radius.
-        NoContactError
-            If a stable equilibrium has a contact radius out of range.
         """
         found = _core.zone_equilibria(
             *self._native, native_control(control), number("imposed", imposed)

@@ -68,15 +68,7 @@ class Columns(OneLine):
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw load against penetration, or against time where there is one; needs matplotlib.
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; by default the current axes.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes.
+        It draws into ``ax``, by default the current axes, and returns the axes.
         """
         ax = axes(ax)
         x, y = (getattr(self, name).ravel() for name in self._drawn)

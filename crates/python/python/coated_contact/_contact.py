@@ -197,7 +197,8 @@ class Contact(Native):
 
         It is the stiffness of slow loading, in equilibrium at a work of adhesion. A small fast
         oscillation, under which the line stays, measures :meth:`stiffness`. Without adhesion both
-        are equal. K is 0 at the pull-off under a load, and negative below it.
+        are equal. K is 0 at the pull-off under a load, and negative below it. A flat punch, whose
+        contact line cannot move, has none.
 
         Parameters
         ----------
@@ -212,11 +213,6 @@ class Contact(Native):
         -------
         float or numpy.ndarray
             Stiffness, N/m.
-
-        Raises
-        ------
-        InputError
-            For a flat punch, whose contact line cannot move.
         """
         (stiffness,) = evaluate(
             self._native.moving_stiffness, errors, contact_radius=a, work_of_adhesion=w
@@ -226,17 +222,13 @@ class Contact(Native):
     def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
         """Return load and penetration with their exact derivatives by every input.
 
-        Parameters are those of :meth:`load`.
+        Parameters and errors are those of :meth:`load`, but above the nodes in a/t it is always an
+        OutsideTableError.
 
         Returns
         -------
         Gradient
             ``load`` (N), ``penetration`` (m), and ``by(name)`` with the derivatives.
-
-        Raises
-        ------
-        ContactError
-            As :meth:`load`, but always ``OutsideTableError`` above the nodes in a/t.
 
         Examples
         --------
@@ -274,11 +266,6 @@ class Contact(Native):
             What is imposed: a dead weight, a rigid machine, or a spring such as a cantilever.
         errors : {"raise", "nan"}
             What a point with an error gives.
-
-        Raises
-        ------
-        NoContactError
-            If its contact radius is out of range.
         """
         imposed = native_control(control)
         return states(
@@ -316,14 +303,8 @@ class Contact(Native):
             The largest imposed value: a load (N), a penetration (m) or a position of the spring
             (m).
         points : int
-            The number of states of each branch, evenly spaced in contact radius.
-
-        Raises
-        ------
-        NoContactError
-            If a state has a contact radius out of range.
-        InputError
-            Unless ``points`` is from 2 to 1,000,000.
+            The number of states of each branch, evenly spaced in contact radius, from 2 to
+            1,000,000.
         """
         return self.equilibria(w, control=control).force_displacement(most=most, points=points)
 
@@ -491,25 +472,20 @@ class Contact(Native):
     def cohesive_zone(self, w: float, *, stress: float) -> ShortZone:
         """Correct the contact for an attraction of short, finite range, to first order.
 
+        Errors are those of :class:`ShortZone`. :class:`Cohesive` solves zones that are not short.
+
         Parameters
         ----------
         w : float
             Work of adhesion, J/m^2, above 0.
         stress : float
-            The traction (Pa) of the attraction, which acts where the gap is below ``w / stress``.
+            The traction of the attraction, Pa, above 0. It acts where the gap is below
+            ``w / stress``.
 
         Returns
         -------
         ShortZone
             The contact with its zone of attraction: states, equilibria and pull-off.
-
-        Raises
-        ------
-        InputError
-            For a work of adhesion or a stress that is not positive and finite.
-            For a zone that is not short beside the film, or top layer, or the largest contact:
-            :class:`Cohesive` solves it.
-            For a shape with an edge or a bend.
 
         Examples
         --------
@@ -582,16 +558,7 @@ class SolvedCurve:
         check_friction(self.friction, self.sphere_poisson_ratio, self.advancing)
 
     def contact(self, system: System | StackSystem) -> Contact:
-        """Solve the contact of a system.
-
-        Raises
-        ------
-        SolveError
-            For a range, a tolerance or a material outside the domain of the solver.
-            Where double precision does not allow the tolerance.
-        InputError
-            For a sphere that sticks where Dundurs' beta is not 0.
-        """
+        """Solve the contact of a system."""
         return Contact(system=system, table=self)
 
 

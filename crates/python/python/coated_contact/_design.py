@@ -72,16 +72,8 @@ class Design(OneLine):
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the standard errors of the plans as bars, the best one above; needs matplotlib.
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; by default the current axes.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes, with a logarithmic scale. A plan that does not determine the parameter has no
-            bar, and says so.
+        It draws into ``ax``, by default the current axes, and returns the axes, with a logarithmic
+        scale. A plan that does not determine the parameter has no bar, and says so.
         """
         ax = axes(ax)
         errors = np.array(list(self.stderr.values()))

@@ -63,11 +63,6 @@ class Equilibria:
         """Return all equilibria at an imposed value, in ascending order of contact radius.
 
         There are none beyond pull-off.
-
-        Raises
-        ------
-        NoContactError
-            If a stable equilibrium has a contact radius out of range.
         """
         found = self._native.equilibria_at(
             self.work_of_adhesion, native_control(self.control), number("imposed", imposed)
@@ -81,11 +76,7 @@ class Equilibria:
     def loading(self, imposed: ArrayLike, *, errors: Errors = "raise") -> State | States:
         """Return the stable state that loading reaches, that of the smallest contact radius.
 
-        Raises
-        ------
-        NoContactError
-            For a negative value, at which the sphere does not touch yet.
-            If the contact radius is out of range.
+        There is none at a negative value, at which the sphere does not touch yet.
         """
         return self._branch("loading", imposed, errors)
 
@@ -96,11 +87,7 @@ class Equilibria:
     def unloading(self, imposed: ArrayLike, *, errors: Errors = "raise") -> State | States:
         """Return the stable state that unloading reaches, that of the largest contact radius.
 
-        Raises
-        ------
-        NoContactError
-            For a value below that of the pull-off.
-            If the contact radius is out of range.
+        There is none at a value below that of the pull-off.
         """
         return self._branch("unloading", imposed, errors)
 

@@ -1,6 +1,8 @@
 """The errors. Each message names the value, the values allowed and the next step.
 
-A file that cannot be read is an ``OSError`` (such as ``FileNotFoundError``) with its name.
+A file that cannot be read or written is an ``OSError`` (such as ``FileNotFoundError``) with its
+name, and an argument of another type a ``TypeError``. The sections ``Raises`` of functions name
+only what the classes below do not say.
 """
 
 from __future__ import annotations
@@ -57,13 +59,13 @@ class OutsideTableError(ContactError):
 
 
 class NoContactError(ContactError):
-    """A state that the contact does not have, or that is not within the radii searched."""
+    """A state that the contact does not have, or that is outside its ``contact_radius_range``."""
 
 
 class SolveError(ContactError):
     """A solve beyond the reach of the solver, or a tolerance that it does not meet.
 
-    Of a tolerance, ``range`` begins at the error reached.
+    Where double precision does not allow the tolerance, ``range`` begins at the error reached.
     """
 
 

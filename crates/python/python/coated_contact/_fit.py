@@ -90,8 +90,6 @@ def fit(
         For points, parameters or options that cannot be used, and for numbers that no experiment
         has. Points are counted from 0. For parameters that the data do not determine, so that no
         standard error is finite, and for more than a third of the points in contact left out.
-    ContactError
-        For a contact that cannot be computed.
 
     Examples
     --------

@@ -113,10 +113,6 @@ def generate(
     TableError
         For a scene that cannot be used, a table that would be too large, pieces of another
         generation, or workers of another build.
-    OSError
-        If a file cannot be read or written.
-    SolveError
-        Where double precision does not allow the tolerance.
 
     Examples
     --------

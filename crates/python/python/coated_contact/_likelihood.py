@@ -64,11 +64,6 @@ class LogLikelihood(Native, OneLine):
         It is ``-inf`` where there is none: outside the bounds, for a value that is not positive and
         must be, for one that is not finite, and where there is no contact, such as outside the
         table.
-
-        Raises
-        ------
-        FitError
-            For another number of values than parameters.
         """
         rows = self._rows(values)
         return scalar_or_array(self._native.values(rows.reshape(-1)).reshape(rows.shape[:-1]))
@@ -152,11 +147,6 @@ def log_likelihood(
     LogLikelihood
         A function of a flat vector of values in SI units, which emcee, zeus and dynesty take as it
         is, with its gradient, and with adapters for JAX, PyTorch and PyMC.
-
-    Raises
-    ------
-    FitError
-        Without a noise, and for points, parameters or branches that cannot be used.
 
     Examples
     --------

@@ -79,11 +79,6 @@ def branches(experiment: Experiment, free: Iterable[ParameterName] = ()) -> list
     -------
     list of str
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
-
-    Raises
-    ------
-    FitError
-        For points that cannot be used.
     """
     experiments_of([experiment])
     return _core.branches(experiment, _names(free))
@@ -114,13 +109,6 @@ def predict(
     table : Table, optional
         The table; by default the embedded one, of films. Contacts on a stack are looked up in the
         table of this stack, and solved beside a table of films.
-
-    Raises
-    ------
-    FitError
-        For a parameter without an effect on the experiment.
-    ContactError
-        For a contact that cannot be computed.
 
     Examples
     --------
@@ -227,11 +215,6 @@ def forecast(
     -------
     Forecast
         The estimates with the errors expected, and what would not be determined.
-
-    Raises
-    ------
-    FitError
-        Without a noise, or for parameters that cannot be used.
 
     Examples
     --------

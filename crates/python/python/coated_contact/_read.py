@@ -114,8 +114,6 @@ def read_experiment(
     ------
     FitError
         For a file that is no such table, naming the line, the column and what to give.
-    OSError
-        For a file that cannot be opened.
 
     Warns
     -----

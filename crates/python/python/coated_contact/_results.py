@@ -65,17 +65,7 @@ class State:
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class States(Columns):
-    """Many states, as arrays of one shape.
-
-    Attributes
-    ----------
-    contact_radius : numpy.ndarray
-        Contact radii a, m.
-    load : numpy.ndarray
-        Loads F, N, positive in compression.
-    penetration : numpy.ndarray
-        Penetrations delta, m, positive when the sphere has moved in.
-    """
+    """Many states: the attributes of :class:`State`, as arrays of one shape."""
 
     contact_radius: Array
     load: Array
@@ -126,19 +116,7 @@ class CohesiveState:
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class CohesiveStates(Columns):
-    """Many states with an annulus of attraction, as arrays of one shape.
-
-    Attributes
-    ----------
-    contact_radius : numpy.ndarray
-        Contact radii a, m; 0 before the contact.
-    outer_radius : numpy.ndarray
-        Outer radii c of the attraction, m.
-    load : numpy.ndarray
-        Loads F, N, positive in compression.
-    penetration : numpy.ndarray
-        Penetrations delta, m, positive when the sphere has moved in.
-    """
+    """Many states: the attributes of :class:`CohesiveState`, as arrays of one shape."""
 
     contact_radius: Array
     outer_radius: Array
@@ -229,15 +207,7 @@ class ForceDisplacement(OneLine):
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw load against penetration: branches as lines, jumps dashed; needs matplotlib.
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; by default the current axes.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes.
+        It draws into ``ax``, by default the current axes, and returns the axes.
         """
         ax = axes(ax)
         for colour, branches in (("C0", self.loading), ("C1", self.unloading)):

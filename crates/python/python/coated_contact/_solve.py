@@ -103,20 +103,8 @@ class Solution(OneLine):
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draw the four quantities over the first parameter that varies; needs matplotlib.
 
-        Parameters
-        ----------
-        ax : matplotlib.axes.Axes, optional
-            Where to draw; by default the current axes.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes.
-
-        Raises
-        ------
-        ValueError
-            If no parameter varies.
+        It draws into ``ax``, by default the current axes, and returns the axes. If no parameter
+        varies, it raises a ValueError.
         """
         columns = self._columns()
         varied = [name for name in self._parameters if len(np.unique(columns[name])) > 1]
@@ -184,14 +172,6 @@ def solve(
     Solution
         The four quantities in units of E2*, and their estimated error.
 
-    Raises
-    ------
-    InputError
-        For a parameter that no material has.
-    SolveError
-        For an ``a_over_t``, a ``tolerance`` or a ratio of moduli outside the domain.
-        Where double precision does not allow the tolerance.
-
     Examples
     --------
     >>> solution = solve(65.0, 1.75, 0.5, 1e5, tolerance=1e-10)
@@ -239,12 +219,6 @@ def solve_stack(
     -------
     Solution
         The four quantities in units of E2*, and their estimated error.
-
-    Raises
-    ------
-    SolveError
-        For an ``a_over_t``, a ``tolerance`` or a ratio of moduli outside the domain.
-        Where double precision does not allow the tolerance.
 
     Examples
     --------

@@ -231,8 +231,6 @@ class Stack(Native):
 
         Raises
         ------
-        OSError
-            If the file cannot be read.
         InputError
             If it is no stack; the message names the file and the layer.
         """
@@ -322,14 +320,6 @@ class Stack(Native):
             largest radius is up to 1000 times the thickness of the top layer.
         tolerance : float
             The largest relative error of the quantities.
-
-        Raises
-        ------
-        SolveError
-            For a range out of reach.
-            Where double precision does not allow the tolerance.
-        InputError
-            For another shape.
         """
         from ._contact import SolvedCurve
 

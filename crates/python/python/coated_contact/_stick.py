@@ -71,12 +71,6 @@ def solve_stick_punch(
     StickPunch
         The numbers in units of E2*, under a rigid punch of the film's reduced modulus.
 
-    Raises
-    ------
-    SolveError
-        For a parameter outside the domain.
-        Where double precision does not allow the tolerance.
-
     Examples
     --------
     >>> stuck = solve_stick_punch([0.5, 1.0, 2.0], 0.0, 0.5, float("inf"))
@@ -130,12 +124,6 @@ def stick_stiffening(
     -------
     float or numpy.ndarray
         The factor, 1 or more.
-
-    Raises
-    ------
-    SolveError
-        For a parameter outside the domain.
-        Where double precision does not allow the tolerance.
 
     Examples
     --------

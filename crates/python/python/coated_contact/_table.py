@@ -60,39 +60,17 @@ class Table:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Table:
-        """Read a packed table, as :func:`generate` and ``tabulate pack`` write it.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be read.
-        TableError
-            If it is no packed table, or a damaged one.
-        """
+        """Read a packed table, as :func:`generate` and ``tabulate pack`` write it."""
         return cls(_core.Table.read(path))
 
     @classmethod
     def open(cls, path: str | os.PathLike[str]) -> Table:
-        """Read an HDF5 table, as ``tabulate generate`` writes it.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be read.
-        TableError
-            If it is no HDF5 table of this project, or a damaged one.
-        """
+        """Read an HDF5 table, as ``tabulate generate`` writes it."""
         return cls(_core.Table.open(path))
 
     @classmethod
     def from_packed(cls, packed: bytes) -> Table:
-        """Make a table from the bytes of a packed one.
-
-        Raises
-        ------
-        TableError
-            If the bytes are no packed table.
-        """
+        """Make a table from the bytes of a packed one."""
         return cls(_core.Table.from_packed(packed))
 
     def to_packed(self) -> bytes:
@@ -105,12 +83,6 @@ class Table:
         In a table of one stack of layers the system is a StackSystem with the stack of the table.
         Its probe is a paraboloid or a flat punch of any modulus in the table. Such a contact has no
         derivatives, and nothing beyond the nodes in a/t.
-
-        Raises
-        ------
-        OutsideTableError
-            If the table does not hold the material.
-            For a film in a table of a stack, a stack in a table of films, and for another stack.
         """
         return Contact(system=system, table=self)
 
@@ -201,10 +173,8 @@ class Table:
         Raises
         ------
         OutsideTableError
-            If the table does not hold the material.
             For an a/t so far beyond the nodes that the expansion is not accurate enough.
-            If the table answers some of the quantities only.
-            In a table of a stack of layers.
+            If the table answers some of the quantities only, or is one of a stack of layers.
 
         Examples
         --------

@@ -95,11 +95,6 @@ class Validity(OneLine):
         float, numpy.ndarray or None
             The part, 0 or more. None on a half-space.
 
-        Raises
-        ------
-        SolveError
-            As ``stick_stiffening``.
-
         Examples
         --------
         >>> from coated_contact import Elastic, SolvedCurve, System
