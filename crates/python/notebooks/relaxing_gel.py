@@ -1,9 +1,9 @@
 # %% [markdown]
 # # A gel that relaxes
 #
-# A sphere of radius 10 µm is pressed into a gel of 5 µm on glass, held, and pulled back. The modulus
-# of the gel falls in time by a power law. The contact at any time follows from the elastic contact
-# on the same film, exactly, at every thickness.
+# A sphere of radius 10 µm is pressed into a gel of 5 µm on glass, held, and pulled back. The
+# modulus of the gel falls in time by a power law. The contact at any time follows from the elastic
+# contact on the same film, exactly, at every thickness.
 
 # %%
 import matplotlib.pyplot as plt

@@ -2,7 +2,7 @@
 
 use acceptance::{assert_names, rigid_probe, solid, solved_contact};
 use contact::{Control, HistoryError, Hysteresis, RateDependent, Relaxation};
-use interp::Probe;
+use interp::{Probe, System};
 
 use super::{CYCLES, PARABOLOID, half_space, solid_law};
 
@@ -43,6 +43,24 @@ fn bodies_that_do_not_relax() {
         "{refused}"
     );
     assert_names(&refused.to_string(), &["do not relax", "2e-2", "rigid"]);
+    let own = contact(1e5);
+    for other in [
+        &own,
+        &half_space(PARABOLOID),
+        &solved_contact(
+            &System {
+                film_thickness: 2e-5,
+                ..of(f64::INFINITY)
+            },
+            [1e-4, 1.0],
+            1e-9,
+        ),
+    ] {
+        let history = own.history(&law).expect("a law").beside(other);
+        let refused = history.run(Control::Displacement, &program, None);
+        let refused = refused.expect_err("other bodies").to_string();
+        assert_names(&refused, &["same film, thickness and probe", "rigid base"]);
+    }
 }
 
 /// Each mistake has an error that says what to do.

@@ -1,0 +1,143 @@
+"""What a user gives by mistake, and would not notice in the numbers."""
+
+from dataclasses import asdict, replace
+from math import inf
+
+import numpy as np
+import pytest
+
+from coated_contact import (
+    Cone,
+    Elastic,
+    FitError,
+    Free,
+    Indentation,
+    InputError,
+    Relaxation,
+    SolvedCurve,
+    Table,
+    design,
+    fit,
+    forecast,
+    read_experiment,
+    simulate,
+    solve,
+)
+from conftest import loads_at, make_system, refuses
+
+LENS = loads_at(make_system(), np.linspace(4e-5, 1.2e-4, 30), noise=2e-6)
+WANTED = ["film_modulus", "work_of_adhesion"]
+TEN_METRES = replace(LENS, system=make_system(film_thickness=10.0))
+
+
+class Quantity:
+    """A number with a unit, as packages of units have them."""
+
+    def __init__(self, value, unit):
+        self._value, self._unit = value, unit
+
+    @property
+    def units(self):
+        return self._unit
+
+    def __array__(self, dtype=None, copy=None):
+        return np.asarray(self._value, dtype=float)
+
+
+CASES = {
+    "a unit": (TypeError, "SI", lambda: replace(make_system(), film_thickness=Quantity(10, "um"))),
+    "metres": (FitError, "10 m is above", lambda: simulate(TEN_METRES, noise=2e-6, seed=1)),
+    "a plan in metres": (FitError, "10 m is above", lambda: forecast(TEN_METRES, WANTED)),
+    "no friction": (InputError, "stick", lambda: replace(LENS, advancing=0.3)),
+    "no friction, solved": (
+        InputError,
+        "stick",
+        lambda: SolvedCurve(a_over_t=(0.1, 20), sphere_poisson_ratio=0.3),
+    ),
+    "a masked direction": (
+        TypeError,
+        "masked",
+        lambda: replace(LENS, retract=np.ma.array([True] * 30, mask=[False] * 29 + [True])),
+    ),
+    "a word for yes": (TypeError, "reference", lambda: Indentation(reference="no")),
+    "the path of a table": (TypeError, "read", lambda: fit(LENS, WANTED, table="paper.bin")),
+    "no table": (TypeError, "False", lambda: forecast(LENS, WANTED, table=False)),
+    "one word": (TypeError, "list of words", lambda: fit(LENS, WANTED, allow="magnitudes")),
+    "a rigid sphere": (InputError, "inf", lambda: replace(make_system(), sphere_modulus=1e40)),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_mistake_is_refused(case):
+    error, words, call = CASES[case]
+    refuses(error, words, call)
+
+
+def test_a_large_magnitude_may_be_meant():
+    assert forecast(TEN_METRES, WANTED, allow=["magnitudes"]).stderr["film_modulus"] > 0
+    plans = {"one": TEN_METRES, "other": TEN_METRES}
+    assert design(plans, WANTED, about="film_modulus", allow=["magnitudes"]).stderr["one"] > 0
+
+
+def test_the_rigid_bodies_of_a_history_are_its_own():
+    soft = Elastic(young_modulus=1e6, poisson_ratio=0.25)
+    gel = replace(make_system(film_modulus=1e4), sphere_radius=1e-5, substrate=soft)
+    rigid = Elastic(young_modulus=inf, poisson_ratio=0.25)
+
+    def history(beside):
+        contact = Table.embedded().contact(gel)
+        law = Relaxation.power_law(0.2)
+        return contact.history([0, 1, 2], law, penetration=[0, 1e-7, 0], rigid=beside)
+
+    def between_rigid(system):
+        return Table.embedded().contact(replace(system, sphere_modulus=inf, substrate=rigid))
+
+    assert history(between_rigid(gel)).unlike_bodies > 1e-4
+    for other in [
+        Table.embedded().contact(gel),
+        between_rigid(replace(gel, film_thickness=1e-3)),
+        between_rigid(replace(gel, probe=Cone(half_angle=1.0))),
+    ]:
+        refuses(InputError, "same film, thickness and probe", lambda other=other: history(other))
+    refuses(TypeError, "rigid must be the Contact", lambda: history(True))
+
+
+def test_results_keep_no_array_of_the_caller():
+    x = np.array([0.1, 1.0])
+    solution = solve(x, 1.75, 0.5, 1e5)
+    contact = Table.embedded().contact(make_system())
+    ranges = np.array([1e-10, 1e-9])
+    size = contact.zone_size(0.04, interaction_range=ranges)
+    radii = np.array([5e-5, 6e-5])
+    validity = contact.validity(radii)
+    before = size.pull_off_error(), validity.friction()
+    for array in (x, ranges, radii):
+        array *= 3
+    assert solution.to_pandas()["a_over_t"].tolist() == [0.1, 1.0]
+    assert (size.pull_off_error() == before[0]).all()
+    assert (validity.friction() == before[1]).all()
+
+
+def test_a_fit_ends_within_its_bounds():
+    measured = simulate(LENS, noise=2e-6, seed=1)
+    for least in np.geomspace(4e6, 1e8, 40):
+        bounds = (least, 2 * least)
+        free = [Free(parameter="film_modulus", bounds=bounds), "work_of_adhesion"]
+        found = fit(measured, free, fixed_values=False, allow=["left-out"])
+        assert bounds[0] <= found.params["film_modulus"] <= bounds[1]
+
+
+def test_commas_that_may_part_thousands_are_told(tmp_path):
+    def reading(rows):
+        file = tmp_path / "lens.csv"
+        file.write_text("Contact radius (um)\tLoad (uN)\n" + rows)
+        return read_experiment(file, system=make_system()).reading
+
+    with pytest.warns(UserWarning, match="if they part thousands"):
+        assert "thousands" in reading("41,250\t-190\n52,300\t-150\n63,410\t-80\n")
+    assert "commas are decimal" in reading("41,25\t-190\n52,30\t-150\n63,41\t-80\n")
+
+
+def test_objects_are_written_as_dictionaries():
+    assert asdict(make_system())["probe"] == {"radius": 1e-3}
+    assert asdict(LENS)["system"]["film_thickness"] == 1e-5
