@@ -1,8 +1,9 @@
 //! The stated errors of contacts with full friction, over random systems of large contrasts.
 
-use acceptance::{larger, material};
+use acceptance::{larger, material, solid};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use solve::stack::{Interface, Layer, Stack};
 use solve::stick::Sticking;
 
 use crate::stick::relative;
@@ -95,4 +96,39 @@ fn stated_errors_of_growing_contacts_are_honest() {
     }
     println!("at most {worst:.2} of the stated error in {solved} contacts");
     assert!(solved >= 30, "{solved}");
+}
+
+/// An incompressible film under a rigid sphere on a base that is thousands of times as soft. The values
+/// are those of another program: the Volterra equation with another method for the punches, in as many
+/// digits as two of its grids have in common.
+#[test]
+fn stiff_films_on_soft_bases_are_solved() {
+    for (x, e0, interface, eeq_g) in [
+        (11.08, 8.2e-4, Interface::Sliding, 1.072_040_458_05e-3),
+        (
+            10.77,
+            1.255_974_283_591_801_8e-4,
+            Interface::Sliding,
+            2.280_516_634_6e-4,
+        ),
+        (6.5, 1.7e-4, Interface::Bonded, 4.238_309_037e-4),
+        (3.0, 1e-4, Interface::Bonded, 5.203_626_850_63e-4),
+    ] {
+        let film = Layer {
+            solid: solid(1.0, 0.5),
+            thickness: 1.0,
+            interface,
+        };
+        let stack = Stack::new(solid(e0, 0.3), [film]).expect("physical");
+        let sticking = Sticking::on_stack(&stack, f64::INFINITY, 0.5).expect("physical");
+        for tolerance in [1e-2, 1e-4, 1e-6, 3e-8] {
+            let (tip, stated) = sticking.tip(x, 2.0, tolerance).expect("converges");
+            let error = relative(tip.eeq_g, eeq_g);
+            println!("{x} {tolerance:.0e}: {error:.1e} of {stated:.1e}");
+            assert!(
+                error <= stated && error < 1e-9,
+                "{x}: {error:e} > {stated:e}"
+            );
+        }
+    }
 }

@@ -517,7 +517,8 @@ class SolvedCurve:
     a_over_t : tuple of float
         The smallest and the largest contact radius over the thickness of the film or stack.
     tolerance : float
-        The largest relative error of the quantities.
+        The largest relative error of the quantities. The integrals of another shape than a
+        paraboloid may add up to 1e-6 if the range begins at a large a/t: begin at 1e-3 or below.
     friction : {"none", "stick"}
         Whether the surfaces slide freely, or never slide where they have touched. A sphere that
         sticks is solved where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5

@@ -5,7 +5,7 @@
 
 use crate::quadrature::GaussLegendre;
 
-/// Polynomials through values at Gauss's points on `[0, end]`.
+/// Polynomials through values at Gauss's points of an interval from 0 to a little beyond the last point.
 #[derive(Clone, Debug)]
 pub struct Points {
     /// The points, ascending.
@@ -17,9 +17,11 @@ pub struct Points {
 }
 
 impl Points {
-    /// Places `count` points on `[0, end]`.
-    pub fn new(count: usize, end: f64) -> Self {
+    /// Places `count` points up to `last`, which is one of them: a value there needs no extrapolation.
+    pub fn new(count: usize, last: f64) -> Self {
         let rule = GaussLegendre::new(count);
+        let part = |x: f64| 0.5 * (1.0 + x);
+        let end = rule.abscissae.last().map_or(last, |x| last / part(*x));
         let points = rule.abscissae.iter().zip(&rule.weights);
         // The barycentric factors of Gauss's points are `(-1)^j ((1 - x^2) w)^{1/2}`.
         let factor = |(j, (x, w)): (usize, (&f64, &f64))| {
@@ -27,14 +29,10 @@ impl Points {
             if j % 2 == 0 { size } else { -size }
         };
         Self {
-            at: rule
-                .abscissae
-                .iter()
-                .map(|x| 0.5 * end * (1.0 + x))
-                .collect(),
+            at: rule.abscissae.iter().map(|x| end * part(*x)).collect(),
             factors: points.clone().enumerate().map(factor).collect(),
             rule: points
-                .map(|(x, w)| (0.5 * (1.0 + x), legendre_values(count, *x, 0.5 * w)))
+                .map(|(x, w)| (part(*x), legendre_values(count, *x, 0.5 * w)))
                 .collect(),
         }
     }

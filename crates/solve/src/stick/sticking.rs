@@ -263,8 +263,11 @@ impl Sticking {
             tolerance,
             reached,
         };
-        // Errors of the punches grow where the equation differentiates them.
-        let of_punches = (SHARE_OF_PUNCHES * tolerance).max(FINEST);
+        // Errors of the punches grow where the equation differentiates them, and with the compliance of
+        // long waves, which is large where a stiff film lies on a soft base.
+        let of_long_waves = self.bodies.film * self.bodies.surface.x(LONG_WAVES / x);
+        let of_punches = SHARE_OF_PUNCHES * tolerance / larger(1.0, of_long_waves);
+        let of_punches = of_punches.max(FINEST);
         let waves = Waves::new(&self.bodies, self.panels(x, 0.1 * of_punches), x);
         let grow = |count: usize| {
             grow(&waves, x, exponent, count, |x| modes(x, of_punches))
@@ -289,8 +292,9 @@ impl Sticking {
                     error,
                 });
             }
-            // Where only rounding is left, more points do not help.
-            if fine.error_of_punches > tolerance || error > STALLED * reached {
+            // Where only rounding is left, more points do not help. Large estimates mean nothing.
+            let stalled = reached < RESOLVED && error > STALLED * reached;
+            if fine.error_of_punches > tolerance || stalled {
                 reached = reached.min(error);
                 break;
             }
@@ -366,6 +370,12 @@ const LEAST_SHARE: f64 = 0.5;
 
 /// The share of the tolerance of a growing contact for its punches.
 const SHARE_OF_PUNCHES: f64 = 3e-3;
+
+/// The product of wave number and contact radius of waves that are long beside the contact.
+const LONG_WAVES: f64 = 1e-2;
+
+/// The estimated error below which a growing contact is resolved, so that refinements have to help.
+const RESOLVED: f64 = 1e-5;
 
 /// The part of the error of the round before above which a refinement has not helped.
 const STALLED: f64 = 0.7;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::ensure;
+use anyhow::{anyhow, ensure};
 use clap::ValueHint;
 use interp::{Elastic, Material, Normalisation, Probe, System};
 
@@ -269,8 +269,11 @@ fn joined_film(arguments: &Arguments, material: &Material) -> anyhow::Result<Opt
         film_thickness: 1.0,
         substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
     };
-    let stack = interface::one_film(&system, interface)?.stack;
-    Ok(Some((stack, system.sphere_modulus)))
+    let layers = interface::one_film(&system, interface);
+    // The library has SI units, and the flags have those of the quantities.
+    let unit = if rigid { "E1/t" } else { "E2*/t" };
+    let layers = layers.map_err(|error| anyhow!(error.to_string().replace("Pa/m", unit)))?;
+    Ok(Some((layers.stack, system.sphere_modulus)))
 }
 
 /// Reads stiffnesses without a unit.
