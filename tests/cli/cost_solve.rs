@@ -173,6 +173,6 @@ fn a_figure_of_anything_else_is_refused() {
 fn an_output_that_cannot_be_written_is_named_before_anything_is_measured() {
     assert_names(
         &workdir!().fail(1, "cost solve -o nowhere/solve.csv"),
-        &["nowhere/solve.csv", "no folder"],
+        "nowhere/solve.csv; no folder",
     );
 }

@@ -1,11 +1,11 @@
 //! `tabulate curve`
 
 use acceptance::{
-    Data, assert_names, larger, looked_up, paper_system, rigid_probe, solid, workdir,
+    Data, assert_names, json, larger, looked_up, number, paper_system, rigid_probe, solid, value,
+    workdir,
 };
 use contact::{Contact, Control, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System, Table};
-use serde_json::Value;
 use solve::cohesive::Cohesive;
 use tabulate::large_contact::LARGE_CONTACT;
 
@@ -192,14 +192,14 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
         let text = workdir.succeed(format!(
             "pull-off {sphere} --interaction-range 2e-7 {flags} --json"
         ));
-        let object: Value = serde_json::from_str(&text).expect("JSON");
+        let object = json(&text);
         for (name, value) in [
             ("load", state.load),
             ("contact_radius", state.contact_radius),
             ("outer_radius", state.outer_radius),
             ("penetration", state.penetration),
         ] {
-            let printed = object[name].as_f64().expect("a number");
+            let printed = number(&object, name);
             // The reader of JSON may miss the last bit.
             assert!((printed / value - 1.0).abs() < 1e-15, "{name}: {text}");
         }
@@ -211,12 +211,7 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
         );
         // Without a table the system is solved.
         let text = workdir.succeed(format!("pull-off {sphere} {flags}"));
-        let load: f64 = text
-            .lines()
-            .find_map(|line| line.strip_prefix("load           = "))
-            .expect("a load")
-            .parse()
-            .expect("a number");
+        let load = value(&text, "load");
         assert!((load / jkr.load - 1.0).abs() < 1e-5, "{load}");
     }
     for (arguments, words) in [

@@ -1,6 +1,6 @@
 //! Doubts and errors of `tabulate fit`: what it says, and what to type next.
 
-use acceptance::{assert_names, workdir};
+use acceptance::{assert_names, json, kinds, number, workdir};
 use serde_json::Value;
 
 /// Loads at penetrations of a rigid sphere of 10 um on a hard half-space, of which 60 nm remain.
@@ -30,20 +30,10 @@ fn a_depth_that_remains_is_named_with_the_flags_that_help() {
     let report = workdir.run(&of_film).stdout;
     assert_names(
         &report,
-        &[
-            "plastically",
-            "m remains",
-            "hysteresis",
-            "--only retract",
-            "--free film-modulus,contact-point",
-        ],
+        "plastically; m remains; hysteresis; --only retract; --free film-modulus,contact-point",
     );
-    let json = workdir.run(format!("{of_film} --json")).stdout;
-    let found: Value = serde_json::from_str(&json).expect("JSON");
-    let warnings = found["warnings"].as_array().expect("a list").iter();
-    let kinds: Vec<_> = warnings
-        .map(|one| one["kind"].as_str().expect("text"))
-        .collect();
+    let found = json(&workdir.run(format!("{of_film} --json")).stdout);
+    let kinds = kinds(&found);
     for kind in ["hysteresis", "plasticity"] {
         assert!(kinds.contains(&kind), "{kinds:?}");
     }
@@ -63,16 +53,11 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
     lens(&workdir);
     let run = |more: &str| {
         let fit = "fit data.csv --json --film-thickness 3e-5 --specimen paper --noise 2e-6";
-        let text = workdir.succeed(format!("{fit} {more}"));
-        serde_json::from_str::<Value>(&text).expect("JSON")
+        workdir.json(format!("{fit} {more}"))
     };
     let known = "--known film-thickness=3e-5+-3e-6";
     let (plain, widened) = (run(""), run(known));
-    let error = |found: &Value| {
-        found["parameters"]["sphere_modulus"]["stderr"]
-            .as_f64()
-            .expect("a number")
-    };
+    let error = |found: &Value| number(found, "parameters/sphere_modulus/stderr");
     assert!(error(&widened) > 2.0 * error(&plain));
     let fixed = widened["fixed_values"].as_array().expect("a list").iter();
     let of_film = fixed
@@ -83,7 +68,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         (of_film["error"].as_f64(), of_film["value"].as_f64()),
         (Some(3e-6), Some(3e-5))
     );
-    let expected = 10.0 * of_film["changes"][0].as_f64().expect("a number");
+    let expected = 10.0 * number(of_film, "changes/0");
     let hypot = error(&plain).hypot(expected);
     assert!((error(&widened) / hypot - 1.0).abs() < 1e-9);
     assert!(
@@ -94,29 +79,17 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
     let all = format!("fit data.csv --film-thickness 3e-5 --specimen paper {known}");
     assert_names(
         &workdir.succeed(&all),
-        &[
-            "what the fixed values do",
-            "sphere-radius",
-            "+1 %",
-            "0.5 -> 0.49",
-            "hold those of film-thickness +- 3 um",
-        ],
+        "what the fixed values do; sphere-radius; +1 %; 0.5 -> 0.49; hold those of film-thickness +- 3 um",
     );
-    for (known, words) in [
-        ("film-thickness=3e-5", &["film-thickness=2e-6+-1e-7"][..]),
-        ("thickness=3e-5+-1e-6", &["thickness", "sphere-radius"]),
-        (
-            "sphere-modulus=2e6+-1e4",
-            &["sphere-modulus", "not free", "prior"],
-        ),
-        ("stiffness=1+-0", &["stiffness", "positive"]),
-    ] {
-        let run = workdir.run(format!(
-            "fit data.csv --film-thickness 3e-5 --specimen paper --known {known}"
-        ));
-        assert!(run.status != 0 && run.stdout.is_empty(), "{known}");
-        assert_names(&run.stderr, words);
-    }
+    let known = "fit data.csv --film-thickness 3e-5 --specimen paper --known";
+    workdir.refuses(format!(
+        "
+        2 | {known} film-thickness=3e-5 | film-thickness=2e-6+-1e-7
+        2 | {known} thickness=3e-5+-1e-6 | thickness; sphere-radius
+        1 | {known} sphere-modulus=2e6+-1e4 | sphere-modulus; not free; prior
+        1 | {known} stiffness=1+-0 | stiffness; positive
+        "
+    ));
 }
 
 #[test]
@@ -142,19 +115,16 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     assert_names(&by_flag, &["of the abscissa 3.00e-7"]);
     assert_names(
         &by_column,
-        &[
-            "of the abscissa 3.00e-7",
-            "contact_radius_error from \"radius_error [um]\"",
-        ],
+        "of the abscissa 3.00e-7; contact_radius_error from \"radius_error [um]\"",
     );
     let found = |text: &str| text.split("\nfound\n").nth(1).expect("found").to_owned();
     assert_eq!(found(&by_flag), found(&by_column));
     // The flag stands for the column, and has another name for penetrations and heights.
     let exact = run("column.csv --abscissa-noise 0");
     assert_eq!(found(&exact), found(&run("data.csv")));
-    let refused = workdir.fail(
-        1,
-        "fit data.csv --film-thickness 3e-5 --specimen paper --radius-noise -1",
+    workdir.refuses(
+        "
+        1 | fit data.csv --film-thickness 3e-5 --specimen paper --radius-noise -1 | contact radius; -1; >= 0
+        ",
     );
-    assert_names(&refused, &["contact radius", "-1", ">= 0"]);
 }

@@ -1,7 +1,6 @@
 //! `tabulate fit`: files that need a word of the user, and what heads of files tell.
 
-use acceptance::{Workdir, assert_names, workdir};
-use serde_json::Value;
+use acceptance::{Workdir, assert_cases, assert_names, estimate, number, workdir};
 
 /// The flags of a sphere on a half-space.
 const GEL: &str = "--half-space --sphere-modulus inf --sphere-radius 1e-5 --film-modulus 5e3 \
@@ -20,70 +19,43 @@ fn fit(file: &str, more: &str) -> String {
 #[test]
 fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
     let workdir = workdir!();
-    workdir.write(
-        "two.csv",
-        "Tiefe (nm);Kraft (mN);t (s)\n1;0;0\n2;1;1\n3;4;2\n",
-    );
-    workdir.write("one.csv", "Depth (nm);Kraft (mN)\n1;0\n2;1\n");
-    workdir.write(
-        "both.csv",
-        "Depth [nm],Load [mN],Piezo [nm]\n1,2,3\n2,3,4\n",
-    );
-    workdir.write("bare.csv", "1,2\n2,3\n");
-    workdir.write("volts.csv", "z [nm],defl [V]\n3,0\n2,1\n");
-    workdir.write("unit.csv", "Radius,Load [mN]\n1,2\n2,3\n");
-    workdir.write(
-        "phase.csv",
-        "height,force,phase\n1,2,sideways\n2,3,sideways\n",
-    );
-    let cases: [(&str, &str, &[&str]); 8] = [
+    for (file, text) in [
         (
             "two.csv",
-            "",
-            &[
-                "load-radius lacks contact_radius (a length) and load (a force); ",
-                "\"Tiefe (nm)\" (a length), \"Kraft (mN)\" (a force), \"t (s)\"",
-                "type --kind load-radius --column \"contact_radius=Tiefe (nm)\" --column \"load=Kraft (mN)\", or",
-                ", or --kind load-penetration --column \"penetration=Tiefe (nm)\" --column \"load=Kraft (mN)\"",
-            ],
+            "Tiefe (nm);Kraft (mN);t (s)\n1;0;0\n2;1;1\n3;4;2\n",
         ),
-        (
-            "two.csv",
-            "--kind load-penetration",
-            &["type --column \"penetration=Tiefe (nm)\" --column \"load=Kraft (mN)\""],
-        ),
-        (
-            "one.csv",
-            "",
-            &[
-                "load-penetration lacks load (a force)",
-                "\"Depth (nm)\" (penetration), \"Kraft (mN)\" (a force)",
-                "type --kind load-penetration --column \"load=Kraft (mN)\"",
-            ],
-        ),
+        ("one.csv", "Depth (nm);Kraft (mN)\n1;0\n2;1\n"),
         (
             "both.csv",
-            "",
-            &["type --kind load-penetration|force-height"],
+            "Depth [nm],Load [mN],Piezo [nm]\n1,2,3\n2,3,4\n",
         ),
+        ("bare.csv", "1,2\n2,3\n"),
+        ("volts.csv", "z [nm],defl [V]\n3,0\n2,1\n"),
+        ("unit.csv", "Radius,Load [mN]\n1,2\n2,3\n"),
         (
-            "bare.csv",
-            "",
-            &["type --column \"contact_radius=1 [um]\" --column \"load=2 [mN]\""],
+            "phase.csv",
+            "height,force,phase\n1,2,sideways\n2,3,sideways\n",
         ),
-        ("volts.csv", "", &["type --stiffness N/m --sensitivity m/V"]),
-        (
-            "unit.csv",
-            "",
-            &["no unit", "--column \"contact_radius=Radius [um]\""],
-        ),
-        ("phase.csv", "", &["sideways", "type --segments split"]),
-    ];
-    for (file, more, words) in cases {
+    ] {
+        workdir.write(file, text);
+    }
+    let cases = r#"
+        two.csv |  | "Tiefe (nm)" (a length), "Kraft (mN)" (a force), "t (s)"; load-radius lacks contact_radius (a length) and load (a force);
+        two.csv |  | type --kind load-radius --column "contact_radius=Tiefe (nm)" --column "load=Kraft (mN)", or
+        two.csv |  | , or --kind load-penetration --column "penetration=Tiefe (nm)" --column "load=Kraft (mN)"
+        two.csv | --kind load-penetration | type --column "penetration=Tiefe (nm)" --column "load=Kraft (mN)"
+        one.csv |  | load-penetration lacks load (a force); "Depth (nm)" (penetration), "Kraft (mN)" (a force); type --kind load-penetration --column "load=Kraft (mN)"
+        both.csv |  | type --kind load-penetration|force-height
+        bare.csv |  | type --column "contact_radius=1 [um]" --column "load=2 [mN]"
+        volts.csv |  | type --stiffness N/m --sensitivity m/V
+        unit.csv |  | no unit; --column "contact_radius=Radius [um]"
+        phase.csv |  | sideways; type --segments split
+        "#;
+    assert_cases(cases, |[file, more, _]| {
         let message = workdir.fail(1, fit(file, more));
         assert_eq!(message.lines().count(), 1, "{message}");
-        assert_names(&message, words);
-    }
+        message
+    });
     let typed = "--column 'penetration=Tiefe (nm)' --column 'load=Kraft (mN)'";
     let run = workdir.run(fit("two.csv", &format!("{typed} --kind load-penetration")));
     assert!(!run.stderr.contains("type --"), "{run:?}");
@@ -119,19 +91,11 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
     let report = workdir.succeed(fit("jpk.txt", free));
     assert_names(
         &report,
-        &[
-            "stiffness 0.05 N/m from line 4, \"springConstant\"",
-            "2 rows of a pause left out",
-            "2 times headings",
-        ],
+        "stiffness 0.05 N/m from line 4, \"springConstant\"; 2 rows of a pause left out; 2 times headings",
     );
-    let object = |more: &str| -> Value {
-        let text = workdir.succeed(fit("jpk.txt", &format!("{free} --json {more}")));
-        serde_json::from_str(&text).expect("JSON")
-    };
+    let object = |more: &str| workdir.json(fit("jpk.txt", &format!("{free} --json {more}")));
     let told = object("");
-    let modulus = &told["parameters"]["film_modulus"];
-    let [value, error] = ["value", "stderr"].map(|key| modulus[key].as_f64().expect("a number"));
+    let [value, error] = estimate(&told, "film_modulus");
     assert!(
         (value - 5e3).abs() < 4.0 * error,
         "{value} +- {error}, not 5 kPa"
@@ -170,7 +134,7 @@ fn a_doubt_about_a_sign_says_what_to_type() {
     let text = format!("{}{}", run.stdout, run.stderr);
     assert_names(
         &text,
-        &["opposite sense", "type --column \"height=-Piezo (nm)\""],
+        "opposite sense; type --column \"height=-Piezo (nm)\"",
     );
     let turned = format!("{stiffness} --column 'height=-Piezo (nm)'");
     let report = workdir.succeed(fit("z.csv", &turned));
@@ -193,30 +157,22 @@ fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
     let report = workdir.succeed(with(""));
     assert_names(
         &report,
-        &[
-            "Pa, reduced modulus E2*\n",
-            "200 GPa, Young's modulus E0\n",
-            "3.5 MPa, Young's modulus E1\n",
-        ],
+        "Pa, reduced modulus E2*\n; 200 GPa, Young's modulus E0\n; 3.5 MPa, Young's modulus E1\n",
     );
     assert!(!report.contains("nu2"), "{report}");
     let sphere = "--sphere-poisson-ratio 0.5";
     let report = workdir.succeed(with(sphere));
     assert_names(
         &report,
-        &["MPa, Young's modulus E2 = E2* (1 - nu2^2), nu2 = 0.5\n"],
+        "MPa, Young's modulus E2 = E2* (1 - nu2^2), nu2 = 0.5\n",
     );
-    let text = workdir.succeed(with("--sphere-poisson-ratio 0.5 --json"));
-    let object: Value = serde_json::from_str(&text).expect("JSON");
-    let [young, reduced] = [
-        &object["sphere_young_modulus"],
-        &object["parameters"]["sphere_modulus"],
-    ];
-    for key in ["value", "stderr"] {
-        let [young, reduced] = [young, reduced].map(|one| one[key].as_f64().expect("a number"));
+    let object = workdir.json(with("--sphere-poisson-ratio 0.5 --json"));
+    let [value, error] = ["value", "stderr"].map(|key| {
+        let young = number(&object, &format!("sphere_young_modulus/{key}"));
+        let reduced = number(&object, &format!("parameters/sphere_modulus/{key}"));
         assert!((young / (0.75 * reduced) - 1.0).abs() < 1e-14, "{key}");
-    }
-    let [value, error] = ["value", "stderr"].map(|key| young[key].as_f64().expect("a number"));
+        young
+    });
     assert!(
         (value - 0.75 * 2e6).abs() < 4.0 * error,
         "{value} +- {error}"

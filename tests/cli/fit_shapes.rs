@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use acceptance::{assert_names, workdir};
-use serde_json::Value;
+use acceptance::{assert_names, number, workdir};
 
 /// The reduced modulus of a solid of 1 MPa with a Poisson ratio of 0.5 under a rigid probe, Pa, the
 /// work of adhesion, J/m^2, and the reading of the penetration at first touch, m.
@@ -77,7 +76,7 @@ fn files_of_half_spaces_give_the_closed_forms() {
     ];
     for (name, probe, free) in cases {
         let arguments = format!("fit {name} --free {free} {probe} {common}");
-        let object: Value = serde_json::from_str(&workdir.succeed(&arguments)).expect("JSON");
+        let object = workdir.json(&arguments);
         assert_eq!(object["converged"], true, "{name}");
         let found = object["parameters"].as_object().expect("an object");
         assert_eq!(found.len(), free.split(',').count(), "{name}");
@@ -85,7 +84,7 @@ fn files_of_half_spaces_give_the_closed_forms() {
             let Some(estimate) = found.get(parameter) else {
                 continue;
             };
-            let value = estimate["value"].as_f64().expect("a number");
+            let value = number(estimate, "value");
             println!("{name}: {parameter} {:.1e}", value / truth - 1.0);
             assert!((value / truth - 1.0).abs() < 1e-3, "{name}: {estimate}");
         }
@@ -93,12 +92,12 @@ fn files_of_half_spaces_give_the_closed_forms() {
     // The wrong shape is another modulus.
     let wrong =
         format!("fit sphere.csv --free {all} --probe paraboloid --sphere-radius 1e-5 {common}");
-    let object: Value = serde_json::from_str(&workdir.succeed(wrong)).expect("JSON");
-    let modulus = object["parameters"]["film_modulus"]["value"].as_f64();
-    assert!((modulus.expect("a number") / 1e6 - 1.0).abs() > 0.01);
+    let object = workdir.json(wrong);
+    let modulus = number(&object, "parameters/film_modulus/value");
+    assert!((modulus / 1e6 - 1.0).abs() > 0.01);
     let missing = format!("fit cone.csv --probe cone {common}");
     assert_names(
         &workdir.fail(1, &missing),
-        &["--probe cone needs --half-angle"],
+        "--probe cone needs --half-angle",
     );
 }

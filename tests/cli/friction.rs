@@ -1,18 +1,7 @@
 //! Full friction on the command line: the numbers of `solve`, the histories of `curve` and
 //! `pull-off`, fits with both ends of friction, and what is refused.
 
-use acceptance::{assert_names, workdir};
-
-/// Returns the value of a line `name = value`.
-fn value(text: &str, name: &str) -> f64 {
-    let is_of = |line: &&str| {
-        line.split_once('=')
-            .is_some_and(|(key, _)| key.trim() == name)
-    };
-    let line = text.lines().find(is_of).expect("the line");
-    let (_, value) = line.split_once('=').expect("a value");
-    value.trim().parse().expect("a number")
-}
+use acceptance::{assert_names, estimate, json, number, value, workdir};
 
 /// A rigid sphere on an incompressible film on a rigid base.
 const CONFINED: &str = "--e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf";
@@ -45,17 +34,12 @@ fn solve_prints_the_numbers_of_stick() {
     let run = workdir.run(
         "solve --a-over-t 1 --e1-over-e2 0 --nu1 0.3 --e0-over-e2 inf --friction stick --json",
     );
-    let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
-    assert!(
-        (json["eeq_s"].as_f64().expect("a number") / 2.508_531_756_798_989 - 1.0).abs() < 1e-10
-    );
+    let object = json(&run.stdout);
+    assert!((number(&object, "eeq_s") / 2.508_531_756_798_989 - 1.0).abs() < 1e-10);
     for name in ["gamma_s", "gamma_t", "delta_s", "pi_s", "gamma_g", "eeq_g"] {
-        assert!(json[name].is_null(), "{name}: {json}");
+        assert!(object[name].is_null(), "{name}: {object}");
     }
-    assert_names(
-        &run.stderr,
-        &["beta = 0.2857", "artanh(beta)/beta = 1.0286"],
-    );
+    assert_names(&run.stderr, "beta = 0.2857; artanh(beta)/beta = 1.0286");
 
     // The Poisson ratio of the sphere, and points of a file with empty cells.
     let of_sphere = |nu2: &str| {
@@ -157,52 +141,34 @@ fn a_contact_without_friction_tells_the_size_of_friction() {
 fn what_is_not_solved_is_refused_with_the_reason() {
     let workdir = workdir!();
     let stick = "--friction stick --specimen paper";
-    let refused = |arguments: &str, names: &[&str]| {
-        let error = workdir.fail(1, arguments);
-        assert_names(&error, names);
-    };
     const SIMULATE: &str = "simulate --kind load-radius --from 5um --to 9um --noise 2uN";
     workdir.write(
         "data.csv",
         "contact_radius,load\n5e-6,1e-7\n6e-6,2e-7\n7e-6,3e-7\n8e-6,4e-7\n",
     );
     for command in ["curve", "pull-off", SIMULATE, "fit data.csv"] {
-        let with = |further: &str| format!("{command} {stick} {further}");
-        refused(
-            &with("--film-poisson-ratio 0.49"),
-            &["Dundurs' beta", "nu1 = 0.49", "artanh(beta)/beta"],
-        );
-        refused(
-            &with("--work-of-adhesion-receding 10mJ/m^2"),
-            &[
-                "--work-of-adhesion-receding",
-                "less than",
-                "exchange the two",
-            ],
-        );
+        workdir.refuses(format!(
+            "
+            1 | {command} {stick} --film-poisson-ratio 0.49 | Dundurs' beta; nu1 = 0.49; artanh(beta)/beta
+            1 | {command} {stick} --work-of-adhesion-receding 10mJ/m^2 | --work-of-adhesion-receding; less than; exchange the two
+            "
+        ));
     }
     for command in ["curve", "pull-off"] {
-        let with = |further: &str| format!("{command} {stick} {further}");
-        refused(
-            &with("--interaction-range 1nm"),
-            &["without a range", "--interaction-range"],
-        );
-        refused(
-            &with("--probe sphere --film-thickness 1mm"),
-            &["--probe paraboloid", "eeq_s"],
-        );
-        refused(
-            &format!("{command} --specimen paper --work-of-adhesion-receding 0.1"),
-            &["--work-of-adhesion-receding goes with --friction stick"],
-        );
+        workdir.refuses(format!(
+            "
+            1 | {command} {stick} --interaction-range 1nm | without a range; --interaction-range
+            1 | {command} {stick} --probe sphere --film-thickness 1mm | --probe paraboloid; eeq_s
+            1 | {command} --specimen paper --work-of-adhesion-receding 0.1 | --work-of-adhesion-receding goes with --friction stick
+            "
+        ));
     }
-    let error = workdir.fail(2, "solve --a-over-t 1 --friction some");
-    assert_names(&error, &["some", "none", "stick"]);
-    let error = workdir.fail(
-        1,
-        format!("solve --a-over-t 1 --nu2 0.6 {CONFINED} --friction stick"),
-    );
-    assert_names(&error, &["nu2", "0.6"]);
+    workdir.refuses(format!(
+        "
+        2 | solve --a-over-t 1 --friction some | some; none; stick
+        1 | solve --a-over-t 1 --nu2 0.6 {CONFINED} --friction stick | nu2; 0.6
+        "
+    ));
 }
 
 /// A thin gel, simulated with stick, is read with both ends of friction: the modulus is found with
@@ -220,11 +186,9 @@ fn a_fit_without_friction_is_warned_and_one_with_stick_finds_the_modulus() {
         let run = workdir.run(format!(
             "fit gel.csv --json --free film-modulus --friction {friction} {bodies}"
         ));
-        let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
-        let modulus = json["parameters"]["film_modulus"]["value"]
-            .as_f64()
-            .expect("a number");
-        let warnings = json["warnings"].as_array().expect("a list").clone();
+        let object = json(&run.stdout);
+        let modulus = number(&object, "parameters/film_modulus/value");
+        let warnings = object["warnings"].as_array().expect("a list").clone();
         let friction = warnings
             .iter()
             .find(|one| one["kind"] == "friction")
@@ -256,12 +220,11 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     let free = "--free work-of-adhesion,film-modulus --json";
     let fitted = run("fit retract.csv", "0.02", free);
     assert_eq!(fitted.status, 0, "{}", fitted.stderr);
-    let json: serde_json::Value = serde_json::from_str(&fitted.stdout).expect("JSON");
+    let object = json(&fitted.stdout);
     for (name, truth) in [("work_of_adhesion", 0.01), ("film_modulus", 7.5e5)] {
-        let found = &json["parameters"][name];
-        let [value, error] = ["value", "stderr"].map(|key| found[key].as_f64().expect("a number"));
-        assert!((value - truth).abs() < 4.0 * error, "{name}: {found}");
-        assert!(error < 0.01 * truth, "{name}: {found}");
+        let [value, error] = estimate(&object, name);
+        assert!((value - truth).abs() < 4.0 * error, "{name}: {object}");
+        assert!(error < 0.01 * truth, "{name}: {object}");
     }
     // One work of adhesion describes these data with another modulus.
     let approach = run(plan, "0.01", "--segments approach");
@@ -299,7 +262,7 @@ fn the_poisson_ratio_of_the_sphere_has_one_meaning() {
         let error = workdir.fail(1, format!("{command} {bodies} {ratio}"));
         assert_names(
             &error,
-            &["--sphere-poisson-ratio", "no effect", "--friction stick"],
+            "--sphere-poisson-ratio; no effect; --friction stick",
         );
     }
     let film = "solve --a-over-t 1 --nu2 0.4";
@@ -311,8 +274,7 @@ fn the_poisson_ratio_of_the_sphere_has_one_meaning() {
     let free = "--free sphere-modulus,work-of-adhesion";
     let fit = format!("fit lens.csv {bodies} {free}");
     let stick = "--friction stick --nu2 0.5 --json";
-    let text = workdir.succeed(format!("{fit} {stick}"));
-    let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let json = workdir.json(format!("{fit} {stick}"));
     assert!(json["sphere_young_modulus"]["value"].is_f64(), "{json}");
     let twice = "--nu2 0.5 --sphere-poisson-ratio 0.4";
     let error = workdir.fail(2, format!("{fit} {twice}"));

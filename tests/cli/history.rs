@@ -163,101 +163,45 @@ fn the_error_and_the_doubts_are_stated() {
 fn mistakes_are_told() {
     let workdir = workdir!();
     let (film, _) = GEL.split_once(" --relaxation=").expect("a law");
-    let refuse = |status: i32, arguments: &str, names: &[&str]| {
-        let error = workdir.fail(status, arguments);
-        assert_names(&error, names);
-    };
-    refuse(2, GEL, &["--program"]);
-    refuse(2, &format!("{film} {PROGRAM}"), &["--relaxation"]);
-    refuse(
-        2,
-        &format!("{film} {PROGRAM} --relaxation=sls"),
-        &["prony", "power-law", "fractional-zener"],
-    );
-    let power = "--relaxation=power-law";
-    refuse(
-        1,
-        &format!("{film} {PROGRAM} {power}"),
-        &["--relaxation-exponent", "0.2"],
-    );
-    refuse(
-        1,
-        &format!("{film} {PROGRAM} {power} --relaxation-exponent=1.2"),
-        &["1.2", "below 1"],
-    );
-    let both = "--relaxation-exponent=0.2 --relaxed-fraction=0.1";
-    refuse(
-        1,
-        &format!("{film} {PROGRAM} {power} {both}"),
-        &["power-law has no --relaxed-fraction"],
-    );
-    refuse(
-        1,
-        &format!("{film} {PROGRAM} --relaxation=prony"),
-        &["--relaxed-fraction"],
-    );
+    for (file, text) in [
+        ("radii.csv", "time,contact_radius\n0,1\n"),
+        ("both.csv", "time,load,penetration\n0,0,0\n"),
+        ("untimed.csv", "t,load\n0,0\n"),
+        ("swapped.csv", "time,penetration\n0,0\n1e-6,1\n0,2\n"),
+        ("words.csv", "time,load\n0,0\n1,much\n"),
+    ] {
+        workdir.write(file, text);
+    }
     let two = "--relaxation=prony --relaxed-fraction=0.3 --relaxation-time=1,2";
-    refuse(
-        1,
-        &format!("{film} {PROGRAM} {two}"),
-        &["--relaxation-weight", "one weight for each time"],
-    );
-    let wrong_sum = "--relaxation-weight=0.3,0.3";
-    refuse(
-        1,
-        &format!("{film} {PROGRAM} {two} {wrong_sum}"),
-        &["sum", "must be 1"],
-    );
-    let with = |text: &'static str| format!("{GEL} --program '{text}'");
-    refuse(
-        1,
-        &with("0:0 1:1um"),
-        &["penetration, load or height", "0:0"],
-    );
-    refuse(1, &with("penetration 0:0 1um"), &["1um", "time:value"]);
-    refuse(1, &with("penetration 0:0 1:1nN"), &["1nN"]);
-    refuse(1, &with("penetration 0:0 1:1um 1:0"), &["point 3", "rise"]);
-    refuse(1, &with("penetration 0:1um 1:0"), &["begins in contact"]);
-    refuse(1, &with("height 0:0 1:1um"), &["--stiffness"]);
-    refuse(
-        1,
-        &format!("{GEL} {PROGRAM} --stiffness=1"),
-        &["--stiffness", "height"],
-    );
-    refuse(1, &with("moves.csv"), &["moves.csv", "CSV file, or text"]);
-    workdir.write("radii.csv", "time,contact_radius\n0,1\n");
-    refuse(
-        1,
-        &with("radii.csv"),
-        &[
-            "radii.csv",
-            "penetration (m), load (N) or height (m)",
-            "contact_radius",
-        ],
-    );
-    workdir.write("both.csv", "time,load,penetration\n0,0,0\n");
-    refuse(1, &with("both.csv"), &["only one"]);
-    workdir.write("untimed.csv", "t,load\n0,0\n");
-    refuse(1, &with("untimed.csv"), &["t, load", "named time"]);
-    workdir.write("swapped.csv", "time,penetration\n0,0\n1e-6,1\n0,2\n");
-    refuse(1, &with("swapped.csv"), &["point 3", "0.0 s", "rise"]);
-    workdir.write("words.csv", "time,load\n0,0\n1,much\n");
-    refuse(1, &with("words.csv"), &["words.csv", "line 3", "much"]);
-    refuse(
-        1,
-        &format!("{GEL} {PROGRAM} --work-of-adhesion=1mJ/m^2"),
-        &["--work-of-adhesion-receding"],
-    );
-    refuse(
-        2,
-        &format!("{GEL} {PROGRAM} --at=1 --points=3"),
-        &["--points"],
-    );
-    refuse(1, &format!("{GEL} {PROGRAM} --at=-1"), &["-1", "begins at"]);
-    refuse(
-        1,
-        &format!("{GEL} {PROGRAM} --tolerance=1e-14"),
-        &["1e-14", "1e-10"],
-    );
-    refuse(1, &with("penetration 0:0 1:1mm"), &["penetration"]);
+    workdir.refuses(format!(
+        "
+        2 | {GEL} | --program
+        2 | {film} {PROGRAM} | --relaxation
+        2 | {film} {PROGRAM} --relaxation=sls | prony; power-law; fractional-zener
+        1 | {film} {PROGRAM} --relaxation=power-law | --relaxation-exponent; 0.2
+        1 | {film} {PROGRAM} --relaxation=power-law --relaxation-exponent=1.2 | 1.2; below 1
+        1 | {film} {PROGRAM} --relaxation=power-law --relaxation-exponent=0.2 --relaxed-fraction=0.1 | power-law has no --relaxed-fraction
+        1 | {film} {PROGRAM} --relaxation=prony | --relaxed-fraction
+        1 | {film} {PROGRAM} {two} | --relaxation-weight; one weight for each time
+        1 | {film} {PROGRAM} {two} --relaxation-weight=0.3,0.3 | sum; must be 1
+        1 | {GEL} --program '0:0 1:1um' | penetration, load or height; 0:0
+        1 | {GEL} --program 'penetration 0:0 1um' | 1um; time:value
+        1 | {GEL} --program 'penetration 0:0 1:1nN' | 1nN
+        1 | {GEL} --program 'penetration 0:0 1:1um 1:0' | point 3; rise
+        1 | {GEL} --program 'penetration 0:1um 1:0' | begins in contact
+        1 | {GEL} --program 'height 0:0 1:1um' | --stiffness
+        1 | {GEL} {PROGRAM} --stiffness=1 | --stiffness; height
+        1 | {GEL} --program moves.csv | moves.csv; CSV file, or text
+        1 | {GEL} --program radii.csv | radii.csv; penetration (m), load (N) or height (m); contact_radius
+        1 | {GEL} --program both.csv | only one
+        1 | {GEL} --program untimed.csv | t, load; named time
+        1 | {GEL} --program swapped.csv | point 3; 0.0 s; rise
+        1 | {GEL} --program words.csv | words.csv; line 3; much
+        1 | {GEL} {PROGRAM} --work-of-adhesion=1mJ/m^2 | --work-of-adhesion-receding
+        2 | {GEL} {PROGRAM} --at=1 --points=3 | --points
+        1 | {GEL} {PROGRAM} --at=-1 | -1; begins at
+        1 | {GEL} {PROGRAM} --tolerance=1e-14 | 1e-14; 1e-10
+        1 | {GEL} --program 'penetration 0:0 1:1mm' | penetration
+        "
+    ));
 }

@@ -1,7 +1,6 @@
 //! Text from files that would steer a terminal, or forge a line.
 
 use acceptance::{Workdir, assert_names, workdir};
-use serde_json::Value;
 
 use crate::TWO_QUANTITIES;
 
@@ -56,7 +55,7 @@ fn titles_are_shown_escaped() {
     let json = workdir.succeed("info x.h5 --json");
     assert_harmless(&json);
     assert_eq!(json.lines().count(), 1);
-    let object: Value = serde_json::from_str(&json).expect("JSON");
+    let object = acceptance::json(&json);
     assert_eq!(object["title"], TITLE);
 }
 

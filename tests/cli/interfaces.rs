@@ -2,7 +2,8 @@
 //! and the key `interface` of a stack file.
 
 use acceptance::{
-    Data, Workdir, assert_names, layer, relative_error, solid, springs, with_interfaces, workdir,
+    Data, Workdir, assert_names, estimate, json, kinds, layer, number, relative_error, solid,
+    springs, with_interfaces, workdir,
 };
 use contact::{Contact, Control};
 use interp::Quantities;
@@ -18,13 +19,8 @@ fn film(interface: Interface) -> Stack {
     with_interfaces(solid(2e11, 0.25), &[(layer(3.5e6, 0.5, 1e-5), interface)])
 }
 
-fn json(text: &str) -> Value {
-    serde_json::from_str(text).expect("JSON")
-}
-
 fn quantities(object: &Value) -> Quantities {
-    let number = |name: &str| object[name].as_f64().expect("a number");
-    Quantities::from_array(["pi0", "eeq", "gamma", "delta0"].map(number))
+    Quantities::from_array(["pi0", "eeq", "gamma", "delta0"].map(|name| number(object, name)))
 }
 
 /// The rows of one film of the reference values: stiffnesses are in units of `E2*/t`.
@@ -51,12 +47,11 @@ fn solve_takes_the_interface_of_one_film() {
             "sliding" => "--interface=sliding".to_owned(),
             text => format!("--interface-stiffness={}", text.replace(':', ",")),
         };
-        let text = workdir.succeed(format!(
+        let object = workdir.json(format!(
             "solve --json --a-over-t={} --e1-over-e2={young} --nu1={nu} --e0-over-e2={e0} \
              --nu0={nu0} {interface}",
             case.text("a_over_t")
         ));
-        let object = json(&text);
         assert!(relative_error(&quantities(&object), &case.quantities()) <= 1e-10);
         assert!(
             object["interface_stiffness"][0].is_number()
@@ -72,7 +67,7 @@ fn solve_takes_the_interface_of_one_film() {
 fn solve_takes_rigid_spheres_and_files_of_points() {
     let workdir = workdir!();
     let rigid = "solve --e1-over-e2=0 --nu1=0.3 --e0-over-e2=inf --a-over-t=2";
-    let of = |flags: &str| json(&workdir.succeed(format!("{rigid} {flags} --json")));
+    let of = |flags: &str| workdir.json(format!("{rigid} {flags} --json"));
     let stack = with_interfaces(
         solid(f64::INFINITY, 0.25),
         &[(layer(1.0, 0.3, 1.0), springs(0.5, 3.0))],
@@ -124,11 +119,11 @@ fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
             assert!((row.get("load") / load - 1.0).abs() <= 1e-7);
             assert!((row.get("penetration") / penetration - 1.0).abs() <= 1e-7);
         }
-        let text = workdir.succeed(format!("pull-off --json {FILM} {flags}"));
+        let found = workdir.json(format!("pull-off --json {FILM} {flags}"));
         let wide = stack_curve(&stack, 2e6, [1e-3, 50.0], 1e-9).expect("within reach");
         let contact = Contact::new(&stack.system(1e-3, 2e6), wide).expect("its curve");
         let expected = contact.pull_off(0.04, Control::Load).expect("it parts");
-        let load = json(&text)["load"].as_f64().expect("a number");
+        let load = number(&found, "load");
         assert!((load / expected.load - 1.0).abs() <= 1e-7);
     }
     // Bonded, and springs without end, are the film as ever.
@@ -145,8 +140,8 @@ fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
 fn an_attraction_of_finite_range_feels_the_interface() {
     let workdir = workdir!();
     let load = |flags: &str| {
-        let text = workdir.succeed(format!("pull-off --json {FILM} {flags}"));
-        json(&text)["load"].as_f64().expect("a number")
+        let found = workdir.json(format!("pull-off --json {FILM} {flags}"));
+        number(&found, "load")
     };
     let jkr = load("--interface=sliding");
     let short = load("--interface=sliding --interaction-range=10nm");
@@ -168,36 +163,23 @@ fn a_fit_finds_the_stiffness_of_an_interface() {
     };
     let free = "--free=film.interface-stiffness,work-of-adhesion";
     let found = fit(&format!("--interface-stiffness=1e12 {free}"));
-    let estimate = &found["parameters"]["film.interface-stiffness"];
-    let (value, error) = (
-        estimate["value"].as_f64().expect("a number"),
-        estimate["stderr"].as_f64().expect("a number"),
+    let [value, error] = estimate(&found, "film.interface-stiffness");
+    assert_eq!(
+        found["parameters"]["film.interface-stiffness"]["unit"],
+        "Pa/m"
     );
-    assert_eq!(estimate["unit"], "Pa/m");
     assert!(
         (value - 3e11).abs() <= 4.0 * error && error < 0.2 * value,
-        "{estimate}"
+        "{found}"
     );
     // Without a start, the layer's own stiffness is one.
     let again = fit(&format!("--interface=sliding {free}"));
-    let other = again["parameters"]["film.interface-stiffness"]["value"].as_f64();
-    assert!((other.expect("a number") / value - 1.0).abs() <= 1e-3);
+    let [other, _] = estimate(&again, "film.interface-stiffness");
+    assert!((other / value - 1.0).abs() <= 1e-3);
     // A fit that assumes bonding says what sliding would change.
     let bonded = fit("--free=film-modulus,work-of-adhesion");
-    let kinds = |found: &Value| -> Vec<String> {
-        let warnings = found["warnings"].as_array().expect("a list").iter();
-        warnings
-            .map(|one| one["kind"].as_str().expect("a name").to_owned())
-            .collect()
-    };
-    assert!(
-        kinds(&bonded).contains(&"assumes-bonding".to_owned()),
-        "{bonded}"
-    );
-    assert!(
-        !kinds(&found).contains(&"assumes-bonding".to_owned()),
-        "{found}"
-    );
+    assert!(kinds(&bonded).contains(&"assumes-bonding"), "{bonded}");
+    assert!(!kinds(&found).contains(&"assumes-bonding"), "{found}");
 }
 
 /// The data of the page about fits, by the command in their head.
@@ -222,38 +204,23 @@ fn the_data_of_the_example_are_made_as_they_say() {
 #[test]
 fn wrong_first_calls_say_what_to_do() {
     let workdir = workdir!();
-    let curve = |flags: &str, code: i32| workdir.fail(code, format!("curve {FILM} {flags}"));
-    let message = curve("--interface slipping", 2);
-    assert_names(&message, &["slipping", "bonded", "sliding"]);
-    let message = curve("--interface 2e11", 2);
-    assert_names(&message, &["2e11", "bonded", "sliding"]);
-    let message = curve("--interface-stiffness sliding", 2);
-    assert_names(&message, &["sliding", "is not a number"]);
-    let message = curve("--interface-stiffness 2GPa", 2);
-    assert_names(
-        &message,
-        &["2GPa", "is a modulus", "a stiffness per area", "Pa/m"],
-    );
-    let message = curve("--interface-stiffness 1,2,3", 2);
-    assert_names(&message, &["more than two", "KT,KN"]);
-    let message = curve("--interface-stiffness -1", 1);
-    assert_names(&message, &["the film", "tangential", "-1.0 Pa/m", "0"]);
-    let both = "--interface sliding --interface-stiffness 1";
-    assert_names(&curve(both, 2), &["--interface", "--interface-stiffness"]);
-    let shape = "--interface sliding --probe cone --half-angle 70";
-    assert_names(&curve(shape, 2), &["--interface", "--probe"]);
-    let message = workdir.fail(2, format!("curve embedded {FILM} --interface sliding"));
-    assert_names(&message, &["--interface", "[TABLE]"]);
     workdir.write("stack.toml", STACK);
-    let stack = "--specimen paper --stack stack.toml --interface sliding";
-    let message = workdir.fail(2, format!("curve {stack}"));
-    assert_names(&message, &["--interface", "--stack"]);
-    // Beyond the reach of stacks.
-    let message = curve("--interface sliding --film-thickness 0.1um", 2);
-    assert_names(&message, &["--film-thickness"]);
-    let thin = "--specimen paper --film-thickness 0.1um --interface sliding";
-    let message = workdir.fail(1, format!("curve {thin}"));
-    assert_names(&message, &["1500", "one layer", "1000"]);
+    workdir.refuses(format!(
+        "
+        2 | curve {FILM} --interface slipping | slipping; bonded; sliding
+        2 | curve {FILM} --interface 2e11 | 2e11; bonded; sliding
+        2 | curve {FILM} --interface-stiffness sliding | sliding; is not a number
+        2 | curve {FILM} --interface-stiffness 2GPa | 2GPa; is a modulus; a stiffness per area; Pa/m
+        2 | curve {FILM} --interface-stiffness 1,2,3 | more than two; KT,KN
+        1 | curve {FILM} --interface-stiffness -1 | the film; tangential; -1.0 Pa/m; 0
+        2 | curve {FILM} --interface sliding --interface-stiffness 1 | --interface; --interface-stiffness
+        2 | curve {FILM} --interface sliding --probe cone --half-angle 70 | --interface; --probe
+        2 | curve embedded {FILM} --interface sliding | --interface; [TABLE]
+        2 | curve --specimen paper --stack stack.toml --interface sliding | --interface; --stack
+        2 | curve {FILM} --interface sliding --film-thickness 0.1um | --film-thickness
+        1 | curve --specimen paper --film-thickness 0.1um --interface sliding | 1500; one layer; 1000
+        "
+    ));
 }
 
 const STACK: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\

@@ -200,10 +200,7 @@ fn a_pipe_is_no_table_and_says_so() {
         "info /dev/null",
         "info .",
     ] {
-        assert_names(
-            &workdir.fail(1, command),
-            &["is not a file", "to a file first"],
-        );
+        assert_names(&workdir.fail(1, command), "is not a file; to a file first");
     }
     let run = workdir.script("\"$0\" info /dev/stdin < table; cat table | \"$0\" info /dev/stdin");
     assert_eq!(run.status, 1, "{run:?}");

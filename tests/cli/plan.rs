@@ -1,7 +1,6 @@
 //! `tabulate generate --plan`: the size that it expects of the file.
 
-use acceptance::workdir;
-use serde_json::Value;
+use acceptance::{json, number, workdir};
 
 use crate::TWO_QUANTITIES;
 
@@ -31,16 +30,15 @@ fn the_size_of_a_plan_is_that_of_the_file() {
     let workdir = workdir!();
     for scene in [ONE_QUANTITY, TWO_QUANTITIES, MIDDLE] {
         workdir.write("scene.toml", scene);
-        let plan = workdir.succeed("generate scene.toml --plan --json");
-        let plan: Value = serde_json::from_str(&plan).expect("JSON");
-        let expected = plan["bytes"].as_f64().expect("a number");
+        let plan = workdir.json("generate scene.toml --plan --json");
+        let expected = number(&plan, "bytes");
         let text = workdir.succeed("generate scene.toml --plan");
         let size = format!("{:15} about {:.0} kB\n", "size", expected / 1e3);
         assert!(text.ends_with(&size), "{text}{size}");
 
         let made = workdir.run("generate scene.toml --certificate-points 20 --json");
-        let made: Value = serde_json::from_str(&made.stdout).expect("JSON");
-        let bytes = made["bytes"].as_f64().expect("a number");
+        let made = json(&made.stdout);
+        let bytes = number(&made, "bytes");
         println!(
             "{} points: {bytes} bytes, {expected} planned",
             plan["points"]

@@ -1,6 +1,6 @@
 //! `tabulate fit --relaxation` and `tabulate simulate --relaxation`.
 
-use acceptance::{Data, Workdir, assert_names, workdir};
+use acceptance::{Data, Workdir, assert_names, estimate, number, workdir};
 use serde_json::Value;
 
 const GEL: &str = "--sphere-radius 10um --sphere-modulus inf --film-thickness 8um --film-poisson-ratio 0.5 \
@@ -19,9 +19,7 @@ fn simulate(workdir: &Workdir, law: &str, name: &str) -> String {
 }
 
 fn fit(workdir: &Workdir, more: &str) -> Value {
-    let command = format!("fit data.csv --json {GEL} {more}");
-    let text = workdir.succeed(&command);
-    serde_json::from_str(&text).expect("JSON")
+    workdir.json(format!("fit data.csv --json {GEL} {more}"))
 }
 
 #[test]
@@ -32,18 +30,17 @@ fn what_is_simulated_is_found() {
     assert_eq!(data.cases().count(), 120);
     let found = fit(&workdir, "--relaxation power-law");
     for (name, truth) in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)] {
-        let of = &found["parameters"][name];
-        let [value, error] = ["value", "stderr"].map(|key| of[key].as_f64().expect("a number"));
+        let [value, error] = estimate(&found, name);
         assert!(
             (value - truth).abs() < 4.0 * error && error < 0.05 * truth,
-            "{name}: {of}"
+            "{name}: {found}"
         );
     }
     let relaxation = &found["relaxation"];
     assert_eq!(relaxation["law"], "power-law");
     assert_eq!(relaxation["moduli"].as_array().expect("a list").len(), 3);
     assert_eq!(relaxation["made_monotone"], 0.0);
-    let steps = relaxation["steps_error"].as_f64().expect("a number");
+    let steps = number(relaxation, "steps_error");
     assert!(0.0 < steps && steps < 1e-4, "{steps}");
     assert!(fit(&workdir, "--relaxation sls")["parameters"]["relaxed_fraction"].is_object());
 }
@@ -62,59 +59,31 @@ fn the_interval_between_points_stands_for_times() {
         .collect();
     workdir.write("data.csv", without);
     let by_interval = "--relaxation power-law --sample-interval 20ms";
-    let value = |found: &Value| found["parameters"]["film_modulus"]["value"].as_f64();
-    let [one, other] = [with_times, fit(&workdir, by_interval)].map(|found| value(&found));
-    let [one, other] = [one, other].map(|value| value.expect("a number"));
+    let [one, other] = [with_times, fit(&workdir, by_interval)]
+        .map(|found| number(&found, "parameters/film_modulus/value"));
     assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
-    let fails = |more: &str, words: &[&str]| {
-        let run = workdir.run(format!("fit data.csv {GEL} {more}"));
-        assert_ne!(run.status, 0);
-        assert_names(&run.stderr, words);
-    };
-    fails(
-        "--relaxation power-law",
-        &["no times", "--sample-interval", "--column"],
-    );
     let swapped = text.replacen("penetration,load", "load,penetration", 1);
     assert_ne!(swapped, text);
     workdir.write("swapped.csv", swapped);
+    let data = format!("fit data.csv {GEL}");
     let law = "--relaxation power-law";
-    let run = workdir.run(format!("fit swapped.csv {GEL} {law}"));
-    assert_ne!(run.status, 0);
-    assert_names(&run.stderr, &["swapped.csv", "begin in contact", "columns"]);
-    let run = workdir.run(format!("fit none.csv {GEL} {law}"));
-    assert_names(&run.stderr, &["none.csv", "No such file"]);
-    fails("--relaxation power", &["power-law", "prony:M", "sls"]);
-    fails("--relaxation prony:0", &["prony:0", "prony:2"]);
-    fails(
-        "--relaxation power-law --relaxed-fraction 0.3",
-        &["--relaxed-fraction", "relaxation-exponent"],
-    );
-    fails("--relaxation-exponent 0.3", &["--relaxation"]);
-    fails(
-        "--relaxation power-law --relaxation-exponent 1.2",
-        &["relaxation exponent = 1.2", "below 1"],
-    );
-    fails(
-        "--relaxation sls --relaxed-fraction 1.3",
-        &["relaxed fraction = 1.3", "from 0 to 1"],
-    );
-    fails(
-        &format!("{by_interval} --free film-modulus"),
-        &["relaxation-exponent", "--value relaxation-exponent="],
-    );
-    fails(
-        &format!("{by_interval} --work-of-adhesion 1uJ/m^2"),
-        &["work of adhesion", "crack tip"],
-    );
-    fails(
-        "--relaxation power-law --sample-interval 20nm",
-        &["20nm", "a time is wanted"],
-    );
-    fails(
-        "--work-of-adhesion 0 --free film-modulus,relaxation-exponent",
-        &["relaxation-exponent", "relaxation function"],
-    );
+    workdir.refuses(format!(
+        "
+        1 | {data} {law} | no times; --sample-interval; --column
+        1 | fit swapped.csv {GEL} {law} | swapped.csv; begin in contact; columns
+        1 | fit none.csv {GEL} {law} | none.csv; No such file
+        2 | {data} --relaxation power | power-law; prony:M; sls
+        2 | {data} --relaxation prony:0 | prony:0; prony:2
+        1 | {data} {law} --relaxed-fraction 0.3 | --relaxed-fraction; relaxation-exponent
+        2 | {data} --relaxation-exponent 0.3 | --relaxation
+        1 | {data} {law} --relaxation-exponent 1.2 | relaxation exponent = 1.2; below 1
+        1 | {data} --relaxation sls --relaxed-fraction 1.3 | relaxed fraction = 1.3; from 0 to 1
+        1 | {data} {by_interval} --free film-modulus | relaxation-exponent; --value relaxation-exponent=
+        1 | {data} {by_interval} --work-of-adhesion 1uJ/m^2 | work of adhesion; crack tip
+        2 | {data} {law} --sample-interval 20nm | 20nm; a time is wanted
+        1 | {data} --work-of-adhesion 0 --free film-modulus,relaxation-exponent | relaxation-exponent; relaxation function
+        "
+    ));
 }
 
 #[test]

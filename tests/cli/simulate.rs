@@ -1,8 +1,7 @@
 //! `tabulate simulate`
 
-use acceptance::{Data, Workdir, assert_names, larger, paper_system, workdir};
+use acceptance::{Data, Workdir, assert_names, estimate, json, larger, paper_system, workdir};
 use interp::Mechanics;
-use serde_json::Value;
 
 use crate::solved;
 
@@ -67,30 +66,23 @@ fn the_expected_errors_are_those_of_a_fit() {
     // So small that the model is linear over the errors.
     let noise = "--noise 5e-7";
     let expect = format!("{noise} {free} --expect --json");
-    let expected: Value = serde_json::from_str(&simulate(&workdir, &expect)).expect("JSON");
+    let expected = json(&simulate(&workdir, &expect));
     let data = simulate(&workdir, &format!("{noise} --seed 1"));
     workdir.write("data.csv", data);
     let fit = "fit data.csv --film-thickness 1e-5 --json";
     let paper = "--specimen paper";
-    let found = workdir.succeed(format!("{fit} {paper} {free} {noise}"));
-    let found: Value = serde_json::from_str(&found).expect("JSON");
+    let found = workdir.json(format!("{fit} {paper} {free} {noise}"));
     for (name, truth) in [
         ("sphere_modulus", 2e6),
         ("film_modulus", 3.5e6),
         ("work_of_adhesion", 0.04),
     ] {
-        let number = |of: &Value, key| of["parameters"][name][key].as_f64().expect("a number");
-        assert_eq!(number(&expected, "value"), truth);
-        let error = number(&expected, "stderr");
+        let [known, error] = estimate(&expected, name);
+        let [value, found_error] = estimate(&found, name);
+        assert_eq!(known, truth);
         // The variance of the film's modulus follows its value, which is found to 4 %.
-        assert!(
-            (number(&found, "stderr") / error - 1.0).abs() < 0.1,
-            "{name}"
-        );
-        assert!(
-            (number(&found, "value") - truth).abs() < 5.0 * error,
-            "{name}"
-        );
+        assert!((found_error / error - 1.0).abs() < 0.1, "{name}");
+        assert!((value - truth).abs() < 5.0 * error, "{name}");
     }
 }
 
@@ -134,30 +126,20 @@ fn a_cycle_goes_there_and_back() {
 #[test]
 fn what_cannot_be_simulated_is_an_error() {
     let workdir = workdir!();
-    let cases: [(&str, i32, &[&str]); 7] = [
-        ("", 2, &["--noise"]),
-        ("--noise -1", 1, &["noise", "-1"]),
-        ("--noise nan", 1, &["noise", "NaN"]),
-        ("--noise 1e-6 --free film-modulus", 1, &["--expect"]),
-        ("--noise 1e-6 --json", 2, &["--expect"]),
-        (
-            "--noise 1e-6 --value offset=1",
-            2,
-            &["offset", "load-offset"],
-        ),
-        (
-            "--noise 1e-6 --value load-offset=1,2",
-            1,
-            &["load-offset", "2 values for 1 files"],
-        ),
-    ];
-    for (more, status, words) in cases {
-        let message = workdir.fail(status, format!("{LENS} {more}"));
-        assert_names(&message, words);
-    }
+    workdir.refuses(format!(
+        "
+        2 | {LENS} | --noise
+        1 | {LENS} --noise -1 | noise; -1
+        1 | {LENS} --noise nan | noise; NaN
+        1 | {LENS} --noise 1e-6 --free film-modulus | --expect
+        2 | {LENS} --noise 1e-6 --json | --expect
+        2 | {LENS} --noise 1e-6 --value offset=1 | offset; load-offset
+        1 | {LENS} --noise 1e-6 --value load-offset=1,2 | load-offset; 2 values for 1 files
+        "
+    ));
     let same = LENS.replace("--to 1.3e-4", "--to 4.2e-5");
     assert_names(
         &workdir.fail(1, format!("{same} --noise 0")),
-        &["--from", "--to", "different"],
+        "--from; --to; different",
     );
 }

@@ -1,6 +1,6 @@
 //! What nobody gives: a fit asks for it, other commands name the values of the paper's example.
 
-use acceptance::{Data, Workdir, assert_names, workdir};
+use acceptance::{Data, Workdir, assert_names, number, workdir};
 use serde_json::Value;
 
 /// The flags of the paper's system, and the questions that a fit asks without them.
@@ -136,15 +136,11 @@ fn a_free_modulus_and_a_free_work_of_adhesion_need_no_value() {
     let fit = |more: &str| -> Value {
         let known = without("--sphere-modulus --work-of-adhesion --film-thickness");
         let arguments = "fit lens.csv --json --film-thickness 30um";
-        let text = workdir.succeed(format!("{arguments} {known} {more}"));
-        serde_json::from_str(&text).expect("JSON")
+        workdir.json(format!("{arguments} {known} {more}"))
     };
     let found = fit("");
-    let modulus = found["parameters"]["sphere_modulus"]["value"].as_f64();
-    assert!(
-        (modulus.expect("a number") / 2e6 - 1.0).abs() < 0.02,
-        "{found}"
-    );
+    let modulus = number(&found, "parameters/sphere_modulus/value");
+    assert!((modulus / 2e6 - 1.0).abs() < 0.02, "{found}");
     // A value that is given for them changes nothing.
     for value in ["1kPa", "1GPa"] {
         assert_eq!(
@@ -217,7 +213,7 @@ fn other_commands_name_the_values_of_the_example_in_a_comment_line() {
     );
     assert_names(
         &run.stderr,
-        &["sphere_radius", "sphere_modulus", "work_of_adhesion"],
+        "sphere_radius; sphere_modulus; work_of_adhesion",
     );
     let rigid = "--substrate-modulus inf";
     let known = without("--substrate-modulus --substrate-poisson-ratio");

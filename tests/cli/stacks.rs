@@ -1,8 +1,7 @@
 //! Stacks of layers: `--stack` of `tabulate solve`, `curve`, `fit` and `simulate`.
 
-use acceptance::{Data, Workdir, assert_names, layer, solid, stack, workdir};
+use acceptance::{Data, Workdir, assert_names, estimate, layer, number, solid, stack, workdir};
 use contact::Contact;
-use serde_json::Value;
 use solve::stack::Stack;
 use solve::{solve_stack, stack_curve};
 
@@ -26,12 +25,11 @@ fn solve_prints_the_solution_of_the_library() {
         let arguments = format!("solve --stack stack.toml --sphere-modulus {sphere} --a-over-t 3");
         let modulus = sphere.parse().expect("a number");
         let solution = solve_stack(3.0, &stack, modulus, 1e-10).expect("within reach");
-        let json = workdir.succeed(format!("{arguments} --json"));
-        let object: Value = serde_json::from_str(&json).expect("JSON");
+        let object = workdir.json(format!("{arguments} --json"));
         let values = solution.quantities.to_array();
         for (name, value) in ["pi0", "eeq", "gamma", "delta0"].into_iter().zip(values) {
             // The reader of JSON rounds the last digit.
-            let printed = object[name].as_f64().expect("a number");
+            let printed = number(&object, name);
             assert!((printed / value - 1.0).abs() <= 1e-15, "{name}: {printed}");
         }
         assert_eq!(object["normalised_by"], unit);
@@ -64,22 +62,16 @@ fn curve_prints_the_contact_of_the_stack() {
 #[test]
 fn mistakes_are_named_with_file_layer_value_and_range() {
     let workdir = workdir!();
-    let solve = |from: &str, to: &str, x: &str| {
-        workdir.write("bad.toml", TEXT.replacen(from, to, 1));
-        workdir.fail(
-            1,
-            format!("solve --stack bad.toml --sphere-modulus 2e6 --a-over-t {x}"),
-        )
-    };
-    let message = solve("thickness = 2.5e-6", "thickness = 0", "1");
-    assert_names(
-        &message,
-        &["bad.toml", "primer", "1 of 2", "0.0 m", "> 0 and finite"],
+    workdir.write(
+        "none.toml",
+        TEXT.replacen("thickness = 2.5e-6", "thickness = 0", 1),
     );
-    let message = solve("5e5", "4e5", "900");
-    assert_names(
-        &message,
-        &["900.0", "2 different layers", "1000", "up to 749.9"],
+    workdir.write("two.toml", TEXT.replacen("5e5", "4e5", 1));
+    workdir.refuses(
+        "
+        1 | solve --stack none.toml --sphere-modulus 2e6 --a-over-t 1 | none.toml; primer; 1 of 2; 0.0 m; > 0 and finite
+        1 | solve --stack two.toml --sphere-modulus 2e6 --a-over-t 900 | 900.0; 2 different layers; 1000; up to 749.9
+        ",
     );
 }
 
@@ -87,19 +79,19 @@ fn mistakes_are_named_with_file_layer_value_and_range() {
 fn what_describes_one_film_does_not_go_with_a_stack() {
     let workdir = workdir!();
     written(&workdir);
-    for arguments in [
-        "solve --stack stack.toml --a-over-t 1",
-        "solve --stack stack.toml --sphere-modulus 2e6 --a-over-t 1 --nu1 0.5",
-        "solve --sphere-modulus 2e6 --a-over-t 1",
-        "curve --stack stack.toml --film-thickness 1e-6",
-        "curve embedded --stack stack.toml",
-        "fit data.csv --stack stack.toml --film-modulus 1e6",
-        "fit data.csv --stack stack.toml --half-space",
-        "fit data.csv --stack stack.toml --table embedded",
-        "fit data.csv --stack stack.toml --free primer.poisson",
-    ] {
-        workdir.fail(2, arguments);
-    }
+    workdir.refuses(
+        "
+        2 | solve --stack stack.toml --a-over-t 1 | --sphere-modulus
+        2 | solve --stack stack.toml --sphere-modulus 2e6 --a-over-t 1 --nu1 0.5 | --nu1
+        2 | solve --sphere-modulus 2e6 --a-over-t 1 | --e1-over-e2
+        2 | curve --stack stack.toml --film-thickness 1e-6 | --film-thickness
+        2 | curve embedded --stack stack.toml | --stack
+        2 | fit data.csv --stack stack.toml --film-modulus 1e6 | --film-modulus
+        2 | fit data.csv --stack stack.toml --half-space | --half-space
+        2 | fit data.csv --stack stack.toml --table embedded | --table
+        2 | fit data.csv --stack stack.toml --free primer.poisson | primer.poisson
+        ",
+    );
 }
 
 /// A lens on the stack, and the data that it gives.
@@ -141,20 +133,18 @@ fn fit_finds_the_parameters_of_layers_by_their_names() {
         let start = format!("{name}={}", 2.0 * truth);
         let arguments = "fit data.csv --stack stack.toml --specimen paper --noise 2e-7";
         let more = format!("--free {free} --value {start} --json");
-        let text = workdir.succeed(format!("{arguments} {more}"));
-        let fit: Value = serde_json::from_str(&text).expect("JSON");
+        let fit = workdir.json(format!("{arguments} {more}"));
         assert_eq!(fit["converged"], true);
         assert_eq!(
             fit["parameters"][name]["unit"],
             if name == "primer.modulus" { "Pa" } else { "m" }
         );
         for (key, truth) in [(name, truth), ("work_of_adhesion", 0.04)] {
-            let number = |field: &str| fit["parameters"][key][field].as_f64().expect("a number");
-            let (value, error) = (number("value"), number("stderr"));
+            let [value, error] = estimate(&fit, key);
             println!("{key}: {value:e} +- {error:e}");
             assert!(
                 (value - truth).abs() < 4.0 * error && error < 0.1 * truth,
-                "{key}: {text}"
+                "{key}: {fit}"
             );
         }
     }
@@ -190,28 +180,15 @@ fn a_mistake_about_layers_is_named_with_the_names_there_are() {
     let workdir = workdir!();
     written(&workdir);
     workdir.write("data.csv", simulated(&workdir, "1e-6", "--points 15"));
-    let fit = |more: &str| {
-        workdir.fail(
-            1,
-            format!("fit data.csv --stack stack.toml --specimen paper {more}"),
-        )
-    };
-    let message = fit("--free oxide.modulus");
-    assert_names(
-        &message,
-        &[
-            "oxide.modulus",
-            "no such layer",
-            "primer.modulus",
-            "primer.thickness",
-        ],
-    );
-    let message = fit("--bounds primer.modulus=1e5..1e6");
-    assert_names(&message, &["primer.modulus", "not free"]);
-    // Under a rigid sphere the modulus of the top layer would be found, but it has no name.
-    let message = fit("--sphere-modulus inf");
-    assert_names(&message, &["film-modulus", "primer.modulus"]);
     workdir.write("bad.toml", TEXT.replace("\"primer\"", "\"a, b\""));
-    let message = workdir.fail(1, "fit data.csv --stack bad.toml");
-    assert_names(&message, &["--stack", "a, b", "comma", "another name"]);
+    let fit = "fit data.csv --stack stack.toml --specimen paper";
+    // Under a rigid sphere the modulus of the top layer would be found, but it has no name.
+    workdir.refuses(format!(
+        "
+        1 | {fit} --free oxide.modulus | oxide.modulus; no such layer; primer.modulus; primer.thickness
+        1 | {fit} --bounds primer.modulus=1e5..1e6 | primer.modulus; not free
+        1 | {fit} --sphere-modulus inf | film-modulus; primer.modulus
+        1 | fit data.csv --stack bad.toml | --stack; a, b; comma; another name
+        "
+    ));
 }

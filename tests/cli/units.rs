@@ -95,70 +95,36 @@ fn a_negative_value_is_refused_with_the_reason() {
         );
         assert_names(&message, &[reason]);
     }
-    for (command, shown) in [
-        (
-            "pull-off --control spring --stiffness -1e-3",
-            "stiffness of the spring = -0.001",
-        ),
-        (
-            "pull-off --interaction-range -1e-9",
-            "interaction range = -1e-9",
-        ),
-        ("curve --tolerance -1e-3", "tolerance = -0.001"),
-        ("curve --probe cone --half-angle -1e1", "--half-angle -10.0"),
-        (
-            "simulate --kind load-radius --from 1um --to 2um --noise -1e-6",
-            "--noise -1e-6",
-        ),
-        (
-            "solve --a-over-t -1e-3 --e1-over-e2 1 --nu1 0.5 --e0-over-e2 1",
-            "a_over_t = -0.001",
-        ),
-    ] {
-        assert_names(&workdir.fail(1, command), &[shown]);
-    }
+    workdir.refuses(
+        "
+        1 | pull-off --control spring --stiffness -1e-3 | stiffness of the spring = -0.001
+        1 | pull-off --interaction-range -1e-9 | interaction range = -1e-9
+        1 | curve --tolerance -1e-3 | tolerance = -0.001
+        1 | curve --probe cone --half-angle -1e1 | --half-angle -10.0
+        1 | simulate --kind load-radius --from 1um --to 2um --noise -1e-6 | --noise -1e-6
+        1 | solve --a-over-t -1e-3 --e1-over-e2 1 --nu1 0.5 --e0-over-e2 1 | a_over_t = -0.001
+        ",
+    );
 }
 
 #[test]
 fn what_is_no_quantity_is_named_with_examples() {
     let workdir = workdir!();
-    for (flag, value, words) in [
-        ("--sphere-radius", "30GPa", ["a length is wanted", "30um"]),
-        ("--film-modulus", "30um", ["a modulus is wanted", "70GPa"]),
-        (
-            "--work-of-adhesion",
-            "1N",
-            ["a work of adhesion is wanted", "40mJ/m^2"],
-        ),
-        (
-            "--film-poisson-ratio",
-            "0.5um",
-            ["is a length", "without a unit"],
-        ),
-        ("--film-modulus", "70gpa", ["\"gpa\"", "case counts"]),
-        (
-            "--film-thickness",
-            "1,5um",
-            ["\"1,5um\"", "mark is a point"],
-        ),
-        ("--film-thickness", "thin", ["\"thin\"", "is not a number"]),
-        (
-            "--film-thickness",
-            "--points",
-            ["--points is a flag", "is missing"],
-        ),
-        ("--from", "1N", ["a length is wanted", "30um"]),
-    ] {
-        assert_names(&workdir.fail(2, format!("curve {flag} {value}")), &words);
-    }
     let simulate = "simulate --kind load-radius --from 1um --to 2um";
-    let noise = format!("{simulate} --noise 1um");
-    assert_names(
-        &workdir.fail(1, &noise),
-        &["--noise", "a force is wanted", "2uN"],
-    );
-    let value = format!("{simulate} --noise 0 --value load-offset=1nm");
-    assert_names(&workdir.fail(2, &value), &["1nm", "a force is wanted"]);
-    let bounds = format!("{simulate} --noise 0 --bounds film-modulus=1um..2um");
-    assert_names(&workdir.fail(2, &bounds), &["1um", "a modulus is wanted"]);
+    workdir.refuses(format!(
+        r#"
+        2 | curve --sphere-radius 30GPa | a length is wanted; 30um
+        2 | curve --film-modulus 30um | a modulus is wanted; 70GPa
+        2 | curve --work-of-adhesion 1N | a work of adhesion is wanted; 40mJ/m^2
+        2 | curve --film-poisson-ratio 0.5um | is a length; without a unit
+        2 | curve --film-modulus 70gpa | "gpa"; case counts
+        2 | curve --film-thickness 1,5um | "1,5um"; mark is a point
+        2 | curve --film-thickness thin | "thin"; is not a number
+        2 | curve --film-thickness --points | --points is a flag; is missing
+        2 | curve --from 1N | a length is wanted; 30um
+        1 | {simulate} --noise 1um | --noise; a force is wanted; 2uN
+        2 | {simulate} --noise 0 --value load-offset=1nm | 1nm; a force is wanted
+        2 | {simulate} --noise 0 --bounds film-modulus=1um..2um | 1um; a modulus is wanted
+        "#
+    ));
 }

@@ -239,7 +239,7 @@ fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
     );
     acceptance::assert_names(
         &error.to_string(),
-        &["sphere_modulus", "inf", "finite", "Contact::jkr_fit"],
+        "sphere_modulus; inf; finite; Contact::jkr_fit",
     );
     // The film, between its own modulus and that of the substrate, is all that deforms.
     let fit = contact.jkr_fit(0.04, radii, 15).expect("as the error says");

@@ -138,7 +138,7 @@ fn a_scene_that_has_changed_is_not_resumed_and_nothing_is_lost() {
     let other = format!("{RESUME} --tolerance 1e-4");
     assert_names(
         &workdir.fail(1, &other),
-        &["cannot resume", "tolerance = 1e-6", "0.0001"],
+        "cannot resume; tolerance = 1e-6; 0.0001",
     );
     assert!(workdir.read(JOURNAL) == journal, "the journal has changed");
     workdir.succeed(RESUME);

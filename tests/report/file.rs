@@ -113,6 +113,6 @@ fn nothing_is_written_on_top_of_the_table() {
     workdir.fail(2, "report table.bin");
     assert_names(
         &workdir.succeed("report --help"),
-        &["TABLE", "-o", "--output", "REPORT.html"],
+        "TABLE; -o; --output; REPORT.html",
     );
 }

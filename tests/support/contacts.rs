@@ -1,5 +1,7 @@
 //! Random contacts.
 
+use std::f64::consts::PI;
+
 use interp::{Material, Parameter, Table};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -28,6 +30,12 @@ impl Contacts {
     /// Draws a number whose logarithm is uniform in `[ln from, ln to)`.
     pub fn log_uniform(&mut self, from: f64, to: f64) -> f64 {
         self.uniform(from.ln(), to.ln()).exp()
+    }
+
+    /// Draws a number of the standard normal distribution (Box and Muller).
+    pub fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * self.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
+        radius * (2.0 * PI * self.uniform(0.0, 1.0)).cos()
     }
 
     /// Draws a Poisson ratio in `(-0.5, 0.5]`: exactly 0.5 with probability 1/4, logarithmically

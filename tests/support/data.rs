@@ -24,9 +24,6 @@ pub struct Case<'a> {
 
 impl Data {
     /// Reads `tests/data/<name>.csv`.
-    ///
-    /// # Panics
-    /// If the file is missing, is no CSV or holds no case.
     pub fn read(name: &str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("data")
@@ -36,9 +33,6 @@ impl Data {
     }
 
     /// Parses CSV text. Messages call it `name`.
-    ///
-    /// # Panics
-    /// If the rows differ in length or there is none.
     pub fn parse(name: &str, text: &str) -> Self {
         let mut reader = ReaderBuilder::new()
             .comment(Some(b'#'))
@@ -71,18 +65,12 @@ impl Data {
 
 impl Case<'_> {
     /// Returns the text in the column `column`.
-    ///
-    /// # Panics
-    /// If there is no such column.
     pub fn text(&self, column: &str) -> &str {
         let index = self.columns.iter().position(|name| name == column);
         &self.row[index.unwrap_or_else(|| panic!("there is no column {column:?}"))]
     }
 
     /// Returns the number in the column `column`.
-    ///
-    /// # Panics
-    /// If there is no such column, or its text is not a number.
     pub fn get(&self, column: &str) -> f64 {
         let text = self.text(column);
         text.parse()
@@ -90,9 +78,6 @@ impl Case<'_> {
     }
 
     /// Returns the material in the columns `e1_over_e2`, `nu1`, `e0_over_e2` and `nu0`.
-    ///
-    /// # Panics
-    /// If it is not physical.
     pub fn material(&self) -> Material {
         material(["e1_over_e2", "nu1", "e0_over_e2", "nu0"].map(|name| self.get(name)))
     }

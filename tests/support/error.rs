@@ -33,9 +33,6 @@ pub fn relative_error(quantities: &Quantities, truth: &Quantities) -> f64 {
 
 /// Returns the largest relative error of the quantities that `table` holds, at `x = a/t` and
 /// `material`, against a solve to [`TRUTH`].
-///
-/// # Panics
-/// If the point is outside the table or the solve does not converge.
 pub fn error_at(table: &Table, x: f64, material: &Material) -> f64 {
     let truth = solve(x, material, TRUTH)
         .expect("moderate contrasts converge")

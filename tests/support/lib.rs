@@ -1,5 +1,6 @@
 //! Support for the acceptance tests: reference data, random contacts, small tables, measures of
-//! error, and the program under test with a folder to work in.
+//! error, and the program under test with a folder to work in. A helper panics where it cannot do
+//! what it says: the test fails.
 
 #![forbid(unsafe_code)]
 
@@ -8,6 +9,8 @@ mod data;
 mod error;
 mod forgery;
 mod material;
+mod printed;
+mod refusals;
 mod stacks;
 mod tables;
 mod workdir;
@@ -17,9 +20,11 @@ pub use data::{Case, Data};
 pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relative_errors};
 pub use forgery::{Checked, checksum, with_payload};
 pub use material::{looked_up, material, paper_system, rigid_probe, solved_contact};
+pub use printed::{estimate, json, kinds, number, value};
+pub use refusals::{Refused, Words, assert_cases, assert_names, rows};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table, write_hdf5};
-pub use workdir::{Arguments, Run, Workdir, assert_names, nothing_starts, start};
+pub use workdir::{Arguments, Run, Workdir, nothing_starts, start};
 
 /// Returns `count + 1` numbers from `from` to `to`, evenly spaced in the logarithm.
 pub fn geometric([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> {

@@ -6,9 +6,6 @@ use interp::{Elastic, Material, Probe, System, Table};
 use crate::solid;
 
 /// Returns the material `[e1_over_e2, nu1, e0_over_e2, nu0]`.
-///
-/// # Panics
-/// If it is not physical.
 pub fn material([e1_over_e2, nu1, e0_over_e2, nu0]: [f64; 4]) -> Material {
     Material::new(e1_over_e2, nu1, e0_over_e2, nu0).expect("the tests' materials are physical")
 }
@@ -41,17 +38,11 @@ pub const fn rigid_probe(
 }
 
 /// Looks up the contact of a system in the embedded table.
-///
-/// # Panics
-/// If it is not in the table.
 pub fn looked_up(system: &System) -> Contact {
     Contact::in_table(Table::embedded(), system).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Solves the contact of a system for `a/t` in a `range`, to a `tolerance`.
-///
-/// # Panics
-/// If the solver does not reach it.
 pub fn solved_contact(system: &System, range: [f64; 2], tolerance: f64) -> Contact {
     let material = system.material().unwrap_or_else(|e| panic!("{e}"));
     let curve = solve::curve(&material, range, tolerance).unwrap_or_else(|e| panic!("{e}"));

@@ -6,25 +6,16 @@ use solve::stack::{Interface, Layer, Stack};
 use crate::Case;
 
 /// Returns the solid of Young's modulus `young` (Pa) and Poisson ratio `poisson`.
-///
-/// # Panics
-/// If it is not physical.
 pub fn solid(young: f64, poisson: f64) -> Elastic {
     Elastic::new(young, poisson).unwrap_or_else(|e| panic!("{young}, {poisson}: {e}"))
 }
 
 /// Returns a layer of Young's modulus `young` (Pa), Poisson ratio `poisson` and `thickness` (m).
-///
-/// # Panics
-/// If its solid is not physical.
 pub fn layer(young: f64, poisson: f64, thickness: f64) -> Layer {
     Layer::bonded(solid(young, poisson), thickness)
 }
 
 /// Returns the stack of a `base` and `layers` from the base up.
-///
-/// # Panics
-/// If it is refused.
 pub fn stack(base: Elastic, layers: &[Layer]) -> Stack {
     Stack::new(base, layers).unwrap_or_else(|e| panic!("{e}"))
 }
@@ -35,9 +26,6 @@ pub const fn springs(tangential: f64, normal: f64) -> Interface {
 }
 
 /// Returns the stack of a `base` and `layers` from the base up, each with the interface below it.
-///
-/// # Panics
-/// If it is refused.
 pub fn with_interfaces(base: Elastic, layers: &[(Layer, Interface)]) -> Stack {
     let layers: Vec<Layer> = layers
         .iter()
@@ -49,9 +37,6 @@ pub fn with_interfaces(base: Elastic, layers: &[(Layer, Interface)]) -> Stack {
 impl Case<'_> {
     /// Returns the stack in the columns `layers`, `base` and `interfaces` (`bonded`, `sliding` or
     /// `kt:kn`, below each layer, from the base up).
-    ///
-    /// # Panics
-    /// If it is not physical.
     pub fn stack_with_interfaces(&self) -> Stack {
         let bonded = self.stack();
         let number = |text: &str| text.parse().unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -74,9 +59,6 @@ impl Case<'_> {
 
     /// Returns the stack in the columns `layers` (`E:nu:h|E:nu:h...` from the base up) and `base`
     /// (`rigid` or `E:nu`).
-    ///
-    /// # Panics
-    /// If it is not physical.
     pub fn stack(&self) -> Stack {
         let numbers = |text: &str| -> Vec<f64> {
             text.split(':')

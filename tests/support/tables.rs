@@ -30,9 +30,6 @@ pub const RIGID_SPHERE: &str = "
 ";
 
 /// Returns the table of a scene, certified at 400 points. It is made once for all tests of a program.
-///
-/// # Panics
-/// If the scene is refused or a point does not converge.
 pub fn table(scene: &str) -> Table {
     static TABLES: Mutex<BTreeMap<String, Arc<OnceLock<Table>>>> = Mutex::new(BTreeMap::new());
     let mut tables = TABLES.lock().expect("no test panics here");
@@ -64,9 +61,6 @@ fn make(scene: &str) -> Table {
 }
 
 /// Writes a table as HDF5. No program starts meanwhile: it would keep the file locked until it ends.
-///
-/// # Panics
-/// If it cannot be written.
 pub fn write_hdf5(table: &Table, path: &Path) {
     let _guard = nothing_starts();
     archive::write(table, path).expect("written");
@@ -79,9 +73,6 @@ pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
 }
 
 /// Compresses a table to its low-rank form, with errors up to `error` at the nodes.
-///
-/// # Panics
-/// If `error` is below rounding.
 pub fn low_rank(table: &Table, error: f64) -> Table {
     let form = tabulate::table::compress(table, error).expect("above rounding");
     let (description, quantities) = (table.description().clone(), table.quantities());

@@ -25,6 +25,13 @@ pub struct Run {
     pub stderr: String,
 }
 
+impl Run {
+    /// Whether it ended with `status`, printed nothing on standard output, and did not panic.
+    pub(crate) fn fails(&self, status: i32) -> bool {
+        self.status == status && self.stdout.is_empty() && !self.stderr.contains("panicked")
+    }
+}
+
 /// The arguments of a run: a list, or a line as a user types it, where spaces part the arguments and
 /// an argument that holds spaces stands between quotes `'`.
 pub trait Arguments {
@@ -94,9 +101,6 @@ pub fn nothing_starts() -> MutexGuard<'static, ()> {
 }
 
 /// Starts a program, whose output is captured.
-///
-/// # Panics
-/// If it cannot be started.
 pub fn start(command: &mut Command) -> Child {
     let _guard = nothing_starts();
     let captured = command.stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -105,9 +109,6 @@ pub fn start(command: &mut Command) -> Child {
 
 impl Workdir {
     /// Makes an empty folder for `program`, a path. [`workdir!`](crate::workdir) gives the path.
-    ///
-    /// # Panics
-    /// If no folder can be made.
     pub fn new(program: &'static str) -> Self {
         Self {
             program,
@@ -121,9 +122,6 @@ impl Workdir {
     }
 
     /// Writes the file `name` and returns its path.
-    ///
-    /// # Panics
-    /// If it cannot be written.
     pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
         let path = self.path(name);
         fs::write(&path, content).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -131,17 +129,11 @@ impl Workdir {
     }
 
     /// Returns the bytes of the file `name`.
-    ///
-    /// # Panics
-    /// If it cannot be read.
     pub fn read(&self, name: &str) -> Vec<u8> {
         fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
     }
 
     /// Returns the names of all files in the folder, hidden ones too, sorted.
-    ///
-    /// # Panics
-    /// If the folder cannot be read.
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(self.folder.path()).expect("the folder is there");
         let mut names: Vec<String> = entries
@@ -155,25 +147,16 @@ impl Workdir {
     }
 
     /// Runs the program to its end. Its output is captured, and so is not a terminal.
-    ///
-    /// # Panics
-    /// If it cannot be run, is killed, or prints something other than UTF-8.
     pub fn run(&self, args: impl Arguments) -> Run {
         self.end(&args, self.start(&args))
     }
 
     /// Starts the program. Its output is captured.
-    ///
-    /// # Panics
-    /// If it cannot be started.
     pub fn start(&self, args: impl Arguments) -> Child {
         self.spawn(Command::new(self.program).args(args.list()))
     }
 
     /// Runs a shell script, in which `$0` is the program.
-    ///
-    /// # Panics
-    /// As [`Workdir::run`].
     pub fn script(&self, script: &str) -> Run {
         let child = self.spawn(Command::new("sh").args(["-c", script, self.program]));
         self.end([script], child)
@@ -185,9 +168,6 @@ impl Workdir {
 
     /// Waits for the end of `child` and returns its exit status and output. Messages name it by
     /// `args`.
-    ///
-    /// # Panics
-    /// As [`Workdir::run`].
     pub fn end(&self, args: impl Arguments, child: Child) -> Run {
         let output = child.wait_with_output().expect("the program runs");
         let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
@@ -204,9 +184,6 @@ impl Workdir {
 
     /// Runs the program, which must succeed and print nothing on standard error but comment lines,
     /// which begin with `# `, and returns its standard output.
-    ///
-    /// # Panics
-    /// If it fails or prints anything else on standard error.
     pub fn succeed(&self, args: impl Arguments) -> String {
         let run = self.run(&args);
         let mut lines = run.stderr.lines();
@@ -218,24 +195,9 @@ impl Workdir {
 
     /// Runs the program, which must end with `status` and print nothing on standard output, and
     /// returns its standard error.
-    ///
-    /// # Panics
-    /// If it ends otherwise.
     pub fn fail(&self, status: i32, args: impl Arguments) -> String {
         let run = self.run(&args);
-        let fails = run.status == status && run.stdout.is_empty();
-        let fails = fails && !run.stderr.contains("panicked");
-        assert!(fails, "{:?}: {run:?}", args.list());
+        assert!(run.fails(status), "{:?}: {run:?}", args.list());
         run.stderr
-    }
-}
-
-/// Asserts that `message` contains each of the words.
-///
-/// # Panics
-/// If a word is missing.
-pub fn assert_names(message: &str, words: &[&str]) {
-    for word in words {
-        assert!(message.contains(word), "{word:?} is not in: {message}");
     }
 }

@@ -2,7 +2,9 @@
 
 mod published;
 
-use acceptance::{Data, Workdir, assert_names, larger, looked_up, paper_system, solid, workdir};
+use acceptance::{
+    Data, Workdir, assert_names, larger, looked_up, number, paper_system, solid, workdir,
+};
 use interp::{Probe, System};
 use serde_json::Value;
 
@@ -17,20 +19,9 @@ fn with(first: &str, more: &str) -> String {
 
 /// Returns value and standard error of a parameter, in SI units.
 fn found(workdir: &Workdir, args: &str, parameter: &str) -> [f64; 2] {
-    let text = workdir.succeed(format!("{args} --json"));
-    let object: Value = serde_json::from_str(&text).expect("JSON");
+    let object = workdir.json(format!("{args} --json"));
     let of = &object["parameters"][parameter];
     ["value", "stderr"].map(|key| of[key].as_f64().unwrap_or(f64::NAN))
-}
-
-/// Returns the message of a call that fails.
-fn refused(workdir: &Workdir, args: &str) -> String {
-    let run = workdir.run(args);
-    assert!(
-        run.status != 0 && run.stdout.is_empty() && !run.stderr.contains("panicked"),
-        "{args:?}: {run:?}"
-    );
-    run.stderr
 }
 
 #[test]
@@ -208,31 +199,24 @@ fn files_of_nanoindenters_are_read() {
     let text = workdir.succeed(&args);
     assert_names(
         &text,
-        &[
-            "20 points",
-            "1 rows without values",
-            "3 rows of a pause",
-            "1 rows of another segment",
-        ],
+        "20 points; 1 rows without values; 3 rows of a pause; 1 rows of another segment",
     );
     // No units at all: the message says what to type, and that works.
     let args = with("fit plain.txt", depth);
-    let error = refused(&workdir, &args);
-    assert_names(&error, &["unit"]);
+    workdir.refuses(format!("1 | {args} | unit"));
     let named = "--column 'penetration=h [nm]' --column 'load=P [mN]' --column \
          'contact_stiffness=S=dP/dh [N/m]'";
     let [value, _] = found(&workdir, &format!("{args} {named}"), "film_modulus");
     assert!((value / 7.2e10 - 1.0).abs() < 1e-4, "{value}");
     // The area as a column, and storage and loss.
     let args = with("fit hysitron.txt", "--kind stiffness-radius");
-    let object: Value =
-        serde_json::from_str(&workdir.succeed(format!("{args} --json"))).expect("JSON");
-    let tangent = object["loss"]["tangent"].as_f64().expect("a number");
+    let object = workdir.json(format!("{args} --json"));
+    let tangent = number(&object, "loss/tangent");
     // The film is 0.5 to 0.9 of the compliance.
     assert!(tangent > 0.1 && tangent < 0.3, "{tangent}");
     assert_names(
         &workdir.succeed(&args),
-        &["loss tangent", "storage modulus", "loss modulus"],
+        "loss tangent; storage modulus; loss modulus",
     );
 }
 
@@ -248,82 +232,31 @@ fn wrong_first_calls_are_answered() {
         "radius.csv",
         "contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n",
     );
-    let depth = "fit depth.csv --kind stiffness-depth";
-    for (args, words) in [
-        // Nothing about the bodies.
-        (
-            depth.to_owned(),
-            &["--sphere-modulus", "--film-thickness"][..],
-        ),
-        // A noise in newtons per metre, one in per cent for loads.
-        (with(depth, "--noise 10"), &["--noise", "per cent", "1%"]),
-        (
-            with("fit depth.csv --kind load-penetration", ""),
-            &["--beta"],
-        ),
-        // Flags of depths with radii.
-        (
-            with("fit radius.csv", "--epsilon 1"),
-            &["--epsilon", "stiffness-depth"],
-        ),
-        (with("fit radius.csv", "--thinning 0.3"), &["--thinning"]),
-        // The wrong kind for the columns.
-        (
-            with("fit radius.csv --kind stiffness-depth", ""),
-            &["penetration", "load"],
-        ),
-        // Units.
-        (
-            with(depth, "--tip-rounding 6GPa"),
-            &["--tip-rounding", "a length"],
-        ),
-        (
-            with(depth, "--frame-compliance 2nm"),
-            &["--frame-compliance", "a compliance"],
-        ),
-        (with(depth, "--area 0"), &["--area", "positive"]),
-        (
-            with(depth, "--contact-depth hertz"),
-            &["oliver-pharr", "loubet"],
-        ),
-        (with(depth, "--between 60nm"), &["--between", "60nm..250nm"]),
-        (
-            with(depth, "--between 250nm..60nm"),
-            &["--between", "below"],
-        ),
-        (
-            with(depth, "--between 1um..2um"),
-            &["no point is left", "range"],
-        ),
-        // A sample of known modulus without its file, of another kind.
-        (with(depth, "--reference-modulus 170GPa"), &["--reference"]),
-        (
-            with(depth, "--reference radius.csv"),
-            &["radius.csv", "penetration"],
-        ),
-        // What simulated data need.
-        (
-            with(
-                "simulate --kind stiffness-depth",
-                "--from 50nm --to 200nm --noise 1%",
-            ),
-            &["hardness"],
-        ),
-        (
-            with(
-                "simulate --kind stiffness-load",
-                "--from 50nm --to 200nm --noise 1%",
-            ),
-            &["--from", "a force"],
-        ),
-        (
-            "simulate --kind load-radius --from 50um --to 90um --noise 1%".to_owned(),
-            &["per cent"],
-        ),
-    ] {
-        let error = refused(&workdir, &args);
-        assert_names(&error, words);
-    }
+    let depth = with("fit depth.csv", "--kind stiffness-depth");
+    let radius = with("fit radius.csv", "");
+    let plan = with("simulate --from 50nm --to 200nm --noise 1%", "");
+    workdir.refuses(format!(
+        "
+        1 | fit depth.csv --kind stiffness-depth | --sphere-modulus; --film-thickness
+        1 | {depth} --noise 10 | --noise; per cent; 1%
+        1 | fit depth.csv --kind load-penetration {OXIDE} | --beta
+        1 | {radius} --epsilon 1 | --epsilon; stiffness-depth
+        1 | {radius} --thinning 0.3 | --thinning
+        1 | {radius} --kind stiffness-depth | penetration; load
+        2 | {depth} --tip-rounding 6GPa | --tip-rounding; a length
+        2 | {depth} --frame-compliance 2nm | --frame-compliance; a compliance
+        1 | {depth} --area 0 | --area; positive
+        2 | {depth} --contact-depth hertz | oliver-pharr; loubet
+        2 | {depth} --between 60nm | --between; 60nm..250nm
+        1 | {depth} --between 250nm..60nm | --between; below
+        1 | {depth} --between 1um..2um | no point is left; range
+        2 | {depth} --reference-modulus 170GPa | --reference
+        1 | {depth} --reference radius.csv | radius.csv; penetration
+        1 | {plan} --kind stiffness-depth | hardness
+        1 | {plan} --kind stiffness-load | --from; a force
+        1 | simulate --kind load-radius --from 50um --to 90um --noise 1% | per cent
+        "
+    ));
 }
 
 /// Data with phases: the fit finds the modulus and the loss tangent that they were made with, at
@@ -353,37 +286,28 @@ fn simulated_phases_give_their_loss_tangent_back() {
         let lossy = "--loss-tangent 0.6 -o lossy.csv";
         workdir.succeed(format!("{plan} {ends} {} {known} {lossy}", bodies("70GPa")));
         let args = format!("fit lossy.csv --kind {kind} --json");
-        let text = workdir.succeed(format!("{args} {} {used}", bodies("50GPa")));
-        let json: Value = serde_json::from_str(&text).expect("JSON");
+        let json = workdir.json(format!("{args} {} {used}", bodies("50GPa")));
         let near = |found: &Value, key: &str, truth: f64| {
-            let [value, error] = [key, "stderr"].map(|key| found[key].as_f64().expect("a number"));
+            let [value, error] = [key, "stderr"].map(|key| number(found, key));
             assert!((value - truth).abs() < 4.0 * error, "{kind}: {found}");
             assert!(error < 0.02 * truth, "{kind}: {found}");
         };
         near(&json["parameters"]["film_modulus"], "value", 70e9);
         near(&json["loss"], "tangent", 0.6);
         if kind == "stiffness-radius" {
-            let ends = [0, 1].map(|i| json["a_over_t"][i].as_f64().expect("a number"));
+            let ends = [0, 1].map(|i| number(&json, &format!("a_over_t/{i}")));
             assert!(
                 (ends[0] - 0.1).abs() < 1e-9 && (ends[1] - 0.8).abs() < 1e-9,
                 "{ends:?}"
             );
         }
     }
-    for (kind, tangent, names) in [
-        ("stiffness-radius", "1.2", ["loss tangent", "from 0 to 1"]),
-        ("stiffness-radius", "nan", ["loss tangent", "from 0 to 1"]),
-        (
-            "load-radius",
-            "0.5",
-            ["--loss-tangent", "contact stiffness"],
-        ),
-    ] {
-        let noise = if kind == "load-radius" { "1uN" } else { "1%" };
-        let plan = format!("simulate --kind {kind} --from 50nm --to 400nm");
-        let lossy = format!("--noise {noise} --loss-tangent {tangent}");
-        let run = workdir.run(format!("{plan} {} {lossy}", bodies("70GPa")));
-        assert_ne!(run.status, 0);
-        assert_names(&run.stderr, &names);
-    }
+    let plan = format!("simulate --from 50nm --to 400nm {}", bodies("70GPa"));
+    workdir.refuses(format!(
+        "
+        1 | {plan} --kind stiffness-radius --noise 1% --loss-tangent 1.2 | loss tangent; from 0 to 1
+        1 | {plan} --kind stiffness-radius --noise 1% --loss-tangent nan | loss tangent; from 0 to 1
+        1 | {plan} --kind load-radius --noise 1uN --loss-tangent 0.5 | --loss-tangent; contact stiffness
+        "
+    ));
 }

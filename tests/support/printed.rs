@@ -1,0 +1,51 @@
+//! Numbers that the program prints: as JSON, and as lines `name = value`.
+
+use serde_json::Value;
+
+use crate::{Arguments, Workdir};
+
+impl Workdir {
+    /// Runs the program, which must succeed as [`Workdir::succeed`] says, and returns what it prints,
+    /// which must be one line of JSON.
+    pub fn json(&self, args: impl Arguments) -> Value {
+        let text = self.succeed(args);
+        assert_eq!(text.lines().count(), 1, "{text}");
+        json(&text)
+    }
+}
+
+/// Reads JSON.
+#[track_caller]
+pub fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+/// Returns the number at a path such as `parameters/film_modulus/value`.
+#[track_caller]
+pub fn number(object: &Value, path: &str) -> f64 {
+    let found = object.pointer(&format!("/{path}")).and_then(Value::as_f64);
+    found.unwrap_or_else(|| panic!("no number at {path}: {object}"))
+}
+
+/// Returns value and standard error of a parameter of a fit.
+#[track_caller]
+pub fn estimate(fit: &Value, name: &str) -> [f64; 2] {
+    ["value", "stderr"].map(|key| number(fit, &format!("parameters/{name}/{key}")))
+}
+
+/// Returns the kinds of the warnings of a fit.
+#[track_caller]
+pub fn kinds(fit: &Value) -> Vec<&str> {
+    let warnings = fit["warnings"].as_array().expect("a list").iter();
+    let kinds = warnings.map(|warning| warning["kind"].as_str().expect("text"));
+    kinds.collect()
+}
+
+/// Returns the value of a line `name = value`.
+#[track_caller]
+pub fn value(text: &str, name: &str) -> f64 {
+    let mut lines = text.lines().filter_map(|line| line.split_once('='));
+    let line = lines.find(|(key, _)| key.trim() == name);
+    let value = line.and_then(|(_, value)| value.trim().parse().ok());
+    value.unwrap_or_else(|| panic!("no number {name} in: {text}"))
+}
