@@ -4,7 +4,7 @@ use acceptance::{assert_names, low_rank, shipped, table, workdir};
 use interp::Table;
 use serde_json::Value;
 
-use crate::setting::{FORCE_MICROSCOPE, PAPER, Setting};
+use crate::setting::settings;
 use crate::shown::{assert_load, assert_shows, number, sliders};
 use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
 
@@ -29,61 +29,21 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         "universal.bin",
         std::fs::read(embedded_universal()).expect("the embedded table"),
     );
-    let settings = [
-        PAPER,
-        Setting {
-            thickness: 1e-5,
-            ..PAPER
-        },
-        Setting {
-            thickness: 1e-4,
-            film: [1e5, 0.499],
-            substrate: [7e10, 0.25],
-            ..PAPER
-        },
-        FORCE_MICROSCOPE,
-        Setting {
-            adhesion: 0.0,
-            ..PAPER
-        },
-        // Pull-off is beyond the table's a/t.
-        Setting {
-            thickness: 1e-8,
-            ..PAPER
-        },
-        // Contact radii up to 0.4 R, on a film and on two thin ones.
-        Setting {
-            probe: "sphere",
-            radius: 1e-5,
-            ..PAPER
-        },
-        Setting {
-            probe: "sphere",
-            thickness: 1e-7,
-            radius: 1e-5,
-            film: [1e5, 0.499],
-            ..PAPER
-        },
-        Setting {
-            probe: "sphere",
-            ..FORCE_MICROSCOPE
-        },
-        Setting {
-            probe: "flat-punch",
-            radius: 1e-5,
-            ..PAPER
-        },
-        // All parameters matter.
-        Setting {
-            probe: "paraboloid",
-            thickness: 1e-3,
-            film: [5e6, 0.0],
-            substrate: [2e6, 0.25],
-            radius: 1e-2,
-            sphere: 1e6,
-            adhesion: 5.0,
-        },
-    ];
+    let settings = settings(
+        "
+        paraboloid 1e-6 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04 # the paper
+        paraboloid 1e-5 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04
+        paraboloid 1e-4 1e5   0.499 7e10   0.25 1e-3 2e6  0.04
+        paraboloid 5e-8 2e9   0.35  1.3e11 0.25 2e-6 7e10 0.1  # an atomic force microscope
+        paraboloid 1e-6 3.5e6 0.5   2e11   0.25 1e-3 2e6  0
+        paraboloid 1e-8 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04 # pull-off beyond the table's a/t
+        sphere     1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04 # contact radii up to 0.4 R
+        sphere     1e-7 1e5   0.499 2e11   0.25 1e-5 2e6  0.04
+        sphere     5e-8 2e9   0.35  1.3e11 0.25 2e-6 7e10 0.1
+        flat-punch 1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04
+        paraboloid 1e-3 5e6   0     2e6    0.25 1e-2 1e6  5    # all parameters matter
+        ",
+    );
     assert_shows(&workdir, "universal.bin", &table, &settings);
 }
 
@@ -91,45 +51,16 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
 fn a_page_with_all_axes_shows_what_the_program_prints() {
     let (workdir, table) = (workdir!(), table(FOUR_AXES));
     workdir.write("table.bin", table.to_packed().expect("packed"));
-    let setting = Setting {
-        substrate: [1e9, 0.2],
-        ..PAPER
-    };
-    let settings = [
-        setting,
-        // Pull-off is beyond the table's a/t.
-        Setting {
-            thickness: 1e-8,
-            ..setting
-        },
-        // Four quantities that the table holds. Without adhesion the curve ends at 0.1 R.
-        Setting {
-            probe: "sphere",
-            radius: 1e-5,
-            ..setting
-        },
-        Setting {
-            probe: "sphere",
-            radius: 1e-5,
-            adhesion: 0.0,
-            ..setting
-        },
-        Setting {
-            probe: "flat-punch",
-            radius: 1e-5,
-            ..setting
-        },
-        // All parameters matter.
-        Setting {
-            probe: "paraboloid",
-            thickness: 1e-3,
-            film: [4e6, 0.3],
-            substrate: [4e7, 0.2],
-            radius: 1e-2,
-            sphere: 2e6,
-            adhesion: 5.0,
-        },
-    ];
+    let settings = settings(
+        "
+        paraboloid 1e-6 3.5e6 0.5 1e9 0.2 1e-3 2e6 0.04
+        paraboloid 1e-8 3.5e6 0.5 1e9 0.2 1e-3 2e6 0.04 # pull-off beyond the table's a/t
+        sphere     1e-6 3.5e6 0.5 1e9 0.2 1e-5 2e6 0.04 # four quantities that the table holds
+        sphere     1e-6 3.5e6 0.5 1e9 0.2 1e-5 2e6 0    # without adhesion the curve ends at 0.1 R
+        flat-punch 1e-6 3.5e6 0.5 1e9 0.2 1e-5 2e6 0.04
+        paraboloid 1e-3 4e6   0.3 4e7 0.2 1e-2 2e6 5    # all parameters matter
+        ",
+    );
     let Some(seen) = assert_shows(&workdir, "table.bin", &table, &settings) else {
         return;
     };
@@ -145,7 +76,7 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
     let beyond = &seen["looks"][1];
     assert_names(
         beyond["messages"].as_str().expect("text"),
-        &["The curve ends at a = 1.000 µm, where the table’s a/t ends: 100"],
+        "The curve ends at a = 1.000 µm, where the table’s a/t ends: 100",
     );
     assert_eq!(beyond["states"]["pull-off-load"]["load"], Value::Null);
 }
@@ -157,53 +88,17 @@ fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
     let tiles = table.low_rank().map(<[_]>::len);
     assert_eq!(tiles, Some(5), "the settings are in several tiles");
     workdir.write("gamma.bin", table.to_packed().expect("packed"));
-    // A soft film on glass under glass.
-    let soft = Setting {
-        thickness: 1e-5,
-        film: [1e6, 0.49],
-        substrate: [7e10, 0.22],
-        sphere: 7e10,
-        ..PAPER
-    };
-    let settings = [
-        soft,
-        // A soft sphere, and a thicker film.
-        Setting {
-            thickness: 1e-4,
-            sphere: 2e6,
-            ..soft
-        },
-        Setting {
-            sphere: f64::INFINITY,
-            ..soft
-        },
-        Setting {
-            substrate: [f64::INFINITY, 0.3],
-            ..soft
-        },
-        Setting {
-            sphere: f64::INFINITY,
-            substrate: [f64::INFINITY, 0.3],
-            film: [1e6, 0.5],
-            adhesion: 0.0,
-            radius: 1e-2,
-            ..soft
-        },
-        Setting {
-            sphere: f64::INFINITY,
-            film: [1e10, 0.4],
-            substrate: [1e7, 0.3],
-            ..soft
-        },
-        // A film stiffer than the substrate: all parameters matter.
-        Setting {
-            film: [1e9, 0.35],
-            substrate: [2e7, 0.3],
-            sphere: 1e9,
-            adhesion: 0.06,
-            ..soft
-        },
-    ];
+    let settings = settings(
+        "
+        paraboloid 1e-5 1e6  0.49 7e10 0.22 1e-3 7e10 0.04 # a soft film on glass under glass
+        paraboloid 1e-4 1e6  0.49 7e10 0.22 1e-3 2e6  0.04 # a soft sphere, and a thicker film
+        paraboloid 1e-5 1e6  0.49 7e10 0.22 1e-3 inf  0.04
+        paraboloid 1e-5 1e6  0.49 inf  0.3  1e-3 7e10 0.04
+        paraboloid 1e-5 1e6  0.5  inf  0.3  1e-2 inf  0
+        paraboloid 1e-5 1e10 0.4  1e7  0.3  1e-3 inf  0.04
+        paraboloid 1e-5 1e9  0.35 2e7  0.3  1e-3 1e9  0.06 # stiffer than the substrate: all parameters matter
+        ",
+    );
     let Some(seen) = assert_shows(&workdir, "gamma.bin", &table, &settings) else {
         return;
     };
@@ -223,19 +118,13 @@ fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
 #[test]
 fn a_page_of_the_papers_table_shows_what_the_program_prints() {
     let (workdir, path) = (workdir!(), shipped("paper.h5"));
-    let settings = [
-        PAPER,
-        Setting {
-            thickness: 1e-4,
-            ..PAPER
-        },
-        Setting {
-            film: [1e8, 0.5],
-            adhesion: 0.4,
-            radius: 1e-2,
-            ..PAPER
-        },
-    ];
+    let settings = settings(
+        "
+        paraboloid 1e-6 3.5e6 0.5 2e11 0.25 1e-3 2e6 0.04
+        paraboloid 1e-4 3.5e6 0.5 2e11 0.25 1e-3 2e6 0.04
+        paraboloid 1e-6 1e8   0.5 2e11 0.25 1e-2 2e6 0.4
+        ",
+    );
     let table = Table::open(&path).expect("the shipped table");
     let Some(seen) = assert_shows(
         &workdir,
@@ -261,24 +150,12 @@ fn a_page_of_the_papers_table_shows_what_the_program_prints() {
 fn a_rigid_sphere_without_adhesion_has_no_sliders_for_either() {
     let (workdir, table) = (workdir!(), table(RIGID_SPHERE));
     workdir.write("rigid.bin", table.to_packed().expect("packed"));
-    let rigid = Setting {
-        sphere: f64::INFINITY,
-        adhesion: 0.0,
-        film: [1e6, 0.4],
-        substrate: [1e9, 0.25],
-        ..PAPER
-    };
-    let settings = [
-        Setting {
-            film: [5e8, 0.2],
-            ..rigid
-        },
-        Setting {
-            thickness: 3e-5,
-            substrate: [3e6, 0.25],
-            ..rigid
-        },
-    ];
+    let settings = settings(
+        "
+        paraboloid 1e-6 5e8 0.2 1e9 0.25 1e-3 inf 0
+        paraboloid 3e-5 1e6 0.4 3e6 0.25 1e-3 inf 0
+        ",
+    );
     let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &settings) else {
         return;
     };
@@ -296,12 +173,8 @@ fn a_rigid_sphere_without_adhesion_has_no_sliders_for_either() {
 fn without_penetration_there_is_load_against_contact_radius() {
     let (workdir, table) = (workdir!(), table(NO_PENETRATION));
     workdir.write("rigid.bin", table.to_packed().expect("packed"));
-    let setting = Setting {
-        sphere: f64::INFINITY,
-        film: [1e6, 0.4],
-        substrate: [f64::INFINITY, 0.25],
-        thickness: 1e-5,
-        ..PAPER
+    let [setting] = settings("paraboloid 1e-5 1e6 0.4 inf 0.25 1e-3 inf 0.04")[..] else {
+        unreachable!("one line")
     };
     let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &[setting]) else {
         return;

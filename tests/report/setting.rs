@@ -18,27 +18,37 @@ pub struct Setting {
     pub adhesion: f64,
 }
 
-/// A probe of an atomic force microscope on a thin polymer film.
-pub const FORCE_MICROSCOPE: Setting = Setting {
-    thickness: 5e-8,
-    film: [2e9, 0.35],
-    substrate: [1.3e11, 0.25],
-    radius: 2e-6,
-    sphere: 7e10,
-    adhesion: 0.1,
-    ..PAPER
-};
-
-/// The settings of the paper, with a film of 1 um.
-pub const PAPER: Setting = Setting {
-    probe: "paraboloid",
-    thickness: 1e-6,
-    film: [3.5e6, 0.5],
-    substrate: [2e11, 0.25],
-    radius: 1e-3,
-    sphere: 2e6,
-    adhesion: 0.04,
-};
+/// Reads settings, one a line: the probe, the thickness, modulus and Poisson ratio of the film, those
+/// of the substrate, radius and modulus of the sphere, the work of adhesion, and a note after `#`.
+pub fn settings(table: &'static str) -> Vec<Setting> {
+    let setting = |line: &'static str| {
+        let (cells, _) = line.split_once('#').unwrap_or((line, ""));
+        let cells: Vec<&str> = cells.split_whitespace().collect();
+        let [probe, numbers @ ..] = &cells[..] else {
+            panic!("an empty line")
+        };
+        let numbers: Vec<f64> = numbers
+            .iter()
+            .map(|cell| cell.parse().expect(line))
+            .collect();
+        let [thickness, e1, nu1, e0, nu0, radius, sphere, adhesion] = numbers[..] else {
+            panic!("not eight numbers: {line}")
+        };
+        Setting {
+            probe,
+            thickness,
+            film: [e1, nu1],
+            substrate: [e0, nu0],
+            radius,
+            sphere,
+            adhesion,
+        }
+    };
+    let lines = table.lines().filter(|line| !line.trim().is_empty());
+    let settings: Vec<_> = lines.map(setting).collect();
+    assert!(!settings.is_empty(), "a table without settings");
+    settings
+}
 
 impl Setting {
     /// Returns the address that sets the parameters that the table leaves free.
