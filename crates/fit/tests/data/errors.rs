@@ -1,115 +1,60 @@
 //! Tables that cannot be read: each error names the place and the next step. `habits.rs` has others.
 
-use fit::data::{Cantilever, Column, Format};
+use fit::data::{Cantilever, Format};
 
 use crate::read;
 
-/// Asserts that a text is refused with a message of one line that names all the words.
-fn refused(text: &str, format: &Format, words: &[&str]) {
+/// Asserts that a text is refused with a message of one line that names all the words, which `; `
+/// parts.
+#[track_caller]
+fn refused(text: &str, format: &Format, words: &str) {
     let error = read(text, format).expect_err(text).to_string();
     assert_eq!(error.lines().count(), 1, "{error}");
-    for word in words {
-        assert!(error.contains(word), "{word:?} is not in: {error}");
+    for word in words.split("; ") {
+        let says = error.contains(word);
+        assert!(
+            says && !word.is_empty(),
+            "{text:?}: {word:?} is not in: {error}"
+        );
     }
     assert!(!error.contains("--"), "names a flag: {error}");
 }
 
 #[test]
 fn an_error_names_line_column_value_and_next_step() {
-    let cases: [(&str, &[&str]); 23] = [
-        // A wrong row above three sound ones is not taken for a line before the headings.
-        (
-            "contact_radius,load\n1,x\n1,2\n2,3\n3,4\n",
-            &["line 2", "\"x\""],
-        ),
-        (
-            "contact_radius,load\nx,y\n1,2\n2,3\n3,4\n",
-            &["line 2", "\"x\""],
-        ),
-        ("1,2\n3,4\n", &["line 1", "2 cells", "by their numbers"]),
-        ("# lens\n\n1,2\n3,4\n", &["line 3", "headings"]),
-        (
-            "contact_radius,load\n1,2\n2,3\n3,x\n",
-            &["line 4, column 2 \"load\"", "\"x\"", "not a number", "#"],
-        ),
-        (
-            "contact_radius,load\n1,2\n2,\n",
-            &["line 3, column 2", "missing", "#"],
-        ),
-        (
-            "contact_radius,load\n1,2\nNaN,3\n",
-            &["line 3, column 1", "missing"],
-        ),
-        (
-            "contact_radius,load\n1,2\n2,1e999\n",
-            &["line 3, column 2", "1e999"],
-        ),
-        (
-            "contact_radius,load\n1,2\n-2,3\n",
-            &["line 3, column 1", "-2", "below 0"],
-        ),
-        (
-            "contact_radius,load\n1,2\n2,3\n4,5,6\n",
-            &["line 4", "3 cells", "2", "decimal"],
-        ),
-        ("contact_radius,load\n1,2\n2,3\n4\n", &["line 4", "1 cell"]),
-        (
-            "contact_radius,load\n1,5,2,5\n1,6,2,7\n1,8,2,9\n",
-            &["line 2", "4 cells", "headings"],
-        ),
-        (
-            "contact_radius,load\n1,2\n1,3\n",
-            &["column 1", "all 2 values are 1.0"],
-        ),
-        (
-            "contact_radius,load\n1,2\n2,2\n",
-            &["column 2", "all 2 values are 2.0"],
-        ),
-        (
-            "Radius,Load [mN]\n1,2\n2,3\n",
-            &["column 1 \"Radius\"", "no unit", "contact_radius", "\"um\""],
-        ),
-        (
-            "Radius [um],Load [mm]\n1,2\n2,3\n",
-            &[
-                "load-radius lacks load (a force)",
-                "penetration-radius lacks penetration (a length)",
-                "\"Radius [um]\" (contact_radius), \"Load [mm]\" (a length)",
-            ],
-        ),
-        (
-            "Radius [um],Load [mN],Load [uN]\n1,2,3\n2,3,4\n",
-            &["columns 2 and 3", "load", "number"],
-        ),
-        (
-            "Radius [um],Load [mN],Depth [nm]\n1,2,3\n2,3,4\n",
-            &[
-                "more than one kind",
-                "load-radius, penetration-radius, load-penetration",
-            ],
-        ),
-        (
-            "x,y\n1,2\n2,3\n",
-            &[
-                "no kind",
-                "\"x\", \"y\"",
-                "force-height lacks height (a length) and load (a force)",
-            ],
-        ),
-        ("z [nm],defl [nm]\n1,2\n2,1\n", &["column 2", "stiffness"]),
-        (
-            "height,force,phase\n1,2,approach\n1,3,sideways\n",
-            &["line 3, column 3", "sideways", "approach", "split"],
-        ),
-        ("contact_radius,load\n,2,\n1,2\n2,3\n", &["line 2"]),
-        (
-            "height,force,phase\n1,2,pause\n1,3,pause\n",
-            &["2 rows", "no point"],
-        ),
-    ];
-    for (text, words) in cases {
-        refused(text, &Format::default(), words);
+    // A wrong row above three sound ones is not taken for a line before the headings.
+    let cases = r#"
+        contact_radius,load\n1,x\n1,2\n2,3\n3,4\n | line 2; "x"
+        contact_radius,load\nx,y\n1,2\n2,3\n3,4\n | line 2; "x"
+        1,2\n3,4\n | line 1; 2 cells; by their numbers
+        # lens\n\n1,2\n3,4\n | line 3; headings
+        contact_radius,load\n1,2\n2,3\n3,x\n | line 4, column 2 "load"; "x"; not a number; #
+        contact_radius,load\n1,2\n2,\n | line 3, column 2; missing; #
+        contact_radius,load\n1,2\nNaN,3\n | line 3, column 1; missing
+        contact_radius,load\n1,2\n2,1e999\n | line 3, column 2; 1e999
+        contact_radius,load\n1,2\n-2,3\n | line 3, column 1; -2; below 0
+        contact_radius,load\n1,2\n2,3\n4,5,6\n | line 4; 3 cells; 2; decimal
+        contact_radius,load\n1,2\n2,3\n4\n | line 4; 1 cell
+        contact_radius,load\n1,5,2,5\n1,6,2,7\n1,8,2,9\n | line 2; 4 cells; headings
+        contact_radius,load\n1,2\n1,3\n | column 1; all 2 values are 1.0
+        contact_radius,load\n1,2\n2,2\n | column 2; all 2 values are 2.0
+        Radius,Load [mN]\n1,2\n2,3\n | column 1 "Radius"; no unit; contact_radius; "um"
+        Radius [um],Load [mm]\n1,2\n2,3\n | load-radius lacks load (a force); penetration-radius lacks penetration (a length); "Radius [um]" (contact_radius), "Load [mm]" (a length)
+        Radius [um],Load [mN],Load [uN]\n1,2,3\n2,3,4\n | columns 2 and 3; load; number
+        Radius [um],Load [mN],Depth [nm]\n1,2,3\n2,3,4\n | more than one kind; load-radius, penetration-radius, load-penetration
+        x,y\n1,2\n2,3\n | no kind; "x", "y"; force-height lacks height (a length) and load (a force)
+        z [nm],defl [nm]\n1,2\n2,1\n | column 2; stiffness
+        height,force,phase\n1,2,approach\n1,3,sideways\n | line 3, column 3; sideways; approach; split
+        contact_radius,load\n,2,\n1,2\n2,3\n | line 2
+        height,force,phase\n1,2,pause\n1,3,pause\n | 2 rows; no point
+        "#;
+    let mut count = 0;
+    for line in cases.lines().filter(|line| !line.trim().is_empty()) {
+        let (text, words) = line.trim().split_once(" | ").expect(line);
+        refused(&text.replace("\\n", "\n"), &Format::default(), words);
+        count += 1;
     }
+    assert_eq!(count, 23);
 }
 
 #[test]
@@ -129,45 +74,31 @@ fn bytes_that_are_not_text_are_refused() {
 
 #[test]
 fn a_column_that_is_not_there_is_refused() {
-    let format = |text: &str| Format {
-        columns: vec![text.parse::<Column>().expect("a column")],
-        ..Format::default()
+    let of = |columns: &[&str]| {
+        let columns = columns.iter().map(|text| text.parse().expect("a column"));
+        Format {
+            columns: columns.collect(),
+            ..Format::default()
+        }
     };
     let text = "Radius [um],Load [mN],Load (mN)\n1,2,3\n2,3,4\n";
-    refused(
-        text,
-        &format("load=Kraft [mN]"),
-        &["Kraft", "load", "Radius [um]"],
+    let refused_by = |columns: &[&str], words| refused(text, &of(columns), words);
+    refused_by(&["load=Kraft [mN]"], "Kraft; load; Radius [um]");
+    refused_by(&["load=4"], "\"4\"; the columns are");
+    refused_by(&["load=Load"], "columns 2 and 3");
+    refused_by(
+        &["load=Radius [um]"],
+        "\"Radius [um]\" is named as load; a force",
     );
-    refused(text, &format("load=4"), &["\"4\"", "the columns are"]);
-    refused(text, &format("load=Load"), &["columns 2 and 3"]);
-    refused(
-        text,
-        &format("load=Radius [um]"),
-        &["\"Radius [um]\" is named as load", "a force"],
-    );
-    let format_of = |texts: &[&str]| Format {
-        columns: texts
-            .iter()
-            .map(|text| text.parse().expect("a column"))
-            .collect(),
-        ..Format::default()
-    };
-    let two = format_of(&["load=2", "load=3", "contact_radius=1"]);
-    refused(text, &two, &["columns 2 and 3 could both be load"]);
+    let two = ["load=2", "load=3", "contact_radius=1"];
+    refused_by(&two, "columns 2 and 3 could both be load");
     let format = Format {
         kind: Some(fit::Kind::LoadPenetration),
         ..Format::default()
     };
     let text = "Radius [um],Load [mN]\n1,2\n2,3\n";
-    refused(
-        text,
-        &format,
-        &[
-            "load-penetration lacks penetration (a length)",
-            "\"Radius [um]\" (contact_radius), \"Load [mN]\" (load)",
-        ],
-    );
+    let words = "load-penetration lacks penetration (a length); \"Radius [um]\" (contact_radius), \"Load [mN]\" (load)";
+    refused(text, &format, words);
 }
 
 #[test]
@@ -188,7 +119,7 @@ fn a_cantilever_that_makes_no_force_is_named() {
             },
             ..Format::default()
         };
-        let words = ["turns no deflection into a force", "positive and finite"];
-        refused(text, &format, &words);
+        let words = "turns no deflection into a force; positive and finite";
+        refused(text, &format, words);
     }
 }
