@@ -2,15 +2,13 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_names, solid};
+use acceptance::{Contacts, Refused, solid};
 use fit::data::{Format, read_from};
-use fit::{
-    Bodies, Error, Experiment, Fit, Kind, Loss, Options, Parameter, PointErrors, WarningKind, fit,
-};
+use fit::{Bodies, Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
 use interp::{HalfSpace, Probe, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, doubts, fit_all};
+use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with};
 use crate::recovery::{SETS, assert_coverage};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -26,18 +24,13 @@ fn lens() -> Imagined {
 fn blurred(mut experiment: Experiment, noise: impl Fn(usize) -> f64, seed: u64) -> Experiment {
     let mut random = Contacts::new(seed ^ 0x5eed);
     for (i, point) in experiment.measurement.points.iter_mut().enumerate() {
-        let radius = (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
-        point.abscissa += noise(i) * radius * (2.0 * PI * random.uniform(0.0, 1.0)).cos();
+        point.abscissa += noise(i) * random.normal();
     }
     experiment
 }
 
 fn fitted(experiment: Experiment, imagined: &Imagined, loss: Loss) -> Fit {
-    let options = Options {
-        loss,
-        ..Options::default()
-    };
-    fit(Table::embedded(), &[experiment], &imagined.free, &options).expect("sound")
+    fit_with(&experiment, &imagined.free, |options| options.loss = loss).expect("sound")
 }
 
 /// Asserts that the intervals of fits hold the truth as often as they say.
@@ -213,42 +206,32 @@ fn columns_of_standard_deviations_are_read() {
     let reading = sound("height,force,Deflection Error [V]\n1e-6,1e-9,0\n2e-6,2e-9,0\n");
     assert_eq!(reading.errors, PointErrors::default());
     // Numbers that are no standard deviations, with their place.
-    for (cell, words) in [
-        ("0", ["line 3", "load std [uN]", "positive"]),
-        ("-1", ["line 3", "load std [uN]", "positive"]),
-        ("", ["line 3", "load std [uN]", "missing"]),
-    ] {
-        let text = format!("contact_radius,load,load std [uN]\n5e-5,1e-4,5\n6e-5,2e-4,{cell}\n");
-        let error = read(&text).expect_err("no deviation");
-        assert_names(&error.to_string(), &words);
-    }
-    let error =
-        read("contact_radius,load,load std [uN],sigma load\n5e-5,1e-4,5,5\n6e-5,2e-4,5,5\n");
-    assert_names(
-        &error.expect_err("two columns").to_string(),
-        &["columns 3 and 4", "load_error"],
-    );
+    let with = |cell: &str| {
+        read(&format!(
+            "contact_radius,load,load std [uN]\n5e-5,1e-4,5\n6e-5,2e-4,{cell}\n"
+        ))
+    };
+    with("0").refused("line 3; load std [uN]; positive");
+    with("-1").refused("line 3; load std [uN]; positive");
+    with("").refused("line 3; load std [uN]; missing");
+    let two = read("contact_radius,load,load std [uN],sigma load\n5e-5,1e-4,5,5\n6e-5,2e-4,5,5\n");
+    two.refused("columns 3 and 4; load_error");
 }
 
 #[test]
 fn what_is_no_standard_deviation_is_refused() {
     let lens = lens();
     let exact = lens.exact();
-    let refused = |edit: &dyn Fn(&mut Experiment)| {
+    let with = |edit: &dyn Fn(&mut Experiment)| {
         let mut experiment = lens.measured(&exact, 1);
         edit(&mut experiment);
         fit_all(&[experiment], &lens.free)
-            .expect_err("no deviation")
-            .to_string()
     };
     for noise in [-1e-7, f64::NAN, f64::INFINITY] {
-        let text = refused(&|experiment| experiment.abscissa_noise = noise);
-        assert_names(&text, &["contact radius", "imagined.csv", ">= 0"]);
+        with(&|one| one.abscissa_noise = noise).refused("contact radius; imagined.csv; >= 0");
     }
-    let text = refused(&|experiment| experiment.errors.ordinate = vec![1e-6; 3]);
-    assert_names(&text, &["errors of the load", "3", "40"]);
-    let text = refused(&|experiment| experiment.errors.ordinate = vec![0.0; 40]);
-    assert_names(&text, &["imagined.csv", "line 2", "positive"]);
+    with(&|one| one.errors.ordinate = vec![1e-6; 3]).refused("errors of the load; 3; 40");
+    with(&|one| one.errors.ordinate = vec![0.0; 40]).refused("imagined.csv; line 2; positive");
     let error = fit::forecast(
         Table::embedded(),
         std::slice::from_ref(&lens.truth),

@@ -3,32 +3,15 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, assert_names, solid};
-use fit::{
-    Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
-    WarningKind, fit,
-};
-use interp::{HalfSpace, Probe, Table};
+use fit::{Bodies, Direction, Experiment, Fit, Kind, Measurement, Parameter, Point, WarningKind};
+use interp::{HalfSpace, Probe};
 
-use crate::imagined::{Course, Imagined, doubts, measurement};
+use crate::imagined::{Course, Imagined, doubts, fit_with, free_of, measurement, text};
 
 const RADIUS: f64 = 10e-6;
 
 fn fitted(experiment: &Experiment, free: &[Parameter]) -> Fit {
-    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
-    let options = Options::default();
-    fit(
-        Table::embedded(),
-        std::slice::from_ref(experiment),
-        &free,
-        &options,
-    )
-    .expect("sound")
-}
-
-fn text(found: &Fit, kind: WarningKind) -> &str {
-    let warning = found.warnings.iter().find(|warning| warning.kind == kind);
-    let warning = warning.unwrap_or_else(|| panic!("no {kind:?} in {:?}", found.warnings));
-    &warning.text
+    fit_with(experiment, &free_of(free), |_| ()).expect("sound")
 }
 
 /// Returns the number before ` J` in a warning.
@@ -48,10 +31,6 @@ fn pressed(
 ) -> Experiment {
     const COUNT: usize = 100;
     let mut random = Contacts::new(seed);
-    let mut normal = || {
-        let radius = (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
-        radius * (2.0 * PI * random.uniform(0.0, 1.0)).cos()
-    };
     let mut points = Vec::new();
     for direction in Direction::ALL {
         for i in 0..COUNT {
@@ -70,7 +49,7 @@ fn pressed(
             points.push(Point {
                 line: points.len() as u64 + 2,
                 abscissa,
-                ordinate: load + noise * normal(),
+                ordinate: load + noise * random.normal(),
                 direction: Some(direction),
             });
         }
@@ -110,15 +89,10 @@ fn the_loop_of_a_lens_is_the_difference_of_its_works_of_adhesion_over_the_area()
         let mut experiment = lens.measured(&lens.exact(), 1);
         experiment.work_of_adhesion_receding = None;
         let found = fitted(&experiment, &free);
-        let warning = text(&found, WarningKind::Hysteresis);
+        let warning = &text(&found, WarningKind::Hysteresis);
         assert_names(
             warning,
-            &[
-                "imagined.csv",
-                "work of loading",
-                "half of the largest load",
-                "work-of-adhesion-receding",
-            ],
+            "imagined.csv; work of loading; half of the largest load; work-of-adhesion-receding",
         );
         if kind == Kind::LoadRadius {
             // From the smallest radius of the retract on.
@@ -220,7 +194,7 @@ fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
     };
     let experiment = pressed(|x| on(&up, x), |x| on(&down, x), [deepest, 2e-10], 1);
     let found = fitted(&experiment, &[Parameter::FilmModulus]);
-    let warning = text(&found, WarningKind::Hysteresis);
+    let warning = &text(&found, WarningKind::Hysteresis);
     assert_names(warning, &["viscous", "fit one direction alone"]);
     let range = [0.05 * deepest, deepest];
     let expected = area(|x| on(&up, x), range) - area(|x| on(&down, x), range);
@@ -232,8 +206,8 @@ fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
     points.iter_mut().for_each(|point| point.direction = None);
     let found = fitted(&unnamed, &[Parameter::FilmModulus]);
     assert_names(
-        text(&found, WarningKind::Hysteresis),
-        &["give the points their directions"],
+        &text(&found, WarningKind::Hysteresis),
+        "give the points their directions",
     );
     // Directions that are swapped.
     let mut swapped = experiment;
@@ -245,8 +219,8 @@ fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
     }
     let found = fitted(&swapped, &[Parameter::FilmModulus]);
     assert_names(
-        text(&found, WarningKind::Hysteresis),
-        &["check the directions"],
+        &text(&found, WarningKind::Hysteresis),
+        "check the directions",
     );
 }
 
@@ -265,14 +239,10 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
             solid: solid(1e10, 0.3),
         });
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
-        let warning = text(&found, WarningKind::Plasticity);
+        let warning = &text(&found, WarningKind::Plasticity);
         assert_names(
             warning,
-            &[
-                "plastically",
-                "upper part of the unloading",
-                "contact point",
-            ],
+            "plastically; upper part of the unloading; contact point",
         );
         let depth: f64 = warning
             .split("a depth of ")

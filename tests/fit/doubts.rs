@@ -1,10 +1,10 @@
 //! Doubts where there is reason for them, and none where there is not.
 
-use acceptance::{assert_names, rigid_probe, solid, table};
-use fit::{Bodies, Direction, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
-use interp::{HalfSpace, Probe, Table};
+use acceptance::{Refused, assert_names, rigid_probe, solid, table};
+use fit::{Bodies, Direction, Experiment, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
+use interp::{HalfSpace, Probe};
 
-use crate::imagined::{Course, Imagined, doubts};
+use crate::imagined::{Course, Imagined, assert_no_doubts, fit_with, text};
 
 /// The parameters of a JKR test.
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -17,11 +17,15 @@ fn deviation(imagined: &Imagined, found: &Fit, parameter: Parameter) -> f64 {
 }
 
 /// Asserts that a fit has a warning of a kind, and that its text names all `words`.
-fn assert_warns(found: &Fit, kind: WarningKind, words: &[&str]) {
-    let of_kind = found.warnings.iter().filter(|warning| warning.kind == kind);
-    let texts: Vec<&str> = of_kind.map(|warning| warning.text.as_str()).collect();
-    assert!(!texts.is_empty(), "no {kind:?} in {:?}", found.warnings);
-    assert_names(&texts.join("; "), words);
+#[track_caller]
+fn assert_warns(found: &Fit, kind: WarningKind, words: &str) {
+    assert!(found.warns_of(kind), "no {kind:?} in {:?}", found.warnings);
+    assert_names(&text(found, kind), words);
+}
+
+/// Fits an experiment by default options.
+fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
+    fit_with(experiment, free, |_| ()).expect("sound")
 }
 
 #[test]
@@ -30,39 +34,18 @@ fn an_offset_that_is_not_fitted_is_missed() {
     lens.truth.load_offset = 4e-5;
     let mut experiment = lens.measured(&lens.exact(), 1);
     experiment.load_offset = 0.0;
-    let options = Options::default();
-    let found = fit(
-        Table::embedded(),
-        &[experiment.clone()],
-        &lens.free,
-        &options,
-    )
-    .expect("sound");
+    let found = fitted(&experiment, &lens.free);
     let off = deviation(&lens, &found, Parameter::WorkOfAdhesion).abs();
     assert!(
         off > 5.0,
         "the work of adhesion is only {off} standard errors off"
     );
-    assert_warns(
-        &found,
-        WarningKind::OffsetWanted,
-        &["load-offset", "free it"],
-    );
+    assert_warns(&found, WarningKind::OffsetWanted, "load-offset; free it");
     lens.free.push(Free::new(Parameter::LoadOffset));
-    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
-    assert!(
-        doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
-        "{:?}",
-        found.warnings
-    );
+    assert_no_doubts(&fitted(&experiment, &lens.free), &[]);
     // A contact point and a baseline are missed, too.
     let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
     let exact = probe.exact();
-    // The wrong contact point leaves more than a third of the points beyond the end of the branch.
-    let options = Options {
-        allow_left_out: true,
-        ..Options::default()
-    };
     for (parameter, change) in [
         (Parameter::ContactPoint, 5e-8),
         (Parameter::Baseline, 4e-10),
@@ -73,12 +56,12 @@ fn an_offset_that_is_not_fitted_is_missed() {
         experiment
             .set(parameter, truth + change)
             .expect("any value");
-        let found = fit(Table::embedded(), &[experiment], &probe.free, &options).expect("sound");
-        assert_warns(
-            &found,
-            WarningKind::OffsetWanted,
-            &[&parameter.name(), "free it"],
-        );
+        // The wrong contact point leaves more than a third of the points beyond the end of the branch.
+        let found = fit_with(&experiment, &probe.free, |options| {
+            options.allow_left_out = true
+        });
+        let words = format!("{parameter}; free it");
+        assert_warns(&found.expect("sound"), WarningKind::OffsetWanted, &words);
     }
 }
 
@@ -91,25 +74,22 @@ fn loading_and_unloading_are_not_mixed_unnoticed() {
     lens.truth.work_of_adhesion_receding = Some(0.06);
     let mut experiment = lens.measured(&lens.exact(), 1);
     experiment.work_of_adhesion_receding = None;
-    let fit_of = |experiment: &fit::Experiment| {
-        let options = Options::default();
-        fit(
-            Table::embedded(),
-            std::slice::from_ref(experiment),
-            &lens.free,
-            &options,
-        )
-        .expect("sound")
+    let assert_mixed = |experiment: &Experiment| {
+        let found = fitted(experiment, &lens.free);
+        assert_warns(
+            &found,
+            WarningKind::MixedBranches,
+            "work-of-adhesion-receding",
+        );
     };
-    let advice = ["work-of-adhesion-receding"];
-    assert_warns(&fit_of(&experiment), WarningKind::MixedBranches, &advice);
+    assert_mixed(&experiment);
     // Without directions the order in time tells them apart, and without order the residuals do.
     let points = &mut experiment.measurement.points;
     points.iter_mut().for_each(|point| point.direction = None);
-    assert_warns(&fit_of(&experiment), WarningKind::MixedBranches, &advice);
+    assert_mixed(&experiment);
     let points = &mut experiment.measurement.points;
     points.sort_by_key(|point| point.line * 37 % 101);
-    assert_warns(&fit_of(&experiment), WarningKind::MixedBranches, &advice);
+    assert_mixed(&experiment);
 }
 
 #[test]
@@ -118,14 +98,9 @@ fn a_retract_without_adhesion_in_the_model_is_doubted() {
     let probe = Imagined::probe(Course::Retract, 1e-4, &free);
     let mut experiment = probe.measured(&probe.exact(), 1);
     experiment.work_of_adhesion = 0.0;
-    let options = Options::default();
-    let found = fit(Table::embedded(), &[experiment], &probe.free, &options).expect("sound");
-    assert_warns(&found, WarningKind::PoorFit, &["reduced chi^2"]);
-    assert_warns(
-        &found,
-        WarningKind::StructuredResiduals,
-        &["runs of one sign"],
-    );
+    let found = fitted(&experiment, &probe.free);
+    assert_warns(&found, WarningKind::PoorFit, "reduced chi^2");
+    assert_warns(&found, WarningKind::StructuredResiduals, "runs of one sign");
 }
 
 #[test]
@@ -134,20 +109,16 @@ fn what_the_data_do_not_tell_is_named() {
     for kind in [Kind::LoadRadius, Kind::LoadPenetration] {
         let lens = Imagined::lens(kind, 1e-6, 5e-6, &free);
         let found = lens.fit(1);
-        let words = ["film-modulus is not determined", "standard error"];
-        assert_warns(&found, WarningKind::Undetermined, &words);
+        let words = "film-modulus is not determined; standard error";
+        assert_warns(&found, WarningKind::Undetermined, words);
         assert_warns(
             &found,
             WarningKind::FilmNotSeen,
-            &["a/t is from", "film-modulus"],
+            "a/t is from; film-modulus",
         );
         // If the film's modulus is known, there is no doubt.
         let known = Imagined::lens(kind, 1e-6, 5e-6, &LENS).fit(1);
-        assert!(
-            doubts(&known, &[WarningKind::AssumesBonding]).is_empty(),
-            "{:?}",
-            known.warnings
-        );
+        assert_no_doubts(&known, &[]);
     }
     // Penetrations at contact radii on a half-space tell w/E* alone.
     let mut lens = Imagined::lens(Kind::PenetrationRadius, 1e-6, 5e-9, &LENS);
@@ -167,7 +138,7 @@ fn what_the_data_do_not_tell_is_named() {
         (one - other).abs() < 0.01,
         "they change together: {one}, {other}"
     );
-    assert_warns(&found, WarningKind::Undetermined, &[both]);
+    assert_warns(&found, WarningKind::Undetermined, both);
     let ratio = |fit: &Fit| {
         fit.estimate(LENS[1]).expect("free").value / fit.estimate(LENS[0]).expect("free").value
     };
@@ -175,11 +146,7 @@ fn what_the_data_do_not_tell_is_named() {
     // A prior on one of them decides.
     lens.free[0] = lens.free[0].with_prior(2e6, 2e4);
     let found = lens.fit(1);
-    assert!(
-        doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
-        "{:?}",
-        found.warnings
-    );
+    assert_no_doubts(&found, &[]);
     let error = found.estimate(LENS[0]).expect("free").standard_error;
     assert!((error / 2e4 - 1.0).abs() < 0.01, "{error}");
 }
@@ -188,22 +155,17 @@ fn what_the_data_do_not_tell_is_named() {
 fn wrong_values_and_wrong_units_are_doubted() {
     let lens = Imagined::lens(Kind::LoadRadius, 100e-6, 5e-6, &LENS);
     let exact = lens.exact();
-    let with = |edit: &dyn Fn(&mut fit::Experiment)| {
+    let with = |edit: &dyn Fn(&mut Experiment)| {
         let mut experiment = lens.measured(&exact, 1);
         edit(&mut experiment);
-        let options = Options::default();
-        fit(Table::embedded(), &[experiment], &lens.free, &options)
+        fit_with(&experiment, &lens.free, |_| ())
     };
     let thin = with(&|experiment| {
         experiment
             .set(Parameter::FilmThickness, 10e-6)
             .expect("physical");
     });
-    assert_warns(
-        &thin.expect("sound"),
-        WarningKind::PoorFit,
-        &["reduced chi^2"],
-    );
+    assert_warns(&thin.expect("sound"), WarningKind::PoorFit, "reduced chi^2");
     // Loads in uN taken for N, and the other way round.
     for factor in [1e6, 1e-6] {
         let found = with(&|experiment| {
@@ -224,19 +186,15 @@ fn wrong_values_and_wrong_units_are_doubted() {
         let points = &mut experiment.measurement.points;
         points.iter_mut().for_each(|point| point.abscissa *= 1e6);
     });
-    let words = ["imagined.csv", "line 2", "contact radius", "42", "units"];
-    assert_names(
-        &error.expect_err("no sphere is so large").to_string(),
-        &words,
-    );
+    error.refused("imagined.csv; line 2; contact radius; 42; units");
     // And the other way round.
     let found = with(&|experiment| {
         let points = &mut experiment.measurement.points;
         points.iter_mut().for_each(|point| point.abscissa *= 1e-6);
     });
     match found {
-        Ok(found) => assert_warns(&found, WarningKind::Implausible, &["check the units"]),
-        Err(error) => assert_names(&error.to_string(), &["imagined.csv"]),
+        Ok(found) => assert_warns(&found, WarningKind::Implausible, "check the units"),
+        refused => refused.refused("imagined.csv"),
     }
 }
 
@@ -245,13 +203,8 @@ fn points_far_from_the_fit_are_listed() {
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
     let mut experiment = lens.measured(&lens.exact(), 1);
     experiment.measurement.points[20].ordinate += 1e-4;
-    let options = Options::default();
-    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
-    assert_warns(
-        &found,
-        WarningKind::Outliers,
-        &["1 of 40 points", "lines 22"],
-    );
+    let found = fitted(&experiment, &lens.free);
+    assert_warns(&found, WarningKind::Outliers, "1 of 40 points; lines 22");
     let flagged = found.experiments[0].points.iter().filter(|p| p.outlier);
     assert_eq!(flagged.map(|point| point.line).collect::<Vec<_>>(), [22]);
 }
@@ -262,12 +215,8 @@ fn contacts_outside_the_model_are_warned_of() {
     let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
     probe.radii[1] = 9e-6;
     let found = probe.fit(1);
-    assert_warns(
-        &found,
-        WarningKind::LargeContact,
-        &["a/R reaches 0.45", "0.3"],
-    );
-    assert_warns(&found, WarningKind::LargeStrain, &["of its thickness"]);
+    assert_warns(&found, WarningKind::LargeContact, "a/R reaches 0.45; 0.3");
+    assert_warns(&found, WarningKind::LargeStrain, "of its thickness");
     // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
     let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     hard.truth.bodies = Bodies::Coated(rigid_probe(
@@ -282,7 +231,7 @@ fn contacts_outside_the_model_are_warned_of() {
     assert_warns(
         &hard.fit(1),
         WarningKind::LongRange,
-        &["Tabor's parameter", "below 5", "does not hold", "zone"],
+        "Tabor's parameter; below 5; does not hold; zone",
     );
     // On a softer film the zone of attraction is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
@@ -298,15 +247,11 @@ fn contacts_outside_the_model_are_warned_of() {
     assert_warns(
         &softer.fit(1),
         WarningKind::LongRange,
-        &["Tabor's parameter", "too small by 2.", "%"],
+        "Tabor's parameter; too small by 2.; %",
     );
     // The lens is soft and in the limit of JKR.
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS).fit(1);
-    assert!(
-        doubts(&lens, &[WarningKind::AssumesBonding]).is_empty(),
-        "{:?}",
-        lens.warnings
-    );
+    assert_no_doubts(&lens, &[]);
 }
 
 #[test]
@@ -318,12 +263,11 @@ fn points_beyond_the_pull_off_of_the_fit_are_warned_of() {
     lens.radii[0] = 21e-6;
     let mut experiment = lens.measured(&lens.exact(), 1);
     experiment.work_of_adhesion = 0.02;
-    let options = Options::default();
-    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    let found = fitted(&experiment, &lens.free);
     assert_warns(
         &found,
         WarningKind::LeftOut,
-        &["in contact", "end of the fitted branch"],
+        "in contact; end of the fitted branch",
     );
 }
 
@@ -345,7 +289,7 @@ fn a_fit_that_would_leave_the_table_is_warned_of() {
     let experiment = lens.measured(&lens.exact(), 1);
     let options = Options::default();
     let found = fit(&limited, &[experiment], &lens.free, &options).expect("it starts inside");
-    assert_warns(&found, WarningKind::EndOfTable, &["the table ends"]);
+    assert_warns(&found, WarningKind::EndOfTable, "the table ends");
 }
 
 #[test]
@@ -353,11 +297,7 @@ fn a_value_at_its_bound_is_named() {
     let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
     lens.free[0] = lens.free[0].within(1e6, 1.9e6).starting_from(1.5e6);
     let found = lens.fit(1);
-    assert_warns(
-        &found,
-        WarningKind::AtBound,
-        &["sphere-modulus", "at its bound"],
-    );
+    assert_warns(&found, WarningKind::AtBound, "sphere-modulus; at its bound");
     let value = found.estimate(LENS[0]).expect("free").value;
     assert!((1.89e6..=1.9e6).contains(&value), "{value}");
     // Bounds that hold the truth change nothing.
@@ -408,13 +348,12 @@ fn films_below_10_um_change_what_jkr_finds_by_less_than_3_percent() {
 #[test]
 fn the_fit_without_the_film_can_be_left_out_and_changes_nothing_else() {
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 1e-6, &LENS);
-    let experiments = [lens.measured(&lens.exact(), 7)];
+    let experiment = lens.measured(&lens.exact(), 7);
     let found = |without_film| {
-        let options = Options {
-            without_film,
-            ..Options::default()
-        };
-        fit(Table::embedded(), &experiments, &lens.free, &options).expect("fitted")
+        let fit = fit_with(&experiment, &lens.free, |options| {
+            options.without_film = without_film
+        });
+        fit.expect("fitted")
     };
     let (mut with, left_out) = (found(true), found(false));
     assert!(with.without_film.take().is_some());
@@ -426,13 +365,14 @@ fn the_fit_without_the_film_can_be_left_out_and_changes_nothing_else() {
 
 #[test]
 fn profiles_agree_with_standard_errors_where_the_model_is_linear() {
-    let options = Options {
-        profile_level: Some(0.95),
-        ..Options::default()
+    let profiled = |lens: &Imagined| {
+        let experiment = lens.measured(&lens.exact(), 1);
+        let found = fit_with(&experiment, &lens.free, |options| {
+            options.profile_level = Some(0.95)
+        });
+        found.expect("sound")
     };
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
-    let experiment = lens.measured(&lens.exact(), 1);
-    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    let found = profiled(&Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS));
     for estimate in &found.estimates {
         let ([low, high], [from, to]) = (estimate.interval(1.96), estimate.profile.expect("asked"));
         let width = high - low;
@@ -440,9 +380,7 @@ fn profiles_agree_with_standard_errors_where_the_model_is_linear() {
     }
     // These data set a lower limit to the film's modulus, and no upper one.
     let free = [LENS[0], LENS[1], Parameter::FilmModulus];
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free);
-    let experiment = lens.measured(&lens.exact(), 1);
-    let found = fit(Table::embedded(), &[experiment], &lens.free, &options).expect("sound");
+    let found = profiled(&Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free));
     println!("{:?}", found.estimates);
     let [low, high] = found
         .estimate(free[2])
@@ -460,11 +398,7 @@ fn directions_without_hysteresis_are_no_reason_for_doubt() {
     lens.course = Course::Cycle;
     for seed in 0..20 {
         let found = lens.fit(seed);
-        assert!(
-            doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
-            "{:?}",
-            found.warnings
-        );
+        assert_no_doubts(&found, &[]);
         let retracts = found.experiments[0].points.iter();
         let retracts = retracts.filter(|point| point.branch == fit::Branch::Receding);
         assert_eq!(retracts.count(), 40);

@@ -1,15 +1,12 @@
 //! What the values that a fit takes as given do to its result: against fits with other values, and
 //! against many specimens whose values are not quite the given ones.
 
-use acceptance::{Contacts, assert_names};
-use fit::{
-    Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Parameter, fit, simulate,
-};
+use acceptance::{Contacts, Refused, assert_names};
+use fit::{Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Parameter, simulate};
 use interp::Table;
 use rayon::prelude::*;
-use std::f64::consts::PI;
 
-use crate::imagined::{Course, Imagined};
+use crate::imagined::{Course, Imagined, fit_with};
 use crate::recovery::{SETS, assert_coverage};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -34,13 +31,7 @@ fn names_are_read_as_they_are_written() {
 }
 
 fn found(experiment: &Experiment, free: &[Free], options: &Options) -> Fit {
-    fit(
-        Table::embedded(),
-        std::slice::from_ref(experiment),
-        free,
-        options,
-    )
-    .expect("sound")
+    fit_with(experiment, free, |own| own.clone_from(options)).expect("sound")
 }
 
 /// Asserts that every change listed is that of fits with other values.
@@ -188,12 +179,7 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
     assert_names(
         &report,
-        &[
-            "what the fixed values do",
-            "0.5 -> 0.49",
-            "film-thickness",
-            "+1 %",
-        ],
+        "what the fixed values do; 0.5 -> 0.49; film-thickness; +1 %",
     );
     // Nothing is computed where nobody asks.
     let quiet = found(
@@ -217,14 +203,12 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
         };
         let one = |seed: u64| {
             let mut random = Contacts::new(seed ^ 0xf11);
-            let radius = (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt();
-            let normal = radius * (2.0 * PI * random.uniform(0.0, 1.0)).cos();
             let mut specimen = planned.clone();
             let truth = [(LENS[0], 2e6), (LENS[1], 0.04)];
             for (parameter, value) in truth {
                 specimen.set(parameter, value).expect("physical");
             }
-            let thickness = nominal + error * normal;
+            let thickness = nominal + error * random.normal();
             specimen
                 .set(Parameter::FilmThickness, thickness)
                 .expect("physical");
@@ -275,44 +259,20 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
 fn an_error_that_cannot_be_known_is_refused() {
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
-    let refused = |known: &[(Fixed, f64)], profile_level: Option<f64>, words: &[&str]| {
-        let options = Options {
-            known: known
-                .iter()
+    let with = |known: &[(Fixed, f64)], profile_level: Option<f64>| {
+        let known = known.iter();
+        fit_with(&experiment, &lens.free, |options| {
+            options.known = known
                 .map(|&(quantity, error)| Known { quantity, error })
-                .collect(),
-            profile_level,
-            ..Options::default()
-        };
-        let error = fit(
-            Table::embedded(),
-            std::slice::from_ref(&experiment),
-            &lens.free,
-            &options,
-        );
-        assert_names(&error.expect_err("no error").to_string(), words);
+                .collect();
+            options.profile_level = profile_level;
+        })
     };
     let free = Fixed::Parameter(LENS[0]);
-    refused(
-        &[(free, 1e4)],
-        None,
-        &["known sphere-modulus", "not free", "prior"],
-    );
-    refused(
-        &[(THICKNESS, 0.0)],
-        None,
-        &["known film-thickness", "0.0", "positive"],
-    );
-    refused(
-        &[(THICKNESS, f64::NAN)],
-        None,
-        &["known film-thickness", "positive"],
-    );
-    refused(&[(THICKNESS, 1e-6); 2], None, &["film-thickness", "once"]);
-    refused(
-        &[(Fixed::LayerModulus(1), 1e6)],
-        None,
-        &["layer-1.modulus", "bodies"],
-    );
-    refused(&[(THICKNESS, 1e-6)], Some(0.95), &["profile", "prior"]);
+    with(&[(free, 1e4)], None).refused("known sphere-modulus; not free; prior");
+    with(&[(THICKNESS, 0.0)], None).refused("known film-thickness; 0.0; positive");
+    with(&[(THICKNESS, f64::NAN)], None).refused("known film-thickness; positive");
+    with(&[(THICKNESS, 1e-6); 2], None).refused("film-thickness; once");
+    with(&[(Fixed::LayerModulus(1), 1e6)], None).refused("layer-1.modulus; bodies");
+    with(&[(THICKNESS, 1e-6)], Some(0.95)).refused("profile; prior");
 }

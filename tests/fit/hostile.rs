@@ -1,11 +1,13 @@
 //! Data and settings that cannot be used are refused by name; no data make a fit panic.
 
-use acceptance::{Contacts, assert_names};
+use std::slice;
+
+use acceptance::{Contacts, Refused};
 use fit::{Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point};
 use fit::{Scope, fit, simulate};
 use interp::Table;
 
-use crate::imagined::{Course, Imagined, fit_all, gel, measurement};
+use crate::imagined::{Course, Imagined, fit_all, fit_with, gel, measurement};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
@@ -19,50 +21,19 @@ fn with(edit: impl Fn(&mut Vec<Point>)) -> Result<Fit, Error> {
 
 #[test]
 fn points_that_cannot_be_are_named_by_their_line() {
-    type Edit = fn(&mut Vec<Point>);
-    let cases: [(Edit, &[&str]); 9] = [
-        (|points| points.clear(), &["0 usable points"]),
-        (
-            |points| points.truncate(1),
-            &["imagined.csv", "every point"],
-        ),
-        (
-            |points| points.truncate(2),
-            &["2 usable points", "2 parameters"],
-        ),
-        (
-            |points| points[5].ordinate = f64::NAN,
-            &["imagined.csv", "line 7", "load", "NaN", "finite"],
-        ),
-        (
-            |points| points[6].abscissa = f64::INFINITY,
-            &["line 8", "contact radius", "inf"],
-        ),
-        (
-            |points| points[0].abscissa = -1e-6,
-            &[
-                "line 2",
-                "contact radius",
-                "-1e-6",
-                "0 (no contact) or positive",
-            ],
-        ),
-        (
-            |points| points.iter_mut().for_each(|point| point.ordinate = 1e-4),
-            &["imagined.csv", "load is 0.0001 at every point"],
-        ),
-        (
-            |points| points.iter_mut().for_each(|point| point.abscissa = 5e-5),
-            &["contact radius is 5e-5 at every point"],
-        ),
-        (
-            |points| points.iter_mut().for_each(|point| point.ordinate *= -1.0),
-            &["no positive modulus", "units and signs"],
-        ),
-    ];
-    for (edit, words) in cases {
-        assert_names(&with(edit).expect_err("unusable").to_string(), words);
-    }
+    with(|points| points.clear()).refused("0 usable points");
+    with(|points| points.truncate(1)).refused("imagined.csv; every point");
+    with(|points| points.truncate(2)).refused("2 usable points; 2 parameters");
+    with(|points| points[5].ordinate = f64::NAN).refused("imagined.csv; line 7; load; NaN; finite");
+    with(|points| points[6].abscissa = f64::INFINITY).refused("line 8; contact radius; inf");
+    with(|points| points[0].abscissa = -1e-6)
+        .refused("line 2; contact radius; -1e-6; 0 (no contact) or positive");
+    with(|points| points.iter_mut().for_each(|point| point.ordinate = 1e-4))
+        .refused("imagined.csv; load is 0.0001 at every point");
+    with(|points| points.iter_mut().for_each(|point| point.abscissa = 5e-5))
+        .refused("contact radius is 5e-5 at every point");
+    with(|points| points.iter_mut().for_each(|point| point.ordinate *= -1.0))
+        .refused("no positive modulus; units and signs");
 }
 
 #[test]
@@ -83,135 +54,70 @@ fn the_order_of_points_does_not_matter_and_duplicates_count_twice() {
 fn settings_that_cannot_be_used_are_named() {
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
     let measured = lens.measured(&lens.exact(), 1);
-    let refused = |experiments: &[Experiment], free: &[Free], options: &Options, words: &[&str]| {
-        let error = fit(Table::embedded(), experiments, free, options).expect_err("unusable");
-        assert_names(&error.to_string(), words);
-    };
-    let (one, options) = (std::slice::from_ref(&measured), Options::default());
-    refused(&[], &lens.free, &options, &["no experiment"]);
-    refused(one, &[], &options, &["no free parameter"]);
+    let one = slice::from_ref(&measured);
+    fit_all(&[], &lens.free).refused("no experiment");
+    fit_all(one, &[]).refused("no free parameter");
     let sphere = Free::new(Parameter::SphereModulus);
-    let cases: [(&[Free], &[&str]); 10] = [
-        (&[sphere, sphere], &["sphere-modulus", "one number"]),
+    fit_all(one, &[sphere, sphere]).refused("sphere-modulus; one number");
+    for (free, words) in [
         (
-            &[Free::new(Parameter::ContactPoint)],
-            &[
-                "contact-point",
-                "imagined.csv",
-                "neither penetration nor height",
-            ],
+            Free::new(Parameter::ContactPoint),
+            "contact-point; imagined.csv; neither penetration nor height",
         ),
+        (Free::new(Parameter::Stiffness), "stiffness; no height"),
+        (Free::new(Parameter::Baseline), "baseline; not measured"),
         (
-            &[Free::new(Parameter::Stiffness)],
-            &["stiffness", "no height"],
+            sphere.starting_from(-1.0),
+            "start of sphere-modulus; -1.0; positive",
         ),
+        (sphere.within(1e6, f64::NAN), "bound of sphere-modulus; NaN"),
+        (sphere.within(2e6, 1e6), "upper bound; 1000000.0; 2000000.0"),
         (
-            &[Free::new(Parameter::Baseline)],
-            &["baseline", "not measured"],
+            sphere.within(1e6, 2e6).starting_from(3e6),
+            "start of sphere-modulus; 3000000.0; between the bounds",
         ),
+        (sphere.with_prior(2e6, 0.0), "prior width; 0.0; positive"),
         (
-            &[sphere.starting_from(-1.0)],
-            &["start of sphere-modulus", "-1.0", "positive"],
+            Free::new(Parameter::FilmPoissonRatio).within(0.0, 0.6),
+            "bound of film-poisson-ratio; 0.6; 0.5",
         ),
-        (
-            &[sphere.within(1e6, f64::NAN)],
-            &["bound of sphere-modulus", "NaN"],
-        ),
-        (
-            &[sphere.within(2e6, 1e6)],
-            &["upper bound", "1000000.0", "2000000.0"],
-        ),
-        (
-            &[sphere.within(1e6, 2e6).starting_from(3e6)],
-            &["start of sphere-modulus", "3000000.0", "between the bounds"],
-        ),
-        (
-            &[sphere.with_prior(2e6, 0.0)],
-            &["prior width", "0.0", "positive"],
-        ),
-        (
-            &[Free::new(Parameter::FilmPoissonRatio).within(0.0, 0.6)],
-            &["bound of film-poisson-ratio", "0.6", "0.5"],
-        ),
-    ];
-    for (free, words) in cases {
-        refused(one, free, &options, words);
+    ] {
+        fit_all(one, &[free]).refused(words);
     }
-    let loss = Loss::Huber { threshold: 0.0 };
-    refused(
-        one,
-        &lens.free,
-        &Options {
-            loss,
-            ..options.clone()
-        },
-        &["threshold", "0.0"],
-    );
-    let profile_level = Some(1.0);
-    let level = Options {
-        profile_level,
-        ..options.clone()
+    let with = |change: fn(&mut Options)| fit_with(&measured, &lens.free, change);
+    with(|options| options.loss = Loss::Huber { threshold: 0.0 }).refused("threshold; 0.0");
+    with(|options| options.profile_level = Some(1.0)).refused("profile-likelihood; 1.0");
+    with(|options| options.interaction_range = -3e-10).refused("interaction range; -3e-10");
+    let changed = |free: &[Free], change: &dyn Fn(&mut Experiment)| {
+        let mut changed = measured.clone();
+        change(&mut changed);
+        fit_all(&[changed], free)
     };
-    refused(one, &lens.free, &level, &["profile-likelihood", "1.0"]);
-    let interaction_range = -3e-10;
-    let range = Options {
-        interaction_range,
-        ..options.clone()
-    };
-    refused(one, &lens.free, &range, &["interaction range", "-3e-10"]);
     for noise in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let noisy = Experiment {
-            noise: Some(noise),
-            ..measured.clone()
-        };
-        refused(
-            &[noisy],
-            &lens.free,
-            &options,
-            &["noise", &format!("{noise:?}")],
-        );
+        changed(&lens.free, &|one| one.noise = Some(noise)).refused(&format!("noise; {noise:?}"));
     }
-    let sticky = Experiment {
-        work_of_adhesion: f64::NAN,
-        ..measured.clone()
+    changed(&[sphere], &|one| one.work_of_adhesion = f64::NAN).refused("work-of-adhesion; NaN");
+    let rigid = |one: &mut Experiment| {
+        one.set(Parameter::SphereModulus, f64::INFINITY)
+            .expect("a rigid sphere");
     };
-    refused(&[sticky], &[sphere], &options, &["work-of-adhesion", "NaN"]);
-    let mut rigid = measured.clone();
-    rigid
-        .set(Parameter::SphereModulus, f64::INFINITY)
-        .expect("a rigid sphere");
-    refused(&[rigid], &[sphere], &options, &["sphere-modulus", "rigid"]);
+    changed(&[sphere], &rigid).refused("sphere-modulus; rigid");
     // Two thicknesses cannot be one, but may each be found.
     let mut thick = measured.clone();
     thick.set(Parameter::FilmThickness, 30e-6).expect("a film");
     let thickness = Free::new(Parameter::FilmThickness);
     let both = [measured.clone(), thick];
-    refused(
-        &both,
-        &[sphere, thickness],
-        &options,
-        &["film-thickness", "one value is fitted"],
-    );
+    fit_all(&both, &[sphere, thickness]).refused("film-thickness; one value is fitted");
     let own = [sphere, thickness.with_scope(Scope::Own)];
-    assert!(fit(Table::embedded(), &both, &own, &options).is_ok());
+    assert!(fit_all(&both, &own).is_ok());
     // A cantilever without a stiffness.
     let probe = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
     let mut limp = probe.measured(&probe.exact(), 1);
     limp.stiffness = None;
-    refused(
-        &[limp],
-        &probe.free,
-        &options,
-        &["stiffness of imagined.csv", "cantilever"],
-    );
+    fit_all(&[limp], &probe.free).refused("stiffness of imagined.csv; cantilever");
     let level = [Parameter::LoadOffset, Parameter::Baseline].map(Free::new);
     let probe = probe.measured(&probe.exact(), 1);
-    refused(
-        &[probe],
-        &level,
-        &options,
-        &["load-offset", "baseline", "one number"],
-    );
+    fit_all(&[probe], &level).refused("load-offset; baseline; one number");
 }
 
 #[test]
@@ -222,11 +128,8 @@ fn parameters_are_known_by_name() {
             parameter
         );
     }
-    let error = "nu1".parse::<Parameter>().expect_err("no parameter");
-    assert_names(
-        &error.to_string(),
-        &["nu1", "film-modulus", "baseline-slope", "stiffness"],
-    );
+    let error = "nu1".parse::<Parameter>();
+    error.refused("nu1; film-modulus; baseline-slope; stiffness");
 }
 
 #[test]
@@ -305,19 +208,17 @@ fn data_without_sense_give_an_error_or_a_result() {
 fn predictions_and_simulations_refuse_what_is_not_finite() {
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
     let sound = lens.measured(&lens.exact(), 1);
-    let refused = |experiment: &Experiment, words: &[&str]| {
+    let refused = |experiment: &Experiment, words: &str| {
         let table = Table::embedded();
-        let predicted = experiment.predictions(table, None, &[]);
-        assert_names(&predicted.expect_err("unusable").to_string(), words);
-        let simulated = simulate(table, experiment, 0.0, 1);
-        assert_names(&simulated.expect_err("unusable").to_string(), words);
+        experiment.predictions(table, None, &[]).refused(words);
+        simulate(table, experiment, 0.0, 1).refused(words);
     };
     for value in [f64::NAN, f64::INFINITY, -1e101] {
         let mut offset = sound.clone();
         offset.load_offset = value;
-        refused(&offset, &["load-offset of imagined.csv", "finite"]);
+        refused(&offset, "load-offset of imagined.csv; finite");
         let mut far = sound.clone();
         far.measurement.points[3].abscissa = value;
-        refused(&far, &["imagined.csv, line 5", "contact radius"]);
+        refused(&far, "imagined.csv, line 5; contact radius");
     }
 }

@@ -2,6 +2,7 @@
 //! table nor a search for equilibria takes part.
 
 use std::f64::consts::PI;
+use std::slice;
 
 use acceptance::{Contacts, paper_system, rigid_probe, solid};
 use contact::Contact;
@@ -64,6 +65,44 @@ pub fn doubts<'a>(found: &'a Fit, expected: &[WarningKind]) -> Vec<&'a Warning> 
         .collect()
 }
 
+/// Asserts that a fit has no warnings but those of the `expected` kinds, and that a film is taken as
+/// bonded.
+#[track_caller]
+pub fn assert_no_doubts(found: &Fit, expected: &[WarningKind]) {
+    let expected = [expected, &[WarningKind::AssumesBonding]].concat();
+    let doubts = doubts(found, &expected);
+    assert!(doubts.is_empty(), "{doubts:?}");
+}
+
+/// Returns the texts of the warnings of a kind, parted by `; `, or an empty text if there is none.
+pub fn text(found: &Fit, kind: WarningKind) -> String {
+    let warnings = found.warnings.iter();
+    let of_kind = warnings.filter(|warning| warning.kind == kind);
+    let texts: Vec<&str> = of_kind.map(|warning| &*warning.text).collect();
+    texts.join("; ")
+}
+
+/// Returns parameters as free ones, without bounds, priors or starts.
+pub fn free_of(parameters: &[Parameter]) -> Vec<Free> {
+    parameters.iter().copied().map(Free::new).collect()
+}
+
+/// Fits an experiment with the embedded table, by options that `change` makes of the default ones.
+pub fn fit_with(
+    experiment: &Experiment,
+    free: &[Free],
+    change: impl FnOnce(&mut Options),
+) -> Result<Fit, Error> {
+    let mut options = Options::default();
+    change(&mut options);
+    fit::fit(
+        Table::embedded(),
+        slice::from_ref(experiment),
+        free,
+        &options,
+    )
+}
+
 /// Fits experiments together with the embedded table, by default options.
 pub fn fit_all(experiments: &[Experiment], free: &[Free]) -> Result<Fit, Error> {
     fit::fit(Table::embedded(), experiments, free, &Options::default())
@@ -93,7 +132,7 @@ impl Imagined {
             noise,
             noise_is_known: true,
             outliers: false,
-            free: free.iter().copied().map(Free::new).collect(),
+            free: free_of(free),
             loss: Loss::Squares,
         }
     }
@@ -114,7 +153,7 @@ impl Imagined {
             noise: 1.5e-10,
             noise_is_known: true,
             outliers: false,
-            free: free.iter().copied().map(Free::new).collect(),
+            free: free_of(free),
             loss: Loss::Squares,
         }
     }
@@ -269,15 +308,10 @@ impl Imagined {
     /// Returns the experiment with noise that belongs to `seed`, with false starts.
     pub fn measured(&self, exact: &Measurement, seed: u64) -> Experiment {
         let mut random = Contacts::new(seed);
-        // Box and Muller.
-        let mut normal = || {
-            (-2.0 * random.uniform(f64::MIN_POSITIVE, 1.0).ln()).sqrt()
-                * (2.0 * PI * random.uniform(0.0, 1.0)).cos()
-        };
         let mut experiment = self.truth.clone();
         experiment.measurement = exact.clone();
         for (i, point) in experiment.measurement.points.iter_mut().enumerate() {
-            point.ordinate += self.noise * normal();
+            point.ordinate += self.noise * random.normal();
             let moved = (i as u64 + 7 * seed).is_multiple_of(20);
             if self.outliers && moved {
                 let upwards = (i / 20 + seed as usize).is_multiple_of(2);
@@ -300,11 +334,7 @@ impl Imagined {
 
     /// Fits data that belong to `seed`.
     pub fn fit(&self, seed: u64) -> Fit {
-        let options = Options {
-            loss: self.loss,
-            ..Options::default()
-        };
         let experiment = self.measured(&self.exact(), seed);
-        fit::fit(Table::embedded(), &[experiment], &self.free, &options).expect("sound")
+        fit_with(&experiment, &self.free, |options| options.loss = self.loss).expect("sound")
     }
 }

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use acceptance::{larger, solid};
 use fit::{
-    Bodies, Experiment, Fit, Free, Kind, LayerName, Layered, Loss, NamedLayer, Options, Parameter,
-    Reach, WarningKind,
+    Bodies, Experiment, Fit, Free, Kind, LayerName, Layered, Loss, NamedLayer, Parameter, Reach,
+    WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use rayon::prelude::*;
 use solve::stack::Layer;
 
-use crate::imagined::{Course, Imagined, fit_all, measurement};
+use crate::imagined::{Course, Imagined, fit_all, fit_with, measurement};
 use crate::recovery::assert_coverage;
 
 pub fn named(name: &str) -> LayerName {
@@ -73,12 +73,11 @@ pub fn with_reach(mut experiment: Experiment) -> Experiment {
 }
 
 pub fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
-    let options = Options {
-        loss: imagined.loss,
-        ..Options::default()
-    };
-    let experiments = [with_reach(experiment)];
-    fit::fit(Table::embedded(), &experiments, &imagined.free, &options).expect("sound data")
+    let experiment = with_reach(experiment);
+    fit_with(&experiment, &imagined.free, |options| {
+        options.loss = imagined.loss
+    })
+    .expect("sound data")
 }
 
 /// Fits 50 data sets.

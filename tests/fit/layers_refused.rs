@@ -1,9 +1,10 @@
 //! Layers that are not there, that cannot be solved, or whose fit is interrupted.
 
+use std::slice;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use acceptance::assert_names;
+use acceptance::Refused;
 use contact::Contact;
 use fit::{
     Bodies, Cause, Experiment, Free, Interruptible, Kind, Layered, LayeredSolver, Parameter,
@@ -17,72 +18,40 @@ use crate::layers::{lens, named, with_reach};
 fn what_layers_do_not_have_is_named() {
     let lens = lens(&[Parameter::WorkOfAdhesion]);
     let experiment = with_reach(lens.measured(&lens.exact(), 1));
-    let refused = |experiment: &Experiment, free: Parameter| {
-        let free = [Free::new(free)];
-        let experiments = [experiment.clone()];
-        fit_all(&experiments, &free)
-            .expect_err("refused")
-            .to_string()
-    };
-    let all = [
-        "primer.modulus",
-        "primer.thickness",
-        "elastomer.modulus",
-        "elastomer.thickness",
-    ];
-    let message = refused(&experiment, Parameter::LayerModulus(named("oxide")));
-    assert_names(
-        &message,
-        &[&["oxide.modulus", "no such layer"][..], &all].concat(),
-    );
-    let message = refused(&experiment, Parameter::FilmThickness);
-    assert_names(
-        &message,
-        &[&["film-thickness", "instead of one film"][..], &all].concat(),
-    );
+    let all = "primer.modulus; primer.thickness; elastomer.modulus; elastomer.thickness";
+    let fitted =
+        |experiment: &Experiment, free| fit_all(slice::from_ref(experiment), &[Free::new(free)]);
+    let oxide = Parameter::LayerModulus(named("oxide"));
+    fitted(&experiment, oxide).refused(&format!("oxide.modulus; no such layer; {all}"));
+    fitted(&experiment, Parameter::FilmThickness)
+        .refused(&format!("film-thickness; instead of one film; {all}"));
     let mut on_film = experiment.clone();
     on_film.bodies = Imagined::lens(Kind::LoadRadius, 1e-5, 5e-6, &[])
         .truth
         .bodies;
-    let message = refused(&on_film, Parameter::LayerModulus(named("oxide")));
-    assert_names(&message, &["oxide.modulus", "no stack of layers"]);
+    fitted(&on_film, oxide).refused("oxide.modulus; no stack of layers");
     let mut set = experiment;
-    let error = set.set(Parameter::LayerThickness(named("oxide")), 1e-6);
-    assert_names(
-        &error.expect_err("refused").to_string(),
-        &["oxide", "no such layer"],
-    );
-    let error = "oxide.poisson"
-        .parse::<Parameter>()
-        .expect_err("no parameter");
-    assert_names(&error.to_string(), &["oxide.poisson", "LAYER.modulus"]);
+    let thickness = Parameter::LayerThickness(named("oxide"));
+    set.set(thickness, 1e-6).refused("oxide; no such layer");
+    let unknown = "oxide.poisson".parse::<Parameter>();
+    unknown.refused("oxide.poisson; LAYER.modulus");
 }
 
 #[test]
 fn layers_that_cannot_be_solved_are_named() {
     let lens = lens(&[Parameter::WorkOfAdhesion]);
     let sound = with_reach(lens.measured(&lens.exact(), 1));
-    let refused = |name: &str, is_modulus: bool, value: f64| {
+    let with = |parameter: Parameter, value: f64| {
         let mut experiment = sound.clone();
-        let parameter = if is_modulus {
-            Parameter::LayerModulus(named(name))
-        } else {
-            Parameter::LayerThickness(named(name))
-        };
         experiment.set(parameter, value).expect("a number");
         fit_all(&[experiment], &lens.free)
-            .expect_err("refused")
-            .to_string()
     };
-    let message = refused("primer", false, -1e-6);
-    assert_names(&message, &["layer primer", "-1e-6", "> 0 and finite"]);
-    let message = refused("primer", true, f64::INFINITY);
-    assert_names(&message, &["layer primer", "inf", "must be finite"]);
-    let message = refused("elastomer", true, 1e18);
-    assert_names(&message, &["layer elastomer", "1e9 times"]);
+    let [modulus, thickness] = [Parameter::LayerModulus, Parameter::LayerThickness];
+    with(thickness(named("primer")), -1e-6).refused("layer primer; -1e-6; > 0 and finite");
+    with(modulus(named("primer")), f64::INFINITY).refused("layer primer; inf; must be finite");
+    with(modulus(named("elastomer")), 1e18).refused("layer elastomer; 1e9 times");
     // A top layer of 10 nm under contacts of 130 um.
-    let message = refused("elastomer", false, 1e-8);
-    assert_names(&message, &["out of reach", "top layer"]);
+    with(thickness(named("elastomer")), 1e-8).refused("out of reach; top layer");
 }
 
 #[test]
@@ -93,9 +62,7 @@ fn a_cone_on_layers_is_refused() {
         unreachable!("a lens on layers")
     };
     layered.probe = Probe::Cone { half_angle: 1.4 };
-    let error = fit_all(&[experiment], &lens.free);
-    let message = error.expect_err("refused").to_string();
-    assert_names(&message, &["stack", "paraboloid"]);
+    fit_all(&[experiment], &lens.free).refused("stack; paraboloid");
 }
 
 /// Counts the contacts that it makes, and is interrupted during one of them.

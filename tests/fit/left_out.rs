@@ -1,27 +1,20 @@
 //! Points that are left out are counted by reason; most of them, or an error that is not finite, is
 //! no result.
 
-use acceptance::{assert_names, paper_system, solid};
+use acceptance::{Refused, assert_names, paper_system, solid};
 use fit::{
-    Bodies, Branch, Direction, Experiment, Fit, Free, Kind, LeftOutReason, Options, Parameter,
-    Point, WarningKind, fit, simulate,
+    Bodies, Branch, Direction, Experiment, Fit, Free, Kind, LeftOutReason, Parameter, Point,
+    WarningKind, simulate,
 };
 use interp::{Probe, System, Table};
 
-use crate::imagined::{Course, Imagined, fit_all, gel, measurement};
+use crate::imagined::{Course, Imagined, fit_all, fit_with, free_of, gel, measurement, text};
 
-fn fit_with(experiment: &Experiment, free: &[Parameter], allow: bool) -> Result<Fit, fit::Error> {
-    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
-    let options = Options {
-        allow_left_out: allow,
-        ..Options::default()
-    };
-    fit(
-        Table::embedded(),
-        std::slice::from_ref(experiment),
-        &free,
-        &options,
-    )
+/// Fits an experiment; most of its points may be left out if `allow`.
+fn fitted(experiment: &Experiment, free: &[Parameter], allow: bool) -> Result<Fit, fit::Error> {
+    fit_with(experiment, &free_of(free), |options| {
+        options.allow_left_out = allow
+    })
 }
 
 /// A retract whose tension grows in proportion to the height up to a jump, as that of a viscous
@@ -47,50 +40,37 @@ fn viscous() -> Experiment {
 #[test]
 fn most_points_left_out_are_an_error_unless_allowed() {
     let free = [Parameter::WorkOfAdhesion];
-    let refused = fit_with(&viscous(), &free, false).expect_err("most points are left out");
+    let refused = fitted(&viscous(), &free, false);
     assert!(
         matches!(
             refused,
-            fit::Error::LeftOut {
+            Err(fit::Error::LeftOut {
                 in_contact: 101,
                 ..
-            }
+            })
         ),
         "{refused:?}"
     );
-    let text = refused.to_string();
-    assert_names(
-        &text,
-        &[
-            "imagined.csv",
-            "of 101 points in contact are left out, more than a third",
-            "within 4 standard errors of the end",
-            "beyond the end of the fitted branch",
-            "Check the units",
-        ],
+    refused.refused(
+        "imagined.csv; of 101 points in contact are left out, more than a third; within 4 standard errors of the end; \
+         beyond the end of the fitted branch; Check the units",
     );
-    assert!(!text.contains("--"), "a library names no flag: {text}");
-    let allowed = fit_with(&viscous(), &free, true).expect("allowed");
+    let allowed = fitted(&viscous(), &free, true).expect("allowed");
     let fitted = &allowed.experiments[0];
     let branches = fitted.points.iter().map(|point| point.branch);
     let left_out = branches.filter(|branch| *branch == Branch::LeftOut).count();
     let counted: usize = fitted.left_out.iter().map(|group| group.points).sum();
     assert_eq!(counted, left_out, "{:?}", fitted.left_out);
-    let warning = allowed
-        .warnings
-        .iter()
-        .find(|one| one.kind == WarningKind::LeftOut);
     let of_contact: usize = fitted
         .left_out
         .iter()
         .filter(|group| group.reason.is_of_contact())
         .map(|group| group.points)
         .sum();
+    let doubt = text(&allowed, WarningKind::LeftOut);
     assert_names(
-        &warning.expect("it is a doubt still").text,
-        &[&format!(
-            "{of_contact} of 101 points in contact do not count"
-        )],
+        &doubt,
+        &format!("{of_contact} of 101 points in contact do not count"),
     );
 }
 
@@ -131,22 +111,15 @@ fn a_value_that_changes_nothing_is_no_result() {
     let free = [Parameter::FilmModulus, Parameter::ContactPoint];
     let probe = Imagined::probe(Course::Approach, 1e-4, &free);
     let experiment = probe.measured(&probe.exact(), 1);
-    assert!(fit_with(&experiment, &free, false).is_ok());
+    assert!(fitted(&experiment, &free, false).is_ok());
     // No point is on retract.
     let all = [free[0], free[1], Parameter::WorkOfAdhesionReceding];
-    let refused = fit_with(&experiment, &all, false).expect_err("it has no effect");
+    let refused = fitted(&experiment, &all, false);
     assert!(
-        matches!(refused, fit::Error::NotDetermined { .. }),
+        matches!(refused, Err(fit::Error::NotDetermined { .. })),
         "{refused:?}"
     );
-    assert_names(
-        &refused.to_string(),
-        &[
-            "do not determine work-of-adhesion-receding",
-            "Fix it",
-            "prior",
-        ],
-    );
+    refused.refused("do not determine work-of-adhesion-receding; Fix it; prior");
     let known = [
         Free::new(all[0]),
         Free::new(all[1]),
@@ -197,7 +170,7 @@ fn a_start_that_leads_nowhere_does_not_leave_out_all_points() {
         Parameter::ContactPoint,
         Parameter::Baseline,
     ];
-    let found = fit_with(&shipped_gel(), &free, false).expect("sound data");
+    let found = fitted(&shipped_gel(), &free, false).expect("sound data");
     assert!(found.converged, "{:?}", found.warnings);
     for (parameter, truth, largest) in [
         (Parameter::FilmModulus, 5e3, 200.0),
@@ -239,7 +212,7 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
         made.noise = Some(noise);
         made.work_of_adhesion = 0.04;
         let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
-        let found = fit_with(&made, &free, true).expect("sound data");
+        let found = fitted(&made, &free, true).expect("sound data");
         let work = found
             .estimate(Parameter::WorkOfAdhesion)
             .expect("free")
@@ -247,16 +220,9 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
         println!("{seed}: {work:.1e} J/m^2");
         if work < 1e-12 {
             ended += 1;
-            let told = found
-                .warnings
-                .iter()
-                .filter(|one| one.kind == WarningKind::AtBound);
-            let told: Vec<_> = told.collect();
-            assert_eq!(told.len(), 1, "{:?}", found.warnings);
-            assert_names(
-                &told[0].text,
-                &["work-of-adhesion", "ended at 0", "fix it at 0"],
-            );
+            let told = text(&found, WarningKind::AtBound);
+            assert_names(&told, "work-of-adhesion; ended at 0; fix it at 0");
+            assert_eq!(told.matches("ended at 0").count(), 1, "{told}");
         }
     }
     assert!(ended > 0);

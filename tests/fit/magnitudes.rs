@@ -139,7 +139,7 @@ fn a_result_that_no_solid_has_is_named_and_warned_of() {
     assert_eq!(magnitudes[0].what, "film-modulus");
     assert_names(
         &magnitudes[0].to_string(),
-        &["film-modulus", "1 Pa to 2000 GPa", "mN or uN taken for N"],
+        "film-modulus; 1 Pa to 2000 GPa; mN or uN taken for N",
     );
     assert!(found.warns_of(WarningKind::Implausible));
 }

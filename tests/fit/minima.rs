@@ -261,14 +261,7 @@ fn another_minimum_is_named_with_its_values() {
         .find(|warning| warning.kind == WarningKind::SeveralMinima);
     assert_names(
         &warning.expect("just seen").text,
-        &[
-            "another minimum",
-            "chi^2",
-            "sphere-modulus",
-            "film-modulus",
-            "Pa",
-            "prior",
-        ],
+        "another minimum; chi^2; sphere-modulus; film-modulus; Pa; prior",
     );
 }
 

@@ -1,6 +1,6 @@
 //! Fits of bodies that relax: the truth within the intervals, and what is refused.
 
-use acceptance::{assert_names, rigid_probe, solid};
+use acceptance::{Refused, assert_names, rigid_probe, solid};
 use contact::Relaxation;
 use fit::{
     Bodies, Direction, Error, Experiment, Fit, Free, Kind, Measurement, Options, Parameter, Point,
@@ -15,7 +15,7 @@ use Parameter::{
     Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
 };
 
-use crate::imagined::fit_all;
+use crate::imagined::{fit_all, free_of};
 
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
@@ -88,7 +88,7 @@ fn recover(
     seed: u64,
     expected: &[WarningKind],
 ) {
-    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
+    let free = free_of(free);
     let fit_of = |set: u64| {
         let data = plans
             .iter()
@@ -162,83 +162,49 @@ fn solids_are_recovered() {
     recover("modified power law", &[plan], &free, 106, &expected);
 }
 
-/// Returns the message of the error of a fit.
-fn refused(experiment: &Experiment, free: &[Parameter]) -> String {
-    let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
-    let found = fit_all(std::slice::from_ref(experiment), &free);
-    found.expect_err("it is refused").to_string()
-}
-
 #[test]
 fn what_cannot_be_fitted_is_refused_with_the_reason() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint];
     let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
-    let changed = |change: fn(&mut Experiment)| {
+    let with_free = |change: fn(&mut Experiment), free: &[Parameter]| {
         let mut changed = data.clone();
         change(&mut changed);
-        refused(&changed, &free)
+        fit_all(&[changed], &free_of(free))
     };
-    assert_names(
-        &changed(|one| one.times[7] = one.times[6]),
-        &["line 8", "times must rise"],
-    );
-    assert_names(
-        &changed(|one| one.times[7] = f64::NAN),
-        &["line 8", "times must rise"],
-    );
-    assert_names(&changed(|one| one.times.clear()), &["no times", "column"]);
-    assert_names(
-        &changed(|one| one.times.truncate(9)),
-        &["number of times", "60"],
-    );
-    assert_names(
-        &changed(|one| one.work_of_adhesion = 0.01),
-        &["work of adhesion", "crack tip", "without adhesion"],
-    );
-    let mut radii = data.clone();
-    radii.measurement.kind = Kind::LoadRadius;
-    for point in &mut radii.measurement.points {
-        point.abscissa = point.abscissa.abs();
+    let with = |change| with_free(change, &free);
+    with(|one| one.times[7] = one.times[6]).refused("line 8; times must rise");
+    with(|one| one.times[7] = f64::NAN).refused("line 8; times must rise");
+    with(|one| one.times.clear()).refused("no times; column");
+    with(|one| one.times.truncate(9)).refused("number of times; 60");
+    with(|one| one.work_of_adhesion = 0.01)
+        .refused("work of adhesion; crack tip; without adhesion");
+    let radii = |one: &mut Experiment| {
+        one.measurement.kind = Kind::LoadRadius;
+        for point in &mut one.measurement.points {
+            point.abscissa = point.abscissa.abs();
+        }
+    };
+    with_free(radii, &[FilmModulus, RelaxationExponent]).refused("penetrations; heights");
+    for first in [20, 30] {
+        let mut begins = data.clone();
+        begins.measurement.points.drain(..first);
+        begins.times.drain(..first);
+        fit_all(&[begins], &free_of(&free)).refused("begin in contact; history; not known");
     }
-    assert_names(
-        &refused(&radii, &[FilmModulus, RelaxationExponent]),
-        &["penetrations", "heights"],
-    );
-    let begins = changed(|one| {
-        one.measurement.points.drain(..20);
-        one.times.drain(..20);
-    });
-    assert_names(&begins, &["begin in contact", "history", "not known"]);
-    let retract = changed(|one| {
-        one.measurement.points.drain(..30);
-        one.times.drain(..30);
-    });
-    assert_names(&retract, &["begin in contact", "history", "not known"]);
-    let law = changed(|one| {
-        let law = Relaxation::PowerLaw {
-            exponent: 1.0,
-            time: 1.0,
-        };
-        one.relaxing = Some(Relaxing::new(law));
-    });
-    assert_names(&law, &["relaxation exponent", "below 1"]);
-    let again = changed(|one| {
+    let flows = |one: &mut Experiment| {
+        let (exponent, time) = (1.0, 1.0);
+        one.relaxing = Some(Relaxing::new(Relaxation::PowerLaw { exponent, time }));
+    };
+    with(flows).refused("relaxation exponent; below 1");
+    let again = |one: &mut Experiment| {
         let count = one.measurement.points.len();
         for (point, i) in one.measurement.points[count - 10..].iter_mut().zip(0..) {
             point.abscissa = 3e-7 + 5e-8 * f64::from(i);
         }
-    });
-    assert_names(&again, &["one approach"]);
-    let mut without = data.clone();
-    without.relaxing = None;
-    assert_names(
-        &refused(&without, &free),
-        &["relaxation function", "give one"],
-    );
-    assert_names(
-        &refused(&data, &[FilmModulus, RelaxedFraction]),
-        &["relaxed-fraction", "does not have"],
-    );
+    };
+    with(again).refused("one approach");
+    with(|one| one.relaxing = None).refused("relaxation function; give one");
+    with_free(|_| (), &[FilmModulus, RelaxedFraction]).refused("relaxed-fraction; does not have");
 }
 
 #[test]
@@ -254,10 +220,7 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
         }
         data
     };
-    let found = |data: &Experiment| {
-        let free: Vec<Free> = free.iter().copied().map(Free::new).collect();
-        fit_all(std::slice::from_ref(data), &free)
-    };
+    let found = |data: &Experiment| fit_all(std::slice::from_ref(data), &free_of(&free));
     let glass = found(&with_base(7e10, false)).expect("nothing to see");
     assert!(!glass.warns_of(WarningKind::UnlikeBodies));
     let stiff = found(&with_base(1e6, false)).expect("a doubt");

@@ -1,19 +1,14 @@
 //! Doubts where nobody gives the noise: it is estimated, and the same tests run.
 
-use fit::{Experiment, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
-use interp::Table;
+use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
 
-use crate::imagined::{Course, Imagined};
+use crate::imagined::{Course, Imagined, fit_with};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
-fn fitted(experiment: Experiment, free: &[Free]) -> Fit {
-    let options = Options {
-        // A zero of the instrument that is wrong puts points beyond the end of their branch.
-        allow_left_out: true,
-        ..Options::default()
-    };
-    fit(Table::embedded(), &[experiment], free, &options).expect("sound")
+fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
+    // A zero of the instrument that is wrong puts points beyond the end of their branch.
+    fit_with(experiment, free, |options| options.allow_left_out = true).expect("sound")
 }
 
 /// Fits with and without the noise, and returns the kinds of warnings of both.
@@ -21,7 +16,7 @@ fn both(experiment: &Experiment, free: &[Free], noise: f64) -> [Vec<WarningKind>
     [Some(noise), None].map(|noise| {
         let mut experiment = experiment.clone();
         experiment.noise = noise;
-        let found = fitted(experiment, free);
+        let found = fitted(&experiment, free);
         found.warnings.iter().map(|warning| warning.kind).collect()
     })
 }
@@ -110,7 +105,7 @@ fn a_report_says_what_standard_errors_of_few_points_mean() {
         lens.points = [points, 0];
         let mut experiment = lens.measured(&lens.exact(), 1);
         experiment.noise = None;
-        let here = fitted(experiment, &lens.free);
+        let here = fitted(&experiment, &lens.free);
         let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
         assert!(report.contains(said), "{report}");
     }

@@ -6,19 +6,17 @@ mod refused;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use acceptance::{larger, rigid_probe, solid, solved_contact};
+use acceptance::{Contacts, larger, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Layered,
     NamedLayer, Options, Parameter, Point, PointErrors, Reach, WarningKind, simulate_experiment,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 use solve::stack::Layer;
 
-use crate::imagined::{fit_all, measurement};
+use crate::imagined::{fit_all, free_of, measurement};
 use crate::recovery::{SETS, assert_coverage};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
@@ -56,12 +54,10 @@ fn experiment(kind: Kind, bodies: Bodies, points: Vec<[f64; 2]>) -> Experiment {
 
 /// Multiplies the stiffnesses by normal noise.
 fn noisy(exact: &Experiment, noise: f64, seed: u64) -> Experiment {
-    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    let mut random = Contacts::new(seed);
     let mut made = exact.clone();
     for point in &mut made.measurement.points {
-        let radius = (-2.0 * random.random_range(f64::MIN_POSITIVE..1.0_f64).ln()).sqrt();
-        let normal = radius * random.random_range(0.0..2.0 * PI).cos();
-        point.ordinate *= 1.0 + noise * normal;
+        point.ordinate *= 1.0 + noise * random.normal();
     }
     made
 }
@@ -74,7 +70,7 @@ fn recover(
     free: &[Parameter],
     expected: &[WarningKind],
 ) {
-    let frees: Vec<Free> = free.iter().copied().map(Free::new).collect();
+    let frees = free_of(free);
     let fit_of = |seed: u64| {
         let made = exact.iter().enumerate().map(|(e, exact)| {
             let mut made = noisy(exact, noise, 1000 * seed + e as u64);
