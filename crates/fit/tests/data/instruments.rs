@@ -4,7 +4,7 @@
 use fit::data::{Cantilever, Column, Format, Segments};
 use fit::{Direction, Kind};
 
-use crate::{assert_values, read, sound, values};
+use crate::{assert_values, read, rows, sound, values};
 
 /// Headings, the kind that is asked for, and what one row of numbers gives in SI units.
 #[test]
@@ -16,97 +16,37 @@ fn headings_of_instruments_are_recognised() {
         },
         ..Format::default()
     };
-    let cases: [(&str, Kind, [f64; 2]); 16] = [
-        // MTS, Agilent, Keysight, KLA: a line of units below the names, or units in brackets.
-        (
-            "Displacement Into Surface,Load On Sample,Time On Sample,Harmonic Contact Stiffness\nnm,mN,s,N/m\n1,2,3,4",
-            Kind::LoadPenetration,
-            [1e-9, 2e-3],
-        ),
-        (
-            "Displacement Into Surface (nm);Load On Sample (mN);Raw Load (mN);Raw Displacement (nm)\n1;2;3;4",
-            Kind::LoadPenetration,
-            [1e-9, 2e-3],
-        ),
-        (
-            "Time [s]\tDEPTH [nm]\tLOAD [mN]\n0\t1\t2",
-            Kind::LoadPenetration,
-            [1e-9, 2e-3],
-        ),
-        // Hysitron: the signals in volts are no length and no force.
-        (
-            "Depth (nm)\tLoad (µN)\tTime (s)\tDepth (V)\tLoad (V)\n1\t2\t3\t4\t5",
-            Kind::LoadPenetration,
-            [1e-9, 2e-6],
-        ),
-        // Anton Paar.
-        (
-            "Time [s];Pd [nm];Fn [mN]\n0;1;2",
-            Kind::LoadPenetration,
-            [1e-9, 2e-3],
-        ),
-        // FemtoTools and others.
-        (
-            "Force (uN),Displacement (um)\n2,1",
-            Kind::LoadPenetration,
-            [1e-6, 2e-6],
-        ),
-        // JPK.
-        (
-            "Height (measured & smoothed) [m]\tVertical deflection [N]\tHeight [m]\n1\t2\t3",
-            Kind::ForceHeight,
-            [1.0, 2.0],
-        ),
-        (
-            "strainGaugeHeight [m],vDeflection [N],height [m]\n1,2,3",
-            Kind::ForceHeight,
-            [1.0, 2.0],
-        ),
-        (
-            "smoothedCapacitiveSensorHeight_m,vDeflection_V\n1,2",
-            Kind::ForceHeight,
-            [1.0, 2e-7],
-        ),
-        // Bruker.
-        (
-            "Height_Sensor_nm_Ex\tDefl_pN_Ex\n1\t2",
-            Kind::ForceHeight,
-            [1e-9, 2e-12],
-        ),
-        (
-            "Calc_Ramp_Ex_nm Defl_nm_Ex\n1 2",
-            Kind::ForceHeight,
-            [1e-9, 4e-9],
-        ),
-        // Asylum Research and AFM Workshop: the sensor grows towards the sample.
-        ("ZSnsr_m,Defl_m\n1,2", Kind::ForceHeight, [-1.0, 4.0]),
-        (
-            "Extend Z-Sense(nm),Extend T-B(V)\n1,2",
-            Kind::ForceHeight,
-            [-1e-9, 2e-7],
-        ),
-        // Nanosurf and Park.
-        (
-            "Z-Axis Sensor [m];Deflection [N]\n1;2",
-            Kind::ForceHeight,
-            [1.0, 2.0],
-        ),
-        (
-            "Z Detector(um)\tForce(nN)\n1\t2",
-            Kind::ForceHeight,
-            [1e-6, 2e-9],
-        ),
-        // The piezo of Optics11 grows towards the sample, that of others need not.
-        (
-            "Piezo (nm)\tLoad (uN)\tCantilever (nm)\n1\t2\t3",
-            Kind::ForceHeight,
-            [-1e-9, 2e-6],
-        ),
-    ];
-    for (text, kind, expected) in cases {
-        let reading = sound(text, &given);
-        assert_eq!(reading.measurement.kind, kind, "{text}");
-        assert_values(&values(&reading), &[expected]);
+    // The writer, the file, whether it holds penetrations or heights, and the point. Signals in volts
+    // are no length and no force. The sensors of Asylum Research and AFM Workshop and the piezo of
+    // Optics11 grow towards the sample, the piezos of others need not.
+    let cases = r"
+        MTS, Agilent, Keysight, KLA | Displacement Into Surface,Load On Sample,Time On Sample,Harmonic Contact Stiffness\nnm,mN,s,N/m\n1,2,3,4 | depth | 1e-9 | 2e-3
+        the same, units in brackets | Displacement Into Surface (nm);Load On Sample (mN);Raw Load (mN);Raw Displacement (nm)\n1;2;3;4 | depth | 1e-9 | 2e-3
+        the same, in capitals | Time [s]\tDEPTH [nm]\tLOAD [mN]\n0\t1\t2 | depth | 1e-9 | 2e-3
+        Hysitron, other signals in V | Depth (nm)\tLoad (µN)\tTime (s)\tDepth (V)\tLoad (V)\n1\t2\t3\t4\t5 | depth | 1e-9 | 2e-6
+        Anton Paar | Time [s];Pd [nm];Fn [mN]\n0;1;2 | depth | 1e-9 | 2e-3
+        FemtoTools and others | Force (uN),Displacement (um)\n2,1 | depth | 1e-6 | 2e-6
+        JPK | Height (measured & smoothed) [m]\tVertical deflection [N]\tHeight [m]\n1\t2\t3 | height | 1.0 | 2.0
+        JPK | strainGaugeHeight [m],vDeflection [N],height [m]\n1,2,3 | height | 1.0 | 2.0
+        JPK | smoothedCapacitiveSensorHeight_m,vDeflection_V\n1,2 | height | 1.0 | 2e-7
+        Bruker | Height_Sensor_nm_Ex\tDefl_pN_Ex\n1\t2 | height | 1e-9 | 2e-12
+        Bruker | Calc_Ramp_Ex_nm Defl_nm_Ex\n1 2 | height | 1e-9 | 4e-9
+        Asylum Research | ZSnsr_m,Defl_m\n1,2 | height | -1.0 | 4.0
+        AFM Workshop | Extend Z-Sense(nm),Extend T-B(V)\n1,2 | height | -1e-9 | 2e-7
+        Nanosurf | Z-Axis Sensor [m];Deflection [N]\n1;2 | height | 1.0 | 2.0
+        Park | Z Detector(um)\tForce(nN)\n1\t2 | height | 1e-6 | 2e-9
+        Optics11 | Piezo (nm)\tLoad (uN)\tCantilever (nm)\n1\t2\t3 | height | -1e-9 | 2e-6
+        ";
+    for [writer, text, abscissa, x, y] in rows(cases) {
+        let reading = sound(&text, &given);
+        let kind = match &*abscissa {
+            "depth" => Kind::LoadPenetration,
+            "height" => Kind::ForceHeight,
+            other => panic!("{other}"),
+        };
+        assert_eq!(reading.measurement.kind, kind, "{writer}: {text}");
+        let [x, y] = [x, y].map(|cell| cell.parse().expect("a number"));
+        assert_values(&values(&reading), &[[x, y]]);
     }
 }
 

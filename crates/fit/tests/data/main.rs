@@ -22,6 +22,20 @@ fn sound(text: &str, format: &Format) -> Reading {
     read(text, format).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
+/// Returns the cells of a table as text: one row a line, its cells parted by ` | `, with `\n` and `\t` as
+/// they are written in a string. It is an error if a line has another number of cells, or there is none.
+fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
+    let lines = table.lines().filter(|line| !line.trim().is_empty());
+    let cell = |cell: &str| cell.trim().replace("\\n", "\n").replace("\\t", "\t");
+    let row = |line: &str| {
+        let cells: Vec<String> = line.split(" | ").map(cell).collect();
+        <[String; N]>::try_from(cells).unwrap_or_else(|_| panic!("not {N} cells: {line}"))
+    };
+    let rows: Vec<_> = lines.map(row).collect();
+    assert!(!rows.is_empty(), "a table without rows");
+    rows
+}
+
 /// Returns abscissae and ordinates.
 fn values(reading: &Reading) -> Vec<[f64; 2]> {
     let points = &reading.measurement.points;
