@@ -366,42 +366,39 @@ mod tests {
 
     #[test]
     fn a_wrong_layer_is_named() {
-        let refused = |base: f64, layers: &[Layer]| {
+        let of = |base: f64, layers: &[[f64; 2]]| {
+            let layers: Vec<Layer> = layers.iter().map(|&[e, t]| layer(e, t)).collect();
             Stack::new(solid(base), layers)
                 .expect_err("refused")
                 .to_string()
         };
-        let no_layers: [Layer; 0] = [];
-        let cases = [
-            (refused(1.0, &no_layers), ["at least one layer", ""]),
+        let inf = f64::INFINITY;
+        for (message, words) in [
+            (of(1.0, &[]), "at least one layer"),
             (
-                refused(1.0, &[layer(1.0, 1.0), layer(1.0, 0.0)]),
-                ["layer 2 of 2", "thickness is 0.0 m, but must be > 0"],
+                of(1.0, &[[1.0, 1.0], [1.0, 0.0]]),
+                "layer 2 of 2; thickness is 0.0 m, but must be > 0",
+            ),
+            (of(1.0, &[[1.0, f64::NAN]]), "layer 1 of 1; NaN"),
+            (
+                of(1.0, &[[1.0, 1e308], [2.0, 1e308]]),
+                "layer 2 of 2; overflows",
             ),
             (
-                refused(1.0, &[layer(1.0, f64::NAN)]),
-                ["layer 1 of 1", "NaN"],
+                of(1.0, &[[inf, 1.0], [1.0, 1.0]]),
+                "layer 1 of 2; give it as the base",
             ),
             (
-                refused(1.0, &[layer(1.0, 1e308), layer(2.0, 1e308)]),
-                ["layer 2 of 2", "overflows"],
+                of(1.0, &[[1.0, 1.0], [1.01e9, 1.0]]),
+                "layer 2 of 2; at most 1e9 times",
             ),
             (
-                refused(1.0, &[layer(f64::INFINITY, 1.0), layer(1.0, 1.0)]),
-                ["layer 1 of 2", "give it as the base"],
+                of(1.01e9, &[[1.0, 1.0]]),
+                "layer 1 of 1; take the base as rigid",
             ),
-            (
-                refused(1.0, &[layer(1.0, 1.0), layer(1.01e9, 1.0)]),
-                ["layer 2 of 2", "at most 1e9 times"],
-            ),
-            (
-                refused(1.01e9, &[layer(1.0, 1.0)]),
-                ["layer 1 of 1", "take the base as rigid"],
-            ),
-        ];
-        for (message, parts) in cases {
-            for part in parts {
-                assert!(message.contains(part), "{message:?} lacks {part:?}");
+        ] {
+            for word in words.split("; ") {
+                assert!(message.contains(word), "{message:?} lacks {word:?}");
             }
         }
         // One step inside the allowed contrast, and a rigid base beside any layer.
