@@ -6,10 +6,9 @@ use acceptance::{Contacts, Refused, solid};
 use fit::data::{Format, read_from};
 use fit::{Bodies, Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
 use interp::{HalfSpace, Probe, Table};
-use rayon::prelude::*;
 
 use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with};
-use crate::recovery::{SETS, assert_coverage};
+use crate::recovery::{SETS, assert_recovers};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 /// 0.3 um, which in these loads is more than their own noise.
@@ -47,9 +46,7 @@ fn recover(
         fitted(experiment, imagined, imagined.loss)
     };
     let range = SETS * seeds..SETS * (seeds + 1);
-    let fits: Vec<Fit> = range.into_par_iter().map(one).collect();
-    let truth = |parameter: Parameter, _| imagined.truth.get(parameter).expect("a value");
-    assert_coverage(name, &fits, truth, expected);
+    assert_recovers(name, &imagined.truth, range, one, expected);
 }
 
 #[test]

@@ -2,10 +2,12 @@
 //! table nor a search for equilibria takes part.
 
 use std::f64::consts::PI;
+use std::path::Path;
 use std::slice;
 
 use acceptance::{Contacts, paper_system, rigid_probe, solid};
 use contact::Contact;
+use fit::data::Format;
 use fit::{
     Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter,
     Point, Warning, WarningKind,
@@ -72,6 +74,14 @@ pub fn assert_no_doubts(found: &Fit, expected: &[WarningKind]) {
     let expected = [expected, &[WarningKind::AssumesBonding]].concat();
     let doubts = doubts(found, &expected);
     assert!(doubts.is_empty(), "{doubts:?}");
+}
+
+/// Reads an experiment from a file of the crate of fits.
+pub fn of_file(path: &str, bodies: Bodies) -> Experiment {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/fit");
+    let path = Path::new(folder).join(path);
+    let reading = fit::data::read(&path, &Format::default()).expect("sound data");
+    Experiment::new(reading.measurement, bodies)
 }
 
 /// Returns the texts of the warnings of a kind, parted by `; `, or an empty text if there is none.

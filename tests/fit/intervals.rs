@@ -2,14 +2,13 @@
 
 use acceptance::{assert_names, paper_system, solid};
 use fit::{
-    Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point, WarningKind,
-    fit,
+    Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Options, Parameter, WarningKind, fit,
 };
 use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::{Imagined, measurement};
+use crate::imagined::{Imagined, of_file};
 
 /// The levels of the intervals.
 const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
@@ -79,24 +78,11 @@ fn assert_sound(name: &str, fits: &[Fit]) -> usize {
 
 /// The data of the example of the program, with the specimen of its comment.
 fn lens() -> Experiment {
-    let text = include_str!("../../crates/fit/data/lens.csv");
-    let rows = text.lines().skip(3).zip(4..);
-    let point = |(row, line): (&str, u64)| {
-        let (radius, load) = row.split_once(',').expect("two cells");
-        let [abscissa, ordinate] = [radius, load].map(|cell| cell.parse().expect("a number"));
-        Point {
-            line,
-            abscissa,
-            ordinate,
-            direction: None,
-        }
-    };
     let system = System {
         substrate: solid(1.6e11, 0.27),
         ..paper_system(3e-5)
     };
-    let measurement = measurement(Kind::LoadRadius, rows.map(point).collect());
-    let mut experiment = Experiment::new(measurement, Bodies::Coated(system));
+    let mut experiment = of_file("data/lens.csv", Bodies::Coated(system));
     experiment.work_of_adhesion = 0.04;
     // The noise is 2e-6 N: this one is far too large, so that only small parts of it matter.
     experiment.noise = Some(1e-4);

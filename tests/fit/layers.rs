@@ -8,11 +8,10 @@ use fit::{
     WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
-use rayon::prelude::*;
 use solve::stack::Layer;
 
 use crate::imagined::{Course, Imagined, fit_all, fit_with, measurement};
-use crate::recovery::assert_coverage;
+use crate::recovery::assert_recovers;
 
 pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
@@ -84,9 +83,7 @@ pub fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
 pub fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
     let exact = imagined.exact();
     let fit_of = |seed| fit_of(imagined.measured(&exact, seed), imagined);
-    let fits: Vec<Fit> = (0..50).into_par_iter().map(fit_of).collect();
-    let truth = |parameter: Parameter, _| imagined.truth.get(parameter).expect("a value");
-    assert_coverage(name, &fits, truth, expected);
+    assert_recovers(name, &imagined.truth, 0..50, fit_of, expected);
 }
 
 #[test]

@@ -8,7 +8,9 @@ use fit::{
 };
 use interp::{Probe, System, Table};
 
-use crate::imagined::{Course, Imagined, fit_all, fit_with, free_of, gel, measurement, text};
+use crate::imagined::{
+    Course, Imagined, fit_all, fit_with, free_of, gel, measurement, of_file, text,
+};
 
 /// Fits an experiment; most of its points may be left out if `allow`.
 fn fitted(experiment: &Experiment, free: &[Parameter], allow: bool) -> Result<Fit, fit::Error> {
@@ -131,23 +133,6 @@ fn a_value_that_changes_nothing_is_no_result() {
 
 /// The curve that the program shows as an example, made with a film of 5 kPa and 20 um.
 fn shipped_gel() -> Experiment {
-    let text = include_str!("../../crates/fit/data/gel.csv");
-    let point = |(row, line): (&str, u64)| {
-        let mut cells = row.split(',');
-        let mut number = || cells.next().and_then(|cell| cell.parse().ok());
-        let (abscissa, ordinate) = number().zip(number()).expect("two numbers");
-        Point {
-            line,
-            abscissa,
-            ordinate,
-            direction: Some(if row.ends_with("approach") {
-                Direction::Approach
-            } else {
-                Direction::Retract
-            }),
-        }
-    };
-    let points = text.lines().skip(3).zip(4..).map(point).collect();
     let system = System {
         probe: Probe::Paraboloid { radius: 10e-6 },
         sphere_modulus: f64::INFINITY,
@@ -155,8 +140,7 @@ fn shipped_gel() -> Experiment {
         film_thickness: 20e-6,
         substrate: solid(70e9, 0.25),
     };
-    let measurement = measurement(Kind::ForceHeight, points);
-    let mut experiment = Experiment::new(measurement, Bodies::Coated(system));
+    let mut experiment = of_file("data/gel.csv", Bodies::Coated(system));
     experiment.stiffness = Some(0.1);
     experiment
 }

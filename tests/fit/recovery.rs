@@ -1,11 +1,13 @@
 //! The truth is within the intervals as often as they say.
 
+use std::ops::Range;
+
 use acceptance::{assert_names, rigid_probe, solid};
-use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Options, Parameter, WarningKind};
-use interp::{HalfSpace, Probe, Table};
+use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Parameter, WarningKind};
+use interp::{HalfSpace, Probe};
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, doubts, fit_with};
+use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with, of_file};
 
 /// The number of data sets of each kind.
 pub const SETS: u64 = 200;
@@ -56,6 +58,20 @@ pub fn assert_coverage(
     assert!(unexpected.is_empty(), "{name}: {unexpected:?}");
 }
 
+/// Fits the data sets of `seeds`, and asserts that their intervals hold the values of `truth`, as
+/// [`assert_coverage`] says.
+pub fn assert_recovers(
+    name: &str,
+    truth: &Experiment,
+    seeds: Range<u64>,
+    fit_of: impl Fn(u64) -> Fit + Sync + Send,
+    expected: &[WarningKind],
+) {
+    let fits: Vec<Fit> = seeds.into_par_iter().map(fit_of).collect();
+    let truth = |parameter: Parameter, _| truth.get(parameter).expect("a value");
+    assert_coverage(name, &fits, truth, expected);
+}
+
 /// Fits the data sets with the seeds from `200 seed` on.
 fn recover(name: &str, imagined: &Imagined, seed: u64, expected: &[WarningKind]) {
     let exact = imagined.exact();
@@ -66,12 +82,8 @@ fn recover(name: &str, imagined: &Imagined, seed: u64, expected: &[WarningKind])
         })
         .expect("sound data")
     };
-    let fits: Vec<Fit> = (SETS * seed..SETS * (seed + 1))
-        .into_par_iter()
-        .map(fit_of)
-        .collect();
-    let truth = |parameter: Parameter, _| imagined.truth.get(parameter).expect("a value");
-    assert_coverage(name, &fits, truth, expected);
+    let seeds = SETS * seed..SETS * (seed + 1);
+    assert_recovers(name, &imagined.truth, seeds, fit_of, expected);
 }
 
 #[test]
@@ -243,8 +255,7 @@ fn films_of_three_thicknesses_share_their_modulus() {
         let experiments: Vec<Experiment> = measured
             .map(|((lens, exact), i)| lens.measured(exact, 3 * seed + i))
             .collect();
-        let options = Options::default();
-        fit::fit(Table::embedded(), &experiments, &lenses[0].free, &options).expect("sound data")
+        fit_all(&experiments, &lenses[0].free).expect("sound data")
     };
     let fits: Vec<Fit> = (SETS * 18..SETS * 19).into_par_iter().map(fit_of).collect();
     let truth = |parameter, experiment: Option<usize>| {
@@ -264,18 +275,16 @@ fn films_of_three_thicknesses_share_their_modulus() {
 fn the_data_of_the_example_are_made_as_they_say() {
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &[]);
     let made = lens.measured(&lens.exact(), 10).measurement.points;
-    let text = include_str!("../../crates/fit/examples/synthetic-10um.csv");
-    let rows: Vec<&str> = text.lines().skip(3).collect();
-    assert_eq!(rows.len(), made.len());
-    for (row, made) in rows.into_iter().zip(made) {
-        let (radius, load) = row.split_once(',').expect("two columns");
-        let number = |text: &str| text.parse::<f64>().expect("a number");
-        assert!((number(radius) / made.abscissa - 1.0).abs() < 1e-6, "{row}");
+    let read = of_file("examples/synthetic-10um.csv", lens.truth.bodies);
+    let read = read.measurement.points;
+    assert_eq!(read.len(), made.len());
+    for (read, made) in read.iter().zip(made) {
         assert!(
-            (number(load) - made.ordinate).abs() < 1e-9,
-            "{row}, not {}",
-            made.ordinate
+            (read.abscissa / made.abscissa - 1.0).abs() < 1e-6,
+            "{read:?}"
         );
+        let error = read.ordinate - made.ordinate;
+        assert!(error.abs() < 1e-9, "{read:?}, not {made:?}");
     }
 }
 
@@ -301,9 +310,7 @@ fn wrong_starts_lead_to_the_truth_or_are_doubted() {
                 }
             }
             let experiment = imagined.measured(&imagined.exact(), 3);
-            let options = Options::default();
-            let found = fit::fit(Table::embedded(), &[experiment], &imagined.free, &options);
-            let found = match found {
+            let found = match fit_all(&[experiment], &imagined.free) {
                 Ok(found) => found,
                 Err(error) => {
                     assert_names(&error.to_string(), "where the fit starts; another start");
