@@ -195,30 +195,6 @@ fn an_offset_that_is_not_fitted_and_a_film_that_matters_are_told() {
 }
 
 #[test]
-fn the_same_data_in_another_style_give_the_same_fit() {
-    let workdir = workdir!();
-    simulate(&workdir, &LENS, "lens.csv", 1);
-    let text = String::from_utf8(workdir.read("lens.csv")).expect("UTF-8");
-    let mut other = String::from("\u{feff}# a lens\r\nR;Messzelle\r\n");
-    for line in text.lines().skip(3) {
-        let (radius, load) = line.split_once(',').expect("two cells");
-        let [radius, load]: [f64; 2] = [radius, load].map(|cell| cell.parse().expect("a number"));
-        let row = format!("{:?};{:?}\r\n", radius * 1e6, -load * 1e3);
-        other += &row.replace('.', ",");
-    }
-    workdir.write("other.txt", other);
-    let columns = "--column 'contact_radius=R [um]' --column 'load=-Messzelle [mN]'";
-    let found = [
-        fit(&workdir, &LENS, "lens.csv"),
-        fit(&workdir, &LENS, &format!("other.txt {columns}")),
-    ];
-    for (name, _) in LENS.truth {
-        let [a, b] = [0, 1].map(|i| estimate(&found[i], name)[0]);
-        assert!((a / b - 1.0).abs() < 1e-6, "{name}: {a} and {b}");
-    }
-}
-
-#[test]
 fn csv_and_pictures_are_written() {
     let workdir = workdir!();
     simulate(&workdir, &GEL, "gel.csv", 1);

@@ -102,28 +102,6 @@ fn simulated(workdir: &Workdir, noise: &str, more: &str) -> String {
 }
 
 #[test]
-fn simulated_loads_are_those_of_direct_solves() {
-    let workdir = workdir!();
-    let stack = written(&workdir);
-    let system = stack.system(1e-3, 2e6);
-    let mechanics = interp::Mechanics::new(&system).expect("physical");
-    let text = simulated(&workdir, "0", "--points 12");
-    for row in Data::parse("data", &text).cases() {
-        let a = row.get("contact_radius");
-        let solution = solve_stack(a / stack.thickness(), &stack, 2e6, 1e-11).expect("in reach");
-        let of = |w: f64| {
-            let edge = mechanics.edge_singularity(a, w).expect("physical");
-            mechanics
-                .load_and_penetration(a, edge, &solution.quantities)
-                .0
-        };
-        let (load, bare) = (of(0.04), of(0.0));
-        let error = (row.get("load") - load).abs() / (bare + (bare - load));
-        assert!(error < 1e-8, "{a}: {error:e}");
-    }
-}
-
-#[test]
 fn fit_finds_the_parameters_of_layers_by_their_names() {
     let workdir = workdir!();
     written(&workdir);
