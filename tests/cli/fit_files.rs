@@ -155,10 +155,13 @@ fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
     let fit = format!("fit lens.csv {LENS}");
     let with = |more: &str| format!("{fit} {more}");
     let report = workdir.succeed(with(""));
-    assert_names(
-        &report,
-        "Pa, reduced modulus E2*\n; 200 GPa, Young's modulus E0\n; 3.5 MPa, Young's modulus E1\n",
-    );
+    for line in [
+        "Pa, reduced modulus E2*\n",
+        "200 GPa, Young's modulus E0\n",
+        "3.5 MPa, Young's modulus E1\n",
+    ] {
+        assert!(report.contains(line), "{report}");
+    }
     assert!(!report.contains("nu2"), "{report}");
     let sphere = "--sphere-poisson-ratio 0.5";
     let report = workdir.succeed(with(sphere));

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use acceptance::{assert_names, number, workdir};
+use acceptance::{number, workdir};
 
 /// The reduced modulus of a solid of 1 MPa with a Poisson ratio of 0.5 under a rigid probe, Pa, the
 /// work of adhesion, J/m^2, and the reading of the penetration at first touch, m.
@@ -96,8 +96,5 @@ fn files_of_half_spaces_give_the_closed_forms() {
     let modulus = number(&object, "parameters/film_modulus/value");
     assert!((modulus / 1e6 - 1.0).abs() > 0.01);
     let missing = format!("fit cone.csv --probe cone {common}");
-    assert_names(
-        &workdir.fail(1, &missing),
-        "--probe cone needs --half-angle",
-    );
+    workdir.refuses(format!("1 | {missing} | --probe cone needs --half-angle"));
 }

@@ -259,10 +259,9 @@ fn other_probes_separate_from_the_thickest_film_as_from_a_half_space() {
     assert_eq!(workdir.succeed(format!("{plot} {rounded}")), "");
     let tree = Tree::from_data(&workdir.read("tip.svg"), &Options::default()).unwrap();
     assert_eq!(tree.size().to_int_size().width(), WIDTH);
-    assert_names(
-        &workdir.fail(1, format!("{plot} --probe cone")),
-        "--probe cone needs --half-angle",
-    );
+    workdir.refuses(format!(
+        "1 | {plot} --probe cone | --probe cone needs --half-angle"
+    ));
 }
 
 #[test]

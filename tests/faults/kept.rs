@@ -87,10 +87,9 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
     ));
     for (forged, words) in cases {
         workdir.write(JOURNAL, &forged);
-        assert_names(
-            &workdir.fail(1, RESUME),
-            &["cannot resume", JOURNAL, words, "remove this file"],
-        );
+        workdir.refuses(format!(
+            "1 | {RESUME} | cannot resume; {JOURNAL}; {words}; remove this file"
+        ));
         assert!(workdir.read(JOURNAL) == forged, "the journal has changed");
     }
     fs::remove_file(workdir.path(JOURNAL)).expect("removed");
@@ -130,10 +129,9 @@ fn a_scene_that_has_changed_is_not_resumed_and_nothing_is_lost() {
     let workdir = unfinished(8);
     let journal = workdir.read(JOURNAL);
     workdir.write("scene.toml", SCENE.replace("to = 1e4 ", "to = 2e4 "));
-    assert_names(
-        &workdir.fail(1, RESUME),
-        &["cannot resume", JOURNAL, "another text of the scene"],
-    );
+    workdir.refuses(format!(
+        "1 | {RESUME} | cannot resume; {JOURNAL}; another text of the scene"
+    ));
     workdir.write("scene.toml", SCENE);
     let other = format!("{RESUME} --tolerance 1e-4");
     assert_names(
