@@ -30,39 +30,23 @@ fn names_are_read_as_they_are_written() {
     assert_eq!(Fixed::parse("oxide.colour"), None);
 }
 
-fn found(experiment: &Experiment, free: &[Free], options: &Options) -> Fit {
-    fit_with(experiment, free, |own| own.clone_from(options)).expect("sound")
+fn found(experiment: &Experiment, free: &[Free], change: impl FnOnce(&mut Options)) -> Fit {
+    fit_with(experiment, free, change).expect("sound")
 }
 
 /// Asserts that every change listed is that of fits with other values.
-fn assert_as_refits(
-    name: &str,
-    experiment: &Experiment,
-    free: &[Free],
-    loss: Loss,
-    names: &[&str],
-) {
-    let options = Options {
-        loss,
-        fixed_values: true,
-        ..Options::default()
-    };
-    let here = found(experiment, free, &options);
-    let listed: Vec<_> = here
-        .fixed_values
-        .iter()
-        .map(|one| one.quantity.name())
-        .collect();
-    assert_eq!(listed, names, "{name}");
-    let plain = Options {
-        loss,
-        ..Options::default()
-    };
+fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Loss, names: &str) {
+    let here = found(experiment, free, |options| {
+        options.loss = loss;
+        options.fixed_values = true;
+    });
+    let listed = here.fixed_values.iter().map(|one| one.quantity.name());
+    assert_eq!(listed.collect::<Vec<_>>().join(" "), names, "{name}");
     for one in &here.fixed_values {
         let values = |value: f64| {
             let mut changed = experiment.clone();
             changed.set_fixed(one.quantity, value).expect("physical");
-            let found = found(&changed, free, &plain);
+            let found = found(&changed, free, |options| options.loss = loss);
             found
                 .estimates
                 .iter()
@@ -98,18 +82,12 @@ fn assert_as_refits(
 
 #[test]
 fn changes_are_those_of_fits_with_other_values() {
-    let coated = [
-        "sphere-radius",
-        "substrate-modulus",
-        "substrate-poisson-ratio",
-        "film-modulus",
-        "film-poisson-ratio",
-        "film-thickness",
-    ];
+    let coated = "sphere-radius substrate-modulus substrate-poisson-ratio film-modulus \
+                  film-poisson-ratio film-thickness";
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
     for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
-        assert_as_refits("lens", &experiment, &lens.free, loss, &coated);
+        assert_as_refits("lens", &experiment, &lens.free, loss, coated);
     }
     // On an approach no point is left out for being near a jump, so that all fits have one set of
     // points.
@@ -120,15 +98,9 @@ fn changes_are_those_of_fits_with_other_values() {
     ];
     let probe = Imagined::probe(Course::Approach, 0.0, &free);
     let experiment = probe.measured(&probe.exact(), 1);
-    let names = [
-        "sphere-radius",
-        "substrate-modulus",
-        "substrate-poisson-ratio",
-        "film-poisson-ratio",
-        "film-thickness",
-        "stiffness",
-    ];
-    assert_as_refits("probe", &experiment, &probe.free, Loss::Squares, &names);
+    let names = "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio \
+                 film-thickness stiffness";
+    assert_as_refits("probe", &experiment, &probe.free, Loss::Squares, names);
     // A half-space: Hertz's modulus is that of (1 - nu^2) E/(1 - nu^2), so that 1 % of the radius
     // is -0.5 % of the modulus in closed form.
     let free = [Parameter::FilmModulus];
@@ -142,12 +114,10 @@ fn changes_are_those_of_fits_with_other_values() {
     };
     hertz.truth.bodies = Bodies::HalfSpace(half_space);
     hertz.truth.measurement.kind = Kind::LoadPenetration;
-    let options = Options {
-        fixed_values: true,
-        ..Options::default()
-    };
     let experiment = hertz.measured(&hertz.exact(), 1);
-    let here = found(&experiment, &hertz.free, &options);
+    let here = found(&experiment, &hertz.free, |options| {
+        options.fixed_values = true
+    });
     let value = here.estimates[0].value;
     let change = |quantity: Fixed| {
         let one = here
@@ -167,11 +137,10 @@ fn changes_are_those_of_fits_with_other_values() {
 #[test]
 fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
-    let options = Options {
-        fixed_values: true,
-        ..Options::default()
-    };
-    let here = found(&lens.measured(&lens.exact(), 1), &lens.free, &options);
+    let experiment = lens.measured(&lens.exact(), 1);
+    let here = found(&experiment, &lens.free, |options| {
+        options.fixed_values = true
+    });
     let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
     let one = here.fixed_values.iter().find(|one| one.quantity == poisson);
     let one = one.expect("listed");
@@ -182,11 +151,7 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
         "what the fixed values do; 0.5 -> 0.49; film-thickness; +1 %",
     );
     // Nothing is computed where nobody asks.
-    let quiet = found(
-        &lens.measured(&lens.exact(), 1),
-        &lens.free,
-        &Options::default(),
-    );
+    let quiet = found(&experiment, &lens.free, |_| ());
     assert!(quiet.fixed_values.is_empty());
 }
 
@@ -196,11 +161,7 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let (nominal, error) = (30e-6, 1.5e-6);
     let planned = lens.measured(&lens.exact(), 1);
-    let fits = |known: Vec<Known>| -> Vec<Fit> {
-        let options = Options {
-            known,
-            ..Options::default()
-        };
+    let fits = |known: &[Known]| -> Vec<Fit> {
         let one = |seed: u64| {
             let mut random = Contacts::new(seed ^ 0xf11);
             let mut specimen = planned.clone();
@@ -216,7 +177,9 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
                 simulate(Table::embedded(), &specimen, 1e-6, seed).expect("in the table");
             let mut experiment = planned.clone();
             experiment.measurement = measured;
-            found(&experiment, &lens.free, &options)
+            found(&experiment, &lens.free, |options| {
+                options.known = known.to_vec()
+            })
         };
         (0..SETS).into_par_iter().map(one).collect()
     };
@@ -233,9 +196,9 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
         fit::WarningKind::LargeStrain,
         fit::WarningKind::StructuredResiduals,
     ];
-    assert_coverage("known thickness", &fits(vec![known]), truth, &expected);
+    assert_coverage("known thickness", &fits(&[known]), truth, &expected);
     // Without its error the intervals hold the truth far less often than 68 %.
-    let bare = fits(Vec::new());
+    let bare = fits(&[]);
     for (i, parameter) in LENS.into_iter().enumerate() {
         let holds = |fit: &&Fit| {
             let [low, high] = fit.estimates[i].interval(1.0);
@@ -246,7 +209,7 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
         assert!(covered < 100, "{parameter}: {covered}");
     }
     // The sum of squares, by hand.
-    let [with, without] = [&fits(vec![known])[0], &bare[0]];
+    let [with, without] = [&fits(&[known])[0], &bare[0]];
     for (i, (one, other)) in with.estimates.iter().zip(&without.estimates).enumerate() {
         assert_eq!(one.value, other.value);
         let by_known = with.fixed_values[0].error_of(i);

@@ -21,7 +21,7 @@ fn with(edit: impl Fn(&mut Vec<Point>)) -> Result<Fit, Error> {
 
 #[test]
 fn points_that_cannot_be_are_named_by_their_line() {
-    with(|points| points.clear()).refused("0 usable points");
+    with(Vec::clear).refused("0 usable points");
     with(|points| points.truncate(1)).refused("imagined.csv; every point");
     with(|points| points.truncate(2)).refused("2 usable points; 2 parameters");
     with(|points| points[5].ordinate = f64::NAN).refused("imagined.csv; line 7; load; NaN; finite");

@@ -1,14 +1,12 @@
 //! Intervals of the profile likelihood are nested, contain the estimate, and say why they are open.
 
 use acceptance::{assert_names, paper_system, solid};
-use fit::{
-    Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Options, Parameter, WarningKind, fit,
-};
-use interp::{System, Table};
+use fit::{Bodies, Estimate, Experiment, Fit, Free, Kind, Loss, Parameter, WarningKind};
+use interp::System;
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::{Imagined, of_file};
+use crate::imagined::{Imagined, fit_with, of_file, text};
 
 /// The levels of the intervals.
 const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
@@ -16,13 +14,11 @@ const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
 /// Fits an experiment with intervals of each level.
 fn fits(experiment: &Experiment, free: &[Free], loss: Loss) -> Option<Vec<Fit>> {
     let of_level = |level: f64| {
-        let options = Options {
-            loss,
-            profile_level: Some(level),
-            ..Options::default()
-        };
-        let experiment = std::slice::from_ref(experiment);
-        fit(Table::embedded(), experiment, free, &options).ok()
+        let found = fit_with(experiment, free, |options| {
+            options.loss = loss;
+            options.profile_level = Some(level);
+        });
+        found.ok()
     };
     LEVELS.into_iter().map(of_level).collect()
 }
@@ -135,11 +131,7 @@ fn an_open_interval_gives_the_reason() {
     ]
     .map(Free::new);
     let fits = fits(&lens(), &free, Loss::HUBER).expect("sound data");
-    let warning = fits[3]
-        .warnings
-        .iter()
-        .find(|one| one.kind == WarningKind::OpenInterval);
-    let text = &warning.expect("no lower limit").text;
+    let text = text(&fits[3], WarningKind::OpenInterval);
     // Of modulus and thickness the data determine a combination only: the open interval may be that of
     // either.
     let unit = if text.contains("film-modulus") {
@@ -147,16 +139,9 @@ fn an_open_interval_gives_the_reason() {
     } else {
         " m,"
     };
-    assert_names(
-        text,
-        &[
-            "interval of film-",
-            "has no ",
-            " end: ",
-            unit,
-            "give it a prior",
-        ],
-    );
+    let words = ["interval of film-", "has no ", " end: ", unit];
+    assert_names(&text, &words);
+    assert_names(&text, "give it a prior");
 }
 
 #[test]
@@ -167,13 +152,11 @@ fn intervals_of_few_points_hold_the_truth_as_often_as_their_level_says() {
         lens.points = [points, 0];
         lens.noise_is_known = noise_is_known;
         let exact = lens.exact();
-        let options = Options {
-            profile_level: Some(0.95),
-            ..Options::default()
-        };
         let holds = |seed: u64| {
             let experiment = lens.measured(&exact, seed);
-            let found = fit(Table::embedded(), &[experiment], &lens.free, &options);
+            let found = fit_with(&experiment, &lens.free, |options| {
+                options.profile_level = Some(0.95);
+            });
             found.expect("sound").estimates.iter().all(|estimate| {
                 let truth = lens.truth.get(estimate.parameter).expect("a value");
                 let [low, high] = estimate.profile.expect("it was asked for");

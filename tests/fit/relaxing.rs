@@ -3,8 +3,8 @@
 use acceptance::{Refused, assert_names, rigid_probe, solid};
 use contact::Relaxation;
 use fit::{
-    Bodies, Direction, Error, Experiment, Free, Kind, Measurement, Options, Parameter, Point,
-    Relaxing, WarningKind, fit, simulate,
+    Bodies, Direction, Error, Experiment, Free, Kind, Measurement, Parameter, Point, Relaxing,
+    WarningKind, simulate,
 };
 use interp::{Probe, Table};
 
@@ -14,7 +14,7 @@ use Parameter::{
     Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
 };
 
-use crate::imagined::{fit_all, free_of};
+use crate::imagined::{fit_all, fit_with, free_of, text};
 
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
@@ -257,18 +257,8 @@ fn a_loop_in_time_asks_for_a_relaxation() {
     data.relaxing = None;
     let free = [FilmModulus, ContactPoint].map(Free::new);
     let found = |data: &Experiment| {
-        let found = fit(
-            Table::embedded(),
-            std::slice::from_ref(data),
-            &free,
-            &Options {
-                allow_left_out: true,
-                ..Options::default()
-            },
-        );
-        let warnings = found.expect("a fit").warnings.into_iter();
-        let texts = warnings.filter(|one| one.kind == WarningKind::Hysteresis);
-        texts.map(|one| one.text).collect::<String>()
+        let found = fit_with(data, &free, |options| options.allow_left_out = true);
+        text(&found.expect("a fit"), WarningKind::Hysteresis)
     };
     assert_names(&found(&data), &["times", "relaxation function"]);
     data.times.clear();

@@ -6,16 +6,16 @@ mod refused;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use acceptance::{Contacts, larger, rigid_probe, solid, solved_contact};
+use acceptance::{Contacts, assert_names, larger, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Layered,
-    NamedLayer, Options, Parameter, Point, PointErrors, Reach, WarningKind, simulate_experiment,
+    NamedLayer, Parameter, Point, PointErrors, Reach, WarningKind, simulate_experiment,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use solve::stack::Layer;
 
-use crate::imagined::{fit_all, free_of, measurement};
+use crate::imagined::{fit_all, free_of, measurement, text};
 use crate::recovery::{SETS, assert_recovers};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
@@ -317,13 +317,7 @@ fn a_stack_of_one_layer_is_a_film() {
         let mut stack = made.clone();
         stack.bodies = Bodies::Layered(one());
         let fitted = |experiment: &Experiment, parameter| {
-            let free = [Free::new(parameter)];
-            let found = fit::fit(
-                table,
-                std::slice::from_ref(experiment),
-                &free,
-                &Options::default(),
-            );
+            let found = fitted(experiment.clone(), [parameter]);
             found.expect("sound data").estimates.remove(0)
         };
         let film = fitted(&made, Parameter::FilmModulus);
@@ -387,20 +381,8 @@ fn doubts_of_metals_are_named() {
     let mut metal = at_depths(Bodies::Coated(system), &contact, &known, 8e8);
     metal.noise = Some(0.01);
     let found = fitted(metal.clone(), [Parameter::FilmModulus]).expect("sound data");
-    let text = |kind| {
-        let warning = found.warnings.iter().find(|one| one.kind == kind);
-        &warning.expect("warned").text
-    };
-    let definition = text(WarningKind::ContactDepth);
-    for word in [
-        "oliver-pharr",
-        "loubet",
-        "plastic",
-        "pile up",
-        "film-modulus",
-    ] {
-        assert!(definition.contains(word), "{definition}");
-    }
+    let words = "oliver-pharr; loubet; plastic; pile up; film-modulus";
+    assert_names(&text(&found, WarningKind::ContactDepth), words);
     assert!(!found.warns_of(WarningKind::DeepContact));
     // Twice as deep as the film's half.
     let bodies = metal.bodies.clone();
