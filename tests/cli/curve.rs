@@ -214,22 +214,13 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
         let load = value(&text, "load");
         assert!((load / jkr.load - 1.0).abs() < 1e-5, "{load}");
     }
-    for (arguments, words) in [
-        (
-            "pull-off --interaction-range 0",
-            &["interaction range", "0.0"][..],
-        ),
-        (
-            "pull-off --interaction-range 1",
-            &["interaction range", "1.0"],
-        ),
-        (
-            "curve --interaction-range nan",
-            &["interaction range", "NaN"],
-        ),
-    ] {
-        assert_names(&workdir.fail(1, arguments), words);
-    }
+    workdir.refuses(
+        "
+        1 | pull-off --interaction-range 0 | interaction range; 0.0
+        1 | pull-off --interaction-range 1 | interaction range; 1.0
+        1 | curve --interaction-range nan | interaction range; NaN
+        ",
+    );
     workdir.fail(2, "pull-off --control spring");
     workdir.fail(2, "pull-off embedded --interaction-range 1e-9");
 }
@@ -258,20 +249,16 @@ fn the_shape_of_the_probe_is_chosen() {
             assert!((row.get("penetration") / penetration - 1.0).abs() < 3e-7);
         }
     }
-    let refused = |flags: &str, words: &[&str]| {
-        let message = dir.fail(1, format!("{homogeneous} {flags}"));
-        assert_names(&message, words);
-    };
-    refused("--probe=cone", &["--half-angle"]);
-    refused("--half-angle=70", &["--half-angle", "paraboloid"]);
-    refused("--probe=cone --half-angle=90", &["90", "degrees"]);
-    refused("--probe=power-law --exponent=3", &["--coefficient"]);
-    let path = dir.write("tip.csv", "r [um],z [nm]\n0,0\n1,100\n2,150\n");
-    let path = path.display().to_string();
-    refused(
-        &format!("--probe=profile --profile {path}"),
-        &["line 4", "convex"],
-    );
+    dir.write("tip.csv", "r [um],z [nm]\n0,0\n1,100\n2,150\n");
+    dir.refuses(format!(
+        "
+        1 | {homogeneous} --probe=cone | --half-angle
+        1 | {homogeneous} --half-angle=70 | --half-angle; paraboloid
+        1 | {homogeneous} --probe=cone --half-angle=90 | 90; degrees
+        1 | {homogeneous} --probe=power-law --exponent=3 | --coefficient
+        1 | {homogeneous} --probe=profile --profile tip.csv | line 4; convex
+        "
+    ));
 }
 
 /// Without a range the contacts of a small sphere end where the model does.

@@ -97,31 +97,20 @@ fn the_object_has_the_keys_of_its_help() {
     let object = fit(&workdir, &LENS, "lens.csv");
     let keys = |object: &Value| {
         let keys = object.as_object().expect("an object").keys();
-        keys.cloned().collect::<Vec<_>>()
+        keys.cloned().collect::<Vec<_>>().join(" ")
     };
-    let mut sorted = [
-        "converged",
-        "parameters",
-        "correlation",
-        "reduced_chi_squared",
-        "noise",
-        "a_over_t",
-        "left_out",
-        "abscissa_noise",
-        "without_film",
-        "fixed_values",
-        "warnings",
-        "read",
-    ];
-    sorted.sort_unstable();
-    assert_eq!(keys(&object), sorted);
+    assert_eq!(
+        keys(&object),
+        "a_over_t abscissa_noise converged correlation fixed_values left_out noise parameters read \
+         reduced_chi_squared warnings without_film"
+    );
     assert_eq!(
         keys(&object["parameters"]),
-        ["load_offset", "sphere_modulus", "work_of_adhesion"]
+        "load_offset sphere_modulus work_of_adhesion"
     );
     assert_eq!(
         keys(&object["parameters"]["load_offset"]),
-        ["stderr", "unit", "value"]
+        "stderr unit value"
     );
     assert_eq!(object["parameters"]["work_of_adhesion"]["unit"], "J/m^2");
     assert_eq!(object["noise"], 2e-6);
@@ -208,21 +197,9 @@ fn csv_and_pictures_are_written() {
     assert!(workdir.read("gel.svg").starts_with(b"<svg"));
     assert!(workdir.read("gel.png").starts_with(b"\x89PNG"));
     let mut reader = csv::Reader::from_path(workdir.path("points.csv")).expect("CSV");
-    assert_eq!(
-        reader.headers().expect("a header"),
-        &csv::StringRecord::from(vec![
-            "file",
-            "line",
-            "segment",
-            "height",
-            "load",
-            "fit",
-            "residual",
-            "branch",
-            "outlier",
-            "without_film",
-        ])
-    );
+    let header: Vec<&str> = reader.headers().expect("a header").iter().collect();
+    let expected = "file,line,segment,height,load,fit,residual,branch,outlier,without_film";
+    assert_eq!(header.join(","), expected);
     let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
     assert_eq!(rows.len(), 600);
     let count = |column: usize, word: &str| rows.iter().filter(|row| &row[column] == word).count();
