@@ -8,31 +8,7 @@ use std::process::Command;
 use fit::data::{Cantilever, Format, Reading, read};
 use fit::{Direction, Kind};
 
-/// What is given, and what becomes of a file.
-struct Row {
-    /// The file, as its end; a name that ends in a slash is that of an archive, all of whose texts
-    /// are meant.
-    file: &'static str,
-    kind: Option<Kind>,
-    columns: &'static [&'static str],
-    cantilever: Cantilever,
-    outcome: Outcome,
-}
-
-enum Outcome {
-    /// It has as many points of approach, of retract and without a direction, as a count of its lines
-    /// gives, and its head names this stiffness (N/m).
-    Read([usize; 3], Option<f64>),
-    /// The message names all the words.
-    Refused(&'static [&'static str]),
-}
-
-use Outcome::{Read, Refused};
-
-const NONE: Cantilever = Cantilever {
-    stiffness: None,
-    sensitivity: None,
-};
+use crate::rows;
 
 /// Invented, for the files that tell nothing of the cantilever.
 const GIVEN: Cantilever = Cantilever {
@@ -40,95 +16,33 @@ const GIVEN: Cantilever = Cantilever {
     sensitivity: Some(5e-8),
 };
 
-const FORCE_HEIGHT: Option<Kind> = Some(Kind::ForceHeight);
-
-const fn row(file: &'static str, cantilever: Cantilever, outcome: Outcome) -> Row {
-    Row {
-        file,
-        kind: None,
-        columns: &[],
-        cantilever,
-        outcome,
-    }
-}
-
-const NO_CANTILEVER: Outcome =
-    Refused(&["T-B(V)", "stiffness", "sensitivity", "does not name both"]);
-const NT_MDT: &str = "Curve_DFL_Height_51.txt";
-const CHIARO: &str = "AEBP1_Indentation_002.txt";
-
-/// Two rows for a file show what is missing, and that it is read with it.
-const ROWS: [Row; 15] = [
-    // AFM Workshop: heights in nm that grow towards the sample, and forces or volts.
-    row(
-        "fd_single_2020-02-14_13.41.25.csv",
-        NONE,
-        Read([1015, 1015, 0], None),
-    ),
-    row(
-        "fd_single_2021-10-22_14.16.csv",
-        NONE,
-        Read([1217, 1217, 0], None),
-    ),
-    row("fd_single_2018-08-01_13.06.09.csv", NONE, NO_CANTILEVER),
-    row(
-        "fd_single_2018-08-01_13.06.09.csv",
-        GIVEN,
-        Read([570, 570, 0], None),
-    ),
-    row(
-        "fd_single_2021-01-15.csv",
-        NONE,
-        Refused(&["T-B(V)", "line 10 has 1", "not calibrated"]),
-    ),
-    row(
-        "fd_single_2021-01-15.csv",
-        GIVEN,
-        Read([3369, 3369, 0], None),
-    ),
-    row("fd_mapping_16_2018-08-01_13.07.zip/", NONE, NO_CANTILEVER),
-    row(
-        "fd_mapping_16_2018-08-01_13.07.zip/",
-        GIVEN,
-        Read([391, 391, 0], None),
-    ),
-    // Optics11 writes penetrations and heights; one line ends in LF CR.
-    row(
-        CHIARO,
-        NONE,
-        Refused(&["more than one kind", "load-penetration, force-height"]),
-    ),
-    Row {
-        kind: FORCE_HEIGHT,
-        ..row(CHIARO, NONE, Read([12664, 1163, 0], Some(0.019)))
-    },
-    Row {
-        kind: Some(Kind::LoadPenetration),
-        ..row(CHIARO, NONE, Read([0, 0, 13827], None))
-    },
-    // NT-MDT: three columns, no heading, no head.
-    row(
-        NT_MDT,
-        GIVEN,
-        Refused(&["line 1", "no line of 3 headings", "by their numbers"]),
-    ),
-    Row {
-        columns: &[
-            "height=1 [nm]",
-            "deflection=2 extend [V]",
-            "deflection=3 retract [V]",
-        ],
-        ..row(NT_MDT, GIVEN, Read([1000, 1000, 0], None))
-    },
-    // afmformats itself: the first row stands on the line of headings.
-    row(
-        "fmt-tab-fd_version_0.13.3.tab",
-        NONE,
-        Read([3147, 882, 0], Some(0.02230065831827453)),
-    ),
-    // The texts in archives of JPK are properties, not columns.
-    row(".properties", NONE, Refused(&["no line holds two numbers"])),
-];
+/// The file, as its end; a name that ends in a slash is that of an archive, all of whose texts are
+/// meant. Then the cantilever, `given` or not; the kind or the columns that are asked for; and what
+/// becomes of it: the points of approach, of retract and without a direction, as a count of its lines
+/// gives, with the stiffness (N/m) that its head names, or the words of the message.
+///
+/// Two rows for a file show what is missing, and that it is read with it. Heights of AFM Workshop are
+/// in nm and grow towards the sample, with forces or volts. Optics11 writes penetrations and heights;
+/// one line ends in LF CR. NT-MDT has three columns, no heading, no head. The table of afmformats
+/// itself has its first row on the line of headings. The texts in archives of JPK are properties, not
+/// columns.
+const ROWS: &str = "
+    fd_single_2020-02-14_13.41.25.csv |  |  | read | 1015 1015 0
+    fd_single_2021-10-22_14.16.csv |  |  | read | 1217 1217 0
+    fd_single_2018-08-01_13.06.09.csv |  |  | refused | T-B(V); stiffness; sensitivity; does not name both
+    fd_single_2018-08-01_13.06.09.csv | given |  | read | 570 570 0
+    fd_single_2021-01-15.csv |  |  | refused | T-B(V); line 10 has 1; not calibrated
+    fd_single_2021-01-15.csv | given |  | read | 3369 3369 0
+    fd_mapping_16_2018-08-01_13.07.zip/ |  |  | refused | T-B(V); stiffness; sensitivity; does not name both
+    fd_mapping_16_2018-08-01_13.07.zip/ | given |  | read | 391 391 0
+    AEBP1_Indentation_002.txt |  |  | refused | more than one kind; load-penetration, force-height
+    AEBP1_Indentation_002.txt |  | force-height | read | 12664 1163 0 0.019
+    AEBP1_Indentation_002.txt |  | load-penetration | read | 0 0 13827
+    Curve_DFL_Height_51.txt | given |  | refused | line 1; no line of 3 headings; by their numbers
+    Curve_DFL_Height_51.txt | given | height=1 [nm]; deflection=2 extend [V]; deflection=3 retract [V] | read | 1000 1000 0
+    fmt-tab-fd_version_0.13.3.tab |  |  | read | 3147 882 0 0.02230065831827453
+    .properties |  |  | refused | no line holds two numbers
+";
 
 /// Returns the files of text, those in archives, too, by their names. The channels of JPK (`.dat`) are
 /// binary numbers, some without a zero byte.
@@ -172,17 +86,18 @@ fn all_texts_of_afmformats_are_read_or_refused_with_the_reason() {
     };
     let texts = texts(&Path::new(&source).join("tests/data"));
     let mut met = vec![false; texts.len()];
-    for row in &ROWS {
+    for row in rows::<5>(ROWS) {
+        let file = &*row[0];
         let mut count = 0;
         for (i, (name, path)) in texts.iter().enumerate() {
-            let of_archive = row.file.ends_with('/') && name.contains(row.file);
-            if !of_archive && !name.ends_with(row.file) {
+            let of_archive = file.ends_with('/') && name.contains(file);
+            if !of_archive && !name.ends_with(file) {
                 continue;
             }
             (met[i], count) = (true, count + 1);
-            check(row, name, path);
+            check(&row, name, path);
         }
-        assert!(count > 0, "there is no {}", row.file);
+        assert!(count > 0, "there is no {file}");
     }
     let left: Vec<&String> = texts
         .keys()
@@ -192,20 +107,27 @@ fn all_texts_of_afmformats_are_read_or_refused_with_the_reason() {
     assert!(left.is_empty(), "not in the table: {left:?}");
 }
 
-fn check(row: &Row, name: &str, path: &Path) {
-    let format = Format {
-        kind: row.kind,
-        columns: row
-            .columns
-            .iter()
-            .map(|text| text.parse().expect("a column"))
-            .collect(),
-        cantilever: row.cantilever,
-        ..Format::default()
-    };
-    match (&row.outcome, read(path, &format)) {
+fn check([_, cantilever, asked, outcome, what]: &[String; 5], name: &str, path: &Path) {
+    let mut format = Format::default();
+    match &**cantilever {
+        "" => (),
+        "given" => format.cantilever = GIVEN,
+        other => panic!("{other}"),
+    }
+    match &**asked {
+        "" => (),
+        "force-height" => format.kind = Some(Kind::ForceHeight),
+        "load-penetration" => format.kind = Some(Kind::LoadPenetration),
+        columns => {
+            let columns = columns
+                .split("; ")
+                .map(|text| text.parse().expect("a column"));
+            format.columns = columns.collect();
+        }
+    }
+    match (&**outcome, read(path, &format)) {
         (
-            Read(counts, stiffness),
+            "read",
             Ok(Reading {
                 measurement, notes, ..
             }),
@@ -215,17 +137,24 @@ fn check(row: &Row, name: &str, path: &Path) {
                 points.filter(|point| point.direction == direction).count()
             };
             let [approach, retract] = Direction::ALL.map(Some);
-            let found = [approach, retract, None].map(count);
-            let named = notes.from_head().first().map(|value| value.named.value);
-            assert_eq!((found, named), (*counts, *stiffness), "{name}");
-            if measurement.kind == Kind::ForceHeight && row.columns.is_empty() {
+            let mut found = [approach, retract, None]
+                .map(count)
+                .map(|count| count as f64)
+                .to_vec();
+            found.extend(notes.from_head().first().map(|value| value.named.value));
+            let numbers = what
+                .split(' ')
+                .map(|number| number.parse().expect("a number"));
+            let expected: Vec<f64> = numbers.collect();
+            assert_eq!(found, expected, "{name}");
+            if measurement.kind == Kind::ForceHeight && format.columns.is_empty() {
                 assert_eq!(notes.doubt, None, "{name}");
             }
         }
-        (Refused(words), Err(error)) => {
+        ("refused", Err(error)) => {
             let message = error.to_string();
             assert_eq!(message.lines().count(), 1, "{message}");
-            for word in *words {
+            for word in what.split("; ") {
                 assert!(message.contains(word), "{word:?} is not in: {message}");
             }
         }
