@@ -120,3 +120,32 @@ impl Workdir {
         assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[should_panic(expected = "not 3 cells")]
+    fn a_line_of_other_cells_is_no_row() {
+        rows::<3>("1 | solve | Usage\n2 | solve");
+    }
+
+    #[test]
+    #[should_panic(expected = "a table without rows")]
+    fn a_table_has_rows() {
+        rows::<3>("\n    \n");
+    }
+
+    #[test]
+    #[should_panic(expected = "[\"b\", \"second\"]: [\"second\"] not in: a first")]
+    fn a_case_that_is_not_refused_as_it_says_is_named() {
+        assert_cases("a | a; first\nb | second", |[_, _]| "a first".to_owned());
+    }
+
+    #[test]
+    #[should_panic(expected = "not refused: [\"0.5\"]")]
+    fn a_result_is_not_refused() {
+        "1".parse::<f64>().refused("0.5");
+    }
+}
