@@ -184,12 +184,20 @@ impl Contact {
         relative(w > 0.0)?;
         let fit = self.jkr_fit(w, radii, points)?;
         let bare = self.mechanics().sphere_substrate_modulus();
+        let modulus = fit.modulus / bare - 1.0;
+        let allowed = "so large that the ratio of moduli is finite";
+        interp::Error::argument(
+            modulus.is_finite(),
+            "modulus of sphere and substrate",
+            bare,
+            allowed,
+        )?;
         let work_of_adhesion = fit.work_of_adhesion() / w - 1.0;
         let work_of_adhesion_at_known_modulus = fit.work_of_adhesion_with(bare) / w - 1.0;
         relative(work_of_adhesion.is_finite() && work_of_adhesion_at_known_modulus.is_finite())?;
         Ok(FilmBias {
             fit,
-            modulus: fit.modulus / bare - 1.0,
+            modulus,
             work_of_adhesion,
             work_of_adhesion_at_known_modulus,
         })
