@@ -112,10 +112,10 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     };
     let by_flag = run("data.csv --radius-noise 3e-7");
     let by_column = run("column.csv");
-    assert_names(&by_flag, &["of the abscissa 3.00e-7"]);
+    assert_names(&by_flag, &["of the abscissa 300 nm"]);
     assert_names(
         &by_column,
-        "of the abscissa 3.00e-7; contact_radius_error from \"radius_error [um]\"",
+        "of the abscissa 300 nm; contact_radius_error from \"radius_error [um]\"",
     );
     let found = |text: &str| text.split("\nfound\n").nth(1).expect("found").to_owned();
     assert_eq!(found(&by_flag), found(&by_column));

@@ -167,8 +167,18 @@ fn what_is_not_solved_is_refused_with_the_reason() {
         "
         2 | solve --a-over-t 1 --friction some | some; none; stick
         1 | solve --a-over-t 1 --nu2 0.6 {CONFINED} --friction stick | nu2; 0.6
+        1 | curve --specimen paper --film-thickness 1um --friction stick --to 31um | 3.1e-5 m; 3.000e-5 m; smaller --to
+        1 | pull-off --specimen paper --film-thickness 0.3um --friction stick | 9.000e-6 m; without --friction stick
         "
     ));
+    // Without --to a curve ends where contacts that stick are solved.
+    let curve =
+        workdir.succeed("curve --specimen paper --film-thickness 1um --friction stick --points 2");
+    let last = curve.lines().last().expect("a row");
+    assert!(
+        last.starts_with("2.9999999999999997e-5,") || last.starts_with("3e-5,"),
+        "{last}"
+    );
 }
 
 /// A thin gel, simulated with stick, is read with both ends of friction: the modulus is found with

@@ -228,14 +228,14 @@ fn undetermined(
             "the range of the data"
         };
         let size = if error < 100.0 {
-            format!("{:.0} %", 1e2 * error)
+            format!("{:.0} % of", 1e2 * error)
         } else {
             "more than 100 times".into()
         };
         warnings.add(
             WarningKind::Undetermined,
             format!(
-                "{parameter} is not determined by these data: its standard error is {size} of \
+                "{parameter} is not determined by these data: its standard error is {size} \
                  {of}, above {:.0} %; fix it or give a prior",
                 1e2 * UNDETERMINED
             ),
@@ -449,6 +449,9 @@ fn geometry(
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;
         };
+        if no_adhesion::is_none(experiment, w) {
+            continue;
+        }
         let Ok(range) = contact.zone_size(w, options.interaction_range) else {
             continue;
         };

@@ -24,8 +24,8 @@ use crate::data::{Commas, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::statistics::student_deviations;
 use crate::{
-    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, NamedLayer,
-    Parameter,
+    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Kind, Measurement, ModulusBias,
+    NamedLayer, Parameter,
 };
 
 /// The width of the names of parameters.
@@ -395,7 +395,7 @@ fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
 fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
     let noises = fit.experiments.iter().zip(experiments);
     let noises = noises.map(|(experiment, of)| {
-        let is_relative = of.measurement.kind.is_stiffness();
+        let kind = of.measurement.kind;
         let ordinate = if experiment.noise_is_estimated {
             ", from the residuals"
         } else {
@@ -403,30 +403,32 @@ fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         };
         let abscissa = match experiment.abscissa_noise {
             0.0 => String::new(),
-            noise => format!(", of the abscissa {noise:.2e}"),
+            noise if kind == Kind::StiffnessLoad => {
+                format!(", of the abscissa {}", amount(noise, "N"))
+            }
+            noise => format!(", of the abscissa {}", amount(noise, "m")),
         };
-        let noise = if is_relative {
-            format!("{:.2} %", 1e2 * experiment.noise)
-        } else {
-            format!("{:.2e}", experiment.noise)
+        let noise = match kind {
+            kind if kind.is_stiffness() => format!("{:.2} %", 1e2 * experiment.noise),
+            Kind::PenetrationRadius => amount(experiment.noise, "m"),
+            _ => amount(experiment.noise, "N"),
         };
         format!("{noise}{ordinate}{abscissa}")
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
     let freedom = degrees_of_freedom(fit.degrees_of_freedom);
-    let is_stiffness = |one: &Experiment| one.measurement.kind.is_stiffness();
-    let what = if experiments.iter().all(is_stiffness) {
-        "noise"
-    } else {
-        "noise (SI)"
-    };
     match fit.reduced_chi_squared {
-        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; {what} {noise}"),
-        None => format!(
-            "{what} {noise}; {freedom}{}",
-            if_few(fit.degrees_of_freedom)
-        ),
+        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
+        None => format!("noise {noise}; {freedom}{}", if_few(fit.degrees_of_freedom)),
     }
+}
+
+/// Returns a number with three digits and its unit.
+fn amount(value: f64, unit: &str) -> String {
+    let (unit, size) = scaled(unit, value);
+    let number = value / size;
+    let decimals = decimals(number, 0.1 * number);
+    format!("{number:.decimals$} {unit}")
 }
 
 fn degrees_of_freedom(number: usize) -> String {

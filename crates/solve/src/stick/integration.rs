@@ -119,7 +119,8 @@ mod tests {
     /// Powers with whole and broken exponents, times a smooth function.
     #[test]
     fn integrals_keep_their_relative_accuracy() {
-        let points = Points::new(24, 2.0);
+        // At 2 one of the integrals is 0.
+        let points = Points::new(24, 1.9);
         let values: Vec<f64> = points
             .at
             .iter()

@@ -67,7 +67,8 @@ pub struct Arguments {
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
-    /// small beside R: above 0.3 R there is a warning [default: 1.5e-4, or 0.3 R if that is less]
+    /// small beside R: above 0.3 R there is a warning [default: 1.5e-4, or if it is less 0.3 R, or with --friction stick
+    /// 30 times the thickness of the film or top layer]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Number of contact radii, equally spaced
@@ -88,7 +89,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let output = Output::of_text(arguments.output.as_deref(), [table, stack, profile])?;
     let bodies = given.read_checked()?;
     let system = &bodies.system;
-    let [from, to] = arguments.radii(system);
+    let [from, to] = arguments.radii(&bodies);
     ensure!(
         to > 0.0 && to < f64::INFINITY,
         "--to {to:?} m: the largest contact radius is above 0 and finite"
@@ -159,14 +160,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 impl Arguments {
     /// Returns the smallest and the largest contact radius (m): those asked for, or those of the
-    /// paper's lens, reduced for a smaller sphere.
-    fn radii(&self, system: &System) -> [f64; 2] {
+    /// paper's lens, reduced for a smaller sphere and to those that are solved with stick.
+    fn radii(&self, bodies: &Bodies) -> [f64; 2] {
         const USUAL: [f64; 2] = [1e-6, 1.5e-4];
-        let most = match system.probe {
+        let most = match bodies.system.probe {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => {
                 Validity::WARNING_A_OVER_R * radius
             }
             _ => f64::INFINITY,
+        };
+        let most = if self.history.is_stuck() {
+            most.min(friction::reach(bodies))
+        } else {
+            most
         };
         let to = self.to.unwrap_or(USUAL[1].min(most));
         let scale = if self.to.is_none() || to <= USUAL[0] {

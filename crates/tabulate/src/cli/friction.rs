@@ -153,10 +153,15 @@ pub fn within<T>(
 }
 
 impl HistoryArguments {
+    /// Tells whether the contact sticks.
+    pub fn is_stuck(&self) -> bool {
+        self.friction == Friction::Stick
+    }
+
     /// Refuses a second work of adhesion without stick, and returns the Poisson ratio of the sphere
     /// where the contact sticks.
     pub fn sticks(&self) -> anyhow::Result<Option<f64>> {
-        let sticks = self.friction == Friction::Stick;
+        let sticks = self.is_stuck();
         anyhow::ensure!(
             sticks || self.work_of_adhesion_receding.is_none(),
             "--work-of-adhesion-receding goes with --friction stick here; without friction give \
@@ -169,7 +174,7 @@ impl HistoryArguments {
     /// Refuses a Poisson ratio of the sphere without friction, which nothing but a fit would use.
     pub fn needs_poisson_ratio(&self) -> anyhow::Result<()> {
         anyhow::ensure!(
-            self.friction == Friction::Stick || self.sphere_poisson_ratio.is_none(),
+            self.is_stuck() || self.sphere_poisson_ratio.is_none(),
             "--sphere-poisson-ratio has no effect without friction: the sphere is given by its reduced \
              modulus E2* = E2/(1 - nu2^2), --sphere-modulus; add --friction stick, or leave it out"
         );
@@ -208,16 +213,13 @@ impl HistoryArguments {
         const TOLERANCE: f64 = 1e-8;
         let system = &bodies.system;
         let (receding, ratio) = self.works(bodies.work_of_adhesion)?;
-        // The reach itself may be a rounding beyond it in units of the thickness.
-        let most = reach(bodies) / system.film_thickness;
+        let reach = reach(bodies);
+        anyhow::ensure!(
+            to <= reach * (1.0 + f64::EPSILON),
+            "contact radius = {to:?} m: with --friction stick contacts are solved up to {MOST_OF_TIP} times the thickness of \
+             the film or top layer, {reach:.3e} m; give a smaller --to"
+        );
         let range = [from, to].map(|a| a / system.film_thickness);
-        let range = range.map(|x| {
-            if x < most * (1.0 + 1e-12) {
-                x.min(most)
-            } else {
-                x
-            }
-        });
         let sticking = sticking(bodies, nu2)?;
         let curves = within(tolerance, tolerance.unwrap_or(TOLERANCE), |tolerance| {
             StickCurves::new(&sticking, range, tolerance)
