@@ -36,7 +36,8 @@ pub struct RelaxationArguments {
 #[expect(clippy::enum_variant_names, reason = "these are the names of the laws")]
 pub enum Law {
     /// relaxed-fraction + sum weight exp(-t/time): the generalised Maxwell solid; with one time the
-    /// standard linear solid
+    /// standard linear solid, sls
+    #[value(alias = "sls")]
     Prony,
     /// (t/reference-time)^-exponent
     PowerLaw,
