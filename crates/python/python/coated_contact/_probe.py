@@ -70,8 +70,9 @@ class Paraboloid(Probe):
 @final
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Sphere(Probe):
-    """The sphere itself, ``f = R - sqrt(R^2 - r^2)``. On a film contacts up to 0.55 R are computed,
-    those above 0.3 R to 3e-7.
+    """The sphere itself, ``f = R - sqrt(R^2 - r^2)``.
+
+    On a film contacts up to 0.55 R are computed, those above 0.3 R to 3e-7.
 
     Parameters
     ----------
