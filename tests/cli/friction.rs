@@ -167,7 +167,7 @@ fn what_is_not_solved_is_refused_with_the_reason() {
         "
         2 | solve --a-over-t 1 --friction some | some; none; stick
         1 | solve --a-over-t 1 --nu2 0.6 {CONFINED} --friction stick | nu2; 0.6
-        1 | curve --specimen paper --film-thickness 1um --friction stick --to 31um | 3.1e-5 m; 3.000e-5 m; smaller --to
+        1 | curve --specimen paper --film-thickness 1um --friction stick --to 31um | 3.1e-5 m; 30 times; --to 2.9999999999999997e-5 or less
         1 | pull-off --specimen paper --film-thickness 0.3um --friction stick | 9.000e-6 m; without --friction stick
         "
     ));

@@ -233,7 +233,7 @@ fn contacts_outside_the_model_are_warned_of() {
         WarningKind::LongRange,
         "Tabor's parameter; below 5; does not hold; zone",
     );
-    // On a softer film the zone of attraction is short, and its effect a few per cent.
+    // On a softer film the cohesive zone is short, and its effect a few per cent.
     let mut softer = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     softer.truth = hard.truth;
     softer.truth.bodies = Bodies::Coated(rigid_probe(

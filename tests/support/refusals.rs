@@ -43,6 +43,7 @@ impl<T: AsRef<str>> Words for Vec<T> {
 /// Returns the words that `message` lacks.
 fn missing<'a>(message: &str, words: &'a (impl Words + ?Sized)) -> Vec<&'a str> {
     let words = words.list();
+    assert!(!words.is_empty(), "no words");
     assert!(words.iter().all(|word| !word.is_empty()), "an empty word");
     let lacks = |word: &&str| !message.contains(word);
     words.into_iter().filter(lacks).collect()

@@ -14,7 +14,7 @@ use super::cohesive::{Bodies, THICKNESS};
 const MODULUS: f64 = 1e6;
 const WORK: f64 = 0.05;
 
-/// The stress (Pa) whose zone of attraction has the length `zone`, m.
+/// The stress (Pa) whose cohesive zone has the length `zone`, m.
 fn stress(modulus: f64, w: f64, zone: f64) -> f64 {
     (0.25 * PI * modulus * w / zone).sqrt()
 }

@@ -90,7 +90,7 @@ typedef struct CcSystem {
    */
   double half_angle;
   /*
-   Reduced modulus E2* of the probe, Pa; infinity is rigid.
+   Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is rigid.
    */
   double probe_modulus;
   /*

@@ -32,7 +32,7 @@ pub struct CcSystem {
     pub probe_radius: f64,
     /// Half angle of a cone, rad, between 0 and pi/2; not read for other shapes.
     pub half_angle: f64,
-    /// Reduced modulus E2* of the probe, Pa; infinity is rigid.
+    /// Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is rigid.
     pub probe_modulus: f64,
     /// Young's modulus of the film, Pa.
     pub film_modulus: f64,

@@ -17,7 +17,8 @@ pub(crate) enum Bodies {
 }
 
 impl Bodies {
-    /// Returns whether these are the `own` bodies with a rigid probe and a rigid base.
+    /// Returns whether these are the `own` bodies with a rigid probe and a rigid base. Of the layers of
+    /// a stack, which relax all by one law, only the top one is known here: they are none.
     pub(crate) fn are_rigid_beside(&self, own: &Self) -> bool {
         match (self, own) {
             (Self::HalfSpace(rigid), Self::HalfSpace(own)) => {
@@ -27,13 +28,21 @@ impl Bodies {
                         ..own.clone()
                     }
             }
-            (Self::Coated { system: rigid, .. }, Self::Coated { system: own, .. }) => {
+            (
+                Self::Coated {
+                    system: rigid,
+                    curve,
+                    ..
+                },
+                Self::Coated { system: own, .. },
+            ) => {
                 let same_film = System {
                     sphere_modulus: f64::INFINITY,
                     substrate: rigid.substrate,
                     ..own.clone()
                 };
-                rigid.substrate.young() == f64::INFINITY && *rigid == same_film
+                let is_stack = curve.stack().is_some();
+                !is_stack && rigid.substrate.young() == f64::INFINITY && *rigid == same_film
             }
             _ => false,
         }

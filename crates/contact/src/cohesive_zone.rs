@@ -150,7 +150,7 @@ impl Contact {
         Err(interp::Error::OtherProbe {
             question: "an attraction of finite range",
             probe: self.mechanics().probe(),
-            reason: "the zone of attraction must lie where the shape is smooth, and this one has \
+            reason: "the cohesive zone must lie where the shape is smooth, and this one has \
                      an edge or a bend; use a paraboloid, a sphere, a cone or a power law",
         }
         .into())

@@ -47,7 +47,7 @@ pub enum Error {
     },
     /// A cohesive zone that is not short.
     #[error(
-        "the zone of attraction is {zone:?} m long, more than {most} times the {what}, {length:?} m, and \
+        "the cohesive zone is {zone:?} m long, more than {most} times the {what}, {length:?} m, and \
          the correction for a short zone does not hold: give a larger stress of the attraction, or solve \
          a zone of any length by a direct solve"
     )]

@@ -279,7 +279,7 @@ impl Contact {
         })
     }
 
-    /// Returns Tabor's parameter and the length of the zone of attraction.
+    /// Returns Tabor's parameter and the length of the cohesive zone.
     fn zone_size<'py>(
         &self,
         py: Python<'py>,

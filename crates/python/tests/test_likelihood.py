@@ -1,4 +1,4 @@
-"""The likelihood: its value and gradient, what samplers make of it, and its adapters."""
+"""The likelihood: its value and gradient, and its adapters."""
 
 import pickle
 import subprocess

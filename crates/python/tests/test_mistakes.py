@@ -13,8 +13,10 @@ from coated_contact import (
     Free,
     Indentation,
     InputError,
+    Layer,
     Relaxation,
     SolvedCurve,
+    Stack,
     Table,
     design,
     fit,
@@ -100,6 +102,17 @@ def test_the_rigid_bodies_of_a_history_are_its_own():
     ]:
         refuses(InputError, "same film, thickness and probe", lambda other=other: history(other))
     refuses(TypeError, "rigid must be the Contact", lambda: history(True))
+    refuses(TypeError, "rigid must be the Contact", lambda: history(gel))
+
+
+def test_a_stack_relaxes_all_by_one_law():
+    layers = [Layer(material=make_system().film, thickness=1e-5)] * 2
+    stack = Stack(base=Elastic(young_modulus=inf, poisson_ratio=0.3), layers=layers)
+    contact = stack.contact(sphere_radius=1e-5, sphere_modulus=inf, a_over_t=(1e-3, 1))
+    law, program = Relaxation.power_law(0.2), {"penetration": [0, 1e-7, 0]}
+    assert contact.history([0, 1, 2], law, **program).unlike_bodies == 0.0
+    together = "relax all by one law"
+    refuses(InputError, together, lambda: contact.history([0, 1, 2], law, **program, rigid=contact))
 
 
 def test_results_keep_no_array_of_the_caller():

@@ -168,7 +168,7 @@ pub enum HistoryError {
     /// Rigid bodies beside others than those of the history.
     #[error(
         "the contact between rigid bodies is not that of this history: it must have the same film, thickness and probe, with a \
-         rigid sphere and a rigid base"
+         rigid sphere and a rigid base; the layers of a stack relax all by one law, and so must the other bodies"
     )]
     OtherBodies,
     /// An error of the elastic contact.

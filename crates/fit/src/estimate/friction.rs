@@ -61,17 +61,23 @@ pub(super) fn add(
     warnings.add(
         WarningKind::Friction,
         format!(
-            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {:.1} %, \
-             which bounds its effect on the load and is more than the standard error of {} says: it is between \
-             {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction); fit with both, or use contacts that are less wide \
-             beside the film",
-            1e2 * (ratio - 1.0),
-            modulus.parameter,
+            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %. This \
+             is an upper bound of its effect on the load, and changes {parameter} by more than its standard error: \
+             {parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction); fit with both, or use \
+             contacts that are less wide beside the film",
+            digits(1e2 * (ratio - 1.0)),
+            parameter = modulus.parameter,
         ),
     );
 }
 
-/// Returns the load with full friction over that without, of a flat punch of radius `a` (m); `None`
+/// Returns a number with two digits, or one decimal.
+fn digits(value: f64) -> String {
+    let decimals = (1.0 - value.abs().log10().floor()).clamp(1.0, 12.0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// Returns the stiffness with full friction over that without, of a flat punch of radius `a` (m); `None`
 /// where it is not solved, or there is no film.
 fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
     let (stack, sphere_modulus) = match bodies {

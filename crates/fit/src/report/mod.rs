@@ -427,6 +427,9 @@ fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
 fn amount(value: f64, unit: &str) -> String {
     let (unit, size) = scaled(unit, value);
     let number = value / size;
+    if number < 1e-3 {
+        return format!("{value:.2e} {unit}");
+    }
     let decimals = decimals(number, 0.1 * number);
     format!("{number:.decimals$} {unit}")
 }

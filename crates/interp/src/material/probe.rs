@@ -26,8 +26,8 @@ pub enum Probe {
         /// The radius of curvature `R`, m.
         radius: f64,
     },
-    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`. On a film contacts up to 0.55 R are computed, those
-    /// above 0.3 R to 3e-7.
+    /// The sphere itself, `f = R - sqrt(R^2 - r^2)`. On a film contacts up to 0.55 R are computed, load
+    /// and penetration to 1e-6.
     Sphere {
         /// The radius `R`, m.
         radius: f64,

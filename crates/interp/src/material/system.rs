@@ -43,8 +43,8 @@ impl Elastic {
 pub struct System {
     /// The shape of the probe. [`Probe::Paraboloid`] is the sphere of JKR and of Barthel's model.
     pub probe: Probe,
-    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, or of any other probe, Pa; infinity is
-    /// a rigid one.
+    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, or of any other probe, Pa, at most 1e25;
+    /// infinity is a rigid one.
     pub sphere_modulus: f64,
     /// The film (body 1).
     pub film: Elastic,
@@ -95,8 +95,8 @@ impl System {
 pub struct HalfSpace {
     /// The shape of the probe. [`Probe::Paraboloid`] is the sphere of JKR.
     pub probe: Probe,
-    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, or of any other probe, Pa; infinity is
-    /// a rigid one.
+    /// Reduced modulus `E2* = E2/(1 - nu2^2)` of the sphere, or of any other probe, Pa, at most 1e25;
+    /// infinity is a rigid one.
     pub sphere_modulus: f64,
     /// The solid that fills the half-space.
     pub solid: Elastic,

@@ -102,8 +102,8 @@ class System(UnderProbe):
         In place of ``probe``: the radius R, m, of the paraboloid that JKR and Barthel's model put
         in place of a sphere.
     sphere_modulus : float
-        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, or of any other probe, Pa; infinity is
-        a rigid one.
+        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, or of any other probe, Pa, at most
+        1e25; infinity is a rigid one.
     film : Elastic
         The film (body 1).
     film_thickness : float
@@ -169,8 +169,8 @@ class HalfSpace(UnderProbe):
     sphere_radius : float
         In place of ``probe``: the radius R, m, of the paraboloid of JKR.
     sphere_modulus : float
-        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, or of any other probe, Pa; infinity is
-        a rigid one.
+        Reduced modulus E2* = E2/(1 - nu2^2) of the sphere, or of any other probe, Pa, at most
+        1e25; infinity is a rigid one.
     solid : Elastic
         The solid that fills the half-space.
 

@@ -24,7 +24,7 @@ from ._values import Native, set_field, set_numbers
 class Cohesive(Native):
     """A paraboloid on a film or a stack, with an attraction of finite range (Dugdale's law).
 
-    The traction w/h0 acts wherever the gap is below h0: in an annulus around the contact (Maugis,
+    The traction w/z0 acts wherever the gap is below z0: in an annulus around the contact (Maugis,
     J. Colloid Interface Sci. 150, 243, 1992, for the half-space). Long ranges give DMT's
     -2 pi w R as the pull-off load on every film, short ones JKR. Every state is solved directly,
     for contacts and annuli up to 120 times as wide as the (top) layer is thick.
@@ -36,7 +36,7 @@ class Cohesive(Native):
     work_of_adhesion : float
         Work of adhesion w, J/m^2, above 0.
     interaction_range : float
-        The range h0, m, above 0 and below the radius of the sphere.
+        The range z0, m, above 0 and below the radius of the sphere.
 
     Examples
     --------
@@ -70,7 +70,7 @@ class Cohesive(Native):
     def state(self, a: ArrayLike, *, errors: Errors = "raise") -> CohesiveState | CohesiveStates:
         """Return the state at a contact radius; many are solved on all cores.
 
-        Of several outer radii at which the gap is h0, it is that of the smallest.
+        Of several outer radii at which the gap is z0, it is that of the smallest.
 
         Parameters
         ----------
@@ -84,7 +84,7 @@ class Cohesive(Native):
         SolveError
             For a radius that is not positive or out of reach, or whose annulus is.
         NoContactError
-            Where the contact would open inside, or the gap in the annulus is not between 0 and h0.
+            Where the contact would open inside, or the gap in the annulus is not between 0 and z0.
         """
         return cohesive_states(evaluate(self._native.state, errors, contact_radius=a))
 
@@ -150,7 +150,7 @@ class Cohesive(Native):
         a : float
             Contact radius, m.
         r : array_like
-            Distances from the axis, m, from 0 to ``a``, where the pressure is -w/h0.
+            Distances from the axis, m, from 0 to ``a``, where the pressure is -w/z0.
         """
         return _field(self._native.pressure, a, r)
 

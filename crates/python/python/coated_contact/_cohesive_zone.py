@@ -77,7 +77,7 @@ class ShortZone:
 
     @property
     def zone(self) -> float:
-        """The length of the zone of attraction, m."""
+        """The length of the cohesive zone, m."""
         return _core.zone_length(*self._native)
 
     @overload

@@ -485,7 +485,7 @@ class Contact(Native):
         Returns
         -------
         ShortZone
-            The contact with its zone of attraction: states, equilibria and pull-off.
+            The contact with its cohesive zone: states, equilibria and pull-off.
 
         Examples
         --------

@@ -12,7 +12,7 @@ from . import _html
 from ._columns import axes
 from ._errors import ContactError, FitError
 from ._experiment import Experiment, Free, ParameterName, unit_of
-from ._fit import Allowed, free_of
+from ._fit import Allowed, allowed_of, free_of
 from ._fit_results import Forecast
 from ._model import forecast
 from ._table import Table
@@ -146,7 +146,7 @@ def design(
     'large'
     """
     given = _named(plans)
-    wanted = free_of(free)
+    wanted, allow = free_of(free), allowed_of(allow)
     if not given:
         raise FitError("there is no plan: give one experiment or more", axis="plans")
     _unit(about)

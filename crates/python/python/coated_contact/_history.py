@@ -209,7 +209,7 @@ def history(
             f"{values.shape}"
         )
     asked = times if at is None else np.atleast_1d(real("at", at))
-    if rigid is not None and not hasattr(rigid, "_native"):
+    if rigid is not None and type(rigid) is not type(contact):
         raise TypeError(
             "rigid must be the Contact of the same film between a rigid probe and a rigid "
             f"substrate, not {rigid!r}"

@@ -107,5 +107,6 @@ class Indentation(Remade, OneLine):
         for name in ("loads", "phases"):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, fixed(real(name, getattr(self, name))))
-        if not isinstance(self.reference, bool):
+        if not isinstance(self.reference, bool | np.bool_):
             raise TypeError(f"reference must be True or False, not {self.reference!r}")
+        object.__setattr__(self, "reference", bool(self.reference))

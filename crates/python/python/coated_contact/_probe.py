@@ -72,7 +72,7 @@ class Paraboloid(Probe):
 class Sphere(Probe):
     """The sphere itself, ``f = R - sqrt(R^2 - r^2)``.
 
-    On a film contacts up to 0.55 R are computed, those above 0.3 R to 3e-7.
+    On a film contacts up to 0.55 R are computed, load and penetration to 1e-6.
 
     Parameters
     ----------

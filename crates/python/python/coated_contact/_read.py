@@ -8,6 +8,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args
 
+import numpy as np
+
 from . import _core
 from ._arrays import number
 from ._bodies import HalfSpace, System
@@ -170,7 +172,7 @@ def _columns(given: Mapping[Role, str | int | Sequence[str]]) -> list[tuple[str,
     found: list[tuple[str, str]] = []
     for role, headings in given.items():
         one_of("columns", role, get_args(Role))
-        if isinstance(headings, int):
+        if isinstance(headings, int | np.integer):
             headings = str(headings)
         for heading in [headings] if isinstance(headings, str) else headings:
             if not isinstance(heading, str):

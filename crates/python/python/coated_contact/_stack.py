@@ -314,7 +314,7 @@ class Stack(Native):
         sphere_radius : float
             In place of ``probe``: the radius R, m, of the paraboloid.
         sphere_modulus : float
-            Reduced modulus E2* of the probe, Pa; infinity is a rigid one.
+            Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is a rigid one.
         a_over_t : tuple of float
             The smallest and the largest contact radius over the thickness of the stack. The
             largest radius is up to 1000 times the thickness of the top layer.
@@ -355,7 +355,7 @@ class StackSystem(UnderProbe):
     sphere_radius : float
         In place of ``probe``: the radius R, m, of the paraboloid.
     sphere_modulus : float
-        Reduced modulus E2* of the probe, Pa; infinity is a rigid one.
+        Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is a rigid one.
     stack : Stack
         The layers and their base.
     """

@@ -119,7 +119,7 @@ impl From<::contact::Error> for Failure {
                 .about("zone", zone)
                 .range(0.0, most * length)
                 .saying(&format!(
-                    "the zone of attraction is {zone:?} m long, more than {most} times the {what}, \
+                    "the cohesive zone is {zone:?} m long, more than {most} times the {what}, \
                      {length:?} m, and the correction for a short zone does not hold: give a larger \
                      stress of the attraction, or solve a zone of any length with `Cohesive`"
                 )),

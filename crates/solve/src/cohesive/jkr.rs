@@ -18,7 +18,7 @@ const STEP: f64 = 0.25;
 const LARGEST_A_OVER_T: f64 = 1000.0;
 
 impl Cohesive {
-    /// Returns the length of a short zone of attraction, `(pi/4) es w/sigma0^2`.
+    /// Returns the length of a short cohesive zone, `(pi/4) es w/sigma0^2`.
     pub(super) fn zone(&self) -> f64 {
         FRAC_PI_2 * self.symbol.modulus() * self.range / self.traction
     }

@@ -51,7 +51,7 @@
 //! base. Three answers differ. A curve of a stack has no expansions beyond its ends and no
 //! derivatives with respect to the material: both are errors. The compressibility of `validity` is
 //! that of all layers ([`Stack::compressibility`]), and NaN where an interface is not bonded.
-//! `cohesive_zone` and `pull_off_error` demand that the zone of attraction be short beside the *top
+//! `cohesive_zone` and `pull_off_error` demand that the cohesive zone be short beside the *top
 //! layer*, whose modulus it is computed with.
 //!
 //! # Reach

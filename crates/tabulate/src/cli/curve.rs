@@ -67,8 +67,8 @@ pub struct Arguments {
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
-    /// small beside R: above 0.3 R there is a warning [default: 1.5e-4, or if it is less 0.3 R, or with --friction stick
-    /// 30 times the thickness of the film or top layer]
+    /// small beside R: above 0.3 R there is a warning [default: the smallest of 1.5e-4, 0.3 R and, with
+    /// --friction stick, 30 times the thickness of the film or top layer]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Number of contact radii, equally spaced

@@ -217,7 +217,7 @@ impl HistoryArguments {
         anyhow::ensure!(
             to <= reach * (1.0 + f64::EPSILON),
             "contact radius = {to:?} m: with --friction stick contacts are solved up to {MOST_OF_TIP} times the thickness of \
-             the film or top layer, {reach:.3e} m; give a smaller --to"
+             the film or top layer; give --to {reach:?} or less"
         );
         let range = [from, to].map(|a| a / system.film_thickness);
         let sticking = sticking(bodies, nu2)?;

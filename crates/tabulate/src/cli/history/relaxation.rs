@@ -36,8 +36,7 @@ pub struct RelaxationArguments {
 #[expect(clippy::enum_variant_names, reason = "these are the names of the laws")]
 pub enum Law {
     /// relaxed-fraction + sum weight exp(-t/time): the generalised Maxwell solid; with one time the
-    /// standard linear solid, sls
-    #[value(alias = "sls")]
+    /// standard linear solid
     Prony,
     /// (t/reference-time)^-exponent
     PowerLaw,
