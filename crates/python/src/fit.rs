@@ -145,10 +145,8 @@ fn checked_fit(
 
 /// Refuses numbers that no experiment has, unless they are allowed.
 pub fn accept_magnitudes(experiments: &[Experiment], allowed: bool) -> Result<(), Box<Failure>> {
-    let refused = experiments.iter().filter(|_| !allowed);
-    refused
-        .map(|one| accept(&one.measurement.name, &one.magnitudes()))
-        .collect()
+    let mut refused = experiments.iter().filter(|_| !allowed);
+    refused.try_for_each(|one| accept(&one.measurement.name, &one.magnitudes()))
 }
 
 fn accept(name: &str, found: &[Magnitude]) -> Result<(), Box<Failure>> {
