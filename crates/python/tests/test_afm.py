@@ -46,7 +46,6 @@ AFMFORMATS, NANITE = "AFMFORMATS", "NANITE"
 # Why a curve has no modulus: no contact, an approach of one point, no force, no gel under a tip.
 NO_MODULUS = "JKR finds no positive modulus"
 ONE_HEIGHT = "at every point, which determines nothing"
-ZERO = "Young's modulus = 0.0"
 UNITS = "is below the moduli of all solids"
 # File, what must be given, curves, curves with a modulus, and why others have none. A file that is
 # given without a folder has the prefix of most.
@@ -73,7 +72,7 @@ FILES_OF = {
         ("jpk-fd_map0d_extracted.jpk-force-map", NOTHING, 1, 1, None),
         ("jpk-fd_map2x2_extracted.jpk-force-map", NOTHING, 4, 4, None),
         ("jpk-fd_qi-data-2021.04.13.jpk-qi-series", NOTHING, 1, 1, None),
-        ("jpk-fd_single-modified_2023.jpk-force", STIFFNESS, 1, 0, ZERO),
+        ("jpk-fd_single-modified_2023.jpk-force", STIFFNESS, 1, 0, NO_MODULUS),
         ("jpk-fd_spot3-0192.jpk-force", NOTHING, 1, 1, None),
         ("jpk-sr_cell1-0008.jpk-force", NOTHING, 1, 1, None),
         ("ntmdt-txt-fd_2015_01_17_gel4-0,1_mQ_adh_6B_Curve_DFL_Height_51.txt", BOTH, 1, 0, UNITS),
