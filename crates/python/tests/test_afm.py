@@ -43,7 +43,7 @@ NOTHING, STIFFNESS, BOTH = (), ("stiffness",), ("stiffness", "sensitivity")
 GIVEN = {"stiffness": 0.05, "sensitivity": 5e-8}
 
 AFMFORMATS, NANITE = "AFMFORMATS", "NANITE"
-# Why a curve has no modulus: no contact, an approach of one point, no force, no gel under a tip.
+# Why a curve has no modulus: no contact or no force, an approach of one point, no gel under a tip.
 NO_MODULUS = "JKR finds no positive modulus"
 ONE_HEIGHT = "at every point, which determines nothing"
 UNITS = "is below the moduli of all solids"
