@@ -38,6 +38,15 @@ fn embedded_is_the_table_that_is_compiled_in() {
     );
 }
 
+/// The table holds ratios of reduced moduli, which no user gives.
+#[test]
+fn a_ratio_of_reduced_moduli_outside_the_table_is_explained() {
+    let workdir = workdir!();
+    let points = "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1e12,0.3,1\n";
+    workdir.write("points.csv", points);
+    workdir.refuses("1 | query embedded --points points.csv | line 2; e1s_over_einfs is the reduced modulus of the film; tabulate solve");
+}
+
 #[test]
 fn a_file_of_that_name_is_reached_with_its_folder() {
     let workdir = workdir!();

@@ -1,6 +1,6 @@
 //! The next step of a user of the program after an error of a library, which knows no commands.
 
-use interp::Error;
+use interp::{Error, Parameter};
 
 /// Returns the commands that help after an error, if there are some.
 pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
@@ -48,6 +48,10 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
 /// Returns the commands that help after an error of a table.
 fn commands(error: &Error) -> Option<&'static str> {
     match error {
+        Error::OutsideTable { axis, .. } if *axis == Parameter::E1sOverEinfs.name() => Some(
+            "e1s_over_einfs is the reduced modulus of the film times the sum of the reciprocals of those of sphere and substrate; `tabulate \
+             generate` makes tables, and `tabulate solve` solves without a table",
+        ),
         Error::OutsideTable { .. } | Error::Extrapolation { .. } | Error::Equivalent { .. } => {
             Some("`tabulate generate` makes tables, and `tabulate solve` solves without a table")
         }
