@@ -160,7 +160,7 @@ impl Contact {
     ///
     /// # Errors
     /// As [`Contact::jkr_fit`]; [`interp::Error::InvalidArgument`] for a rigid sphere on a film, and for a
-    /// `w` of 0 or so small that an error relative to it overflows an f64.
+    /// `w` of 0, or a `w` or a modulus so small that an error relative to it overflows an f64.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]

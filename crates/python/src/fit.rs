@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
 use crate::contacts_on_layers::Solvers;
-use crate::error::{Failure, OrRaise as _, unknown};
+use crate::error::{Failure, OrRaise as _, of_points, unknown};
 use crate::experiment::{Given, all};
 use crate::indentation::loss;
 use crate::interruption::interruptible;
@@ -192,13 +192,6 @@ pub fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound
         )
     };
     PyList::new(py, estimates.iter().map(one))
-}
-
-/// Returns a text that speaks of the points of arrays, by their numbers, where that of the program
-/// speaks of the lines of a file.
-fn of_points(text: &str) -> String {
-    text.replace(", in lines ", ", in points ")
-        .replace("(lines ", "(points ")
 }
 
 /// Returns what a fit of a map and a single one have in common.

@@ -310,7 +310,8 @@ impl<'a, L: CrackTip> History<'a, L> {
     ///
     /// # Errors
     /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::OtherBodies`] if the rigid bodies are
-    /// not those of this history; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the curve of the rigid bodies does not hold the contact.
+    /// not those of this history; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the
+    /// curve of the rigid bodies does not hold the contact.
     pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
         match (self.rigid, &measured.states[..]) {
             (Some(rigid), states @ [first, second, ..]) => {

@@ -330,10 +330,10 @@ impl<'a> Return<'a> {
         let rise = passed.penetration - from.penetration;
         let last_rise = state.state.penetration - self.penetration;
         // At the time of the line: the decay since, that within its step, and the mean there.
-        let factors = law.rates.iter().map(|rate| {
-            // Far below the rounding of the rest from 45 on.
-            ((-rate * lag).exp(), moments(rate * h))
-        });
+        let factors = law
+            .rates
+            .iter()
+            .map(|rate| ((-rate * lag).exp(), moments(rate * h)));
         let factors: Vec<(f64, (f64, [f64; 3]))> = factors.collect();
         let between = |of: &[f64], column: usize| {
             let [old, new] = [low, low + 1].map(|point| of[point * width + column]);

@@ -2,9 +2,10 @@
 //!
 //! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
 //! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
-//! digits, `fixed_values` writes what the values taken as given do, and [`jkr_plot`] returns the points
-//! of the reduced JKR plot.
+//! digits, `agreement` says how well the fit agrees with the data, `fixed_values` what the values taken as
+//! given do, and [`jkr_plot`] returns the points of the reduced JKR plot.
 
+mod agreement;
 mod fixed_values;
 mod indentation;
 mod jkr_plot;
@@ -16,16 +17,16 @@ use std::fmt::{self, Write};
 
 use interp::Probe;
 
+use self::agreement::agreement;
 pub use self::indentation::a_over_t;
 pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Commas, Notes, Source};
 use crate::estimate::left_out_text;
-use crate::statistics::student_deviations;
 use crate::{
-    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Kind, Measurement, ModulusBias,
-    NamedLayer, Parameter,
+    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, NamedLayer,
+    Parameter,
 };
 
 /// The width of the names of parameters.
@@ -389,63 +390,6 @@ fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
         text += &format!(" ({} to {} {unit})", end(profile[0]), end(profile[1]));
     }
     text
-}
-
-/// Says how well the fit agrees with the data.
-fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
-    let noises = fit.experiments.iter().zip(experiments);
-    let noises = noises.map(|(experiment, of)| {
-        let kind = of.measurement.kind;
-        let ordinate = if experiment.noise_is_estimated {
-            ", from the residuals"
-        } else {
-            ""
-        };
-        let abscissa = match experiment.abscissa_noise {
-            0.0 => String::new(),
-            noise if kind == Kind::StiffnessLoad => {
-                format!(", of the abscissa {}", amount(noise, "N"))
-            }
-            noise => format!(", of the abscissa {}", amount(noise, "m")),
-        };
-        let noise = match kind {
-            kind if kind.is_stiffness() => format!("{:.2} %", 1e2 * experiment.noise),
-            Kind::PenetrationRadius => amount(experiment.noise, "m"),
-            _ => amount(experiment.noise, "N"),
-        };
-        format!("{noise}{ordinate}{abscissa}")
-    });
-    let noise = noises.collect::<Vec<_>>().join("; ");
-    let freedom = degrees_of_freedom(fit.degrees_of_freedom);
-    match fit.reduced_chi_squared {
-        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
-        None => format!("noise {noise}; {freedom}{}", if_few(fit.degrees_of_freedom)),
-    }
-}
-
-/// Returns a number with three digits and its unit.
-fn amount(value: f64, unit: &str) -> String {
-    let (unit, size) = scaled(unit, value);
-    let number = value / size;
-    if number < 1e-3 {
-        return format!("{value:.2e} {unit}");
-    }
-    let decimals = decimals(number, 0.1 * number);
-    format!("{number:.decimals$} {unit}")
-}
-
-fn degrees_of_freedom(number: usize) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} degree{plural} of freedom")
-}
-
-/// Says what standard errors mean where few residuals give the noise, and with it these errors.
-fn if_few(degrees_of_freedom: usize) -> String {
-    let within = student_deviations(0.95, degrees_of_freedom);
-    if within < 2.3 {
-        return String::new();
-    }
-    format!(", so few that 95 % of the true values lie within {within:.1} standard errors, not 2")
 }
 
 /// Says whether the film matters, or the layers.

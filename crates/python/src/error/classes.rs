@@ -2,7 +2,7 @@
 
 use interp::Error;
 
-use super::Failure;
+use super::{Failure, of_points};
 
 /// Returns the functions that help after an error, if there are some.
 fn advice(error: &Error) -> Option<&'static str> {
@@ -260,11 +260,10 @@ impl From<fit::Error> for Failure {
                 "{experiment}: its points have no times, on which the forces of bodies that relax depend: \
                  give the experiment time, in s, one for each point"
             )),
-            // Points of arrays have numbers, and no lines.
-            Error::LeftOut { .. } => of.saying(&format!(
-                "{}: allow=(\"left-out\",)",
-                error.to_string().replace("(lines ", "(points ")
-            )),
+            Error::LeftOut { .. } => {
+                let text = of_points(&error.to_string());
+                of.saying(&format!("{text}: allow=(\"left-out\",)"))
+            }
             Error::DifferentBodies { .. } => of.saying(&format!(
                 "{error}: all_relax=True states that all bodies relax"
             )),

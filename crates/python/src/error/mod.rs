@@ -236,3 +236,10 @@ pub fn no_derivative(py: Python<'_>, input: usize) -> PyErr {
         .map_or("an unknown input", |input| input.name());
     Failure::from(Error::FixedParameter(name)).raise(py)
 }
+
+/// Returns a text that speaks of the points of arrays, by their numbers, where that of the program
+/// speaks of the lines of a file.
+pub fn of_points(text: &str) -> String {
+    text.replace(", in lines ", ", in points ")
+        .replace("(lines ", "(points ")
+}

@@ -1,0 +1,62 @@
+//! How well a fit agrees with the data: chi^2, the noise, and what few points leave of it.
+
+use super::unit::{decimals, scaled};
+use crate::statistics::student_deviations;
+use crate::{Experiment, Fit, Kind};
+
+/// Says how well the fit agrees with the data.
+pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
+    let noises = fit.experiments.iter().zip(experiments);
+    let noises = noises.map(|(experiment, of)| {
+        let kind = of.measurement.kind;
+        let ordinate = if experiment.noise_is_estimated {
+            ", from the residuals"
+        } else {
+            ""
+        };
+        let abscissa = match experiment.abscissa_noise {
+            0.0 => String::new(),
+            noise if kind == Kind::StiffnessLoad => {
+                format!(", of the abscissa {}", amount(noise, "N"))
+            }
+            noise => format!(", of the abscissa {}", amount(noise, "m")),
+        };
+        let noise = match kind {
+            kind if kind.is_stiffness() => format!("{:.2} %", 1e2 * experiment.noise),
+            Kind::PenetrationRadius => amount(experiment.noise, "m"),
+            _ => amount(experiment.noise, "N"),
+        };
+        format!("{noise}{ordinate}{abscissa}")
+    });
+    let noise = noises.collect::<Vec<_>>().join("; ");
+    let freedom = degrees_of_freedom(fit.degrees_of_freedom);
+    match fit.reduced_chi_squared {
+        Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
+        None => format!("noise {noise}; {freedom}{}", if_few(fit.degrees_of_freedom)),
+    }
+}
+
+/// Returns a number with three digits and its unit.
+fn amount(value: f64, unit: &str) -> String {
+    let (unit, size) = scaled(unit, value);
+    let number = value / size;
+    if number < 1e-3 {
+        return format!("{value:.2e} {unit}");
+    }
+    let decimals = decimals(number, 0.1 * number);
+    format!("{number:.decimals$} {unit}")
+}
+
+fn degrees_of_freedom(number: usize) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} degree{plural} of freedom")
+}
+
+/// Says what standard errors mean where few residuals give the noise, and with it these errors.
+fn if_few(degrees_of_freedom: usize) -> String {
+    let within = student_deviations(0.95, degrees_of_freedom);
+    if within < 2.3 {
+        return String::new();
+    }
+    format!(", so few that 95 % of the true values lie within {within:.1} standard errors, not 2")
+}
