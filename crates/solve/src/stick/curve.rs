@@ -76,7 +76,17 @@ impl StickCurves {
             [100.0 * CURVE_TOLERANCE[0], CURVE_TOLERANCE[1]],
         )?;
         Error::check("a_over_t", from, [1e-6, to / (1.0 + 1e-6)])?;
-        let grown = sticking.grown(to, 2.0, SHARE * tolerance)?;
+        let grown = sticking.grown(to, 2.0, SHARE * tolerance);
+        let grown = grown.map_err(|error| match error {
+            Error::StickNotConverged {
+                a_over_t, reached, ..
+            } => Error::StickNotConverged {
+                a_over_t,
+                tolerance,
+                reached: reached / SHARE,
+            },
+            other => other,
+        })?;
         let ends = splines(&grown, sticking, a_over_t, tolerance, [0.0, 1.0])?;
         Ok(Self {
             grown,

@@ -100,9 +100,11 @@ pub fn grow(
     }));
     let power = 2.0 * exponent - 1.0;
     let [of_shape, of_load, of_edge, of_edge_load] =
-        points.integrals([power, power + 2.0, 0.0, 2.0]);
-    let system = |integral: &[Vec<f64>]| {
-        Mat::from_fn(count, count, |i, j| integral[i][j] * (1.0 - normal[(i, j)]))
+        [power, power + 2.0, 0.0, 2.0].map(|power| points.integrals(power));
+    let system = |integrals: &Mat<f64>| {
+        Mat::from_fn(count, count, |i, j| {
+            integrals[(j, i)] * (1.0 - normal[(i, j)])
+        })
     };
     let shape = system(&of_shape)
         .partial_piv_lu()
@@ -112,15 +114,13 @@ pub fn grow(
         .solve(Mat::from_fn(count, 1, |i, _| {
             let a = points.at[i] * points.at[i];
             let sum: f64 = (0..count)
-                .map(|j| of_edge_load[i][j] * answer[(i, j)])
+                .map(|j| of_edge_load[(j, i)] * answer[(i, j)])
                 .sum();
             -(1.0 + 2.0 * a * sum) / es
         }));
-    let sum = |row: &[f64], value: &dyn Fn(usize) -> f64| -> f64 {
-        row.iter()
-            .enumerate()
-            .map(|(j, weight)| weight * value(j))
-            .sum()
+    let sum = |integrals: &Mat<f64>, i: usize, value: &dyn Fn(usize) -> f64| -> f64 {
+        let weights = integrals.col_as_slice(i).iter().enumerate();
+        weights.map(|(j, weight)| weight * value(j)).sum()
     };
     let mut error_of_punches: f64 = 0.0;
     let at_points = (0..count)
@@ -129,18 +129,18 @@ pub fn grow(
             error_of_punches = larger(error_of_punches, field.error());
             let eeq = |j: usize| es * fields[j].eeq;
             let [gamma_s, gamma_t] = field.parts.expect("no coupling");
-            let gamma_g = -1.0 / sum(&of_edge[i], &|j| edge[(j, 0)]);
+            let gamma_g = -1.0 / sum(&of_edge, i, &|j| edge[(j, 0)]);
             let gammas = |j: usize| fields[j].parts.expect("no coupling")[0];
             Grown {
                 a_over_t: field.x,
                 eeq_s: es * field.eeq,
                 gamma_s: es * gamma_s,
                 gamma_t: es * gamma_t,
-                delta_s: sum(&of_shape[i], &|j| shape[(j, 0)]),
-                pi_s: 4.0 * sum(&of_load[i], &|j| eeq(j) * shape[(j, 0)]),
+                delta_s: sum(&of_shape, i, &|j| shape[(j, 0)]),
+                pi_s: 4.0 * sum(&of_load, i, &|j| eeq(j) * shape[(j, 0)]),
                 gamma_g,
                 eeq_g: -gamma_g
-                    * sum(&of_edge_load[i], &|j| {
+                    * sum(&of_edge_load, i, &|j| {
                         eeq(j) * edge[(j, 0)] - 2.0 * gammas(j)
                     }),
             }

@@ -1,7 +1,16 @@
 //! Integrals `int_0^tau sigma^m F(sigma) d sigma` of functions known at Gauss's points.
 //!
-//! `F` is the polynomial through its values at the points `tau_j`. The weight `sigma^m` is taken
-//! into the rule, so that integrals over a short way keep their relative accuracy.
+//! `F` is the polynomial through its values at the points `tau_j`, in Legendre polynomials. With `x` from -1
+//! to 1 in place of `tau`, and `u = sigma/tau`,
+//!
+//! ```text
+//! I_l = int_0^1 u^m P_l du        (l+m+1) I_l = (m+1-l) I_{l-1} + P_l(x) - P_{l-1}(x),        I_0 = 1/(m+1)
+//! ```
+//!
+//! from `(1+x) (P_l' - P_{l-1}') = l (P_l + P_{l-1})`, by parts. The recurrence does not magnify errors, and
+//! integrals over a short way keep their relative accuracy.
+
+use faer::{Mat, Par};
 
 use crate::quadrature::GaussLegendre;
 
@@ -12,28 +21,41 @@ pub struct Points {
     pub at: Vec<f64>,
     /// The factors of the barycentric formula.
     factors: Vec<f64>,
-    /// Gauss's rule on `[0, 1]`: points, and for each the values `(2l+1) P_l w` of all degrees `l`.
-    rule: Vec<(f64, Vec<f64>)>,
+    /// The points as abscissae `x` of the rule.
+    abscissae: Vec<f64>,
+    /// `(l + 1/2) P_l(x_j) w_j` in row `j` and column `l`: the coefficients of Legendre's polynomials.
+    coefficients: Mat<f64>,
 }
 
 impl Points {
     /// Places `count` points up to `last`, which is one of them: a value there needs no extrapolation.
     pub fn new(count: usize, last: f64) -> Self {
-        let rule = GaussLegendre::new(count);
+        let GaussLegendre {
+            abscissae, weights, ..
+        } = GaussLegendre::new(count);
         let part = |x: f64| 0.5 * (1.0 + x);
-        let end = rule.abscissae.last().map_or(last, |x| last / part(*x));
-        let points = rule.abscissae.iter().zip(&rule.weights);
+        let end = abscissae.last().map_or(last, |x| last / part(*x));
         // The barycentric factors of Gauss's points are `(-1)^j ((1 - x^2) w)^{1/2}`.
         let factor = |(j, (x, w)): (usize, (&f64, &f64))| {
             let size = ((1.0 - x * x) * w).sqrt();
             if j % 2 == 0 { size } else { -size }
         };
+        let mut coefficients = Mat::zeros(count, count);
+        for (j, (x, weight)) in abscissae.iter().zip(&weights).enumerate() {
+            for (l, value) in legendre(*x).take(count).enumerate() {
+                coefficients[(j, l)] = (l as f64 + 0.5) * value * weight;
+            }
+        }
         Self {
-            at: rule.abscissae.iter().map(|x| end * part(*x)).collect(),
-            factors: points.clone().enumerate().map(factor).collect(),
-            rule: points
-                .map(|(x, w)| (part(*x), legendre_values(count, *x, 0.5 * w)))
+            at: abscissae.iter().map(|x| end * part(*x)).collect(),
+            factors: abscissae
+                .iter()
+                .zip(&weights)
+                .enumerate()
+                .map(factor)
                 .collect(),
+            abscissae,
+            coefficients,
         }
     }
 
@@ -53,62 +75,42 @@ impl Points {
         weights
     }
 
-    /// Returns, for every point `tau_i` and every one of the `powers` `m > -1`, the weights with
-    /// which the values at the points give `tau_i^{-m-1} int_0^{tau_i} sigma^m F d sigma`.
-    pub fn integrals<const N: usize>(&self, powers: [f64; N]) -> [Vec<Vec<f64>>; N] {
-        let rules = powers.map(|power| {
-            let moments = moments(power, self.at.len());
-            let weight = |(_, values): &(f64, Vec<f64>)| -> f64 {
-                values.iter().zip(&moments).map(|(v, m)| v * m).sum()
-            };
-            self.rule.iter().map(weight).collect::<Vec<f64>>()
-        });
-        let mut integrals = [(); N].map(|()| Vec::with_capacity(self.at.len()));
-        for tau in &self.at {
-            let mut rows = [(); N].map(|()| vec![0.0; self.at.len()]);
-            for (k, (u, _)) in self.rule.iter().enumerate() {
-                let interpolation = self.interpolation(tau * u);
-                for (row, rule) in rows.iter_mut().zip(&rules) {
-                    for (sum, weight) in row.iter_mut().zip(&interpolation) {
-                        *sum += rule[k] * weight;
-                    }
-                }
-            }
-            for (integrals, row) in integrals.iter_mut().zip(rows) {
-                integrals.push(row);
+    /// Returns, in column `i`, the weights with which the values at the points give
+    /// `tau_i^{-m-1} int_0^{tau_i} sigma^m F d sigma`, for a `power` `m > -1`.
+    pub fn integrals(&self, power: f64) -> Mat<f64> {
+        let count = self.at.len();
+        let mut moments = Mat::zeros(count, count);
+        for (i, x) in self.abscissae.iter().enumerate() {
+            let moments = moments.col_as_slice_mut(i);
+            let (mut moment, mut before) = (0.0, 0.0);
+            for ((l, value), place) in legendre(*x).enumerate().zip(moments) {
+                let l = l as f64;
+                moment = ((power + 1.0 - l) * moment + value - before) / (power + 1.0 + l);
+                before = value;
+                *place = moment;
             }
         }
+        let mut integrals = Mat::zeros(count, count);
+        faer::linalg::matmul::matmul(
+            integrals.as_mut(),
+            faer::Accum::Replace,
+            self.coefficients.as_ref(),
+            moments.as_ref(),
+            1.0,
+            Par::Seq,
+        );
         integrals
     }
 }
 
-/// Returns `(2l+1) P_l(x) weight` for `l < count`.
-fn legendre_values(count: usize, x: f64, weight: f64) -> Vec<f64> {
-    let (mut before, mut now) = (0.0, 1.0);
-    (0..count)
-        .map(|l| {
-            let degree = l as f64;
-            let value = (2.0 * degree + 1.0) * now * weight;
-            (before, now) = (
-                now,
-                ((2.0 * degree + 1.0) * x * now - degree * before) / (degree + 1.0),
-            );
-            value
-        })
-        .collect()
-}
-
-/// Returns `int_0^1 u^m P_l(2u - 1) du = m (m-1) .. (m-l+1)/((m+1) .. (m+l+1))` for `l < count`.
-fn moments(m: f64, count: usize) -> Vec<f64> {
-    let mut moment = 1.0 / (m + 1.0);
-    (0..count)
-        .map(|l| {
-            let value = moment;
-            let l = l as f64;
-            moment *= (m - l) / (m + l + 2.0);
-            value
-        })
-        .collect()
+/// Returns the values `P_0(x)`, `P_1(x)` and so on of Legendre's polynomials.
+fn legendre(x: f64) -> impl Iterator<Item = f64> {
+    let next = move |(l, before, now): (f64, f64, f64)| {
+        let next = ((2.0 * l + 1.0) * x * now - l * before) / (l + 1.0);
+        (l + 1.0, now, next)
+    };
+    std::iter::successors(Some((0.0, 0.0, 1.0)), move |values| Some(next(*values)))
+        .map(|(_, _, value)| value)
 }
 
 #[cfg(test)]
@@ -127,11 +129,11 @@ mod tests {
             .map(|tau| tau.powi(3) - 2.0 * tau)
             .collect();
         let powers = [0.0, 2.0, 3.0, 1.6];
-        let integrals = points.integrals(powers);
         let mut worst = 0.0;
-        for (power, rows) in powers.into_iter().zip(&integrals) {
-            for (tau, row) in points.at.iter().zip(rows) {
-                let found: f64 = row.iter().zip(&values).map(|(w, v)| w * v).sum();
+        for power in powers {
+            let integrals = points.integrals(power);
+            for (tau, weights) in points.at.iter().zip(integrals.col_iter()) {
+                let found: f64 = weights.iter().zip(&values).map(|(w, v)| w * v).sum();
                 let exact = tau.powi(3) / (power + 4.0) - 2.0 * tau / (power + 2.0);
                 worst = larger(worst, (found / exact - 1.0).abs());
             }
