@@ -182,59 +182,107 @@ fn power_laws_of_every_exponent_are_those_of_direct_solves() {
     }
 }
 
-/// The sphere is a sum of even powers, `b = sum_k s^2k/((2k - 1) R^(2k - 1))`, by direct solves.
+/// Returns the largest relative error of load and penetration of a sphere without adhesion at `alpha` radii of
+/// it. The sphere is a sum of even powers, `b = sum_k s^2k/((2k - 1) R^(2k - 1))`, each by a direct solve. `None`
+/// where these do not converge.
+fn error_of_sphere(contact: &Contact, alpha: f64) -> Option<f64> {
+    let system = contact.system().expect("a film");
+    let a = alpha * system.probe.radius().expect("a sphere");
+    let material = system.material().expect("physical");
+    let exponents: [f64; 10] = std::array::from_fn(|k| 2.0 * (k + 1) as f64);
+    let powers = solve_power_laws(a / system.film_thickness, &material, &exponents, 1e-10);
+    let (_, powers) = powers.ok()?;
+    let (mut sums, mut rest) = ([0.0; 2], alpha.atanh());
+    for (k, power) in powers.iter().enumerate() {
+        let odd = 2 * k as i32 + 1;
+        // What is left of the series counts as the last power.
+        let last = k + 1 == powers.len();
+        let term = if last {
+            rest
+        } else {
+            alpha.powi(odd) / f64::from(odd)
+        };
+        rest -= term;
+        sums[0] += term * power.pi;
+        sums[1] += term * power.delta;
+    }
+    let unit = if system.sphere_modulus.is_finite() {
+        system.sphere_modulus
+    } else {
+        system.film.reduced()
+    };
+    let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
+    let loads = load / (0.5 * unit * a * a * sums[0]) - 1.0;
+    Some(larger(
+        loads.abs(),
+        (penetration / (a * sums[1]) - 1.0).abs(),
+    ))
+}
+
+/// Elastic spheres on films of any kind up to the largest contact, and spheres of any size on confined films,
+/// rigid ones among them, where `Gamma` grows by several powers of ten along the curve.
 #[test]
-fn the_sphere_is_the_sum_of_its_powers_up_to_the_largest_contact() {
+fn the_sphere_is_the_sum_of_its_powers() {
     let table = Table::embedded();
     let mut contacts = Contacts::new(43);
-    let exponents: [f64; 10] = std::array::from_fn(|k| 2.0 * (k + 1) as f64);
     let (r, unit) = (1e-5, 1e6);
-    let mut worst: f64 = 0.0;
-    for _ in 0..30 {
+    let (mut worst, mut unsolved) = ([0.0; 2], 0);
+    for case in 0..120 {
+        let confined = case % 4 != 0;
         let young = unit * contacts.log_uniform(1e-3, 1e3);
-        let film = solid(young, contacts.uniform(0.0, 0.5));
-        let substrate = solid(contacts.log_uniform(1e-4, 1e6) * young, 0.3);
-        let (alpha, t) = (
-            contacts.uniform(0.3, 0.55),
-            r * contacts.log_uniform(1e-2, 1e2),
-        );
-        let system = System {
-            sphere_modulus: unit,
-            ..rigid_probe(Probe::Sphere { radius: r }, film, t, substrate)
-        };
-        let contact = Contact::in_table(table, &system).expect("in the table");
-        let a = alpha * r;
-        let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
-        let material = system.material().expect("physical");
-        let (_, powers) =
-            solve_power_laws(a / t, &material, &exponents, 1e-10).expect("in the domain");
-        let (mut sums, mut rest) = ([0.0; 2], alpha.atanh());
-        for (k, power) in powers.iter().enumerate() {
-            let odd = 2 * k as i32 + 1;
-            // What is left of the series counts as the last power.
-            let last = k + 1 == powers.len();
-            let term = if last {
-                rest
+        let (alpha, x, nu1, ratio, sphere_modulus);
+        if confined {
+            alpha = contacts.log_uniform(1e-3, 0.5);
+            x = contacts.log_uniform(3.0, 300.0);
+            nu1 = if case % 4 == 1 {
+                contacts.uniform(0.48, 0.5)
             } else {
-                alpha.powi(odd) / f64::from(odd)
+                0.5
             };
-            rest -= term;
-            sums[0] += term * power.pi;
-            sums[1] += term * power.delta;
+            ratio = contacts.log_uniform(1e2, 1e6);
+            sphere_modulus = if case % 4 == 2 {
+                1e3 * young
+            } else {
+                f64::INFINITY
+            };
+        } else {
+            alpha = contacts.uniform(0.3, 0.55);
+            x = alpha / contacts.log_uniform(1e-2, 1e2);
+            nu1 = contacts.uniform(0.0, 0.5);
+            ratio = contacts.log_uniform(1e-4, 1e6);
+            sphere_modulus = unit;
         }
-        let misses = [
-            load / (0.5 * unit * a * a * sums[0]) - 1.0,
-            penetration / (a * sums[1]) - 1.0,
-        ];
-        for miss in misses {
-            worst = larger(worst, miss.abs());
-            assert!(miss.abs() < 1e-6, "{alpha}: {misses:?}, {system:?}");
+        let system = System {
+            sphere_modulus,
+            ..rigid_probe(
+                Probe::Sphere { radius: r },
+                solid(young, nu1),
+                alpha * r / x,
+                solid(ratio * young, 0.3),
+            )
+        };
+        let of_table = Contact::in_table(table, &system).expect("in the table");
+        let material = system.material().expect("physical");
+        let curve = solve::curve(&material, [1e-3, 1e3], 1e-8).expect("converges");
+        let direct = Contact::new(&system, curve).expect("its material");
+        let bounds = [1e-6, 1e-7];
+        for ((worst, bound), contact) in worst.iter_mut().zip(bounds).zip([&of_table, &direct]) {
+            let Some(error) = error_of_sphere(contact, alpha) else {
+                unsolved += 1;
+                continue;
+            };
+            *worst = larger(*worst, error);
+            assert!(error < bound, "{alpha} at {x}: {error:e}, {system:?}");
         }
         // Farther out nothing is computed.
         assert!(matches!(
-            contact.load_and_penetration(0.56 * r, 0.0),
+            of_table.load_and_penetration(0.56 * r, 0.0),
             Err(Error::Table(interp::Error::BeyondProbe { limit, .. })) if (limit / (0.55 * r) - 1.0).abs() < 1e-12
         ));
     }
-    println!("worst: {worst:.1e}");
+    println!(
+        "by the table {:.1e}, directly {:.1e}; {unsolved} not solved",
+        worst[0], worst[1]
+    );
+    assert!(unsolved < 20, "{unsolved}");
 }

@@ -9,6 +9,8 @@ use piecewise::series::{
 };
 use piecewise::{FUNCTION_TERMS, Polynomials};
 
+use interp::Quantity;
+
 use super::beginning::Kernel;
 use super::weights::{MOST_TERMS, Weights};
 
@@ -42,13 +44,14 @@ impl Running {
         }
     }
 
-    /// Guesses the integrals of terms that were not needed before, at the contact radius `y`. They
-    /// grow so fast that their values there soon do not matter.
-    fn extend(&mut self, terms: usize, y: f64, es: f64) {
+    /// Guesses the integrals of terms that were not needed before, at the contact radius `y` where `es/Gamma^2`
+    /// is `share`: as if `Gamma` were the same at all smaller radii. They grow so fast that their values there
+    /// soon do not matter.
+    fn extend(&mut self, terms: usize, y: f64, share: f64) {
         for k in self.terms..terms {
             let n = (2 * k) as f64;
             self.moments[k] = self.moments[k - 1] * y * y / (n * (n + 1.0));
-            self.penetrations[k] = self.moments[k - 1] * y / (es * n);
+            self.penetrations[k] = self.moments[k - 1] * y * share / n;
         }
         self.terms = terms;
     }
@@ -116,7 +119,13 @@ impl Group<'_> {
         let terms = self.weights.iter().map(|weights| weights.terms);
         let terms = terms.max().unwrap_or(1);
         if terms > running.terms {
-            running.extend(terms, self.ends[0][0], es);
+            // At the beginning of the first piece, which is at -1.
+            let alternating = |sum: f64, (k, row): (usize, &[f64; 4])| match k % 2 {
+                0 => sum + row[Quantity::Gamma as usize],
+                _ => sum - row[Quantity::Gamma as usize],
+            };
+            let gamma = self.pieces[0].iter().enumerate().fold(0.0, alternating);
+            running.extend(terms, self.ends[0][0], es / (gamma * gamma));
         }
         running.terms = terms;
         // The sum of the weighted moments. The moment of order 0 is that of the stiffness.
