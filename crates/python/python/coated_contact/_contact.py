@@ -220,7 +220,11 @@ class Contact(Native):
         return scalar_or_array(stiffness)
 
     def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
-        """Return load and penetration with their exact derivatives by every input.
+        """Return load and penetration with their derivatives by every input.
+
+        They are those of the curve that is looked up, without differences. From the embedded table
+        they differ from those of direct solves by up to 1.2e-5 of the load (measured on films of any
+        Poisson ratio).
 
         Parameters and errors are those of :meth:`load`, but above the nodes in a/t it is always an
         OutsideTableError.
