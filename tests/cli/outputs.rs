@@ -114,6 +114,20 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
 }
 
 /// The names of the hidden files in a folder.
+#[test]
+fn a_read_only_file_is_not_replaced() {
+    let workdir = workdir();
+    let file = workdir.write("kept.h5", "kept");
+    let mut permissions = fs::metadata(&file).expect("a file").permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&file, permissions).expect("ours");
+    assert_names(
+        &workdir.fail(1, "generate scene -o kept.h5"),
+        "kept.h5; read-only; another name",
+    );
+    assert_eq!(workdir.read("kept.h5"), b"kept");
+}
+
 fn hidden(workdir: &Workdir) -> Vec<String> {
     let mut files = workdir.files();
     files.retain(|name| name.starts_with('.'));

@@ -252,8 +252,8 @@ fn another_version_is_an_error_that_names_both() {
         ("bin", 0_u32, 4),
         ("bin", 3, 4),
         ("bin", 5, 4),
-        ("h5", 1, 2),
-        ("h5", 3, 2),
+        ("h5", 2, 3),
+        ("h5", 4, 3),
     ] {
         let name = format!("other.{form}");
         let result = if form == "bin" {

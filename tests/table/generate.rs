@@ -232,11 +232,13 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
         nu1 = 0.5 | nu1 = { from = 0.3, to = 0.5, nodes_per_decade = 3 } | nu1; nodes_per_decade
         nodes = 8 | nodes = 8, nodes_per_decade = 4 | a_over_t; both nodes and nodes_per_decade
         nodes = 8 | nodes = 1 | a_over_t; 1 nodes; 2 to
+        nodes = 8 | nodes = 2.5 | a_over_t; 2.5 nodes; whole
+        nodes = 8 | nodes = -3 | a_over_t; -3 nodes; 2 to
         nodes = 8 | nodes = 8.5 | a_over_t; 8.5
         from = 0.1, to = 10 | from = 1, to = 1 | a_over_t; empty; 1
         from = 0.1, to = 10 | from = 0, to = 10 | a_over_t.from; 0; 1e-6 to 1e6
         from = 0.3, to = 3 | from = 0.3, to = inf | e1_over_e2.to; inf; is outside 1e-30 to 1e30
-        e0_over_e2 = inf | e0_over_e2 = 0 | e0_over_e2; 0; is outside 1e-30 to 1e30
+        e0_over_e2 = inf | e0_over_e2 = 0 | e0_over_e2; 0; is outside 1e-30 to 1e30; e0_over_e2 = inf
         e0_over_e2 = inf | e0_over_e2 = -3.0 | e0_over_e2; -3; is outside 1e-30 to 1e30
         e0_over_e2 = inf | e0_over_e2 = inf\nnu0 = 0.7 | nu0; 0.7; (-1, 0.5]
         tolerance = 1e-1 | tolerance = 1e-20 | tolerance; 1e-10 to 1e-1

@@ -69,7 +69,7 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         file["attributes"],
         json!({
             "format": text("coated-contact-table"),
-            "format_version": ["uint32", 2],
+            "format_version": ["uint32", 3],
             "checksum": ["uint32", file["crc32"]],
             "title": text(&description.title),
             "scene": text(&description.scene),

@@ -57,6 +57,7 @@ with h5py.File(sys.argv[1], "r") as file:
     extra = [name for name in file if name not in groups and not any(name in group for group in groups.values())]
     numbers = [a for name, a in sorted(file.attrs.items()) if name != "checksum" and not isinstance(a, str)]
     numbers += [data[:] for group in ("axes", "values") for data in file[group].values()]
-    checksum = zlib.crc32(b"".join(np.asarray(n, "<f8").tobytes() for n in numbers))
+    numbers = b"".join(np.asarray(n, "<f8").tobytes() for n in numbers)
+    checksum = zlib.crc32(file.attrs["scene"].encode() + numbers)
     parts = {"groups": contents, "links": links, "extra": extra, "crc32": checksum}
     json.dump({"attributes": attributes(file), **parts}, sys.stdout)

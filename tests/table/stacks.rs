@@ -329,6 +329,21 @@ fn generated() -> Workdir {
     workdir
 }
 
+/// The thicknesses are in the scene alone, whose bytes HDF5 does not check.
+#[test]
+fn a_scene_with_another_thickness_is_damage() {
+    let workdir = generated();
+    let mut bytes = workdir.read("scene.h5");
+    let thickness = b"thickness = 2.5e-6";
+    let place = bytes
+        .windows(thickness.len())
+        .position(|found| found == thickness);
+    bytes[place.expect("as text") + 12] = b'3';
+    let file = workdir.write("other.h5", bytes);
+    let error = Table::open(file).expect_err("damaged").without_file();
+    assert!(matches!(error, Error::Checksum { .. }), "{error}");
+}
+
 /// Every command either works with a table of a stack or says what to do.
 #[test]
 fn the_commands_take_it_or_refuse_it() {

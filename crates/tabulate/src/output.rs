@@ -167,13 +167,16 @@ pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Re
 /// Returns the file that `path` leads to: the file behind a link is replaced, not the link.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`, if it exists and is not a file, or is a link to nothing.
+/// [`Error::Write`] naming `path`, if it exists and is not a file or is read-only, or is a link to nothing.
 pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
     target(path).map_err(write_error(path))
 }
 
 fn target(path: &Path) -> io::Result<PathBuf> {
     match path.canonicalize() {
+        Ok(existing) if fs::metadata(&existing)?.permissions().readonly() => Err(io::Error::other(
+            "it is read-only; make it writable, or give another name",
+        )),
         Ok(existing) if existing.is_file() => Ok(existing),
         Ok(_) => Err(io::Error::other("it exists and is not a file")),
         Err(error) => match fs::read_link(path) {

@@ -66,12 +66,14 @@ impl Certificate {
             ..
         } = *self;
         let in_order = 0.0 <= median_error && median_error <= p999_error && p999_error <= max_error;
-        let mut identities = self.identity_errors.iter().flatten();
+        let identities: Vec<f64> = self.identity_errors.iter().copied().flatten().collect();
         let measured = points > 0
             && max_error < f64::INFINITY
             && in_order
             && !worst_point.iter().any(|value| value.is_nan())
-            && identities.all(|error| (0.0..f64::INFINITY).contains(error));
+            && identities
+                .iter()
+                .all(|error| (0.0..f64::INFINITY).contains(error));
         let unmeasured = points == 0
             && [max_error, p999_error, median_error]
                 .iter()
@@ -80,8 +82,9 @@ impl Certificate {
             return Ok(());
         }
         Err(Error::Malformed(format!(
-            "its certificate is {self:?}: 0 <= median_error <= p999_error <= max_error must hold, and all \
-             numbers of one that was measured must be finite"
+            "its certificate has median_error = {median_error:?}, p999_error = {p999_error:?}, max_error = \
+             {max_error:?}, points = {points}, worst_point = {worst_point:?}, identity_errors = {identities:?}: \
+             0 <= median_error <= p999_error <= max_error must hold, and all be finite"
         )))
     }
 }

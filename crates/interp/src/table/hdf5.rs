@@ -175,10 +175,11 @@ impl Tables {
     fn dataset(&mut self, path: &str, shape: Option<&[u64]>) -> Result<Vec<f64>, Error> {
         let dataset = self.file.dataset(path).map_err(malformed)?;
         let found = dataset.shape().map_err(malformed)?;
-        if shape.is_some_and(|shape| shape != found) || found.len() != shape.map_or(1, <[u64]>::len)
-        {
+        let fits = shape.map_or(found.len() == 1, |shape| shape == found);
+        if !fits {
+            let wanted = shape.map_or("one dimension".into(), |shape| format!("{shape:?}"));
             return Err(Error::Malformed(format!(
-                "{path} has shape {found:?}, its axes have {shape:?}"
+                "{path} has shape {found:?}, its axes need {wanted}"
             )));
         }
         let size = found

@@ -6,7 +6,7 @@ use crate::{Quantity, SubstratePoissonRatio, Table};
 pub const FORMAT: &str = "coated-contact-table";
 /// The only version of the HDF5 format that is written and read. The packed form has its own
 /// version.
-pub const FORMAT_VERSION: u32 = 2;
+pub const FORMAT_VERSION: u32 = 3;
 
 /// The names of the attributes.
 pub mod attribute {
@@ -46,8 +46,8 @@ pub mod attribute {
     /// Root: the largest relative errors of the four exact identities on the interpolant; NaN where
     /// not measured.
     pub const CERTIFIED_IDENTITY_ERRORS: &str = "certified_identity_errors";
-    /// Root: the [`checksum`](super::checksum) of all numbers. The checksums of HDF5 do not notice a
-    /// chunk or an attribute that is missing, or another one in its place.
+    /// Root: the [`checksum`](super::checksum) of the scene and of all numbers. The checksums of HDF5 do not
+    /// notice a chunk or an attribute that is missing, or another one in its place.
     pub const CHECKSUM: &str = "checksum";
     /// Dataset: the unit.
     pub const UNITS: &str = "units";
@@ -64,11 +64,12 @@ pub const AXES: &str = "axes";
 /// The group of the tabulated quantities.
 pub const VALUES: &str = "values";
 
-/// Returns the CRC-32 (that of zip) of the numbers of a dense table, as little-endian f64: those of
-/// the attributes, but not this one, then those of the axes and of the quantities, each of the three
-/// in the order of the alphabet.
+/// Returns the CRC-32 (that of zip) of a dense table: the UTF-8 of its scene, which holds the layers of a
+/// stack, then the numbers as little-endian f64, those of the attributes but not this one, of the axes, and
+/// of the quantities, each of the three in the order of the alphabet.
 pub fn checksum(table: &Table) -> u32 {
     let mut hasher = crc32fast::Hasher::new();
+    hasher.update(table.description().scene.as_bytes());
     let mut add = |numbers: &[f64]| {
         for part in numbers.chunks(512) {
             let bytes: Vec<u8> = part

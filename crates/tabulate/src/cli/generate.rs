@@ -21,6 +21,7 @@ use super::table_name::hdf5_file;
 use super::{info, plan, print};
 use crate::table::Scene;
 use crate::table::default_points;
+use crate::table::scene::TOLERANCE;
 use crate::table::{Budget, Generated, Options, generate, journal_of};
 use crate::{Error, output, printable};
 
@@ -109,10 +110,10 @@ struct Round {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), arguments.tolerance)?;
-    let threads = rayon::ThreadPoolBuilder::new()
-        .num_threads(usize::from(arguments.jobs.unwrap_or(0)))
-        .build()
-        .context("cannot start threads")?;
+    let jobs = usize::from(arguments.jobs.unwrap_or(0));
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+    let threads = threads
+        .map_err(|error| anyhow::anyhow!("cannot start the threads: {error}; give fewer --jobs"))?;
     let points = arguments
         .certificate_points
         .map_or_else(|| default_points(scene.axes()), |points| points as usize);
@@ -257,6 +258,13 @@ fn print_text(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> 
 
 /// Reads the scene of a file, or the default one.
 pub fn read_scene(path: Option<&Path>, tolerance: Option<f64>) -> anyhow::Result<Scene> {
+    if let Some(tolerance) = tolerance {
+        let [from, to] = TOLERANCE;
+        ensure!(
+            (from..=to).contains(&tolerance),
+            "--tolerance = {tolerance:?} is outside {from:e} to {to:e}"
+        );
+    }
     match path {
         Some(path) => Ok(Scene::read(path, tolerance)?),
         None => Scene::parse(DEFAULT_SCENE, tolerance)

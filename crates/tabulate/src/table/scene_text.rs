@@ -85,7 +85,7 @@ pub(super) enum Values {
 pub(super) struct Range {
     from: f64,
     to: f64,
-    nodes: Option<usize>,
+    nodes: Option<f64>,
     nodes_per_decade: Option<f64>,
 }
 
@@ -141,7 +141,7 @@ pub(super) fn checked(parameter: Parameter, values: &Values) -> Result<Extent, S
     let (from, to) = (range.from, range.to);
     let intervals = match (range.nodes, range.nodes_per_decade) {
         (Some(_), Some(_)) => return Err(format!("{name} has both nodes and nodes_per_decade")),
-        (Some(nodes), None) => nodes as f64 - 1.0,
+        (Some(nodes), None) => nodes - 1.0,
         (None, Some(_)) if parameter.scale() != "logarithmic" => {
             return Err(format!(
                 "{name} is not logarithmic: give nodes, not nodes_per_decade"
@@ -158,9 +158,9 @@ pub(super) fn checked(parameter: Parameter, values: &Values) -> Result<Extent, S
         }
         (None, None) => return Ok(Extent::Range { from, to }),
     };
-    if !(1.0..MOST_NODES as f64).contains(&intervals) {
+    if !(1.0..MOST_NODES as f64).contains(&intervals) || intervals.fract() != 0.0 {
         return Err(format!(
-            "{name} has {} nodes; 2 to {MOST_NODES} are allowed",
+            "{name} has {} nodes; whole numbers from 2 to {MOST_NODES} are allowed",
             intervals + 1.0
         ));
     }
@@ -179,7 +179,20 @@ fn in_domain(parameter: Parameter, key: &str, value: f64) -> Result<(), String> 
         Parameter::Nu1 => Err(format!("{key} = {value:?} is outside (-1, 0.5]")),
         Parameter::E1sOverEinfs if value == 0.0 => Ok(()),
         Parameter::E0sOverE2s if value == 0.0 || value == f64::INFINITY => Ok(()),
-        _ => within(key, value, MODULI),
+        _ => within(key, value, MODULI).map_err(|message| message + limit(parameter)),
+    }
+}
+
+/// Returns how a scene states the limit of a rigid body, which no range of a ratio reaches.
+fn limit(parameter: Parameter) -> &'static str {
+    match parameter {
+        Parameter::E1OverE2 => {
+            "; for a rigid sphere give e1_over_e2 = 0, or the axes e1s_over_einfs and e0s_over_e2s"
+        }
+        Parameter::E0OverE2 => {
+            "; for a rigid substrate give e0_over_e2 = inf, or the axes e1s_over_einfs and e0s_over_e2s"
+        }
+        _ => "",
     }
 }
 

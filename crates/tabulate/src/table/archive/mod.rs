@@ -64,7 +64,13 @@ pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
 
 #[cfg(feature = "hdf5")]
 fn fill(table: &Table, path: &Path) -> io::Result<()> {
-    datasets::fill(table, path).map_err(io::Error::other)
+    // The library tells a full disk in the middle of a long text.
+    datasets::fill(table, path).map_err(|error| match error.to_string() {
+        text if text.contains("No space left on device") => {
+            io::Error::new(io::ErrorKind::StorageFull, "No space left on device")
+        }
+        _ => io::Error::other(error),
+    })
 }
 
 #[cfg(not(feature = "hdf5"))]
