@@ -105,6 +105,7 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
     assert!(workdir.read("real.csv").starts_with(b"a_over_t,"));
     for (output, words) in [
         ("new/", "the name of a folder"),
+        ("-", "give the name of a file"),
         ("/dev/null", "is not a file"),
         (".", "is not a file"),
         ("missing/out.csv", "there is no folder missing"),
@@ -113,7 +114,6 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
     }
 }
 
-/// The names of the hidden files in a folder.
 #[test]
 fn a_read_only_file_is_not_replaced() {
     let workdir = workdir();
@@ -128,6 +128,7 @@ fn a_read_only_file_is_not_replaced() {
     assert_eq!(workdir.read("kept.h5"), b"kept");
 }
 
+/// The names of the hidden files in a folder.
 fn hidden(workdir: &Workdir) -> Vec<String> {
     let mut files = workdir.files();
     files.retain(|name| name.starts_with('.'));

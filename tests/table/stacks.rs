@@ -354,7 +354,7 @@ fn the_commands_take_it_or_refuse_it() {
     let info = workdir.succeed("info scene.h5");
     assert_names(
         &info,
-        "a_over_t; e1_over_e2; nu1             0.49; e0_over_e1",
+        "a_over_t; e1_over_e2; nu1             0.49; e0_over_e1; layer           7.5e-6 m, E = 3500000.0 Pa; primer: 2.5e-6 m; bonded below",
     );
     workdir.succeed("check scene.h5 --points 1000");
 

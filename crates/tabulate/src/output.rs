@@ -173,12 +173,18 @@ pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
 }
 
 fn target(path: &Path) -> io::Result<PathBuf> {
+    if path
+        .to_str()
+        .is_some_and(|name| matches!(name.trim(), "" | "-"))
+    {
+        return Err(io::Error::other("that is no name; give the name of a file"));
+    }
     match path.canonicalize() {
+        Ok(existing) if !existing.is_file() => Err(io::Error::other("it exists and is not a file")),
         Ok(existing) if fs::metadata(&existing)?.permissions().readonly() => Err(io::Error::other(
             "it is read-only; make it writable, or give another name",
         )),
-        Ok(existing) if existing.is_file() => Ok(existing),
-        Ok(_) => Err(io::Error::other("it exists and is not a file")),
+        Ok(existing) => Ok(existing),
         Err(error) => match fs::read_link(path) {
             Ok(destination) => Err(io::Error::other(format!(
                 "it is a link to {}, which is not there; make that file, or remove the link",

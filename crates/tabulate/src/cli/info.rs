@@ -10,6 +10,9 @@ use super::json::{self, TableObject};
 use super::print;
 use super::table_name::{self, TableName};
 use crate::printable;
+use crate::stack::NamedStack;
+use crate::table::StackTable;
+use solve::stack::Interface;
 
 /// Print the range, the certificate and the size of a table
 ///
@@ -65,6 +68,9 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
         writeln!(text, "{:15} ranks {a}, {b}, {c}", "low rank")?;
     }
     writeln!(text, "{:15} {}", "nu0", description.nu0)?;
+    if let Ok(stack) = StackTable::new(table) {
+        text += &describe_layers(stack.named_stack())?;
+    }
     let names = |quantities: &[Quantity]| {
         let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
         names.join(", ")
@@ -91,6 +97,33 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
         "created by",
         printable::line(&description.created_by)
     )?;
+    Ok(text)
+}
+
+/// Describes the layers of a stack from the top down, one line each.
+fn describe_layers(named: &NamedStack) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    for (layer, name) in named.stack.layers().iter().zip(&named.names).rev() {
+        let interface = match layer.interface.plain() {
+            Interface::Bonded => "bonded".to_owned(),
+            Interface::Sliding => "slides".to_owned(),
+            Interface::Springs { tangential, normal } => {
+                format!("springs of {tangential:?} Pa/m sideways and {normal:?} Pa/m normal")
+            }
+        };
+        let name = name
+            .as_deref()
+            .map(|name| format!("{}: ", printable::line(name)));
+        writeln!(
+            text,
+            "{:15} {}{:?} m, E = {:?} Pa, nu = {:?}, {interface} below",
+            "layer",
+            name.unwrap_or_default(),
+            layer.thickness,
+            layer.solid.young(),
+            layer.solid.poisson(),
+        )?;
+    }
     Ok(text)
 }
 
