@@ -134,6 +134,10 @@ impl Unit {
             let dimension = Dimension::Time;
             return Some(Self { dimension, size });
         }
+        if let Some(size) = weight(text) {
+            let dimension = Dimension::Force;
+            return Some(Self { dimension, size });
+        }
         let (dimension, exponent) = power_of_ten(text)?;
         let size = power(exponent);
         Some(Self { dimension, size })
@@ -156,6 +160,18 @@ fn time(text: &str) -> Option<f64> {
         "s" | "sec" | "second" | "seconds" => 1.0,
         "ms" | "msec" | "milliseconds" => 1e-3,
         "us" | "\u{b5}s" | "\u{3bc}s" | "microseconds" => 1e-6,
+        "min" | "minute" | "minutes" => 60.0,
+        "h" | "hour" | "hours" => 3600.0,
+        _ => return None,
+    })
+}
+
+/// Returns the force in newtons of a mass under standard gravity: what a balance shows.
+fn weight(text: &str) -> Option<f64> {
+    Some(match text.trim() {
+        "g" | "gf" => 9.80665e-3,
+        "mg" | "mgf" => 9.80665e-6,
+        "kg" | "kgf" => 9.80665,
         _ => return None,
     })
 }
@@ -279,6 +295,10 @@ mod tests {
             ("mrad", Dimension::Angle, 1e-3),
             ("s", Dimension::Time, 1.0),
             ("ms", Dimension::Time, 1e-3),
+            ("min", Dimension::Time, 60.0),
+            ("h", Dimension::Time, 3600.0),
+            ("g", Dimension::Force, 9.80665e-3),
+            ("kgf", Dimension::Force, 9.80665),
             ("GPa/um", Dimension::ModulusPerLength, 1e15),
             ("N/mm^3", Dimension::ModulusPerLength, 1e9),
         ] {
