@@ -302,7 +302,7 @@ fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
         1 | {fit} gel.csv --stiffness 1 --free stiffness | stiffness; fix it
         1 | {fit} z.csv | z.csv; --stiffness
         2 | {fit} lens.csv --free E1 | E1; film-modulus
-        1 | {fit} lens.csv --bounds film-modulus=1..2 | film-modulus; not free
+        1 | {fit} lens.csv --bounds film-modulus=1e5..2e5 | film-modulus; not free
         1 | {fit} lens.csv --noise 1,2 | --noise; 2 values for 1 files
         1 | {fit} lens.csv --noise -1 | noise; -1
         1 | {fit} lens.csv --film-poisson-ratio 0.6 | film; 0.6

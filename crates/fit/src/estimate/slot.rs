@@ -284,7 +284,14 @@ fn accept(free: &Free) -> Result<(), Error> {
     if let Some([least, most]) = free.bounds {
         for bound in [least, most] {
             if !is_possible(bound) {
-                return Err(setting("a bound", bound, possible.into()));
+                let allowed = match bound == 0.0 && most > 0.0 {
+                    true => format!(
+                        "{possible}, since its logarithm is fitted; a small bound in place of 0 is {:?}",
+                        most / 1e3
+                    ),
+                    false => possible.into(),
+                };
+                return Err(setting("a bound", bound, allowed));
             }
         }
         if least >= most {

@@ -96,8 +96,8 @@ impl FromStr for Bounds {
         Ok(Self {
             parameter,
             range: [
-                read(least, parameter.dimension())?,
-                read(most, parameter.dimension())?,
+                quantity::value(least, parameter.dimension())?,
+                quantity::value(most, parameter.dimension())?,
             ],
         })
     }
@@ -212,6 +212,8 @@ mod tests {
         assert!(values("film-poisson-ratio=0.3um").contains("without a unit"));
         let bounds = "film-modulus=1e5".parse::<Bounds>().unwrap_err();
         assert!(bounds.contains("1e5..1e8"));
+        let bounds = "sphere-modulus=1..5".parse::<Bounds>().unwrap_err();
+        assert!(bounds.contains("write 1kPa, 1MPa or 1GPa, or 1Pa"));
         let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
         assert!(known.contains("+-"));
         let given = |text: &str| text.parse::<Given>().unwrap_err();
