@@ -34,6 +34,7 @@ mod search;
 mod slot;
 mod solve;
 mod start;
+mod twice;
 mod uncertainty;
 mod valley;
 mod wanted;

@@ -306,6 +306,8 @@ pub struct Combination {
 pub enum WarningKind {
     /// The method did not find a minimum.
     NotConverged,
+    /// An experiment with the points of another one.
+    SamePoints,
     /// A parameter whose standard error is above half its value (of the range of the data for an
     /// offset).
     Undetermined,
@@ -378,6 +380,7 @@ impl WarningKind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::NotConverged => "not-converged",
+            Self::SamePoints => "same-points",
             Self::Undetermined => "undetermined",
             Self::AtBound => "at-bound",
             Self::Implausible => "implausible",

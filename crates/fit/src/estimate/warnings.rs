@@ -38,6 +38,7 @@ pub(super) fn warnings(
     let mut warnings = Warnings::default();
     let problem = &found.problem;
     method(&mut warnings, fit, found);
+    super::twice::add(&mut warnings, problem);
     if let Some(found) = &found.bend {
         bend(&mut warnings, problem, found);
     }

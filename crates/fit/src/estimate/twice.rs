@@ -1,0 +1,40 @@
+//! The doubt about points that are given twice.
+
+use super::doubts::Warnings;
+use super::problem::Problem;
+use crate::{Measurement, WarningKind};
+
+/// Warns of experiments that have the points of one before them: they count twice, and the errors are too
+/// small.
+pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
+    let measurements = problem
+        .assigned
+        .iter()
+        .map(|one| &one.experiment.measurement);
+    let measurements: Vec<&Measurement> = measurements.collect();
+    for (e, one) in measurements.iter().enumerate() {
+        if let Some(first) = measurements[..e].iter().find(|first| are_equal(first, one)) {
+            warnings.add(
+                WarningKind::SamePoints,
+                format!(
+                    "{}: its {} points are those of {}, so that they count twice and the errors are too \
+                     small; leave one of the two out",
+                    one.name,
+                    one.points.len(),
+                    first.name
+                ),
+            );
+        }
+    }
+}
+
+/// Tells whether two measurements have the same points.
+fn are_equal(a: &Measurement, b: &Measurement) -> bool {
+    let values = |one: &Measurement| -> Vec<[f64; 2]> {
+        let points = one.points.iter();
+        points
+            .map(|point| [point.abscissa, point.ordinate])
+            .collect()
+    };
+    a.kind == b.kind && values(a) == values(b)
+}
