@@ -36,6 +36,16 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
             "phase.csv",
             "height,force,phase\n1,2,sideways\n2,3,sideways\n",
         ),
+        ("area.csv", "contact area [um^2];F [mN]\n1;2\n2;3\n"),
+        (
+            "csm.csv",
+            "Depth [nm];Load [mN];Stiffness [N/m]\n1;2;3\n2;3;4\n",
+        ),
+        ("diameter.csv", "contact diameter [um];F [mN]\n1;2\n2;3\n"),
+        (
+            "head.csv",
+            "Spring constant: 1,000 mN/m\nz [nm];defl [nm]\n3;0\n2;1\n",
+        ),
     ] {
         workdir.write(file, text);
     }
@@ -50,6 +60,10 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         volts.csv |  | type --stiffness N/m --sensitivity m/V
         unit.csv |  | no unit; --column "contact_radius=Radius [um]"
         phase.csv |  | sideways; type --segments split
+        area.csv |  | type --kind load-radius --column "contact_area=contact area [um^2]"
+        csm.csv |  | type --kind load-penetration|stiffness-load|stiffness-depth
+        diameter.csv |  | "contact diameter [um]" (a length, to be converted); and name the quantity and its unit in the heading
+        head.csv |  | line 1 has "1,000", whose comma may part thousands; type --stiffness N/m
         "#;
     assert_cases(cases, |[file, more, _]| {
         let message = workdir.fail(1, fit(file, more));
@@ -59,6 +73,62 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
     let typed = "--column 'penetration=Tiefe (nm)' --column 'load=Kraft (mN)'";
     let run = workdir.run(fit("two.csv", &format!("{typed} --kind load-penetration")));
     assert!(!run.stderr.contains("type --"), "{run:?}");
+}
+
+/// What is doubtful in a file is a warning of the fit, and is told with its errors.
+#[test]
+fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
+    let workdir = workdir!();
+    let simulate =
+        "simulate --kind load-radius --from 42um --to 130um --noise 2uN --points 20 --seed 1";
+    let lens = workdir.succeed(format!("{simulate} {LENS}"));
+    let rows: Vec<&str> = lens
+        .lines()
+        .filter(|row| row.starts_with(|c: char| c.is_ascii_digit()))
+        .collect();
+    let twice = format!("contact_radius,load\n{0}\n\n{0}\n", rows.join("\n"));
+    workdir.write("twice.csv", &twice);
+    workdir.write("once.csv", &lens);
+    // Micronewtons, of which a comma parts thousands.
+    workdir.write(
+        "commas.csv",
+        "a [um];F [uN]\n100;1,249\n110;1,732\n120;2,310\n130;3,005\n",
+    );
+    workdir.write(
+        "diameters.csv",
+        "a [um];F [MN]\n100;1,249\n110;1,732\n120;2,310\n",
+    );
+    let object = |files: &str| workdir.json(format!("fit {files} {LENS} --json"));
+    for (files, kind, words) in [
+        (
+            "twice.csv",
+            "several-curves",
+            "\"contact_radius\" turns back 2 times",
+        ),
+        ("commas.csv", "commas", "1,249 is 1.249"),
+        (
+            "once.csv once.csv",
+            "same-points",
+            "its 20 points are those of once.csv",
+        ),
+    ] {
+        let object = object(files);
+        let warnings = object["warnings"].as_array().expect("a list");
+        let of_kind = warnings.iter().find(|warning| warning["kind"] == kind);
+        let text = of_kind.and_then(|warning| warning["text"].as_str());
+        assert!(
+            text.is_some_and(|text| text.contains(words)),
+            "{files}: {warnings:?}"
+        );
+    }
+    let report = workdir.succeed(format!("fit twice.csv {LENS}"));
+    assert_names(&report, "warning: \"contact_radius\" turns back 2 times");
+    let sound = object("once.csv").to_string();
+    for kind in ["several-curves", "directions", "commas", "same-points"] {
+        assert!(!sound.contains(kind), "{kind}: {sound}");
+    }
+    let message = workdir.fail(1, format!("fit diameters.csv {LENS}"));
+    assert_names(&message, "MN; if the commas part thousands");
 }
 
 /// Simulates a force curve, and writes it in the style of JPK, with a pause of more columns.

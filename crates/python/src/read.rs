@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use fit::data::{Cantilever, Column, Commas, Format, Named, Reading, Remedy, Role, Segments, read};
-use fit::report::{UNCLEAR_COMMAS, reading};
+use fit::data::{Cantilever, Column, Format, Named, Reading, Remedy, Role, Segments, read};
+use fit::report::reading;
 use fit::{Direction, Kind};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
@@ -26,7 +26,7 @@ pub struct GivenFormat {
     keep_pauses: bool,
 }
 
-/// Reads a file. Returns the fields of the experiment, and the doubts about signs and commas.
+/// Reads a file. Returns the fields of the experiment, and the doubts about how it was read.
 #[pyfunction]
 pub fn read_file<'py>(
     py: Python<'py>,
@@ -72,12 +72,11 @@ pub fn read_file<'py>(
         fields.set_item("stiffness", notes.cantilever.stiffness)?;
     }
     fields.set_item("reading", reading(&measurement, &notes))?;
-    let sign = notes.doubt.map(|doubt| {
-        let remedy = in_python(&doubt.remedy());
-        format!("{doubt}; if so, {remedy}")
+    let doubts = notes.doubts.iter().map(|doubt| match doubt.remedy() {
+        Some(remedy) => format!("{doubt}; if so, {}", in_python(&remedy)),
+        None => doubt.to_string(),
     });
-    let commas = (notes.commas == Commas::Unclear).then(|| UNCLEAR_COMMAS.to_owned());
-    let doubts: Vec<String> = sign.into_iter().chain(commas).collect();
+    let doubts: Vec<String> = doubts.collect();
     let doubt = (!doubts.is_empty()).then(|| doubts.join("; "));
     Ok((fields, doubt))
 }

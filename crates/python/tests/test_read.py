@@ -84,6 +84,20 @@ def test_columns_segments_and_directions_can_be_given(write):
     assert found.retract.tolist() == [False, False, True, True]
 
 
+def test_several_curves_and_directions_that_may_be_wrong_are_told(write):
+    def rows(heights, segment):
+        return "".join(f"{height},{20 - height},{segment}\n" for height in heights)
+
+    down = range(20, 0, -1)
+    head = "height,force,segment\n"
+    path = write(head + 2 * (rows(down, "1_extend") + rows(down[::-1], "2_retract")))
+    with pytest.warns(UserWarning, match='"height" turns back 2 times'):
+        read(path, stiffness=1.0)
+    path = write(head + rows([*down, *down[::-1]], "retract"))
+    with pytest.warns(UserWarning, match=r'read as retract.*give segments="split"'):
+        read(path, stiffness=1.0)
+
+
 @pytest.mark.parametrize(
     ("text", "options", "words"),
     [

@@ -2,8 +2,9 @@
 
 use super::Format;
 use super::beside;
-use super::column::Role;
+use super::column::{Column, Role};
 use super::failure::{Failure, Missing, Problem};
+use super::head::Untold;
 use super::heading::Heading;
 use super::source::{Columns, Source};
 use crate::{Direction, Kind};
@@ -34,17 +35,17 @@ pub struct Assignment {
     pub segment: Option<usize>,
 }
 
-/// Assigns the columns with these headings. `uncalibrated` is a line that says that the cantilever is
-/// not calibrated.
+/// Assigns the columns with these headings. `untold` says why a line of the head that names a value of
+/// the cantilever tells none.
 pub fn assign(
     headings: &[Heading],
     format: &Format,
-    uncalibrated: Option<u64>,
+    untold: Option<&Untold>,
 ) -> Result<Assignment, Failure> {
     let columns = Columns {
         headings,
         format,
-        uncalibrated,
+        untold,
     };
     let kind = columns.kind()?;
     let mut pairs = Vec::new();
@@ -102,7 +103,7 @@ impl Columns<'_> {
                 column.role == Role::Segment
                     || beside::needed(*kind).contains(&column.role)
                     || beside::optional(*kind).contains(&column.role)
-                    || (column.role == Role::ContactArea && *kind == Kind::StiffnessRadius)
+                    || (column.role == Role::ContactArea && kind.at_radii())
                     || of(abscissa)
                     || of(ordinate)
                     || column.role == abscissa
@@ -114,16 +115,11 @@ impl Columns<'_> {
         if meant.is_empty() {
             meant = Kind::ALL.to_vec();
         }
-        // A contact stiffness is measured where there is one, and nothing else is complete.
-        let others: Vec<Kind> = meant
-            .iter()
-            .copied()
-            .filter(|one| !one.is_stiffness())
-            .collect();
+        // Without a contact stiffness the kinds of one are not meant, if there are others.
+        let is_other = |kind: &Kind| !kind.is_stiffness();
         let has_stiffness = !matches!(self.find(Role::ContactStiffness, None), Ok(None));
-        let is_complete = |kind: &Kind| self.missing(*kind).is_empty();
-        if !others.is_empty() && (!has_stiffness || others.iter().any(is_complete)) {
-            meant = others;
+        if !has_stiffness && meant.iter().any(is_other) {
+            meant.retain(is_other);
         }
         let mut kinds: Vec<Missing> = meant
             .into_iter()
@@ -158,13 +154,22 @@ impl Columns<'_> {
                 && (kind == Kind::ForceHeight || self.format.kind.is_some())
                 && is_there(Role::Deflection);
             let by_area = *role == Role::ContactRadius
-                && kind == Kind::StiffnessRadius
+                && self.takes_area(kind)
                 && is_there(Role::ContactArea);
             !is_there(*role) && !by_deflection && !by_area
         };
         let needed = beside::needed(kind).iter().copied();
         let roles = roles(kind).into_iter().chain(needed);
         roles.filter(is_missing).collect()
+    }
+
+    /// Tells whether a contact area gives the radius. Beside a load or a penetration it may be computed
+    /// from them: there the user says so.
+    fn takes_area(&self, kind: Kind) -> bool {
+        let is_area = |column: &Column| column.role == Role::ContactArea;
+        kind == Kind::StiffnessRadius
+            || kind.at_radii()
+                && (self.format.kind.is_some() || self.format.columns.iter().any(is_area))
     }
 
     /// Returns the columns of abscissa and ordinate in a direction. A column without a direction
@@ -178,7 +183,7 @@ impl Columns<'_> {
             })
         };
         let abscissa = match of(abscissa)? {
-            None if kind == Kind::StiffnessRadius => of(Role::ContactArea)?,
+            None if self.takes_area(kind) => of(Role::ContactArea)?,
             found => found,
         };
         let (Some(abscissa), Some(ordinate)) = (abscissa, of(ordinate)?) else {

@@ -5,6 +5,7 @@ use std::fmt;
 use std::io;
 
 use super::column::Role;
+use super::head::Untold;
 use crate::Kind;
 use units::Unit;
 
@@ -68,17 +69,32 @@ pub struct Found {
     pub heading: String,
     /// The unit that it names.
     pub unit: Option<Unit>,
+    /// What stands in place of a unit and is none that is known.
+    pub unknown: Option<String>,
+    /// Whether its heading names the double, the square or a multiple of a quantity.
+    pub is_derived: bool,
     /// What it is recognised as.
     pub role: Option<Role>,
+}
+
+impl Found {
+    /// Tells whether the numbers are to be converted before they are read.
+    pub fn is_to_convert(&self) -> bool {
+        self.role.is_none() && (self.unknown.is_some() || self.is_derived && self.unit.is_some())
+    }
 }
 
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?}", self.heading)?;
-        match (self.role, self.unit) {
-            (Some(role), _) => write!(f, " ({})", role.name()),
-            (None, Some(unit)) => write!(f, " ({})", unit.dimension),
-            (None, None) => Ok(()),
+        match (self.role, self.unit, &self.unknown) {
+            (Some(role), ..) => write!(f, " ({})", role.name()),
+            (None, Some(unit), _) if self.is_derived => {
+                write!(f, " ({}, to be converted)", unit.dimension)
+            }
+            (None, Some(unit), _) => write!(f, " ({})", unit.dimension),
+            (None, None, Some(unknown)) => write!(f, " ({unknown:?} is not a known unit)"),
+            (None, None, None) => Ok(()),
         }
     }
 }
@@ -94,14 +110,16 @@ pub struct Missing {
 
 impl Missing {
     /// Returns the column that could be each missing one: the first of its dimension that is
-    /// recognised as nothing else, each once.
+    /// recognised as nothing else, each once. A contact area gives a contact radius.
     pub fn candidates<'a>(&self, columns: &'a [Found]) -> Vec<Option<&'a Found>> {
         let mut taken: Vec<&str> = Vec::new();
         let mut candidate = |role: &Role| {
             let is_free = |found: &&Found| {
-                found.role.is_none()
-                    && found.unit.is_some_and(|unit| role.accepts(unit))
-                    && !taken.contains(&found.heading.as_str())
+                let is_alike = found.role.is_none()
+                    && !found.is_derived
+                    && found.unit.is_some_and(|unit| role.accepts(unit));
+                let is_area = *role == Role::ContactRadius && found.role == Some(Role::ContactArea);
+                (is_alike || is_area) && !taken.contains(&found.heading.as_str())
             };
             let found = columns.iter().find(is_free)?;
             taken.push(&found.heading);
@@ -152,12 +170,26 @@ pub enum Problem {
     },
     /// There are headings, and no rows of numbers.
     #[error(
-        "{headings:?} are headings, but no row of numbers follows them; save the rows of the \
-         measurement, too"
+        "{headings:?} are headings, but no row of numbers follows them; {}",
+        match (row, cell) {
+            (Some(row), Some(cell)) => format!(
+                "the first line below is {row:?}, in which {cell:?} is not a number: save plain numbers, \
+                 such as 1.5e-3, with their unit in the heading"
+            ),
+            (Some(row), None) => format!(
+                "the first line below is {row:?}, which holds less than two numbers: save a row of \
+                 numbers to a line"
+            ),
+            _ => "save the rows of the measurement, too".to_owned(),
+        }
     )]
     OnlyHeadings {
         /// The line of headings.
         headings: String,
+        /// The first line below them that holds a digit.
+        row: Option<String>,
+        /// The first cell of this line that holds a digit and is no number.
+        cell: Option<String>,
     },
     /// There are no rows of numbers.
     #[error(
@@ -187,10 +219,16 @@ pub enum Problem {
     },
     /// Columns that are needed are not recognised.
     #[error(
-        "{}; the columns are {}",
+        "{}; the columns are {}{}",
         if let [one] = &kinds[..] { one.to_string() }
         else { format!("the headings fit no kind of measurement: {}", list(kinds, "; ")) },
-        list(columns, ", ")
+        list(columns, ", "),
+        if columns.iter().any(Found::is_to_convert) {
+            "; convert the numbers of a column that is a diameter, a square or a multiple, or in an \
+             unknown unit, and name the quantity and its unit in the heading"
+        } else {
+            ""
+        }
     )]
     MissingColumns {
         /// The kinds that were tried, those that lack least first.
@@ -244,21 +282,34 @@ pub enum Problem {
         /// Its heading, or its number.
         heading: String,
     },
+    /// A column has a unit that is not known.
+    #[error(
+        "{heading:?}, read as {}, is in {unit:?}, which is not a known unit; convert the numbers, \
+         for instance to {}",
+        role.name(),
+        role.example()
+    )]
+    UnknownUnit {
+        /// The column.
+        role: Role,
+        /// Its heading.
+        heading: String,
+        /// What stands in place of a unit.
+        unit: String,
+    },
     /// A deflection needs the stiffness, and in volts the sensitivity.
     #[error(
         "a deflection is a force by the stiffness (N/m) of the cantilever{}, and the file does not \
          name {}{}",
         if *volts { " and, in volts, the sensitivity (m/V)" } else { "" },
         if *volts { "both" } else { "it" },
-        uncalibrated.map(|line| format!(
-            ": line {line} has 1, the value of an instrument that is not calibrated"
-        )).unwrap_or_default(),
+        untold.as_ref().map(|untold| format!(": {untold}")).unwrap_or_default(),
     )]
     NoCantilever {
         /// Whether the deflection is in volts.
         volts: bool,
-        /// The line that holds the value of an instrument that is not calibrated.
-        uncalibrated: Option<u64>,
+        /// Why a line that names a value tells none.
+        untold: Option<Untold>,
     },
     /// Two heads of a file differ in a value that is used.
     #[error(
@@ -275,8 +326,12 @@ pub enum Problem {
     },
     /// A row has another number of cells.
     #[error(
-        "the row has {found} cells, and the headings are {expected}; if a comma is the decimal \
-         mark, separate the cells by tabs or semicolons"
+        "the row has {found} cells, and the headings are {expected}; {}",
+        if found > expected {
+            "if a comma is the decimal mark, separate the cells by tabs or semicolons"
+        } else {
+            "complete it, or let the line begin with # to leave it out"
+        }
     )]
     CellCount {
         /// The number of headings.
@@ -287,6 +342,12 @@ pub enum Problem {
     /// A cell is no number.
     #[error("{0:?} is not a number; correct it, or let the line begin with # to leave it out")]
     NotANumber(String),
+    /// A word stands where all rows before have a number.
+    #[error(
+        "{0:?} stands in a column that has only numbers above; if this row is no point, let the line \
+         begin with # to leave it out, else remove the word"
+    )]
+    Word(String),
     /// A cell is infinite.
     #[error("{0:?} is not finite; correct it, or let the line begin with # to leave it out")]
     Infinite(String),

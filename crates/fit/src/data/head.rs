@@ -1,7 +1,10 @@
 //! Values that the head of a file names: the cantilever.
 
+use std::fmt;
+
 use super::Cantilever;
 use super::cells::comment;
+use super::number::may_part_thousands;
 use units::{Dimension, Unit};
 
 /// A value that a line above the rows names.
@@ -24,8 +27,33 @@ pub struct Head {
     pub sensitivity: Option<HeadValue>,
     /// A second value that differs from the first one, with the first.
     pub(super) conflict: Option<[HeadValue; 2]>,
-    /// A line with 1 where AFM Workshop writes 1 without a calibration.
-    pub(super) uncalibrated: Option<u64>,
+    /// Why a line that names a value tells none.
+    pub(super) untold: Option<Untold>,
+}
+
+/// Why a line of the head that names a value of the cantilever tells none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Untold {
+    /// The line has 1, where AFM Workshop writes 1 without a calibration.
+    Uncalibrated(u64),
+    /// The line has a number with a comma that may part thousands.
+    Comma(u64, String),
+}
+
+impl fmt::Display for Untold {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Uncalibrated(line) => write!(
+                f,
+                "line {line} has 1, the value of an instrument that is not calibrated"
+            ),
+            Self::Comma(line, number) => write!(
+                f,
+                "line {line} has {number:?}, whose comma may part thousands or be a decimal mark"
+            ),
+        }
+    }
 }
 
 /// A value that is looked for: names of small letters only.
@@ -89,8 +117,14 @@ impl Head {
             let Some((value, size)) = wanted.value(&text, unit) else {
                 continue;
             };
+            let number_text = text.split_whitespace().next().unwrap_or_default();
+            if may_part_thousands(number_text) {
+                let untold = || Untold::Comma(number, number_text.to_owned());
+                self.untold.get_or_insert_with(untold);
+                continue;
+            }
             if is_workshop && value == 1.0 {
-                self.uncalibrated.get_or_insert(number);
+                self.untold.get_or_insert(Untold::Uncalibrated(number));
                 continue;
             }
             let is_gain = wanted.names == GAIN.names;
@@ -244,6 +278,9 @@ mod tests {
             ("Spring constant (Pa): 3", None, None),
             ("k: 3", None, None),
             ("Stiffness (N/m): 1e4", None, None),
+            // One or a thousand.
+            ("Spring constant: 1,000 mN/m", None, None),
+            ("Spring constant: 0,100 N/m", Some(0.1), None),
             ("# force-settings.extend-k-length: 24000", None, None),
             ("Date:\t15 January 2021", None, None),
         ] {

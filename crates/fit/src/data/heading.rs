@@ -12,12 +12,20 @@ pub struct Heading {
     pub name: String,
     /// The unit, if the text names one.
     pub unit: Option<Unit>,
+    /// What stands in brackets like a unit, and is none that is known: `x10 nN`.
+    pub unknown: Option<String>,
     /// The direction, if the text names one beside the quantity: `Retract Force(nN)`.
     pub direction: Option<Direction>,
 }
 
 /// Pairs of brackets around a unit.
 const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
+/// Units that end the names of other quantities: `depth h`.
+const IN_BRACKETS_ONLY: [&str; 5] = ["h", "min", "g", "mg", "kg"];
+/// Words for what is no length or force of the contact itself.
+const OTHERS: [&str; 8] = [
+    "diameter", "diam", "area", "square", "squared", "width", "log", "sqrt",
+];
 
 impl Heading {
     /// Reads a heading: `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, `Extend Force(nN)`,
@@ -25,6 +33,8 @@ impl Heading {
     pub fn parse(text: &str) -> Self {
         let text = text.trim();
         let (rest, mut unit) = bracketed_unit(text);
+        let unknown = unknown_unit(text).filter(|_| unit.is_none());
+        let may_end_in_unit = unit.is_none() && unknown.is_none();
         let mut words: Vec<&str> = rest
             .split(|c: char| !c.is_alphanumeric())
             .filter(|word| !word.is_empty())
@@ -40,7 +50,7 @@ impl Heading {
             });
         }
         // `stiffness_N_per_m`.
-        if unit.is_none()
+        if may_end_in_unit
             && let [.., above, per, below] = words[..]
             && per.eq_ignore_ascii_case("per")
             && words.len() > 3
@@ -50,19 +60,51 @@ impl Heading {
                 words.truncate(words.len() - 3);
             }
         }
-        if unit.is_none() && words.len() > 1 {
-            unit = words.last().and_then(|word| Unit::parse(word));
+        if may_end_in_unit && unit.is_none() && words.len() > 1 {
+            let last = words.last().filter(|word| !IN_BRACKETS_ONLY.contains(word));
+            unit = last.and_then(|word| Unit::parse(word));
             if unit.is_some() {
                 words.pop();
             }
+        }
+        // `Load in mN`.
+        if unit.is_some() && words.len() > 1 && words.last() == Some(&"in") {
+            words.pop();
         }
         Self {
             text: text.to_owned(),
             name: words.join(" ").to_lowercase(),
             unit,
+            unknown,
             direction,
         }
     }
+
+    /// Tells whether the text says that the numbers are not those of a quantity itself, but of its
+    /// double, its square or a multiple: `contact diameter`, `2a`, `a^2`, `10^3 F`.
+    pub fn is_derived(&self) -> bool {
+        let is_other = |word: &str| {
+            let is_digit = |c: char| c.is_numeric();
+            OTHERS.contains(&word)
+                || word.starts_with(is_digit) && word.len() > 1
+                || word.starts_with(['x', 'e']) && word[1..].starts_with(is_digit)
+        };
+        self.text.contains(['^', '*', '\u{d7}', '\u{b2}']) || self.name.split(' ').any(is_other)
+    }
+}
+
+/// Returns the text of the last pair of brackets if it looks like a unit.
+fn unknown_unit(text: &str) -> Option<String> {
+    let (at, close) = text
+        .char_indices()
+        .rev()
+        .find_map(|(at, c)| Some((at, BRACKETS.iter().find(|(open, _)| *open == c)?.1)))?;
+    let (inner, _) = text[at + 1..].split_once(close)?;
+    let inner = inner.trim();
+    let has_sign = inner.contains(|c: char| c.is_numeric() || "^*/\\%\u{b7}\u{d7}".contains(c));
+    let is_short = inner.split(' ').any(|word| word.chars().count() == 1) || inner.len() <= 3;
+    let is_square = close == ']' && direction_of_heading(inner).is_none();
+    (!inner.is_empty() && (has_sign || is_short || is_square)).then(|| inner.to_owned())
 }
 
 /// Splits off the last pair of brackets that holds a unit.
@@ -96,7 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_quotient_in_words_is_a_unit() {
+    fn a_unit_is_in_brackets_or_in_the_last_words() {
         for (text, name, unit) in [
             ("stiffness_N_per_m", "stiffness", Unit::parse("N/m")),
             (
@@ -106,6 +148,15 @@ mod tests {
             ),
             ("N_per_m", "n per", Unit::parse("m")),
             ("points per frame", "points per frame", None),
+            ("Load in mN", "load", Unit::parse("mN")),
+            ("force (in mN)", "force", Unit::parse("mN")),
+            ("Load [g]", "load", Unit::parse("gf")),
+            ("contact depth h", "contact depth h", None),
+            // A number or a letter before the unit may be a factor.
+            ("Force (x10 nN)", "force x10 nn", None),
+            ("a [1e-6 m]", "a 1e 6 m", None),
+            ("a [\\mu m]", "a mu m", None),
+            ("F (k N)", "f k n", None),
         ] {
             let heading = Heading::parse(text);
             assert_eq!(
@@ -113,6 +164,27 @@ mod tests {
                 (name, unit),
                 "{text}"
             );
+        }
+    }
+
+    #[test]
+    fn a_unit_that_is_not_known_and_another_quantity_are_told() {
+        for (text, unknown, is_derived) in [
+            ("a [um]", None, false),
+            ("Load 2 [mN]", None, false),
+            ("Height (measured)", None, false),
+            ("Force [retract]", None, false),
+            ("Force (x10 nN)", Some("x10 nN"), true),
+            ("a [px]", Some("px"), false),
+            ("contact diameter [um]", None, true),
+            ("2a [um]", None, true),
+            ("a^2 [um]", None, true),
+            ("1e6*a [m]", None, true),
+            ("a e6 m", None, true),
+        ] {
+            let heading = Heading::parse(text);
+            let found = (heading.unknown.as_deref(), heading.is_derived());
+            assert_eq!(found, (unknown, is_derived), "{text}");
         }
     }
 }

@@ -52,19 +52,23 @@ struct Run {
 #[derive(Clone, Debug, Default)]
 pub struct Search {
     lines: Vec<String>,
-    runs: [Run; Delimiter::ALL.len()],
+    /// Of rows in which no cell may hold numbers that another delimiter separates.
+    plain: Runs,
+    /// Of all rows: a cell may hold a time stamp or a remark, `5 nm step`.
+    all: Runs,
+}
+
+/// The last run and the longest one for each delimiter.
+#[derive(Clone, Debug, Default)]
+struct Runs {
+    last: [Run; Delimiter::ALL.len()],
     longest: [Run; Delimiter::ALL.len()],
 }
 
-impl Search {
-    /// Adds a line. Returns true when the rows are found.
-    pub fn push(&mut self, line: &str) -> bool {
-        let index = self.lines.len();
-        self.lines.push(line.to_owned());
-        if line.trim().is_empty() || comment(line).is_some() {
-            return false;
-        }
-        let runs = self.runs.iter_mut().zip(&mut self.longest);
+impl Runs {
+    /// Adds a line with this index.
+    fn push(&mut self, index: usize, line: &str, is_row: fn(Delimiter, &str) -> bool) {
+        let runs = self.last.iter_mut().zip(&mut self.longest);
         for (delimiter, (run, longest)) in Delimiter::ALL.into_iter().zip(runs) {
             let cells = delimiter.split(line).count();
             if cells != run.cells || is_words(delimiter, line) {
@@ -79,13 +83,35 @@ impl Search {
                 *longest = *run;
             }
         }
-        self.longest.iter().any(|run| run.rows >= ROWS)
+    }
+
+    /// Returns the number of rows of the longest run.
+    fn most(&self) -> usize {
+        self.longest.iter().map(|run| run.rows).max().unwrap_or(0)
+    }
+}
+
+impl Search {
+    /// Adds a line. Returns true when the rows are found.
+    pub fn push(&mut self, line: &str) -> bool {
+        let index = self.lines.len();
+        self.lines.push(line.to_owned());
+        if line.trim().is_empty() || comment(line).is_some() {
+            return false;
+        }
+        self.plain.push(index, line, |delimiter, line| {
+            is_row(delimiter, line) && !delimiter.split(line).any(may_be_split)
+        });
+        self.all.push(index, line, is_row);
+        self.plain.most() >= ROWS
     }
 
     /// Returns the layout and the lines.
     pub fn finish(self) -> Result<(Layout, Vec<String>), Problem> {
-        let most = self.longest.iter().map(|run| run.rows).max().unwrap_or(0);
-        let mut runs = Delimiter::ALL.into_iter().zip(self.longest);
+        let is_plain = self.plain.most() >= ROWS.min(self.all.most());
+        let runs = if is_plain { &self.plain } else { &self.all };
+        let most = runs.most();
+        let mut runs = Delimiter::ALL.into_iter().zip(runs.longest);
         let Some((delimiter, run)) = runs.find(|(_, run)| run.rows == most && most > 0) else {
             return Err(self.without_rows());
         };
@@ -121,15 +147,32 @@ impl Search {
         };
         let shown = |line: &str| line.trim().chars().take(SHOWN).collect::<String>();
         let mut all = std::iter::once(&first).cloned().chain(lines);
-        match all.find(|line| are_headings(line)) {
-            Some(headings) => Problem::OnlyHeadings {
-                headings: shown(&headings),
-            },
-            None => Problem::NoRows {
+        let Some(headings) = all.find(|line| are_headings(line)) else {
+            return Problem::NoRows {
                 start: shown(&first),
-            },
+            };
+        };
+        let is_row =
+            |line: &String| comment(line).is_none() && line.contains(|c: char| c.is_ascii_digit());
+        let row = all.find(is_row);
+        Problem::OnlyHeadings {
+            headings: shown(&headings),
+            cell: row.as_ref().and_then(|row| no_number(&headings, row)),
+            row: row.as_deref().map(shown),
         }
     }
+}
+
+/// Returns the cell of a line below headings that was to be a number: the first that has a digit.
+fn no_number(headings: &str, row: &str) -> Option<String> {
+    let headings = comment(headings).unwrap_or(headings);
+    let count = |delimiter: &Delimiter| delimiter.split_headings(headings).len();
+    let delimiter = Delimiter::ALL.into_iter().find(|one| count(one) >= 2)?;
+    let is_meant = |cell: &&str| {
+        DecimalMark::default().read(cell) == Cell::Text
+            && cell.contains(|c: char| c.is_ascii_digit())
+    };
+    delimiter.split(row).find(is_meant).map(str::to_owned)
 }
 
 /// Tells whether a line names two columns, of which one at least is recognised.
@@ -159,24 +202,18 @@ pub fn is_words(delimiter: Delimiter, line: &str) -> bool {
     cells.peek().is_some() && cells.all(|cell| cell == Cell::Text)
 }
 
-/// Tells whether a line is a row of numbers.
+/// Tells whether a line is a row of numbers: it has two at least.
 fn is_row(delimiter: Delimiter, line: &str) -> bool {
     let mut mark = DecimalMark::default();
-    let mut numbers = 0;
-    for cell in delimiter.split(line) {
-        match mark.read(cell) {
-            Cell::Number(_) | Cell::Infinite | Cell::OtherMark | Cell::Thousands => numbers += 1,
-            // Numbers that another delimiter separates.
-            Cell::Text
-                if cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
-                    && cell.contains([';', ',', ' ', '\t']) =>
-            {
-                return false;
-            }
-            _ => {}
-        }
-    }
-    numbers >= 2
+    let is_number = |cell: &&str| !matches!(mark.read(cell), Cell::Text | Cell::Missing);
+    delimiter.split(line).filter(is_number).count() >= 2
+}
+
+/// Tells whether a cell may hold numbers that another delimiter separates.
+fn may_be_split(cell: &str) -> bool {
+    cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+        && cell.contains([';', ',', ' ', '\t'])
+        && DecimalMark::default().read(cell) == Cell::Text
 }
 
 /// Returns the lines that could be headings of as many cells as `fits` allows, the last first, a

@@ -22,13 +22,14 @@
 //! `source` finds the column of a quantity, `deviation` that of
 //! its standard deviations and `beside` those of a contact stiffness, and `assignment` decides by them
 //! what is measured. `rows` reads the rows, `segment` finds their directions, `points` joins and checks
-//! their points, and `remedy` tells what a user can give where a file is not read.
+//! their points, `turns` and `doubt` tell what seems wrong with them, and `remedy` tells what a user can give where a file is not read.
 
 mod assignment;
 mod beside;
 mod cells;
 mod column;
 mod deviation;
+mod doubt;
 mod failure;
 mod head;
 mod heading;
@@ -40,8 +41,8 @@ mod points;
 mod remedy;
 mod rows;
 mod segment;
-mod sign;
 mod source;
+mod turns;
 
 use std::fmt;
 use std::fs::File;
@@ -50,11 +51,11 @@ use std::path::Path;
 
 pub use assignment::roles;
 pub use column::{Column, Role};
+pub use doubt::Doubt;
 pub use failure::{DataError, Found, Missing, Problem};
-pub use head::{Head, HeadValue};
+pub use head::{Head, HeadValue, Untold};
 pub use number::Commas;
 pub use remedy::{Named, Remedy};
-pub use sign::Doubt;
 pub use source::Source;
 
 use units::Dimension;
@@ -127,6 +128,10 @@ pub struct Reading {
 pub struct Notes {
     /// The columns used.
     pub columns: Vec<Source>,
+    /// The headings of the other columns.
+    pub unused: Vec<String>,
+    /// The first line whose time is missing, where there is a column of times; then it is not used.
+    pub untimed: Option<u64>,
     /// The number of rows that were left out because their values are missing.
     pub missing: u64,
     /// The number of rows that were left out because the sphere rests in them.
@@ -146,8 +151,8 @@ pub struct Notes {
     pub head: Head,
     /// The cantilever that was used: the one given, completed by the head.
     pub cantilever: Cantilever,
-    /// A doubt about a sign.
-    pub doubt: Option<Doubt>,
+    /// The doubts about all that.
+    pub doubts: Vec<Doubt>,
 }
 
 impl fmt::Display for FromHead<'_> {

@@ -54,6 +54,9 @@ const MISSING: [&str; 17] = [
 /// largest number of their type, such as 1.797e308.
 const PLACEHOLDER: f64 = 1e300;
 
+/// What programs write in place of a minus, and Fortran in place of the letter of an exponent.
+const UNUSUAL: [char; 4] = ['\u{2212}', '\u{2013}', 'D', 'd'];
+
 impl DecimalMark {
     /// Returns what the commas of the numbers are that were read.
     pub fn commas(self) -> Commas {
@@ -70,14 +73,14 @@ impl DecimalMark {
         if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) {
             return Cell::Missing;
         }
-        // The minus of typography.
         let owned;
-        let text = match text.strip_prefix('\u{2212}') {
-            Some(rest) => {
-                owned = format!("-{rest}");
-                &owned
-            }
-            None => text,
+        let text = if text.contains(UNUSUAL) {
+            owned = text
+                .replace(['\u{2212}', '\u{2013}'], "-")
+                .replace(['D', 'd'], "e");
+            &owned
+        } else {
+            text
         };
         let (points, commas) = text.bytes().fold((0, 0), |(points, commas), byte| {
             (
@@ -102,8 +105,7 @@ impl DecimalMark {
         {
             return Cell::OtherMark;
         }
-        self.surely_decimal |=
-            mark == Some(Mark::Comma) && (!has_thousands(text) || value.abs() < 1.0);
+        self.surely_decimal |= mark == Some(Mark::Comma) && !may_part_thousands(text);
         // 15 digits of the largest number are above it.
         let is_largest = || text.to_ascii_lowercase().ends_with("308");
         if value.is_infinite() && !is_largest() {
@@ -114,6 +116,12 @@ impl DecimalMark {
             Cell::Number(value)
         }
     }
+}
+
+/// Tells whether the comma of a number may part thousands: `41,250`, and not `0,250`.
+pub fn may_part_thousands(text: &str) -> bool {
+    let digits = text.trim_start_matches(['+', '-']);
+    text.contains(',') && has_thousands(text) && !digits.starts_with('0')
 }
 
 /// Tells whether a text that is no number is one with a separator of thousands: `1,234.5`, `1.234,5`,
@@ -205,7 +213,14 @@ mod tests {
         ] {
             assert_eq!(read(text), Cell::Thousands, "{text:?}");
         }
-        assert_eq!(read("\u{2212}1.5"), Cell::Number(-1.5));
+        for text in [
+            "\u{2212}1.5e\u{2212}3",
+            "\u{2013}1.5E-03",
+            "-1.5D-03",
+            "-1,5d-3",
+        ] {
+            assert_eq!(read(text), Cell::Number(-1.5e-3), "{text:?}");
+        }
         for text in ["inf", "-Infinity", "1e999"] {
             assert_eq!(read(text), Cell::Infinite, "{text:?}");
         }

@@ -2,13 +2,17 @@
 
 use super::assignment::{Assignment, Pair};
 use super::beside::Beside;
+use super::doubt::doubts;
 use super::failure::{Failure, Problem};
 use super::heading::Heading;
+use super::number::{Cell, DecimalMark};
 use super::segment::split;
 use super::source::Source;
-use super::{Format, Notes, Reading, Segments, sign};
+use super::{Format, Notes, Reading, Segments};
 use crate::{Direction, Kind, Measurement, Point, PointErrors};
 
+/// The number of rows with a number that make a column one of numbers.
+const ENOUGH: u32 = 3;
 /// The rounding of a number in its unit.
 const ROUNDING: f64 = 1e-12;
 
@@ -18,15 +22,54 @@ pub struct Block {
     pub assignment: Assignment,
     /// The points of each pair of columns.
     pub points: Vec<Points>,
+    /// The number of rows that have a number in each column, up to [`ENOUGH`]; `None` after another
+    /// text.
+    numbers: Vec<Option<u32>>,
 }
 
 impl Block {
     pub fn new(headings: Vec<Heading>, assignment: Assignment) -> Self {
         Self {
-            headings,
             points: vec![Points::default(); assignment.pairs.len()],
+            numbers: vec![Some(0); headings.len()],
+            headings,
             assignment,
         }
+    }
+
+    /// Returns the first cell of a row that holds a word in a column of numbers: the row is no point,
+    /// such as `Mean;85.0;0.967`.
+    pub fn word<'a>(&mut self, cells: &[&'a str]) -> Option<(usize, &'a str)> {
+        let read = |cell| DecimalMark::default().read(cell);
+        for (i, (numbers, cell)) in self.numbers.iter_mut().zip(cells).enumerate() {
+            match numbers {
+                Some(ENOUGH) => {
+                    let is_word = cell.starts_with(char::is_alphabetic) && read(cell) == Cell::Text;
+                    if is_word && self.assignment.segment != Some(i) {
+                        return Some((i, cell));
+                    }
+                }
+                Some(count) => match read(cell) {
+                    Cell::Number(_) => *count += 1,
+                    Cell::Missing => {}
+                    _ => *numbers = None,
+                },
+                None => {}
+            }
+        }
+        None
+    }
+
+    /// Returns the headings of the columns that are not read.
+    fn unused(&self) -> Vec<String> {
+        let is_read = |index: usize| {
+            self.assignment.segment == Some(index) || self.sources().any(|one| one.index == index)
+        };
+        let headings = self.headings.iter().enumerate();
+        headings
+            .filter(|(index, heading)| !is_read(*index) && !heading.text.is_empty())
+            .map(|(_, heading)| heading.text.clone())
+            .collect()
     }
 
     /// Returns the columns of every pair.
@@ -86,6 +129,7 @@ pub fn join(
     let first = &blocks[0].assignment;
     let (kind, pair) = (first.kind, first.pairs[0].clone());
     notes.blocks = blocks.len() as u64;
+    notes.unused = blocks[0].unused();
     for source in blocks.iter().flat_map(Block::sources) {
         if !notes.columns.contains(source) {
             notes.columns.push(source.clone());
@@ -133,7 +177,9 @@ pub fn join(
         return Err(Problem::NoPoints(rows).into());
     }
     check_constant(&all.points, &pair)?;
-    notes.doubt = sign::doubt(kind, &all.points, &pair);
+    if !format.keep_pauses {
+        notes.doubts = doubts(kind, &all.points, &pair, notes.split, notes.commas);
+    }
     let known = |value: fn(&Beside) -> f64| {
         let values = all.beside.iter().map(value);
         values.filter(|value| !value.is_nan()).collect()

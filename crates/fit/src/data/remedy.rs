@@ -2,8 +2,8 @@
 //! words of their users.
 
 use super::column::Role;
+use super::doubt::Doubt;
 use super::failure::{DataError, Found, Missing, Problem};
-use super::sign::Doubt;
 use crate::Kind;
 
 /// What helps against a [`Problem`] or a [`Doubt`].
@@ -37,6 +37,15 @@ impl DataError {
     pub fn remedy(&self) -> Option<Remedy> {
         let column = |role: Role, heading: String| named(vec![(role, heading)]);
         Some(match &*self.problem {
+            // What is missing may be among the columns that are to be converted.
+            Problem::MissingColumns { kinds, columns }
+                if columns.iter().any(Found::is_to_convert)
+                    && kinds
+                        .iter()
+                        .all(|one| one.candidates(columns).contains(&None)) =>
+            {
+                return None;
+            }
             Problem::MissingColumns { kinds, columns } => {
                 // The kinds for which most columns can be told.
                 let told = |one: &Missing| one.candidates(columns).iter().flatten().count();
@@ -44,9 +53,9 @@ impl DataError {
                 let likely = kinds.iter().filter(|one| told(one) == most);
                 let way = |one: &Missing| {
                     let candidates = one.candidates(columns).into_iter();
-                    let heading = |(role, found): (&Role, Option<&Found>)| {
-                        let heading = found.map(|found| found.heading.clone());
-                        (*role, heading.unwrap_or_else(|| any(*role)))
+                    let heading = |(role, found): (&Role, Option<&Found>)| match found {
+                        Some(found) => (found.role.unwrap_or(*role), found.heading.clone()),
+                        None => (*role, any(*role)),
                     };
                     Named {
                         kind: (kinds.len() > 1).then_some(one.kind),
@@ -80,11 +89,17 @@ impl DataError {
 }
 
 impl Doubt {
-    /// Returns what helps if the doubt is right.
-    pub fn remedy(&self) -> Remedy {
-        let minus = if self.abscissa.factor < 0.0 { "" } else { "-" };
-        let heading = format!("{minus}{}", self.abscissa.heading);
-        named(vec![(self.abscissa.role, heading)])
+    /// Returns what helps if the doubt is right, if that is not to change the file.
+    pub fn remedy(&self) -> Option<Remedy> {
+        match self {
+            Self::Sign { abscissa, .. } => {
+                let minus = if abscissa.factor < 0.0 { "" } else { "-" };
+                let heading = format!("{minus}{}", abscissa.heading);
+                Some(named(vec![(abscissa.role, heading)]))
+            }
+            Self::Directions { split: false, .. } => Some(Remedy::Split),
+            Self::Directions { .. } | Self::Commas | Self::Curves { .. } => None,
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use super::beside::beside;
 use super::cells::{Delimiter, comment};
 use super::column::Role;
 use super::failure::{Failure, Problem};
-use super::head::Head;
+use super::head::{Head, Untold};
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles, is_words, titles};
 use super::lines::Lines;
@@ -40,7 +40,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         cantilever: head.complete(format.cantilever),
         ..format.clone()
     };
-    let (titles, assignment) = choose(&layout, &format, head.uncalibrated)?;
+    let (titles, assignment) = choose(&layout, &format, head.untold.as_ref())?;
     let mut rows = Rows {
         delimiter: layout.delimiter,
         format: &format,
@@ -53,6 +53,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         count: 0,
         missing: 0,
         pauses: 0,
+        untimed: None,
     };
     if let Some(row) = &titles.row {
         rows.add(titles.head as u64, row)?;
@@ -86,7 +87,7 @@ fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, 
 fn choose(
     layout: &Layout,
     format: &Format,
-    uncalibrated: Option<u64>,
+    untold: Option<&Untold>,
 ) -> Result<(Titles, Assignment), Failure> {
     let unnamed = Titles {
         headings: vec![Heading::parse(""); layout.cells],
@@ -99,7 +100,7 @@ fn choose(
     let candidates = layout.titles.iter().chain(numbered.then_some(&unnamed));
     let mut first = None;
     for titles in candidates {
-        match assign(&titles.headings, format, uncalibrated) {
+        match assign(&titles.headings, format, untold) {
             Ok(assignment) => return Ok((titles.clone(), assignment)),
             Err(failure) => {
                 first.get_or_insert(failure);
@@ -158,6 +159,8 @@ struct Rows<'a> {
     count: u64,
     missing: u64,
     pauses: u64,
+    /// The first line of a point whose time is missing.
+    untimed: Option<u64>,
 }
 
 impl Rows<'_> {
@@ -204,7 +207,7 @@ impl Rows<'_> {
             ..self.format.clone()
         };
         for titles in titles(&self.waiting.lines, self.delimiter, cells..=cells) {
-            match assign(&titles.headings, &format, self.head.uncalibrated) {
+            match assign(&titles.headings, &format, self.head.untold.as_ref()) {
                 Ok(assignment) => {
                     self.blocks.push(Block::new(titles.headings, assignment));
                     self.waiting = Waiting::default();
@@ -238,12 +241,8 @@ impl Rows<'_> {
             self.pauses += 1;
             return Ok(());
         }
-        let Block {
-            headings,
-            assignment,
-            points,
-        } = self.blocks.last_mut().expect("there is the first block");
-        let expected = headings.len();
+        let block = self.blocks.last_mut().expect("there is the first block");
+        let expected = block.headings.len();
         let extra = cells.iter().skip(expected);
         if cells.len() < expected || !extra.clone().all(|cell| cell.is_empty()) {
             return Err(Failure {
@@ -255,11 +254,21 @@ impl Rows<'_> {
                 },
             });
         }
+        let word = block.word(cells);
+        let Block {
+            headings,
+            assignment,
+            points,
+            ..
+        } = block;
         let failure = |index: usize, problem| Failure {
             line: Some(number),
             column: Some((index + 1, headings[index].text.clone())),
             problem,
         };
+        if let Some((index, word)) = word {
+            return Err(failure(index, Problem::Word(word.to_owned())));
+        }
         let index = assignment.segment;
         if let Some(index) = index.filter(|_| self.format.segments != Segments::Split) {
             let word = cells[index];
@@ -338,10 +347,17 @@ impl Rows<'_> {
             found.push(Some((point, deviations, beside)));
         }
         self.count += 1;
+        let beside = assignment.pairs.iter().flat_map(|pair| &pair.beside);
+        let has_times = beside
+            .map(|source| source.role)
+            .any(|role| role == Role::Time);
         for (points, found) in points.iter_mut().zip(found) {
             match found {
                 Some((point, deviations, beside)) => {
                     let is_known = assignment.kind.is_stiffness() || !beside.time.is_nan();
+                    if !is_known && has_times {
+                        self.untimed.get_or_insert(number);
+                    }
                     points.push(point, deviations, is_known.then_some(beside));
                 }
                 None => self.missing += 1,
@@ -359,6 +375,7 @@ impl Rows<'_> {
         let notes = Notes {
             missing: self.missing,
             pauses: self.pauses,
+            untimed: self.untimed,
             commas: self.mark.commas(),
             cantilever: self.format.cantilever,
             head: self.head,
@@ -392,7 +409,10 @@ impl Failure {
         let is_word = |cell: &&str| DecimalMark::default().read(cell) == Cell::Text;
         matches!(
             self.problem,
-            Problem::NotANumber(_) | Problem::CellCount { .. } | Problem::Segment(_)
+            Problem::NotANumber(_)
+                | Problem::CellCount { .. }
+                | Problem::Segment(_)
+                | Problem::Word(_)
         ) && cells.iter().any(is_word)
     }
 }

@@ -3,6 +3,7 @@
 
 use super::column::{Column, Role};
 use super::failure::{Failure, Found, Problem};
+use super::head::Untold;
 use super::heading::Heading;
 use super::{Cantilever, Format};
 use crate::Direction;
@@ -29,8 +30,8 @@ pub struct Source {
 pub(super) struct Columns<'a> {
     pub headings: &'a [Heading],
     pub format: &'a Format,
-    /// A line that says that the cantilever is not calibrated.
-    pub uncalibrated: Option<u64>,
+    /// Why a line of the head that names a value of the cantilever tells none.
+    pub untold: Option<&'a Untold>,
 }
 
 impl Columns<'_> {
@@ -152,6 +153,15 @@ impl Columns<'_> {
             Some(unit) if role.accepts(unit) => unit,
             Some(_) => return Err(Problem::WrongUnit { role, heading }.into()),
             None if role == Role::Segment || role.is_si(&heading) => Unit::si(role.dimension()),
+            None if let Some(unit) = &self.headings[index].unknown => {
+                let unit = unit.clone();
+                let heading = heading.clone();
+                return Err(at(Problem::UnknownUnit {
+                    role,
+                    heading,
+                    unit,
+                }));
+            }
             None => {
                 let heading = match &heading[..] {
                     "" => (index + 1).to_string(),
@@ -172,7 +182,7 @@ impl Columns<'_> {
             else {
                 return Err(at(Problem::NoCantilever {
                     volts,
-                    uncalibrated: self.uncalibrated,
+                    untold: self.untold.cloned(),
                 }));
             };
             let is_sound = stiffness > 0.0 && sensitivity != 0.0;
@@ -213,6 +223,8 @@ impl Columns<'_> {
             .map(|column| Found {
                 heading: column.1.text.clone(),
                 unit: column.1.unit,
+                unknown: column.1.unknown.clone(),
+                is_derived: column.1.is_derived(),
                 role: role(column),
             })
             .collect()
@@ -220,16 +232,19 @@ impl Columns<'_> {
 }
 
 /// Returns the names under which a role is recognised, and whether a name needs a unit: a
-/// deflection in newtons is a load.
+/// deflection in newtons is a load, and so is `P`, which may be a pressure.
 fn names(role: Role) -> impl Iterator<Item = (&'static str, bool)> {
-    let forces = (role == Role::Load).then(|| Role::Deflection.headings());
+    let forces = Role::Deflection.headings().iter().chain(&["p"]);
+    let forces = forces.filter(move |_| role == Role::Load);
     let own = role.headings().iter().map(|name| (*name, false));
-    own.chain(forces.into_iter().flatten().map(|name| (*name, true)))
+    own.chain(forces.map(|name| (*name, true)))
 }
 
 /// Tells whether a heading is recognised as a role by one of its names.
 fn is_named(heading: &Heading, role: Role, (name, needs_unit): (&str, bool)) -> bool {
-    heading.name == name
+    // `contactRadius` has no spaces.
+    let letters = |name: &str| name.replace(' ', "");
+    letters(&heading.name) == letters(name)
         && match heading.unit {
             Some(unit) => role.accepts(unit),
             None => !needs_unit,

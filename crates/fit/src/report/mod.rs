@@ -25,8 +25,8 @@ use self::unit::{decimals, scaled, unit, with_error};
 use crate::data::{Commas, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
-    Bodies, Combination, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias, NamedLayer,
-    Parameter,
+    Bodies, Combination, Direction, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias,
+    NamedLayer, Parameter, Point,
 };
 
 /// The width of the names of parameters.
@@ -123,28 +123,31 @@ fn write_report(
     for warning in &fit.warnings {
         writeln!(out, "warning: {}", warning.text)?;
     }
-    for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
+    for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
         writeln!(out, "warning: {doubt}")?;
     }
     Ok(out)
 }
-
-/// Says how commas were read that may part thousands.
-pub const UNCLEAR_COMMAS: &str =
-    "commas are read as decimal marks: if they part thousands, remove them from the file";
 
 /// Returns how a file was read, in one line.
 pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
     columns.dedup();
     let mut text = format!(
-        "{}: {} points, {}",
+        "{}: {} points, {}{}",
         measurement.name,
         measurement.points.len(),
         measurement.kind.name(),
+        directions(&measurement.points),
     );
     if !columns.is_empty() {
         text += &format!("; {}", columns.join(", "));
+    }
+    if let Some(line) = notes.untimed {
+        text += &format!("; times are not used: line {line} has none");
+    }
+    if !notes.unused.is_empty() {
+        text += &format!("; not read: {}", unused(&notes.unused));
     }
     if notes.blocks > 1 {
         text += &format!("; {} times headings with rows below them", notes.blocks);
@@ -152,10 +155,8 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     if notes.split {
         text += "; split at the largest load";
     }
-    match notes.commas {
-        Commas::None => {}
-        Commas::Decimal => text += "; commas are decimal",
-        Commas::Unclear => text += &format!("; {UNCLEAR_COMMAS}"),
+    if notes.commas != Commas::None {
+        text += "; commas are decimal";
     }
     for value in notes.from_head() {
         text += &format!("; {value}");
@@ -171,6 +172,32 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
         }
     }
     text
+}
+
+/// Returns the first of the headings of columns that are not read, and the number of the others.
+fn unused(headings: &[String]) -> String {
+    const SHOWN: usize = 6;
+    let shown: Vec<String> = headings
+        .iter()
+        .take(SHOWN)
+        .map(|one| format!("{one:?}"))
+        .collect();
+    match headings.len().saturating_sub(SHOWN) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
+    }
+}
+
+/// Returns the number of points of each direction, if one is known.
+fn directions(points: &[Point]) -> String {
+    let count = |direction| {
+        let of = |point: &&Point| point.direction == Some(direction);
+        points.iter().filter(of).count()
+    };
+    match Direction::ALL.map(count) {
+        [0, 0] => String::new(),
+        [approach, retract] => format!(", {approach} of approach and {retract} of retract"),
+    }
 }
 
 fn column(source: &Source) -> String {

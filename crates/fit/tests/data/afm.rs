@@ -148,7 +148,7 @@ fn check([_, cantilever, asked, outcome, what]: &[String; 5], name: &str, path: 
             let expected: Vec<f64> = numbers.collect();
             assert_eq!(found, expected, "{name}");
             if measurement.kind == Kind::ForceHeight && format.columns.is_empty() {
-                assert_eq!(notes.doubt, None, "{name}");
+                assert_eq!(notes.doubts, [], "{name}");
             }
         }
         ("refused", Err(error)) => {

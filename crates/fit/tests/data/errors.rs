@@ -44,6 +44,16 @@ fn an_error_names_line_column_value_and_next_step() {
         Radius [um],Load [mN],Depth [nm]\n1,2,3\n2,3,4\n | more than one kind; load-radius, penetration-radius, load-penetration
         x,y\n1,2\n2,3\n | no kind; "x", "y"; force-height lacks height (a length) and load (a force)
         z [nm],defl [nm]\n1,2\n2,1\n | column 2; stiffness
+        Depth [nm],Load [mN],Stiffness [N/m]\n1,2,3\n2,3,4\n | more than one kind; load-penetration, stiffness-load, stiffness-depth
+        contact diameter [um],F [mN]\n1,2\n2,3\n | lacks contact_radius; "contact diameter [um]" (a length, to be converted); convert the numbers
+        a [um],Force (x10 nN)\n1,2\n2,3\n | lacks load; "Force (x10 nN)" ("x10 nN" is not a known unit); convert the numbers
+        No,a [um],F [mN]\n1,1,2\n2,2,3\n3,3,5\nMean,2,3.3\n | line 5, column 1 "No"; "Mean"; only numbers above; #
+        No,a [um],F [mN]\n1,1,2\n2,2,3\n3,3,5\nMean,2,3.3\n4,4,6\n | line 5, column 1 "No"; "Mean"
+        a [um],F [mN]\n1.2x10^-3,1\n2.2x10^-3,2\n | "a [um],F [mN]" are headings; "1.2x10^-3,1", in which "1.2x10^-3" is not a number; 1.5e-3
+        a [um];F [mN]\n40 um;0.1 mN\n | "40 um;0.1 mN", in which "40 um" is not a number
+        a [um];F [mN]\n40\n50\n | below is "40", which holds less than two numbers
+        contact_radius,load\n1,2\n2,3\nEnd of data\n | line 4; 1 cells; complete it
+        height,force,direction\n3,0,1\n2,1,1\n3,0,-1\n | line 4, column 3; "-1" is not a segment; split
         height,force,phase\n1,2,approach\n1,3,sideways\n | line 3, column 3; sideways; approach; split
         contact_radius,load\n,2,\n1,2\n2,3\n | line 2
         height,force,phase\n1,2,pause\n1,3,pause\n | 2 rows; no point
@@ -80,6 +90,9 @@ fn a_column_that_is_not_there_is_refused() {
     let text = "Radius [um],Load [mN],Load (mN)\n1,2,3\n2,3,4\n";
     let refused_by = |columns: &[&str], words| refused(text, &of(columns), words);
     refused_by(&["load=Kraft [mN]"], "Kraft; load; Radius [um]");
+    let text = "a [um],Force (x10 nN)\n1,2\n2,3\n";
+    let unknown = of(&["load=Force (x10 nN)"]);
+    refused(text, &unknown, "\"x10 nN\", which is not a known unit; mN");
     refused_by(&["load=4"], "\"4\"; the columns are");
     refused_by(&["load=Load"], "columns 2 and 3");
     refused_by(

@@ -72,6 +72,23 @@ fn what_people_hand_over_is_read_or_refused_with_the_reason() {
             b"Radius [um];Load [mN]\n50.5;-0,1\n".into(),
             Refused(&["line 2, column 2", "decimal mark"]),
         ),
+        (
+            "an exponent of Fortran",
+            b"contact_radius,load\n0.5D-04,-1.0D-04\n0.6d-04,2.0d-04\n".into(),
+            Read(POINTS),
+        ),
+        ("names in one word", b"contactRadius [um],P in mN\n50,-0.1\n60,0.2\n".into(), Read(POINTS)),
+        // Columns that are not read.
+        (
+            "time stamps",
+            b"stamp;a [um];F [mN]\n2024-01-01 12:30:01;50;-0.1\n2024-01-01 12:30:02;60;0.2\n".into(),
+            Read(POINTS),
+        ),
+        (
+            "remarks",
+            b"no,a [um],F [mN],remark\n1,50,-0.1,5 nm step\n2,60,0.2,\"1/2/2024, 12:00 PM\"\n".into(),
+            Read(POINTS),
+        ),
         // Missing values: a row without any is left out, a row with one of two is not.
         (
             "empty and missing cells",

@@ -20,7 +20,7 @@ fn headings_of_instruments_are_recognised() {
     // are no length and no force. The sensors of Asylum Research and AFM Workshop and the piezo of
     // Optics11 grow towards the sample, the piezos of others need not.
     let cases = r"
-        MTS, Agilent, Keysight, KLA | Displacement Into Surface,Load On Sample,Time On Sample,Harmonic Contact Stiffness\nnm,mN,s,N/m\n1,2,3,4 | depth | 1e-9 | 2e-3
+        MTS, Agilent, Keysight, KLA | Displacement Into Surface,Load On Sample,Time On Sample\nnm,mN,s\n1,2,3 | depth | 1e-9 | 2e-3
         the same, units in brackets | Displacement Into Surface (nm);Load On Sample (mN);Raw Load (mN);Raw Displacement (nm)\n1;2;3;4 | depth | 1e-9 | 2e-3
         the same, in capitals | Time [s]\tDEPTH [nm]\tLOAD [mN]\n0\t1\t2 | depth | 1e-9 | 2e-3
         Hysitron, other signals in V | Depth (nm)\tLoad (µN)\tTime (s)\tDepth (V)\tLoad (V)\n1\t2\t3\t4\t5 | depth | 1e-9 | 2e-6

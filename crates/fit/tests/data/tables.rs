@@ -221,16 +221,65 @@ fn rows_without_values_are_left_out_and_counted() {
 
 #[test]
 fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
-    let doubt = |text| sound(text, &Format::default()).notes.doubt;
-    assert_eq!(doubt("height,force\n3,0\n2,0\n1,1\n"), None);
-    assert_eq!(doubt("contact_radius,load\n1,-1\n2,-1.2\n3,1\n"), None);
+    let doubts = |text| sound(text, &Format::default()).notes.doubts;
+    assert_eq!(doubts("height,force\n3,0\n2,0\n1,1\n"), []);
+    assert_eq!(doubts("contact_radius,load\n1,-1\n2,-1.2\n3,1\n"), []);
     for text in [
         "height,force\n1,0\n2,0\n3,1\n",
         "height,force\n3,0\n2,0\n1,-1\n",
         "contact_radius,load\n1,0\n2,-0.2\n3,-1\n",
     ] {
-        let doubt = doubt(text).unwrap_or_else(|| panic!("no doubt: {text}"));
-        assert!(doubt.to_string().contains("opposite sense"), "{doubt}");
+        let doubts = doubts(text);
+        assert_eq!(doubts.len(), 1, "{text}: {doubts:?}");
+        assert!(
+            doubts[0].to_string().contains("opposite sense"),
+            "{doubts:?}"
+        );
+    }
+}
+
+/// A file can hold several curves, directions that are wrong, and commas that part thousands.
+#[test]
+fn a_course_or_commas_that_are_doubtful_are_told() {
+    let up = || 1..=20;
+    let down = || (1..=20).rev();
+    let text = |heights: &mut dyn Iterator<Item = i32>, segment: &str| -> String {
+        let row = |height| format!("{height},{}{segment}\n", 20 - height);
+        heights.map(row).collect()
+    };
+    let doubts = |head: &str, rows: &str| -> Vec<String> {
+        let reading = sound(&format!("{head}\n{rows}"), &Format::default());
+        let doubts = reading.notes.doubts.iter();
+        doubts.map(ToString::to_string).collect()
+    };
+    let cycle = |segment| text(&mut down().chain(up()), segment);
+    let [bare, named] = ["height,force", "height,force,segment"];
+    let none: [&str; 0] = [];
+    assert_eq!(doubts(bare, &cycle("")), none);
+    let both = text(&mut down(), ",1_extend") + &text(&mut up(), ",2_retract");
+    assert_eq!(doubts(named, &both), none);
+    for (head, rows, words) in [
+        (bare, cycle("").repeat(2), "\"height\" turns back 2 times"),
+        (
+            bare,
+            text(&mut down(), "").repeat(2),
+            "\"height\" turns back 2 times",
+        ),
+        (named, both.repeat(2), "\"height\" turns back 2 times"),
+        (
+            named,
+            cycle(",retract"),
+            "there and back in the rows that are read as retract",
+        ),
+        (
+            "contact_radius;load",
+            "1,100;2,300\n2,100;3,300\n".to_owned(),
+            "1,249 is 1.249; if the commas part thousands, remove them",
+        ),
+    ] {
+        let doubts = doubts(head, &rows);
+        assert_eq!(doubts.len(), 1, "{head} {words}: {doubts:?}");
+        assert!(doubts[0].contains(words), "{doubts:?}");
     }
 }
 

@@ -28,7 +28,7 @@ use units::Dimension;
 use self::experiments::{FreeArguments, KnownArguments};
 use self::indentation::{Noise, Range, ReferenceArguments};
 use self::picture::PictureArguments;
-use self::reading::{doubted, measured, typed};
+use self::reading::{doubted, measured, typed, with_doubts};
 use self::setting::{Given, check_units, unit_of};
 use self::value::fixed;
 use super::allow::{self, Allowed};
@@ -49,9 +49,9 @@ use crate::printable;
 /// force, time, height, `height (measured)`, `height (piezo)`, contact_stiffness, contact_area, phase_shift
 /// and loss_stiffness are in SI units, all others an error.
 /// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
-/// and `radius_std`, is the column of its standard deviations. Segments of a file may have headings
-/// of their own. The stiffness and the sensitivity of the cantilever are those that the head of the
-/// file names, unless flags give others.
+/// and `radius_std`, is the column of its standard deviations. Each curve has a file of its own; its
+/// segments may have headings of their own. The stiffness and the sensitivity of the cantilever are
+/// those that the head of the file names, unless flags give others.
 ///
 /// A contact stiffness (--kind stiffness-radius, stiffness-load, stiffness-depth) is that of a pinned
 /// contact line, as nanoindenters (CSM) and dynamic AFMs measure it. With a column of its phase or of
@@ -412,7 +412,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let allowed = &arguments.known.bodies.allow;
     for experiment in &experiments {
         allow::magnitudes(&experiment.magnitudes(), allowed)
-            .with_context(|| experiment.measurement.name.clone())?;
+            .with_context(|| experiment.measurement.name.clone())
+            .map_err(|error| with_doubts(error, &notes))?;
     }
     let table = arguments.table.read()?;
     let table: &Table = &table;
@@ -431,7 +432,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .any(|one| !one.times.is_empty() && one.relaxing.is_none());
     if fit.converged {
         allow::magnitudes(&fit.magnitudes(), allowed)
-            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, timed)))?;
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, timed)))
+            .map_err(|error| with_doubts(error, &notes))?;
     }
     // A picture that cannot be drawn is told before anything is written.
     let drawn = arguments.picture.drawn(&fit, &experiments)?;
@@ -445,8 +447,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
     } else {
         let mut report = report(&fit, &experiments, &notes, &arguments.units);
-        for doubt in notes.iter().filter_map(|notes| notes.doubt.as_ref()) {
-            report += &format!("if the sign is wrong, {}\n", typed(&doubt.remedy()));
+        for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
+            if let Some(remedy) = doubt.remedy() {
+                let wrong = if doubt.kind() == "sign" {
+                    "sign is"
+                } else {
+                    "directions are"
+                };
+                report += &format!("if the {wrong} wrong, {}\n", typed(&remedy));
+            }
         }
         report += &next_steps(&fit, timed);
         print(printable::lines(&report).as_bytes())?;

@@ -10,7 +10,7 @@ use ::fit::{
 };
 use serde::{Serialize, Serializer};
 
-use super::reading::typed;
+use super::reading::told;
 use crate::cli::json::Number;
 
 /// A fit.
@@ -227,10 +227,10 @@ impl<'a> FitObject<'a> {
             let values = fit.experiments.iter().map(|one| Number(value(one)));
             OneOrAll(values.collect())
         };
-        let doubts = notes.iter().filter_map(|notes| notes.doubt.as_ref());
+        let doubts = notes.iter().flat_map(|notes| &notes.doubts);
         let doubts = doubts.map(|doubt| WarningObject {
-            kind: "sign",
-            text: format!("{doubt}; if so, {}", typed(&doubt.remedy())).into(),
+            kind: doubt.kind(),
+            text: told(doubt).into(),
         });
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ::fit::data::{Format, Named, Notes, Reading, Remedy, read};
+use ::fit::data::{Doubt, Format, Named, Notes, Reading, Remedy, read};
 use anyhow::anyhow;
 
 /// Reads a file. An error says which flag helps.
@@ -13,13 +13,16 @@ pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
     })
 }
 
-/// Returns the error of a fit, with the doubts about signs that may explain it.
+/// Returns the error of a fit, with the doubts about the files that may explain it.
 pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
     let error = match error {
         ::fit::Error::LeftOut { .. } => anyhow!("{error}: --allow left-out"),
         ::fit::Error::NoTimes { .. } => {
+            let untimed = notes.iter().find_map(|notes| notes.untimed);
+            let line = untimed.map(|line| format!(" (line {line} has no number of a time)"));
             anyhow!(
-                "{error}: name the column, --column \"time=Time [s]\", or type --sample-interval S"
+                "{error}{}: name the column, --column \"time=Time [s]\", or type --sample-interval S",
+                line.unwrap_or_default()
             )
         }
         ::fit::Error::History(contact::HistoryError::UnlikeBodies { .. })
@@ -28,15 +31,28 @@ pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
         }
         error => error.into(),
     };
-    let doubts: String = notes
+    with_doubts(error, notes)
+}
+
+/// Returns an error, with the doubts about the files that may explain it.
+pub fn with_doubts(error: anyhow::Error, notes: &[Notes]) -> anyhow::Error {
+    let doubts: Vec<String> = notes
         .iter()
-        .filter_map(|notes| notes.doubt.as_ref())
-        .map(|doubt| format!("; {doubt}: if so, {}", typed(&doubt.remedy())))
+        .flat_map(|notes| &notes.doubts)
+        .map(|doubt| format!("; {}", told(doubt)))
         .collect();
     if doubts.is_empty() {
         return error;
     }
-    anyhow!("{error:#}{doubts}")
+    anyhow!("{error:#}{}", doubts.concat())
+}
+
+/// Returns a doubt, with what to type if it is right.
+pub fn told(doubt: &Doubt) -> String {
+    match doubt.remedy() {
+        Some(remedy) => format!("{doubt}; if so, {}", typed(&remedy)),
+        None => doubt.to_string(),
+    }
 }
 
 /// Returns what to type.

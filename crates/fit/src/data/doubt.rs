@@ -1,0 +1,161 @@
+//! Doubts about how a file was read.
+
+use std::fmt;
+
+use super::assignment::Pair;
+use super::number::Commas;
+use super::source::Source;
+use super::turns::turns;
+use crate::{Direction, Kind, Point};
+
+/// The part of the range of the abscissa that is taken for the deepest.
+const DEEPEST: f64 = 0.1;
+/// The number of points that tell the course of a curve.
+const ENOUGH: usize = 10_000;
+
+/// A doubt about how a file was read.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Doubt {
+    /// One of two columns may count in the opposite sense: a contact that is pressed together more must
+    /// push back more.
+    Sign {
+        /// The abscissa.
+        abscissa: Source,
+        /// The heading of the ordinate.
+        ordinate: String,
+    },
+    /// The commas of the numbers may part thousands.
+    Commas,
+    /// The abscissa turns back more often than that of one curve.
+    Curves {
+        /// The heading of the abscissa.
+        abscissa: String,
+        /// The number of turns in the rows of one direction, or in all rows without a direction.
+        turns: usize,
+    },
+    /// The abscissa goes there and back in the rows of one direction.
+    Directions {
+        /// The heading of the abscissa.
+        abscissa: String,
+        /// The direction that these rows are read as.
+        direction: Direction,
+        /// Whether the points were split at the largest load.
+        split: bool,
+    },
+}
+
+impl Doubt {
+    /// Returns the kind, as a word.
+    pub const fn kind(&self) -> &'static str {
+        match self {
+            Self::Sign { .. } => "sign",
+            Self::Commas => "commas",
+            Self::Curves { .. } => "several-curves",
+            Self::Directions { .. } => "directions",
+        }
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Sign { abscissa, ordinate } => write!(
+                f,
+                "{ordinate:?} is smaller where {:?} says that the bodies are closer; one of them may \
+                 count in the opposite sense",
+                abscissa.heading
+            ),
+            Self::Commas => write!(
+                f,
+                "each comma stands before three digits, and is read as a decimal mark: 1,249 is 1.249; \
+                 if the commas part thousands, remove them from the file"
+            ),
+            Self::Curves { abscissa, turns } => write!(
+                f,
+                "{abscissa:?} turns back {turns} times, as where a file holds several curves, and they \
+                 are fitted as one; if they are several, save each as a file of its own and fit the \
+                 files together"
+            ),
+            Self::Directions {
+                abscissa,
+                direction,
+                ..
+            } => write!(
+                f,
+                "{abscissa:?} goes there and back in the rows that are read as {}; their direction may \
+                 be wrong",
+                direction.name()
+            ),
+        }
+    }
+}
+
+/// Returns the doubts about a file: its points, the columns of its first pair, whether the points were
+/// split at the largest load, and what its commas are.
+pub fn doubts(
+    kind: Kind,
+    points: &[Point],
+    pair: &Pair,
+    split: bool,
+    commas: Commas,
+) -> Vec<Doubt> {
+    let commas = (commas == Commas::Unclear).then_some(Doubt::Commas);
+    let sign = sign(kind, points, pair);
+    sign.into_iter()
+        .chain(commas)
+        .chain(course(points, pair, split))
+        .collect()
+}
+
+/// Returns the doubt that an axis counts in the opposite sense, if the deepest points have less
+/// load or penetration than the others on average.
+fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Doubt> {
+    // The direction in which the abscissa grows when the bodies are pressed together.
+    let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
+    let depth = |point: &Point| inwards * point.abscissa;
+    let [least, most] = points.iter().fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], point| [least.min(depth(point)), most.max(depth(point))],
+    );
+    let from = most - DEEPEST * (most - least);
+    let mean = |points: &mut dyn Iterator<Item = &Point>| {
+        let (sum, count) = points.fold((0.0, 0_u32), |(sum, count), point| {
+            (sum + point.ordinate, count + 1)
+        });
+        sum / f64::from(count)
+    };
+    let deepest = mean(&mut points.iter().filter(|point| depth(point) >= from));
+    let all = mean(&mut points.iter());
+    (deepest < all).then(|| Doubt::Sign {
+        abscissa: pair.abscissa.clone(),
+        ordinate: pair.ordinate.heading.clone(),
+    })
+}
+
+/// Returns the doubt that the points are several curves, or that their directions are wrong. A curve
+/// goes there and back, and in one direction it does not turn.
+fn course(points: &[Point], pair: &Pair, split: bool) -> Option<Doubt> {
+    let heading = || pair.abscissa.heading.clone();
+    let of = |direction: Option<Direction>| {
+        let points = points.iter().filter(|point| point.direction == direction);
+        let step = points.clone().count() / ENOUGH + 1;
+        let abscissae = points.map(|point| point.abscissa).step_by(step);
+        let abscissae: Vec<f64> = abscissae.collect();
+        match (turns(&abscissae), direction) {
+            (turns @ 2.., _) => Some(Doubt::Curves {
+                abscissa: heading(),
+                turns,
+            }),
+            (1, Some(direction)) => Some(Doubt::Directions {
+                abscissa: heading(),
+                direction,
+                split,
+            }),
+            _ => None,
+        }
+    };
+    of(None)
+        .or_else(|| of(Some(Direction::Approach)))
+        .or_else(|| of(Some(Direction::Retract)))
+}

@@ -1,0 +1,99 @@
+//! How often a list of numbers turns back.
+
+/// The part of the range by which the numbers go back where they turn.
+const BACK: f64 = 0.5;
+/// The largest mean step between ranks, over their number, of numbers in an order. In no order it is a
+/// third; two curves of ten points have three turns of the range in twenty steps.
+const LARGEST_STEP: f64 = 1.0 / 6.0;
+/// The number of neighbours of which the middle one is taken: two numbers that stand out are no turn.
+const NEIGHBOURS: usize = 5;
+
+/// Returns how often the numbers turn back; 0 where they have no order.
+pub fn turns(numbers: &[f64]) -> usize {
+    if numbers.len() < NEIGHBOURS || !have_order(numbers) {
+        return 0;
+    }
+    let middle = |some: &[f64; NEIGHBOURS]| {
+        let mut sorted = *some;
+        sorted.sort_by(f64::total_cmp);
+        sorted[NEIGHBOURS / 2]
+    };
+    let numbers: Vec<f64> = numbers.array_windows().map(middle).collect();
+    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let back = BACK * (most - least);
+    let mut turns = 0;
+    // The least and the largest number since the last turn, and whether the numbers grow.
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut grows = None;
+    for &number in &numbers {
+        (low, high) = (low.min(number), high.max(number));
+        let now = if number - low > back {
+            true
+        } else if high - number > back {
+            false
+        } else {
+            continue;
+        };
+        turns += usize::from(grows.is_some_and(|before| before != now));
+        grows = Some(now);
+        if now { low = number } else { high = number }
+    }
+    turns
+}
+
+/// Tells whether neighbours have similar ranks.
+fn have_order(numbers: &[f64]) -> bool {
+    let mut by_size: Vec<usize> = (0..numbers.len()).collect();
+    by_size.sort_by(|&a, &b| numbers[a].total_cmp(&numbers[b]));
+    let mut ranks = vec![0.0; numbers.len()];
+    for (rank, index) in (0_u32..).zip(by_size) {
+        ranks[index] = f64::from(rank);
+    }
+    let steps = ranks.windows(2).map(|two| (two[1] - two[0]).abs());
+    let count = numbers.len() as f64;
+    steps.sum::<f64>() <= LARGEST_STEP * count * (count - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_turn_and_points_in_no_order_do_not() {
+        let up = |n: i32| (0..n).map(f64::from);
+        let down = |n: i32| (0..n).rev().map(f64::from);
+        let noisy = |(i, x): (usize, f64)| x + 3.0 * ((i * 7919) % 11) as f64 / 11.0;
+        let with_a_spike = |mut numbers: Vec<f64>| {
+            numbers[10..12].fill(1e3);
+            numbers
+        };
+        for (name, numbers, expected) in [
+            ("no points", vec![], 0),
+            ("one number", vec![1.0; 40], 0),
+            ("up", up(40).collect(), 0),
+            ("up with noise", up(40).enumerate().map(noisy).collect(), 0),
+            ("up with a spike", with_a_spike(up(40).collect()), 0),
+            ("down and up", down(20).chain(up(20)).collect(), 1),
+            ("up twice", up(20).chain(up(20)).collect(), 2),
+            ("down twice", down(20).chain(down(20)).collect(), 2),
+            (
+                "two cycles",
+                up(20)
+                    .chain(down(20))
+                    .chain(up(20))
+                    .chain(down(20))
+                    .collect(),
+                3,
+            ),
+            (
+                "up three times",
+                up(20).chain(up(20)).chain(up(20)).collect(),
+                4,
+            ),
+            ("no order", up(40).map(|i| (i * 17.0) % 40.0).collect(), 0),
+        ] {
+            assert_eq!(turns(&numbers), expected, "{name}");
+        }
+    }
+}
