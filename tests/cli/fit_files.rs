@@ -128,7 +128,7 @@ fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
         assert!(!sound.contains(kind), "{kind}: {sound}");
     }
     let message = workdir.fail(1, format!("fit diameters.csv {LENS}"));
-    assert_names(&message, "MN; if the commas part thousands");
+    assert_names(&message, "taken for N; if the commas part thousands");
 }
 
 /// Simulates a force curve, and writes it in the style of JPK, with a pause of more columns.
