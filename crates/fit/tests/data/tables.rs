@@ -217,6 +217,37 @@ fn rows_without_values_are_left_out_and_counted() {
     );
     assert_values(&values(&reading), &[[1.0, 2.0], [2.0, 3.0]]);
     assert_eq!(reading.notes.missing, 2);
+    assert_eq!(reading.notes.unused, ["note"]);
+}
+
+/// Times that are not those of all points tell nothing: the first line without one is told.
+#[test]
+fn times_are_those_of_all_points_or_of_none() {
+    let read = |head: &str, last: &str| {
+        let text = format!("{head}\n1,2,0\n2,3,0.5\n3,5,{last}\n");
+        let reading = sound(&text, &Format::default());
+        (reading.times, reading.notes.untimed)
+    };
+    let minutes = "penetration,load,Time [min]";
+    assert_eq!(read(minutes, "1"), (vec![0.0, 30.0, 60.0], None));
+    assert_eq!(read("penetration,load,t [h]", "1").0, [0.0, 1800.0, 3600.0]);
+    assert_eq!(read(minutes, "nan"), (vec![], Some(4)));
+    assert_eq!(read(minutes, "00:01:00"), (vec![], Some(4)));
+}
+
+/// A contact area gives the radius where the user says so.
+#[test]
+fn a_contact_area_gives_the_radius_of_a_kind_that_is_asked_for() {
+    let format = Format {
+        kind: Some(Kind::LoadRadius),
+        ..Format::default()
+    };
+    let square = std::f64::consts::PI * 50.0 * 50.0;
+    let text = format!(
+        "contact area [um^2];F [mN]\n{square};-0.1\n{};0.2\n",
+        1.44 * square
+    );
+    assert_values(&values(&sound(&text, &format)), &TWO);
 }
 
 #[test]

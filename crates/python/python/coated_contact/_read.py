@@ -120,8 +120,8 @@ def read_experiment(
     Warns
     -----
     UserWarning
-        Where a column seems to count in the opposite sense, commas may part thousands, the directions
-        seem wrong, or the file seems to hold several curves.
+        Where a column seems to count in the opposite sense, commas may part thousands, the
+        directions seem wrong, or the file seems to hold several curves.
 
     Examples
     --------
