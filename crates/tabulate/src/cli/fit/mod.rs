@@ -16,7 +16,7 @@ mod value;
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Format, Role, Segments};
+use ::fit::data::{Cantilever, Column, Doubt, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, WarningKind};
 use anyhow::{Context, anyhow, bail, ensure};
@@ -449,7 +449,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let mut report = report(&fit, &experiments, &notes, &arguments.units);
         for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
             if let Some(remedy) = doubt.remedy() {
-                let wrong = if doubt.kind() == "sign" {
+                let wrong = if matches!(doubt, Doubt::Sign { .. }) {
                     "sign is"
                 } else {
                     "directions are"
