@@ -198,8 +198,8 @@ def forecast(
 ) -> Forecast:
     """Return the standard errors that planned experiments would give, before they are made.
 
-    Where the force jumps, a fit finds errors up to a third larger: it leaves out points near the ends
-    of the branches by the noise of the data.
+    Where the force jumps, a fit finds errors up to a third larger: it leaves out points near the
+    ends of the branches by the noise of the data.
 
     Parameters
     ----------
