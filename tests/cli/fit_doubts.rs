@@ -128,3 +128,29 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
         ",
     );
 }
+
+#[test]
+fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let fit = "--film-thickness 3e-5 --specimen paper";
+    assert_names(
+        &workdir.succeed(format!("fit data.csv {fit} --radius-noise 3e-7")),
+        "the noise of the load is estimated; the noise of the ordinates: --noise 2uN",
+    );
+    let text = String::from_utf8(workdir.read("data.csv")).expect("text");
+    let clipped: String = text
+        .lines()
+        .map(|line| match line.split_once(',') {
+            Some((radius, load)) if load.parse().is_ok_and(|load: f64| load > 1.5e-3) => {
+                format!("{radius},1.5e-3\n")
+            }
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    workdir.write("clipped.csv", clipped);
+    assert_names(
+        &workdir.succeed(format!("fit clipped.csv {fit}")),
+        "exactly the largest load; leave these points out; let their lines begin with #",
+    );
+}

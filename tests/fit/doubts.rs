@@ -100,7 +100,11 @@ fn a_retract_without_adhesion_in_the_model_is_doubted() {
     experiment.work_of_adhesion = 0.0;
     let found = fitted(&experiment, &probe.free);
     assert_warns(&found, WarningKind::PoorFit, "reduced chi^2");
-    assert_warns(&found, WarningKind::StructuredResiduals, "runs of one sign");
+    assert_warns(
+        &found,
+        WarningKind::StructuredResiduals,
+        "neighbouring residuals are alike; too small by a factor",
+    );
 }
 
 #[test]
@@ -204,7 +208,7 @@ fn points_far_from_the_fit_are_listed() {
     let mut experiment = lens.measured(&lens.exact(), 1);
     experiment.measurement.points[20].ordinate += 1e-4;
     let found = fitted(&experiment, &lens.free);
-    assert_warns(&found, WarningKind::Outliers, "1 of 40 points; lines 22");
+    assert_warns(&found, WarningKind::Outliers, "1 of 40 points; line 22");
     let flagged = found.experiments[0].points.iter().filter(|p| p.outlier);
     assert_eq!(flagged.map(|point| point.line).collect::<Vec<_>>(), [22]);
 }

@@ -6,6 +6,7 @@
 mod abscissa_noise;
 mod contact_stiffness;
 mod cycles;
+mod detector;
 mod doubts;
 mod drawn;
 mod fixed_values;
@@ -19,6 +20,7 @@ mod layers_refused;
 mod left_out;
 mod magnitudes;
 mod minima;
+mod noise;
 mod planning;
 mod recovery;
 mod relaxing;

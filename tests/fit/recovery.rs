@@ -15,6 +15,9 @@ pub const SETS: u64 = 200;
 /// side once in 20,000 times. The tests make some 100 such comparisons.
 const BETWEEN: [(usize, [[usize; 2]; 2]); 2] =
     [(50, [[20, 46], [40, 50]]), (200, [[110, 161], [176, 199]])];
+/// The most of 200 fits with a doubt of which chance makes one in a thousand: more come once in 17,000
+/// times.
+const MOST_ALIKE: usize = 3;
 
 /// Asserts that the intervals of 68 % and 95 % of each estimate hold the truth as often as they
 /// should, that all fits converge, and that none has another warning than those expected.
@@ -51,8 +54,17 @@ pub fn assert_coverage(
             );
         }
     }
+    // Neighbouring residuals are alike by chance in one fit in a thousand.
+    let alike = fits.iter();
+    let alike = alike.filter(|fit| fit.warns_of(WarningKind::StructuredResiduals));
+    let is_expected = expected.contains(&WarningKind::StructuredResiduals);
+    assert!(is_expected || alike.count() <= MOST_ALIKE, "{name}");
     // All films of this file are bonded.
-    let expected = [expected, &[WarningKind::AssumesBonding]].concat();
+    let known = [
+        WarningKind::AssumesBonding,
+        WarningKind::StructuredResiduals,
+    ];
+    let expected = [expected, &known].concat();
     let unexpected: Vec<_> = fits.iter().flat_map(|fit| doubts(fit, &expected)).collect();
     // Each of some ten tests for doubts in a fit has a chance of 7e-6 of a false alarm.
     assert!(unexpected.is_empty(), "{name}: {unexpected:?}");

@@ -118,7 +118,8 @@ pub enum Error {
     /// Data from which no start can be found.
     #[error(
         "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
-         are positive in compression), or give a start"
+         are positive in compression), and the stiffness of a cantilever, which is too small if the \
+         force grows faster with the height than by this stiffness; or give a start"
     )]
     NoStart {
         /// The name of the measurement.

@@ -15,21 +15,16 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     0.5 * (lower + upper)
 }
 
-/// Returns by how many standard deviations the number of runs of equal signs is below that of
-/// independent signs (Wald and Wolfowitz, Ann. Math. Stat. 11, 147, 1940); `None` where there are
-/// too few of one sign.
-pub(crate) fn missing_runs(residuals: &[f64]) -> Option<f64> {
-    let signs: Vec<bool> = residuals.iter().map(|residual| *residual > 0.0).collect();
-    let n = signs.len() as f64;
-    let positive = signs.iter().filter(|sign| **sign).count() as f64;
-    let negative = n - positive;
-    if positive.min(negative) < 5.0 {
-        return None;
-    }
-    let runs = 1.0 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count() as f64;
-    let expected = 1.0 + 2.0 * positive * negative / n;
-    let variance = (expected - 1.0) * (expected - 2.0) / (n - 1.0);
-    Some((expected - runs) / variance.sqrt())
+/// Returns the value from which on half of the weights are, of values with their weights; 0 of none.
+pub(crate) fn weighted_median(values: &mut [[f64; 2]]) -> f64 {
+    values.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let half = 0.5 * values.iter().map(|[_, weight]| weight).sum::<f64>();
+    let mut below = 0.0;
+    let middle = values.iter().find(|[_, weight]| {
+        below += weight;
+        below >= half
+    });
+    middle.map_or(0.0, |[value, _]| *value)
 }
 
 /// Returns by how many standard deviations `chi_squared` exceeds its expectation. Its cube root is
@@ -168,16 +163,15 @@ mod tests {
         assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
         assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
         assert_eq!(median(Vec::new()), 0.0);
-    }
-
-    #[test]
-    fn runs_are_counted_against_chance() {
-        let blocks: Vec<f64> = (0..40).map(|i| if i < 20 { 1.0 } else { -1.0 }).collect();
-        // Two runs of 21 expected, with a variance of 20 19/39.
-        let expected = 19.0 / (20.0 * 19.0 / 39.0_f64).sqrt();
-        let found = missing_runs(&blocks).expect("enough of both");
-        assert!((found - expected).abs() < 1e-12);
-        assert_eq!(missing_runs(&[1.0; 30]), None);
+        assert_eq!(
+            weighted_median(&mut [[3.0, 1.0], [1.0, 1.0], [2.0, 1.0]]),
+            2.0
+        );
+        assert_eq!(
+            weighted_median(&mut [[3.0, 5.0], [1.0, 1.0], [2.0, 1.0]]),
+            3.0
+        );
+        assert_eq!(weighted_median(&mut []), 0.0);
     }
 
     #[test]

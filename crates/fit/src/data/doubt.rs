@@ -4,12 +4,10 @@ use std::fmt;
 
 use super::assignment::Pair;
 use super::number::Commas;
-use super::source::Source;
+use super::sign::{Sign, sign};
 use super::turns::turns;
 use crate::{Direction, Kind, Point};
 
-/// The part of the range of the abscissa that is taken for the deepest.
-const DEEPEST: f64 = 0.1;
 /// The number of points that tell the course of a curve.
 const ENOUGH: usize = 10_000;
 
@@ -17,14 +15,8 @@ const ENOUGH: usize = 10_000;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Doubt {
-    /// One of two columns may count in the opposite sense: a contact that is pressed together more must
-    /// push back more.
-    Sign {
-        /// The abscissa.
-        abscissa: Source,
-        /// The heading of the ordinate.
-        ordinate: String,
-    },
+    /// Columns may count in the opposite sense.
+    Sign(Sign),
     /// The commas of the numbers may part thousands.
     Commas,
     /// The abscissa turns back more often than that of one curve.
@@ -49,7 +41,7 @@ impl Doubt {
     /// Returns the kind, as a word.
     pub const fn kind(&self) -> &'static str {
         match self {
-            Self::Sign { .. } => "sign",
+            Self::Sign(_) => "sign",
             Self::Commas => "commas",
             Self::Curves { .. } => "several-curves",
             Self::Directions { .. } => "directions",
@@ -60,12 +52,7 @@ impl Doubt {
 impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Sign { abscissa, ordinate } => write!(
-                f,
-                "{ordinate:?} is smaller where {:?} says that the bodies are closer; one of them may \
-                 count in the opposite sense",
-                abscissa.heading
-            ),
+            Self::Sign(sign) => sign.fmt(f),
             Self::Commas => write!(
                 f,
                 "each comma stands before three digits, and is read as a decimal mark: 1,249 is 1.249; \
@@ -101,36 +88,11 @@ pub fn doubts(
     commas: Commas,
 ) -> Vec<Doubt> {
     let commas = (commas == Commas::Unclear).then_some(Doubt::Commas);
-    let sign = sign(kind, points, pair);
+    let sign = sign(kind, points, pair).map(Doubt::Sign);
     sign.into_iter()
         .chain(commas)
         .chain(course(points, pair, split))
         .collect()
-}
-
-/// Returns the doubt that an axis counts in the opposite sense, if the deepest points have less
-/// load or penetration than the others on average.
-fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Doubt> {
-    // The direction in which the abscissa grows when the bodies are pressed together.
-    let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
-    let depth = |point: &Point| inwards * point.abscissa;
-    let [least, most] = points.iter().fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[least, most], point| [least.min(depth(point)), most.max(depth(point))],
-    );
-    let from = most - DEEPEST * (most - least);
-    let mean = |points: &mut dyn Iterator<Item = &Point>| {
-        let (sum, count) = points.fold((0.0, 0_u32), |(sum, count), point| {
-            (sum + point.ordinate, count + 1)
-        });
-        sum / f64::from(count)
-    };
-    let deepest = mean(&mut points.iter().filter(|point| depth(point) >= from));
-    let all = mean(&mut points.iter());
-    (deepest < all).then(|| Doubt::Sign {
-        abscissa: pair.abscissa.clone(),
-        ordinate: pair.ordinate.heading.clone(),
-    })
 }
 
 /// Returns the doubt that the points are several curves, or that their directions are wrong. A curve

@@ -41,6 +41,7 @@ mod points;
 mod remedy;
 mod rows;
 mod segment;
+mod sign;
 mod source;
 mod turns;
 

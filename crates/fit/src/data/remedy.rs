@@ -92,10 +92,12 @@ impl Doubt {
     /// Returns what helps if the doubt is right, if that is not to change the file.
     pub fn remedy(&self) -> Option<Remedy> {
         match self {
-            Self::Sign { abscissa, .. } => {
-                let minus = if abscissa.factor < 0.0 { "" } else { "-" };
-                let heading = format!("{minus}{}", abscissa.heading);
-                Some(named(vec![(abscissa.role, heading)]))
+            Self::Sign(sign) => {
+                let turned = sign.columns().map(|column| {
+                    let minus = if column.factor < 0.0 { "" } else { "-" };
+                    (column.role, format!("{minus}{}", column.heading))
+                });
+                Some(named(turned.collect()))
             }
             Self::Directions { split: false, .. } => Some(Remedy::Split),
             Self::Directions { .. } | Self::Commas | Self::Curves { .. } => None,

@@ -2,34 +2,75 @@
 //!
 //! Where the noise is not known it is estimated from the residuals, and then a sum of squares tells
 //! nothing. What tells is whether neighbouring residuals are alike: half the mean square of their
-//! differences is the variance of independent noise, whatever smooth misfit it stands on.
+//! differences is the variance of independent noise, whatever smooth misfit it stands on. Where the
+//! noise is known, neighbours that are alike tell that it is not independent.
 
 use nalgebra::DVector;
 
+use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::{Assigned, Problem};
-use crate::statistics::{CLIPPED, clipped, excess, likeness_of_neighbours};
-use crate::{Branch, Fit, Loss, WarningKind};
+use crate::statistics::{CLIPPED, clipped, excess, likeness_of_neighbours, median};
+use crate::{Branch, Direction, Fit, Loss, WarningKind};
 
 /// The excess of squares over those of one outlier in ten points, in standard deviations, from which
 /// outliers are not the reason. One fit in a thousand with so many outliers exceeds it.
 const BEYOND_OUTLIERS: f64 = 3.0;
 
-/// Warns if the residuals exceed the noise by more than chance: their squares, or under a robust
-/// loss, which forgives outliers, squares of which none counts more than that of two deviations.
+/// How alike neighbours are, in standard deviations, from which on they are doubted: one sound fit in a
+/// thousand exceeds it. At 4.5, noise with a correlation of 0.5 in 40 points would hardly be found.
+const ALIKE: f64 = 3.09;
+/// The part of a given noise that the data show, above which a difference is none.
+const SMALLER: f64 = 0.8;
+/// The residual over the robust standard deviation of all, from which on neighbours are compared as
+/// if it were this one: an outlier would hide the others.
+const FAR: f64 = 3.0;
+
+/// Adds the doubts about noise and agreement. `local_noise` is that of neighbouring ordinates.
 pub(super) fn add(
     warnings: &mut Warnings,
     fit: &Fit,
     problem: &Problem<'_>,
-    residuals: &DVector<f64>,
+    (residuals, local_noise): (&DVector<f64>, &[Option<f64>]),
 ) {
     let freedom = fit.degrees_of_freedom as f64;
-    let Some(reduced) = fit.reduced_chi_squared else {
-        beside_neighbours(warnings, problem, residuals);
-        return;
-    };
+    if let Some(reduced) = fit.reduced_chi_squared {
+        poor(
+            warnings,
+            problem,
+            residuals,
+            [fit.chi_squared, freedom, reduced],
+        );
+    }
+    large_noise(warnings, fit.chi_squared / freedom, freedom);
+    let mut row = 0;
+    for ((assigned, fitted), local) in problem
+        .assigned
+        .iter()
+        .zip(&fit.experiments)
+        .zip(local_noise)
+    {
+        let own = residuals.rows(row, assigned.counting());
+        row += assigned.counting();
+        // Rounding makes neighbours alike.
+        if detector::add(warnings, fitted, assigned, local.unwrap_or(0.0)) {
+            continue;
+        }
+        beside_neighbours(warnings, assigned, own.as_slice());
+    }
+}
+
+/// Warns if the residuals exceed a noise that is given by more than chance: their squares, or under a
+/// robust loss, which forgives outliers, squares of which none counts more than that of two
+/// deviations.
+fn poor(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    residuals: &DVector<f64>,
+    [chi_squared, freedom, reduced]: [f64; 3],
+) {
     let how = match problem.loss {
-        Loss::Squares => (excess(fit.chi_squared, freedom) > BEYOND_CHANCE)
+        Loss::Squares => (excess(chi_squared, freedom) > BEYOND_CHANCE)
             .then(|| format!("reduced chi^2 is {reduced:.3}")),
         _ => {
             let (mean, [chance, outliers]) = clipped(residuals.as_slice(), freedom);
@@ -50,41 +91,93 @@ pub(super) fn add(
     }
 }
 
-/// Warns if the residuals of an experiment without a known noise exceed the noise that neighbouring
-/// residuals show.
-fn beside_neighbours(warnings: &mut Warnings, problem: &Problem<'_>, residuals: &DVector<f64>) {
-    let mut row = 0;
-    for assigned in &problem.assigned {
-        let count = assigned.counting();
-        let own = residuals.rows(row, count);
-        row += count;
-        if assigned.experiment.usual_noise().is_some() {
-            continue;
-        }
-        let found = [Branch::Advancing, Branch::Receding, Branch::Baseline].map(|branch| {
-            let ordered = in_order(assigned, own.as_slice(), branch);
-            likeness_of_neighbours(&ordered)
-        });
-        let worst = found
-            .into_iter()
-            .flatten()
-            .max_by(|one, other| one[0].total_cmp(&other[0]));
-        if let Some([_, ratio]) = worst.filter(|[deviations, _]| *deviations > BEYOND_CHANCE) {
-            warnings.add(
-                WarningKind::PoorFit,
-                format!(
-                    "{}: the model does not describe the data to the noise that neighbouring \
-                     points show: reduced chi^2 is {ratio:.3} with this noise, or the noise is not \
-                     independent",
-                    assigned.experiment.measurement.name
-                ),
-            );
-        }
+/// Warns if the residuals are smaller than the noise that is given by more than chance. Where it is
+/// estimated, with no errors of the abscissae beside it, chi^2 is what chance makes of it.
+fn large_noise(warnings: &mut Warnings, reduced: f64, freedom: f64) {
+    let by_chance = excess(reduced * freedom, freedom) > -BEYOND_CHANCE;
+    if by_chance || reduced.sqrt() > SMALLER {
+        return;
     }
+    warnings.add(
+        WarningKind::LargeNoise,
+        format!(
+            "the data scatter less than the noise that is given: reduced chi^2 is {reduced:.2e}, so \
+             that the noise is some {:.1} times too large, and the standard errors with it; give \
+             the noise of these data, or leave it out",
+            reduced.sqrt().recip()
+        ),
+    );
 }
 
-/// Returns the residuals of a branch by descending imposed value.
-pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -> Vec<f64> {
+/// Warns if neighbouring residuals of an experiment are alike, and if residuals whose noise is not
+/// given exceed the noise that neighbouring ones show.
+fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64]) {
+    let name = &assigned.experiment.measurement.name;
+    // Neighbours are of one direction: noise that is not independent is so in time.
+    let branches = [Branch::Advancing, Branch::Receding, Branch::Baseline];
+    let directions = [None, Some(Direction::Approach), Some(Direction::Retract)];
+    let ways = branches
+        .iter()
+        .flat_map(|branch| directions.map(|way| (*branch, way)));
+    let of_branches = |own: &[f64]| {
+        let found = ways.clone().filter_map(|way| {
+            let ordered = in_order(assigned, own, way);
+            let [z, ratio] = likeness_of_neighbours(&ordered)?;
+            Some([z, ratio, ordered.len() as f64])
+        });
+        found.collect::<Vec<[f64; 3]>>()
+    };
+    let found = of_branches(own);
+    let worst = found
+        .iter()
+        .max_by(|one, other| one[0].total_cmp(&other[0]));
+    let is_known = assigned.experiment.usual_noise().is_some();
+    if let Some([_, ratio, _]) = worst.filter(|[z, ..]| *z > BEYOND_CHANCE && !is_known) {
+        warnings.add(
+            WarningKind::PoorFit,
+            format!(
+                "{name}: the model does not describe the data to the noise that neighbouring \
+                 points show: reduced chi^2 is {ratio:.3} with this noise, or the noise is not \
+                 independent"
+            ),
+        );
+    }
+    let scale = median(own.iter().map(|r| r.abs()).collect()) / 0.674_49;
+    let far = if scale > 0.0 {
+        FAR * scale
+    } else {
+        f64::INFINITY
+    };
+    let near: Vec<f64> = own.iter().map(|r| r.clamp(-far, far)).collect();
+    // All branches together, each by the number of its points.
+    let found = of_branches(&near);
+    let sum = |of: fn(&[f64; 3]) -> f64| found.iter().map(of).sum::<f64>();
+    let points = sum(|[_, _, count]| *count);
+    let deviations = sum(|[z, _, count]| z * count.sqrt()) / points.sqrt();
+    if deviations <= ALIKE {
+        return;
+    }
+    // The correlation of neighbours, and what it makes of the error of a mean if it falls by this
+    // factor from point to point.
+    let alike = (deviations / points.sqrt()).clamp(0.0, 0.99);
+    let factor = ((1.0 + alike) / (1.0 - alike)).sqrt();
+    warnings.add(
+        WarningKind::StructuredResiduals,
+        format!(
+            "{name}: neighbouring residuals are alike, by {deviations:.1} standard deviations more \
+             than by chance. Either the model or its fixed values do not describe the data, or the \
+             noise is not independent, and then standard errors are too small by a factor of some \
+             {factor:.1}"
+        ),
+    );
+}
+
+/// Returns the residuals of a branch and direction by descending imposed value.
+fn in_order(
+    assigned: &Assigned,
+    residuals: &[f64],
+    (branch, direction): (Branch, Option<Direction>),
+) -> Vec<f64> {
     let mut rows = vec![None; assigned.branches.len()];
     let counts = assigned
         .branches
@@ -94,10 +187,11 @@ pub(super) fn in_order(assigned: &Assigned, residuals: &[f64], branch: Branch) -
     for ((i, _), residual) in counts.zip(residuals) {
         rows[i] = Some(*residual);
     }
+    let points = &assigned.experiment.measurement.points;
     assigned
         .order
         .iter()
-        .filter(|&&i| assigned.branches[i] == branch)
+        .filter(|&&i| assigned.branches[i] == branch && points[i].direction == direction)
         .filter_map(|&i| rows[i])
         .collect()
 }

@@ -13,6 +13,9 @@ use crate::{Branch, Experiment, Kind};
 const MOST_POINTS: usize = 40;
 /// The multiples of the work of adhesion of the smallest force that are tried.
 const NEAR_PULL_OFF: [f64; 6] = [0.8, 1.0, 1.2, 1.5, 2.0, 3.0];
+/// The residual over the median of all from which on a point has no part in a straight line: the line
+/// that a single spike draws to itself leaves the others far from it.
+const FAR: f64 = 15.0;
 
 /// What the method may change.
 #[derive(Clone, Copy, Debug)]
@@ -329,8 +332,29 @@ fn scaled_penetration(force: f64, work: f64, radius: f64) -> f64 {
 }
 
 /// Returns the least-squares solution and the sum of the squares; `None` of no rows or of rows that
-/// are not finite.
+/// are not finite. Rows with residuals beyond [`FAR`] times the median have no part in the solution, and
+/// count as if they were there.
 fn least_squares(rows: Vec<(Vec<f64>, f64)>) -> Option<(Vec<f64>, f64)> {
+    let (found, residuals) = solution(&rows)?;
+    let far = FAR * median(residuals.iter().map(|r| r.abs()).collect());
+    let near: Vec<(Vec<f64>, f64)> = rows
+        .into_iter()
+        .zip(&residuals)
+        .filter_map(|(row, residual)| (residual.abs() <= far).then_some(row))
+        .collect();
+    let left_out = residuals.len() - near.len();
+    if left_out == 0 || near.len() <= found.len() {
+        return Some((found, residuals.norm_squared()));
+    }
+    let (found, residuals) = solution(&near)?;
+    Some((
+        found,
+        residuals.norm_squared() + left_out as f64 * far * far,
+    ))
+}
+
+/// Returns the least-squares solution and the residuals.
+fn solution(rows: &[(Vec<f64>, f64)]) -> Option<(Vec<f64>, DVector<f64>)> {
     let width = rows.first()?.0.len();
     let mut matrix = DMatrix::from_fn(rows.len(), width, |i, j| rows[i].0[j]);
     let right = DVector::from_iterator(rows.len(), rows.iter().map(|row| row.1));
@@ -348,7 +372,10 @@ fn least_squares(rows: Vec<(Vec<f64>, f64)>) -> Option<(Vec<f64>, f64)> {
     }
     let svd = matrix.clone().svd(true, true);
     let solution = svd.solve(&right, f64::EPSILON).ok()?;
-    let sum = (&matrix * &solution - right).norm_squared();
+    let residuals = &matrix * &solution - right;
     let values = solution.iter().zip(&units);
-    Some((values.map(|(value, unit)| value / unit).collect(), sum))
+    Some((
+        values.map(|(value, unit)| value / unit).collect(),
+        residuals,
+    ))
 }

@@ -5,14 +5,15 @@
 //! problem with its `loss`. `minima` compares the minima that several starts lead to, `valley`
 //! looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
-//! that do not count, `warnings` adds to the `doubts`, with `agreement`, `wanted`, `cycle`, `no_adhesion`
-//! and `interfaces`.
+//! that do not count, `noise` estimates the noise, `warnings` adds to the `doubts`, with `agreement`,
+//! `detector`, `prior`, `wanted`, `cycle`, `no_adhesion` and `interfaces`.
 //! `relaxing_start` is the start where bodies relax, and `relaxing` what such a fit tells.
 //! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
 //! experiment, `likelihood` is for samplers. `result` holds what comes out.
 
 mod agreement;
 mod cycle;
+mod detector;
 mod doubts;
 mod fixed_values;
 mod forecast;
@@ -25,6 +26,8 @@ mod likelihood;
 mod loss;
 mod minima;
 mod no_adhesion;
+mod noise;
+mod prior;
 mod problem;
 mod profile;
 mod relaxing;

@@ -317,6 +317,16 @@ pub enum WarningKind {
     Implausible,
     /// Residuals larger than the given noise explains.
     PoorFit,
+    /// Residuals smaller than the given noise explains.
+    LargeNoise,
+    /// A noise of the ordinates that the data hardly tell beside that of the abscissae.
+    NoiseNotSeen,
+    /// A prior far from what the data tell.
+    Prior,
+    /// Readings at the end of the range of the detector.
+    Saturated,
+    /// Readings in steps that are coarse beside the noise.
+    CoarseSteps,
     /// A zero of the instrument that is not fitted but wanted by the data.
     OffsetWanted,
     /// Approach and retract do not have one work of adhesion.
@@ -325,7 +335,7 @@ pub enum WarningKind {
     Hysteresis,
     /// A depth that remains after unloading.
     Plasticity,
-    /// Residuals whose signs follow one another by more than chance.
+    /// Residuals that are more like their neighbours than chance makes them.
     StructuredResiduals,
     /// Points far from the fit.
     Outliers,
@@ -385,6 +395,11 @@ impl WarningKind {
             Self::AtBound => "at-bound",
             Self::Implausible => "implausible",
             Self::PoorFit => "poor-fit",
+            Self::LargeNoise => "large-noise",
+            Self::NoiseNotSeen => "noise-not-seen",
+            Self::Prior => "prior",
+            Self::Saturated => "saturated",
+            Self::CoarseSteps => "coarse-steps",
             Self::OffsetWanted => "offset-wanted",
             Self::MixedBranches => "mixed-branches",
             Self::Hysteresis => "hysteresis",

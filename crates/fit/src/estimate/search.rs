@@ -1,6 +1,7 @@
 //! The way from a minimum on few points to that on all: points near the end of a branch are held
 //! back, and the noise is estimated.
 
+use super::noise::estimate_noise;
 use super::problem::{Assigned, Ending, Problem};
 use super::uncertainty::Uncertainty;
 use crate::model::Assignment;
@@ -28,15 +29,9 @@ const ROUNDS: usize = 6;
 /// The largest distance of the end of a fit from the minimum of its linearisation, in standard
 /// errors. A fit that ends farther away was stopped.
 pub(super) const SHORT: f64 = 0.1;
-/// The change of an estimated noise that needs another round.
-const NOISE_CHANGE: f64 = 0.02;
 /// The relative change of the deviation of a point, by errors of the abscissae, that needs another
 /// round.
 const WEIGHTS_CHANGE: f64 = 1e-3;
-/// The bisections that find a noise beside errors of the abscissae.
-const BISECTIONS: usize = 40;
-/// The smallest noise, relative to the range of the ordinates, that an estimate can give.
-const LEAST_NOISE: f64 = 1e-12;
 /// An excess of the sum of squares, in standard deviations, at which other starts are tried.
 const BAD: f64 = 4.5;
 
@@ -247,68 +242,6 @@ fn narrow(whole: &Assigned, ends: &mut [End]) {
             end.clear = end.clear.min(clear);
         }
     }
-}
-
-/// Estimates the noise of the experiments in which it is not known. Returns the uncertainty with
-/// the new noise, and whether the noise changed.
-fn estimate_noise(problem: &mut Problem<'_>, uncertainty: Uncertainty) -> (Uncertainty, bool) {
-    let Some(mut residuals) = problem.plain_residuals() else {
-        return (uncertainty, false);
-    };
-    let (mut row, mut changed) = (0, false);
-    let mut jacobian = uncertainty.jacobian.clone();
-    for assigned in &mut problem.assigned {
-        let rows = row..row + assigned.counting();
-        row = rows.end;
-        if assigned.experiment.usual_noise().is_some() || rows.is_empty() {
-            continue;
-        }
-        let followed: f64 = uncertainty.leverages[rows.clone()].iter().sum();
-        let count = rows.len() as f64;
-        let free = (count - followed).max(0.5);
-        let counts = |i: &usize| assigned.branches[*i] != Branch::LeftOut;
-        let points: Vec<usize> = (0..assigned.branches.len()).filter(counts).collect();
-        let before: Vec<f64> = points.iter().map(|&i| assigned.deviation(i)).collect();
-        let own = residuals.rows(rows.start, rows.len());
-        let sizes = own.iter().zip(&before);
-        let sizes: Vec<f64> = sizes.map(|(r, deviation)| (r * deviation).abs()).collect();
-        let mut weighed = assigned.clone();
-        // The residuals in units of their deviations, over what chance makes of them.
-        let mut excess = |noise: f64| {
-            weighed.noise = noise;
-            let residuals = sizes.iter().zip(&points);
-            let residuals = residuals.map(|(size, &i)| size / weighed.deviation(i));
-            match problem.loss {
-                Loss::Squares => (residuals.map(|r| r * r).sum::<f64>() / free).sqrt(),
-                _ => median(residuals.collect()) / 0.674_49 * (count / free).sqrt(),
-            }
-        };
-        let least = LEAST_NOISE * range(&assigned.experiment);
-        let noise = if assigned.abscissa_parts.is_empty() {
-            (excess(assigned.noise) * assigned.noise).max(least)
-        } else {
-            // What errors of the abscissae leave to explain.
-            let most = sizes.iter().copied().fold(least, f64::max) * (count / free).sqrt() * 2.0;
-            let mut ends = [least.ln(), most.ln()];
-            for _ in 0..BISECTIONS {
-                let middle = 0.5 * (ends[0] + ends[1]);
-                ends[usize::from(excess(middle.exp()) < 1.0)] = middle;
-            }
-            ends[0].exp()
-        };
-        changed |= (assigned.noise / noise).ln().abs() > NOISE_CHANGE;
-        assigned.noise = noise;
-        for ((row, &i), before) in rows.zip(&points).zip(before) {
-            let ratio = before / assigned.deviation(i);
-            residuals[row] *= ratio;
-            jacobian.row_mut(row).scale_mut(ratio);
-        }
-    }
-    let sizes = uncertainty.sizes;
-    (
-        Uncertainty::new(jacobian, &residuals, problem.loss, sizes),
-        changed,
-    )
 }
 
 /// The end of a stable branch, as far as the fit knows it, in the sense of the imposed value.

@@ -3,10 +3,8 @@
 use contact::magnitude::LARGEST_WORK;
 use contact::{Validity, ZoneSize};
 use interp::Probe;
-use nalgebra::DVector;
 
-use super::agreement::in_order;
-use super::doubts::{BEYOND_CHANCE, Warnings};
+use super::doubts::{Warnings, lines};
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Assigned, Ending, Problem};
@@ -14,9 +12,11 @@ use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::Bend;
-use super::{agreement, cycle, friction, indentation, interfaces, no_adhesion, relaxing, wanted};
+use super::{
+    agreement, cycle, friction, indentation, interfaces, no_adhesion, noise, prior, relaxing,
+    wanted,
+};
 use crate::magnitude::{self, STIFFNESSES};
-use crate::statistics::missing_runs;
 use crate::{
     Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
 };
@@ -63,7 +63,10 @@ pub(super) fn warnings(
         interfaces::add(&mut warnings, found, uncertainty);
         left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
-            residuals_of(&mut warnings, fit, found, &residuals);
+            agreement::add(&mut warnings, fit, problem, (&residuals, &data.local_noise));
+            prior::add(&mut warnings, problem, uncertainty, &residuals);
+            noise::add(&mut warnings, problem, uncertainty);
+            outliers(&mut warnings, fit);
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
@@ -298,45 +301,26 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
     }
 }
 
-/// Doubts from the residuals.
-fn residuals_of(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, residuals: &DVector<f64>) {
-    let problem = &found.problem;
-    agreement::add(warnings, fit, problem, residuals);
-    let mut row = 0;
-    for (e, assigned) in problem.assigned.iter().enumerate() {
-        let count = assigned.counting();
-        let own = residuals.rows(row, count);
-        row += count;
-        let name = &assigned.experiment.measurement.name;
-        let outliers = fit.experiments[e].points.iter().filter(|p| p.outlier);
-        let lines: Vec<String> = outliers.map(|point| point.line.to_string()).collect();
-        if !lines.is_empty() {
-            let (many, shown) = (lines.len(), lines.len().min(10));
-            let more = if many > shown { ", ..." } else { "" };
-            warnings.add(
-                WarningKind::Outliers,
-                format!(
-                    "{name}: {many} of {count} points are far from the fit, in lines {}{more}; a \
-                     robust loss gives them less weight",
-                    lines[..shown].join(", ")
-                ),
-            );
+/// Warns of points far from the fit.
+fn outliers(warnings: &mut Warnings, fit: &Fit) {
+    for fitted in &fit.experiments {
+        let far = fitted.points.iter().filter(|point| point.outlier);
+        let far: Vec<u64> = far.map(|point| point.line).collect();
+        if far.is_empty() {
+            continue;
         }
-        for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
-            let ordered = in_order(assigned, own.as_slice(), branch);
-            if let Some(missing) = missing_runs(&ordered).filter(|&runs| runs > BEYOND_CHANCE) {
-                warnings.add(
-                    WarningKind::StructuredResiduals,
-                    format!(
-                        "{name}: the residuals of the branch {:?} follow one another; runs of one \
-                         sign are {missing:.1} standard deviations fewer than by chance. The model \
-                         or its fixed values do not describe the data, or the noise is not \
-                         independent",
-                        branch.name()
-                    ),
-                );
-            }
-        }
+        let counting = fitted.points.iter().filter(|point| point.fit.is_some());
+        warnings.add(
+            WarningKind::Outliers,
+            format!(
+                "{}: {} of {} points are far from the fit, in {}; a robust loss gives them less \
+                 weight",
+                fitted.name,
+                far.len(),
+                counting.count(),
+                lines(&far)
+            ),
+        );
     }
 }
 

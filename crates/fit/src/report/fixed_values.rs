@@ -8,6 +8,8 @@ use crate::{Estimate, Fit, FixedValue};
 
 /// The smallest width of a column.
 const COLUMN: usize = 10;
+/// The per cents from which on a power of ten is written.
+const MANY: f64 = 1e5;
 
 /// Writes a row for each given value, with the change of each estimate that follows from a change
 /// of the value, and below it the errors that known values add.
@@ -78,7 +80,11 @@ fn cell(estimate: &Estimate, change: f64) -> String {
         return "not known".to_owned();
     }
     if estimate.parameter.is_positive() {
-        return format!("{:+.2} %", 1e2 * change / estimate.value);
+        let percent = 1e2 * change / estimate.value;
+        if percent.abs() >= MANY {
+            return format!("{percent:+.1e} %");
+        }
+        return format!("{percent:+.2} %");
     }
     let (unit, size) = scaled(estimate.parameter.unit(), change);
     let number = change / size;

@@ -120,11 +120,12 @@ fn write_report(
     }
     fixed_values::write(&mut out, fit, &files)?;
     undetermined(&mut out, &fit.undetermined)?;
-    for warning in &fit.warnings {
-        writeln!(out, "warning: {}", warning.text)?;
-    }
+    // A wrong sign explains other warnings.
     for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
         writeln!(out, "warning: {doubt}")?;
+    }
+    for warning in &fit.warnings {
+        writeln!(out, "warning: {}", warning.text)?;
     }
     Ok(out)
 }
@@ -409,12 +410,17 @@ fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
     let mut text = text.trim_end().to_owned();
     if let Some(profile) = estimate.profile {
         let decimals = decimals(value, error);
-        let end = |value: f64| match value / size {
+        let [low, high] = profile.map(|end| match end / size {
             end if end.is_nan() => "not found".to_owned(),
             end if end.is_infinite() => "no limit".to_owned(),
             end => format!("{end:.decimals$}"),
+        });
+        // The unit follows the last number.
+        text += &match profile.map(f64::is_finite) {
+            [_, true] => format!(" ({low} to {high} {unit})"),
+            [true, false] => format!(" ({low} {unit} to {high})"),
+            [false, false] => format!(" ({low} to {high})"),
         };
-        text += &format!(" ({} to {} {unit})", end(profile[0]), end(profile[1]));
     }
     text
 }

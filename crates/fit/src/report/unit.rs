@@ -28,6 +28,8 @@ impl UnitOf {
 
 /// The prefixes that are chosen, the largest first.
 const PREFIXES: [&str; 8] = ["G", "M", "k", "", "m", "u", "n", "p"];
+/// The number below which a power of ten is written: no prefix makes it a usual number.
+const LEAST: f64 = 1e-9;
 
 /// Returns the prefix of a unit and its size: as asked for, or so that the number before it is at
 /// least 1.
@@ -59,6 +61,9 @@ pub fn with_error(value: f64, error: f64) -> String {
     if !error.is_finite() {
         return format!("{value:.decimals$} without an error");
     }
+    if value != 0.0 && value.abs() < LEAST {
+        return format!("{value:.1e} +- {error:.1e}");
+    }
     format!("{value:.decimals$} +- {error:.decimals$}")
 }
 
@@ -86,6 +91,7 @@ mod tests {
         assert_eq!(modulus(999.0, 123.0), "999 +- 123 Pa");
         assert_eq!(modulus(999.9e3, 1e3), "999.9 +- 1.0 kPa");
         assert_eq!(modulus(2e6, f64::INFINITY), "2.000 without an error MPa");
+        assert_eq!(modulus(3e-60, 2e-23), "3.0e-48 +- 2.0e-11 pPa");
         let asked = [UnitOf::new(Parameter::FilmModulus, "kPa").expect("a unit")];
         let (unit_name, size) = unit(Parameter::FilmModulus, 2e6, 1e4, &asked);
         assert_eq!((unit_name.as_str(), size), ("kPa", 1e3));

@@ -1,6 +1,6 @@
 //! Tables as programs and instruments write them. The numbers are invented.
 
-use fit::data::{Cantilever, Format, Segments};
+use fit::data::{Cantilever, Format, Remedy, Segments};
 use fit::{Direction, Kind};
 
 use crate::{assert_values, sound, values};
@@ -250,22 +250,92 @@ fn a_contact_area_gives_the_radius_of_a_kind_that_is_asked_for() {
     assert_values(&values(&sound(&text, &format)), &TWO);
 }
 
+/// Loads of Hertz at depths from where the bodies are apart, at an even distance: `0` to `4`, with the
+/// first touch at 2.
+fn rising(heading: &str, row: impl Fn(f64, f64) -> [f64; 2]) -> String {
+    let rows = (0..=20).map(|i| {
+        let depth = 0.2 * f64::from(i);
+        let [abscissa, ordinate] = row(depth, (depth - 2.0).max(0.0).powf(1.5));
+        format!("{abscissa:?},{ordinate:?}\n")
+    });
+    format!("{heading}\n{}", rows.collect::<String>())
+}
+
+/// The bend of the curve tells which column it is, and the remedy turns it.
 #[test]
 fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
-    let doubts = |text| sound(text, &Format::default()).notes.doubts;
-    assert_eq!(doubts("height,force\n3,0\n2,0\n1,1\n"), []);
-    assert_eq!(doubts("contact_radius,load\n1,-1\n2,-1.2\n3,1\n"), []);
-    for text in [
-        "height,force\n1,0\n2,0\n3,1\n",
-        "height,force\n3,0\n2,0\n1,-1\n",
-        "contact_radius,load\n1,0\n2,-0.2\n3,-1\n",
+    let (height, depth, radius) = ("height,force", "penetration,load", "contact_radius,load");
+    let pulled = |depth: f64, load: f64| {
+        if depth < 2.0 {
+            -0.1 * depth
+        } else {
+            load - 0.2
+        }
+    };
+    let mut spike = rising(height, |depth, load| [-depth, load]);
+    spike = spike.replace("-0.4,0.0", "-0.4,-500.0");
+    for (text, opposite) in [
+        (rising(height, |depth, load| [-depth, load]), ""),
+        (rising(height, |depth, load| [9.0 - depth, load + 7.0]), ""),
+        (spike, ""),
+        (
+            rising(height, |depth, load| [depth, load]),
+            "height=-height",
+        ),
+        (rising(height, |depth, load| [-depth, -load]), "load=-force"),
+        (
+            rising(height, |depth, load| [depth, -load]),
+            "height=-height load=-force",
+        ),
+        (
+            rising(height, |depth, load| [depth, 1.0 - load]),
+            "height=-height load=-force",
+        ),
+        (rising(depth, |depth, load| [depth, load]), ""),
+        // The drag of a liquid follows the root of the depth.
+        (rising(depth, |depth, _| [depth, depth.sqrt()]), ""),
+        (
+            rising(depth, |depth, load| [-depth, load]),
+            "penetration=-penetration",
+        ),
+        (rising(depth, |depth, load| [depth, -load]), "load=-load"),
+        (
+            rising(depth, |depth, load| [-depth, -load]),
+            "penetration=-penetration load=-load",
+        ),
+        // Without points apart.
+        (
+            rising(depth, |depth, _| [-depth, -depth.powf(1.5)]),
+            "penetration=-penetration load=-load",
+        ),
+        (rising(radius, |depth, load| [depth, load]), ""),
+        (
+            rising(radius, |depth, load| [depth, pulled(depth, load)]),
+            "",
+        ),
+        (rising(radius, |depth, load| [depth, -load]), "load=-load"),
+        ("height,force\n3,0\n2,0\n1,1\n".into(), ""),
+        ("height,force\n1,0\n2,0\n3,1\n".into(), "height=-height"),
+        ("height,force\n3,0\n2,0\n1,-1\n".into(), "load=-force"),
+        // A straight line does not tell.
+        ("height,force\n3,2\n2,1\n1,0\n".into(), "height=-height"),
+        ("contact_radius,load\n1,-1\n2,-1.2\n3,1\n".into(), ""),
+        (
+            "contact_radius,load\n1,0\n2,-0.2\n3,-1\n".into(),
+            "load=-load",
+        ),
     ] {
-        let doubts = doubts(text);
-        assert_eq!(doubts.len(), 1, "{text}: {doubts:?}");
-        assert!(
-            doubts[0].to_string().contains("opposite sense"),
-            "{doubts:?}"
-        );
+        let doubts = sound(&text, &Format::default()).notes.doubts;
+        let found = doubts.first().map(|doubt| {
+            assert!(doubt.to_string().contains("opposite sense"), "{doubt}");
+            let Some(Remedy::Columns(ways)) = doubt.remedy() else {
+                panic!("no columns: {doubt}");
+            };
+            let columns = ways[0].columns.iter();
+            let columns = columns.map(|(role, heading)| format!("{}={heading}", role.name()));
+            columns.collect::<Vec<String>>().join(" ")
+        });
+        assert_eq!(found.unwrap_or_default(), opposite, "{text}");
     }
 }
 

@@ -254,6 +254,14 @@ fn further_doubts(fit: &Fit, timed: bool) -> String {
 fn next_steps(fit: &Fit, timed: bool) -> String {
     let steps = [
         (
+            WarningKind::Saturated,
+            "points of a saturated detector: let their lines begin with #",
+        ),
+        (
+            WarningKind::NoiseNotSeen,
+            "the noise of the ordinates: --noise 2uN, or a column of it",
+        ),
+        (
             WarningKind::Hysteresis,
             "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
              (points without a direction: --segments split)",

@@ -271,7 +271,7 @@ impl<'a> FitObject<'a> {
                 }),
             without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
             fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
-            warnings: warnings.chain(doubts).collect(),
+            warnings: doubts.chain(warnings).collect(),
         }
     }
 }

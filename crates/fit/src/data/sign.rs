@@ -1,0 +1,124 @@
+//! Signs: a contact that is pressed together more must push back more, and the more stiffly the more it
+//! is pressed.
+//!
+//! So a load rises with the depth, and lies below the straight line between the ends of its curve. If
+//! the load counts in the opposite sense it falls and lies above this line, if the depth does it falls
+//! and lies below, and if both do it rises and lies above.
+
+use std::fmt;
+
+use super::assignment::Pair;
+use super::source::Source;
+use crate::statistics::median;
+use crate::{Kind, Point};
+
+/// The part of the range of the abscissa that is taken for an end of the curve.
+const END: f64 = 0.1;
+/// The difference between the ends, in parts of the range of the loads, from which on it is one of a
+/// contact: drag and drift lower a load by less.
+const SEEN: f64 = 0.2;
+/// The distance of a curve from the line between its ends, in parts of their difference, from which on
+/// it is bent upwards. A load that follows the root of the depth, as the drag of a liquid does, lies 0.2 above
+/// the line.
+const BENT: f64 = 0.25;
+/// The same below which a load that falls tells nothing by its bend: heights and depths in the opposite
+/// sense are the usual reason.
+const STRAIGHT: f64 = 0.02;
+/// The same as [`BENT`] where the load is farther from 0 at the end that counts as apart.
+const BENT_AND_FAR: f64 = 0.05;
+
+/// Columns that may count in the opposite sense.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sign {
+    /// The abscissa.
+    pub abscissa: Source,
+    /// The ordinate.
+    pub ordinate: Source,
+    /// Which of them may count in the opposite sense: abscissa and ordinate.
+    pub opposite: [bool; 2],
+}
+
+impl Sign {
+    /// Returns the columns that may count in the opposite sense.
+    pub fn columns(&self) -> impl Iterator<Item = &Source> {
+        let both = [&self.abscissa, &self.ordinate].into_iter();
+        both.zip(self.opposite)
+            .filter_map(|(one, opposite)| opposite.then_some(one))
+    }
+}
+
+impl fmt::Display for Sign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [abscissa, ordinate] = [&self.abscissa.heading, &self.ordinate.heading];
+        match self.opposite {
+            [true, true] => write!(
+                f,
+                "{ordinate:?} is flat, or bends down, where {abscissa:?} says that the bodies are \
+                 closer; both may count in the opposite sense"
+            ),
+            [of_abscissa, _] => write!(
+                f,
+                "{ordinate:?} is smaller where {abscissa:?} says that the bodies are closer; \
+                 {:?} may count in the opposite sense",
+                if of_abscissa { abscissa } else { ordinate }
+            ),
+        }
+    }
+}
+
+/// Returns the doubt that columns count in the opposite sense. A radius has one sense only.
+pub fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Sign> {
+    // The direction in which the abscissa grows when the bodies are pressed together.
+    let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
+    let depth = |point: &Point| inwards * point.abscissa;
+    let [least, most] = points.iter().fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[least, most], point| [least.min(depth(point)), most.max(depth(point))],
+    );
+    // Medians bear points far from the curve.
+    let end = |of: &dyn Fn(f64) -> bool| {
+        let own: Vec<&Point> = points.iter().filter(|point| of(depth(point))).collect();
+        let middle = |of: &dyn Fn(&Point) -> f64| median(own.iter().map(|one| of(one)).collect());
+        [middle(&depth), middle(&|point| point.ordinate)]
+    };
+    let reach = END * (most - least);
+    let apart = end(&|depth| depth <= least + reach);
+    let deepest = end(&|depth| depth >= most - reach);
+    let rise = deepest[1] - apart[1];
+    let loads = points.iter().map(|point| point.ordinate);
+    let [low, high] = loads.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], load| {
+        [low.min(load), high.max(load)]
+    });
+    if rise.abs() < SEEN * (high - low) {
+        return None;
+    }
+    let between = points.iter().filter(|point| {
+        let depth = depth(point);
+        depth > least + reach && depth < most - reach
+    });
+    let above = between.map(|point| {
+        let part = (depth(point) - apart[0]) / (deepest[0] - apart[0]);
+        point.ordinate - apart[1] - part * rise
+    });
+    let above = median(above.collect());
+    let opposite = if rise < 0.0 {
+        match kind {
+            Kind::LoadRadius | Kind::PenetrationRadius if above < 0.0 => return None,
+            kind if kind.at_radii() || kind.is_stiffness() => [false, true],
+            _ => {
+                let of_load = above > -STRAIGHT * rise;
+                [!of_load, of_load]
+            }
+        }
+    } else {
+        let is_far = apart[1].abs() > deepest[1].abs();
+        let bent = if is_far { BENT_AND_FAR } else { BENT };
+        let has_two_senses = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
+        [has_two_senses && above > bent * rise; 2]
+    };
+    (opposite != [false; 2]).then(|| Sign {
+        abscissa: pair.abscissa.clone(),
+        ordinate: pair.ordinate.clone(),
+        opposite,
+    })
+}

@@ -1,0 +1,104 @@
+//! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
+
+use super::doubts::{Warnings, lines};
+use super::problem::Assigned;
+use crate::{Branch, FittedExperiment, FittedPoint, WarningKind};
+
+/// The fewest neighbouring points of one reading that make a detector saturated.
+const FEWEST: usize = 3;
+/// The most steps between readings that the fit changes by over points which rounding makes equal:
+/// one step, with the noise of both ends.
+const ROUNDED: f64 = 3.0;
+/// The noise over the steps between readings where rounding makes most of it. Rounding alone makes
+/// 0.29; with noise of half a step the readings are as good as without rounding.
+const OF_ROUNDING: [f64; 2] = [0.1, 0.5];
+
+/// Adds the doubts about the detector of an experiment. Tells whether its readings are in coarse
+/// steps.
+pub(super) fn add(
+    warnings: &mut Warnings,
+    fitted: &FittedExperiment,
+    assigned: &Assigned,
+    local_noise: f64,
+) -> bool {
+    let kind = assigned.experiment.measurement.kind;
+    let [_, ordinate] = kind.names();
+    let name = &fitted.name;
+    let mut readings: Vec<f64> = fitted.points.iter().map(|point| point.ordinate).collect();
+    let count = readings.len();
+    readings.sort_by(f64::total_cmp);
+    readings.dedup();
+    if readings.len() < FEWEST {
+        return false;
+    }
+    let unit = if kind == crate::Kind::PenetrationRadius {
+        "m"
+    } else {
+        "N"
+    };
+    let last = readings.len() - 1;
+    for (which, extreme, next) in [
+        ("smallest", readings[0], readings[1]),
+        ("largest", readings[last], readings[last - 1]),
+    ] {
+        let change = change_of_fit(fitted, assigned, extreme);
+        if change > ROUNDED * (extreme - next).abs() + local_noise {
+            let own = fitted
+                .points
+                .iter()
+                .filter(|point| point.ordinate == extreme);
+            let own: Vec<u64> = own.map(|point| point.line).collect();
+            warnings.add(
+                WarningKind::Saturated,
+                format!(
+                    "{name}: {} points have exactly the {which} {ordinate}, {extreme:.3e} {unit}, \
+                     where the fit changes by {change:.1e} {unit}: the detector may be at the end \
+                     of its range; if so, leave these points out, in {}",
+                    own.len(),
+                    lines(&own)
+                ),
+            );
+        }
+    }
+    let steps = readings.windows(2).map(|pair| pair[1] - pair[0]);
+    let step = steps.fold(f64::INFINITY, f64::min);
+    let [least, most] = OF_ROUNDING.map(|part| part * step);
+    let is_coarse = 2 * readings.len() <= count && (least..most).contains(&fitted.noise);
+    if is_coarse {
+        warnings.add(
+            WarningKind::CoarseSteps,
+            format!(
+                "{name}: the {count} points have only {} values of the {ordinate}, in steps of \
+                 {step:.3e} {unit}, beside which the noise is small: the errors are those of \
+                 rounding, which are not independent, and standard errors may be too small; measure \
+                 in finer steps",
+                readings.len()
+            ),
+        );
+    }
+    is_coarse
+}
+
+/// Returns by how much the fit changes over neighbouring points of a branch that all have one
+/// reading: the most of any [`FEWEST`] points or more.
+fn change_of_fit(fitted: &FittedExperiment, assigned: &Assigned, reading: f64) -> f64 {
+    let mut most = 0.0_f64;
+    for branch in [Branch::Advancing, Branch::Receding] {
+        let order = assigned.order.iter();
+        let own: Vec<&FittedPoint> = order
+            .filter(|&&i| assigned.branches[i] == branch)
+            .map(|&i| &fitted.points[i])
+            .collect();
+        for run in own.chunk_by(|one, other| one.ordinate == other.ordinate) {
+            if run.len() < FEWEST || run[0].ordinate != reading {
+                continue;
+            }
+            let values = run.iter().filter_map(|point| point.fit);
+            let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], value| {
+                [l.min(value), h.max(value)]
+            });
+            most = most.max(high - low);
+        }
+    }
+    most
+}
