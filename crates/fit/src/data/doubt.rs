@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::Notes;
 use super::assignment::Pair;
 use super::number::Commas;
 use super::sign::{Sign, sign};
@@ -67,32 +68,36 @@ impl fmt::Display for Doubt {
             Self::Directions {
                 abscissa,
                 direction,
-                ..
+                split,
             } => write!(
                 f,
-                "{abscissa:?} goes there and back in the rows that are read as {}; their direction may \
-                 be wrong",
-                direction.name()
+                "{abscissa:?} goes there and back in the rows that are read as {}; {}",
+                direction.name(),
+                if *split {
+                    "the points were split at the largest load, which may be that of a point far from \
+                     the curve: remove it, or give a column of segments"
+                } else {
+                    "their direction may be wrong"
+                }
             ),
         }
     }
 }
 
-/// Returns the doubts about a file: its points, the columns of its first pair, whether the points were
-/// split at the largest load, and what its commas are.
+/// Returns the doubts about a file: its points, the columns of its first pair, and what else was noted.
+/// `paused` points stay where they are in part, so that their course tells nothing.
 pub fn doubts(
     kind: Kind,
     points: &[Point],
     pair: &Pair,
-    split: bool,
-    commas: Commas,
+    notes: &Notes,
+    paused: bool,
 ) -> Vec<Doubt> {
-    let commas = (commas == Commas::Unclear).then_some(Doubt::Commas);
     let sign = sign(kind, points, pair).map(Doubt::Sign);
-    sign.into_iter()
-        .chain(commas)
-        .chain(course(points, pair, split))
-        .collect()
+    let commas = (notes.commas == Commas::Unclear).then_some(Doubt::Commas);
+    let course = || course(points, pair, notes.split);
+    let course = if paused { None } else { course() };
+    sign.into_iter().chain(commas).chain(course).collect()
 }
 
 /// Returns the doubt that the points are several curves, or that their directions are wrong. A curve

@@ -177,8 +177,8 @@ pub enum Problem {
                  such as 1.5e-3, with their unit in the heading"
             ),
             (Some(row), None) => format!(
-                "the first line below is {row:?}, which holds less than two numbers: save a row of \
-                 numbers to a line"
+                "the first line below is {row:?}, which holds fewer than two numbers: write each point \
+                 on a line of its own"
             ),
             _ => "save the rows of the measurement, too".to_owned(),
         }
@@ -284,8 +284,8 @@ pub enum Problem {
     },
     /// A column has a unit that is not known.
     #[error(
-        "{heading:?}, read as {}, is in {unit:?}, which is not a known unit; convert the numbers, \
-         for instance to {}",
+        "{heading:?}, read as {}, is in {unit:?}, which is not a known unit; convert the numbers, or \
+         name a unit that {unit:?} stands for, such as {:?}",
         role.name(),
         role.example()
     )]
@@ -330,7 +330,7 @@ pub enum Problem {
         if found > expected {
             "if a comma is the decimal mark, separate the cells by tabs or semicolons"
         } else {
-            "complete it, or let the line begin with # to leave it out"
+            "complete the row, or let the line begin with # to leave it out"
         }
     )]
     CellCount {

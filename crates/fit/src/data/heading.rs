@@ -83,10 +83,12 @@ impl Heading {
     /// Tells whether the text says that the numbers are not those of a quantity itself, but of its
     /// double, its square or a multiple: `contact diameter`, `2a`, `a^2`, `10^3 F`.
     pub fn is_derived(&self) -> bool {
+        // A number alone counts columns, as `1st` does.
         let is_other = |word: &str| {
             let is_digit = |c: char| c.is_numeric();
+            let counts = ["st", "nd", "rd", "th"].contains(&word.trim_start_matches(is_digit));
             OTHERS.contains(&word)
-                || word.starts_with(is_digit) && word.len() > 1
+                || word.starts_with(is_digit) && !word.chars().all(is_digit) && !counts
                 || word.starts_with(['x', 'e']) && word[1..].starts_with(is_digit)
         };
         self.text.contains(['^', '*', '\u{d7}', '\u{b2}']) || self.name.split(' ').any(is_other)
@@ -102,7 +104,7 @@ fn unknown_unit(text: &str) -> Option<String> {
     let (inner, _) = text[at + 1..].split_once(close)?;
     let inner = inner.trim();
     let has_sign = inner.contains(|c: char| c.is_numeric() || "^*/\\%\u{b7}\u{d7}".contains(c));
-    let is_short = inner.split(' ').any(|word| word.chars().count() == 1) || inner.len() <= 3;
+    let is_short = inner.split(' ').any(|word| word.chars().count() == 1);
     let is_square = close == ']' && direction_of_heading(inner).is_none();
     (!inner.is_empty() && (has_sign || is_short || is_square)).then(|| inner.to_owned())
 }
@@ -186,5 +188,21 @@ mod tests {
             let found = (heading.unknown.as_deref(), heading.is_derived());
             assert_eq!(found, (unknown, is_derived), "{text}");
         }
+    }
+
+    #[test]
+    fn a_multiple_is_derived_and_a_counter_is_not() {
+        for derived in [
+            "contact diameter [um]",
+            "2a [um]",
+            "a^2 [um]",
+            "x10 force [nN]",
+        ] {
+            assert!(Heading::parse(derived).is_derived(), "{derived}");
+        }
+        for own in ["Load_01 [mN]", "1st load [mN]", "Load 2 [mN]", "Load (cor)"] {
+            assert!(!Heading::parse(own).is_derived(), "{own}");
+        }
+        assert_eq!(Heading::parse("Load (cor)").unknown, None);
     }
 }

@@ -22,7 +22,8 @@
 //! `source` finds the column of a quantity, `deviation` that of
 //! its standard deviations and `beside` those of a contact stiffness, and `assignment` decides by them
 //! what is measured. `rows` reads the rows, `segment` finds their directions, `points` joins and checks
-//! their points, `turns` and `doubt` tell what seems wrong with them, and `remedy` tells what a user can give where a file is not read.
+//! their points, `sign`, `turns` and `doubt` tell what seems wrong with them, and `remedy` tells what a
+//! user can give where a file is not read.
 
 mod assignment;
 mod beside;
@@ -152,7 +153,7 @@ pub struct Notes {
     pub head: Head,
     /// The cantilever that was used: the one given, completed by the head.
     pub cantilever: Cantilever,
-    /// The doubts about all that.
+    /// Doubts about how the file was read.
     pub doubts: Vec<Doubt>,
 }
 

@@ -11,7 +11,7 @@ use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
 use crate::{Direction, Kind, Measurement, Point, PointErrors};
 
-/// The number of rows with a number that make a column one of numbers.
+/// The number of rows that begin with a number, from which on a word there is none of a point.
 const ENOUGH: u32 = 3;
 /// The rounding of a number in its unit.
 const ROUNDING: f64 = 1e-12;
@@ -22,41 +22,35 @@ pub struct Block {
     pub assignment: Assignment,
     /// The points of each pair of columns.
     pub points: Vec<Points>,
-    /// The number of rows that have a number in each column, up to [`ENOUGH`]; `None` after another
-    /// text.
-    numbers: Vec<Option<u32>>,
+    /// The number of rows whose first cell is a number, up to [`ENOUGH`]; `None` after another text.
+    numbers: Option<u32>,
 }
 
 impl Block {
     pub fn new(headings: Vec<Heading>, assignment: Assignment) -> Self {
         Self {
             points: vec![Points::default(); assignment.pairs.len()],
-            numbers: vec![Some(0); headings.len()],
+            numbers: Some(0),
             headings,
             assignment,
         }
     }
 
-    /// Returns the first cell of a row that holds a word in a column of numbers: the row is no point,
-    /// such as `Mean;85.0;0.967`.
-    pub fn word<'a>(&mut self, cells: &[&'a str]) -> Option<(usize, &'a str)> {
-        let read = |cell| DecimalMark::default().read(cell);
-        for (i, (numbers, cell)) in self.numbers.iter_mut().zip(cells).enumerate() {
-            match numbers {
-                Some(ENOUGH) => {
-                    let is_word = cell.starts_with(char::is_alphabetic) && read(cell) == Cell::Text;
-                    if is_word && self.assignment.segment != Some(i) {
-                        return Some((i, cell));
-                    }
-                }
-                Some(count) => match read(cell) {
-                    Cell::Number(_) => *count += 1,
-                    Cell::Missing => {}
-                    _ => *numbers = None,
-                },
-                None => {}
-            }
+    /// Returns the first cell of a row if it is a word where numbers stood before: the row is no point, such
+    /// as `Mean;85.0;0.967`. Other columns that are not read may hold remarks.
+    pub fn word<'a>(&mut self, cells: &[&'a str]) -> Option<&'a str> {
+        let cell = *cells.first()?;
+        let numbers = self.numbers?;
+        let found = DecimalMark::default().read(cell);
+        if numbers == ENOUGH {
+            let is_word = cell.starts_with(char::is_alphabetic) && found == Cell::Text;
+            return (is_word && self.assignment.segment != Some(0)).then_some(cell);
         }
+        self.numbers = match found {
+            Cell::Number(_) => Some(numbers + 1),
+            Cell::Missing => Some(numbers),
+            _ => None,
+        };
         None
     }
 
@@ -177,9 +171,7 @@ pub fn join(
         return Err(Problem::NoPoints(rows).into());
     }
     check_constant(&all.points, &pair)?;
-    if !format.keep_pauses {
-        notes.doubts = doubts(kind, &all.points, &pair, notes.split, notes.commas);
-    }
+    notes.doubts = doubts(kind, &all.points, &pair, &notes, format.keep_pauses);
     let known = |value: fn(&Beside) -> f64| {
         let values = all.beside.iter().map(value);
         values.filter(|value| !value.is_nan()).collect()

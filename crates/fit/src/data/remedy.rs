@@ -69,7 +69,7 @@ impl DataError {
             | Problem::Constant { role, .. } => column(*role, any(*role)),
             Problem::SeveralKinds { kinds, .. } => Remedy::Kind(kinds.clone()),
             Problem::Duplicate { role, numbers } => column(*role, numbers[0].to_string()),
-            Problem::NoUnit { role, heading } => {
+            Problem::NoUnit { role, heading } | Problem::UnknownUnit { role, heading, .. } => {
                 column(*role, format!("{heading} [{}]", role.example()))
             }
             Problem::NoHeadings { roles, .. } => {

@@ -266,8 +266,8 @@ impl Rows<'_> {
             column: Some((index + 1, headings[index].text.clone())),
             problem,
         };
-        if let Some((index, word)) = word {
-            return Err(failure(index, Problem::Word(word.to_owned())));
+        if let Some(word) = word {
+            return Err(failure(0, Problem::Word(word.to_owned())));
         }
         let index = assignment.segment;
         if let Some(index) = index.filter(|_| self.format.segments != Segments::Split) {

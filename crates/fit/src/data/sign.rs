@@ -17,11 +17,14 @@ const END: f64 = 0.1;
 /// The difference between the ends, in parts of the range of the loads, from which on it is one of a
 /// contact: drag and drift lower a load by less.
 const SEEN: f64 = 0.2;
+/// The rise of the load at the deep end, in parts of the range of the loads, from which on it is that of a
+/// contact.
+const RISES: f64 = 0.02;
 /// The distance of a curve from the line between its ends, in parts of their difference, from which on
-/// it is bent upwards. A load that follows the root of the depth, as the drag of a liquid does, lies 0.2 above
+/// it counts as lying above. A load that follows the root of the depth, as the drag of a liquid does, lies 0.2 above
 /// the line.
 const BENT: f64 = 0.25;
-/// The same below which a load that falls tells nothing by its bend: heights and depths in the opposite
+/// The distance below which a load that falls tells nothing by its bend: heights and depths in the opposite
 /// sense are the usual reason.
 const STRAIGHT: f64 = 0.02;
 /// The same as [`BENT`] where the load is farther from 0 at the end that counts as apart.
@@ -102,7 +105,15 @@ pub fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Sign> {
     });
     let above = median(above.collect());
     let opposite = if rise < 0.0 {
+        // A contact pulls more than nothing at all does, but its load rises with the depth.
+        let before: Vec<f64> = points
+            .iter()
+            .filter(|point| (most - 3.0 * reach..most - 2.0 * reach).contains(&depth(point)))
+            .map(|point| point.ordinate)
+            .collect();
+        let rises = !before.is_empty() && deepest[1] - median(before) > RISES * (high - low);
         match kind {
+            _ if rises => return None,
             Kind::LoadRadius | Kind::PenetrationRadius if above < 0.0 => return None,
             kind if kind.at_radii() || kind.is_stiffness() => [false, true],
             _ => {

@@ -284,12 +284,14 @@ fn accept(free: &Free) -> Result<(), Error> {
     if let Some([least, most]) = free.bounds {
         for bound in [least, most] {
             if !is_possible(bound) {
-                let allowed = match bound == 0.0 && most > 0.0 {
-                    true => format!(
-                        "{possible}, since its logarithm is fitted; a small bound in place of 0 is {:?}",
-                        most / 1e3
-                    ),
-                    false => possible.into(),
+                let allowed = if bound == 0.0 && parameter.is_positive() && most.is_finite() {
+                    format!(
+                        "{possible}, since its logarithm is fitted; a small bound in place of 0 is {:e} {}",
+                        most / 1e3,
+                        parameter.unit()
+                    )
+                } else {
+                    possible.into()
                 };
                 return Err(setting("a bound", bound, allowed));
             }

@@ -121,8 +121,10 @@ fn write_report(
     fixed_values::write(&mut out, fit, &files)?;
     undetermined(&mut out, &fit.undetermined)?;
     // A wrong sign explains other warnings.
-    for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
-        writeln!(out, "warning: {doubt}")?;
+    for (experiment, notes) in experiments.iter().zip(notes) {
+        for doubt in &notes.doubts {
+            writeln!(out, "warning: {}: {doubt}", experiment.measurement.name)?;
+        }
     }
     for warning in &fit.warnings {
         writeln!(out, "warning: {}", warning.text)?;

@@ -48,11 +48,12 @@ fn an_error_names_line_column_value_and_next_step() {
         contact diameter [um],F [mN]\n1,2\n2,3\n | lacks contact_radius; "contact diameter [um]" (a length, to be converted); convert the numbers
         a [um],Force (x10 nN)\n1,2\n2,3\n | lacks load; "Force (x10 nN)" ("x10 nN" is not a known unit); convert the numbers
         No,a [um],F [mN]\n1,1,2\n2,2,3\n3,3,5\nMean,2,3.3\n | line 5, column 1 "No"; "Mean"; only numbers above; #
+        a [um],Load (cor)\n1,2\n2,3\n | lacks load (a force); "a [um]" (contact_radius), "Load (cor)"
         No,a [um],F [mN]\n1,1,2\n2,2,3\n3,3,5\nMean,2,3.3\n4,4,6\n | line 5, column 1 "No"; "Mean"
         a [um],F [mN]\n1.2x10^-3,1\n2.2x10^-3,2\n | "a [um],F [mN]" are headings; "1.2x10^-3,1", in which "1.2x10^-3" is not a number; 1.5e-3
         a [um];F [mN]\n40 um;0.1 mN\n | "40 um;0.1 mN", in which "40 um" is not a number
-        a [um];F [mN]\n40\n50\n | below is "40", which holds less than two numbers
-        contact_radius,load\n1,2\n2,3\nEnd of data\n | line 4; 1 cells; complete it
+        a [um];F [mN]\n40\n50\n | below is "40", which holds fewer than two numbers
+        contact_radius,load\n1,2\n2,3\nEnd of data\n | line 4; 1 cells; complete the row
         height,force,direction\n3,0,1\n2,1,1\n3,0,-1\n | line 4, column 3; "-1" is not a segment; split
         height,force,phase\n1,2,approach\n1,3,sideways\n | line 3, column 3; sideways; approach; split
         contact_radius,load\n,2,\n1,2\n2,3\n | line 2

@@ -50,6 +50,12 @@ fn what_people_hand_over_is_read_or_refused_with_the_reason() {
         ("UTF-16 LE", utf16(table, u16::to_le_bytes), Read(POINTS)),
         ("UTF-16 BE", utf16(table, u16::to_be_bytes), Read(POINTS)),
         ("Latin-1", b"Radius [\xb5m];Load [mN]\n50;-0,1\n60;0,2\n".into(), Read(POINTS)),
+        // A remark in a column that is not read.
+        (
+            "a flag",
+            b"a [um],Load [mN],flag\n50,-0.1,1\n60,0.2,1\n50,-0.1,1\n60,0.2,Err\n".into(),
+            Read(TWICE),
+        ),
         // Numbers.
         ("a minus of typography", "Radius [um],Load [mN]\n50,−0.1\n60,0.2\n".into(), Read(POINTS)),
         (

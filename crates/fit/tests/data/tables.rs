@@ -272,6 +272,7 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
             load - 0.2
         }
     };
+    let attracted = |depth: f64, load: f64| if depth < 2.0 { 0.0 } else { load - 9.0 };
     let mut spike = rising(height, |depth, load| [-depth, load]);
     spike = spike.replace("-0.4,0.0", "-0.4,-500.0");
     for (text, opposite) in [
@@ -292,6 +293,15 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
             "height=-height load=-force",
         ),
         (rising(depth, |depth, load| [depth, load]), ""),
+        // A contact that still pulls at its deepest, after the jump into it.
+        (
+            rising(depth, |depth, load| [depth, attracted(depth, load)]),
+            "",
+        ),
+        (
+            rising(height, |depth, load| [-depth, attracted(depth, load)]),
+            "",
+        ),
         // The drag of a liquid follows the root of the depth.
         (rising(depth, |depth, _| [depth, depth.sqrt()]), ""),
         (

@@ -167,9 +167,9 @@ class ZoneSize(OneLine):
         """Return the part by which the pull-off load of JKR is too small, under an imposed load.
 
         It is for Dugdale's law, and to first order in the length of the cohesive zone: on a
-        half-space ``0.0859 / tabor^2``. Measured on 1200 films: where the zone is a twentieth of
-        the shorter of contact radius and film thickness, up to 7 % of itself too large or 2 % too
-        small; where it is a fifth, 26 % and 9 %.
+        half-space ``0.0859 / tabor^2``. Against an independent program: where the zone is a
+        twentieth of the shorter of contact radius and film thickness, up to 7 % of itself too large
+        or 2 % too small; where it is a fifth, 26 % and 9 %.
 
         Parameters
         ----------

@@ -140,6 +140,12 @@ fn explain(table: &Table) -> Result<String, std::fmt::Error> {
             "the values are compressed to tensor trains: the ranks of each, one for each tile of the range",
         )?;
     }
+    if table.is_of_stack() {
+        row(
+            "layer",
+            "a layer of the stack, from the top down: thickness, Young's modulus, Poisson ratio, and what joins it to the body below",
+        )?;
+    }
     row(
         "nu0",
         match table.description().nu0 {

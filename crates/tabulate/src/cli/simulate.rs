@@ -227,7 +227,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--free, --bounds, --prior, --own and --shared are for --expect; add it"
     );
     let made = simulate_experiment(&table, &experiments[0], noise, arguments.seed)
-        .map_err(|error| doubted(error, &[]))?;
+        .map_err(|error| doubted(error, &[], &[]))?;
     let text = csv(&made)?;
     arguments.known.name_example(&experiments[0]);
     output.write(&text)

@@ -421,7 +421,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     for experiment in &experiments {
         allow::magnitudes(&experiment.magnitudes(), allowed)
             .with_context(|| experiment.measurement.name.clone())
-            .map_err(|error| with_doubts(error, &notes))?;
+            .map_err(|error| with_doubts(error, &experiments, &notes))?;
     }
     let table = arguments.table.read()?;
     let table: &Table = &table;
@@ -433,15 +433,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         allow_left_out: allowed.contains(&Allowed::LeftOut),
         ..Options::default()
     };
-    let fit =
-        ::fit::fit(table, &experiments, &free, &options).map_err(|error| doubted(error, &notes))?;
+    let fit = ::fit::fit(table, &experiments, &free, &options)
+        .map_err(|error| doubted(error, &experiments, &notes))?;
     let timed = experiments
         .iter()
         .any(|one| !one.times.is_empty() && one.relaxing.is_none());
     if fit.converged {
         allow::magnitudes(&fit.magnitudes(), allowed)
             .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, timed)))
-            .map_err(|error| with_doubts(error, &notes))?;
+            .map_err(|error| with_doubts(error, &experiments, &notes))?;
     }
     // A picture that cannot be drawn is told before anything is written.
     let drawn = arguments.picture.drawn(&fit, &experiments)?;
@@ -456,13 +456,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     } else {
         let mut report = report(&fit, &experiments, &notes, &arguments.units);
         for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
-            if let Some(remedy) = doubt.remedy() {
-                let wrong = if matches!(doubt, Doubt::Sign { .. }) {
-                    "sign is"
-                } else {
-                    "directions are"
-                };
-                report += &format!("if the {wrong} wrong, {}\n", typed(&remedy));
+            let Some(remedy) = doubt.remedy() else {
+                continue;
+            };
+            let wrong = if matches!(doubt, Doubt::Sign(_)) {
+                "sign is"
+            } else {
+                "directions are"
+            };
+            let step = format!("if the {wrong} wrong, {}\n", typed(&remedy));
+            if !report.ends_with(&step) {
+                report += &step;
             }
         }
         report += &next_steps(&fit, timed);

@@ -227,10 +227,9 @@ impl<'a> FitObject<'a> {
             let values = fit.experiments.iter().map(|one| Number(value(one)));
             OneOrAll(values.collect())
         };
-        let doubts = notes.iter().flat_map(|notes| &notes.doubts);
-        let doubts = doubts.map(|doubt| WarningObject {
+        let doubts = told(experiments, notes).map(|(doubt, text)| WarningObject {
             kind: doubt.kind(),
-            text: told(doubt).into(),
+            text: text.into(),
         });
         let warnings = fit.warnings.iter().map(|warning| WarningObject {
             kind: warning.kind.name(),

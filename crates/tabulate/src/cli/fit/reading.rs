@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use ::fit::Experiment;
 use ::fit::data::{Doubt, Format, Named, Notes, Reading, Remedy, read};
 use anyhow::anyhow;
 
@@ -14,7 +15,7 @@ pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
 }
 
 /// Returns the error of a fit, with the doubts about the files that may explain it.
-pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
+pub fn doubted(error: ::fit::Error, files: &[Experiment], notes: &[Notes]) -> anyhow::Error {
     let error = match error {
         ::fit::Error::LeftOut { .. } => anyhow!("{error}: --allow left-out"),
         ::fit::Error::NoTimes { .. } => {
@@ -31,28 +32,33 @@ pub fn doubted(error: ::fit::Error, notes: &[Notes]) -> anyhow::Error {
         }
         error => error.into(),
     };
-    with_doubts(error, notes)
+    with_doubts(error, files, notes)
 }
 
 /// Returns an error, with the doubts about the files that may explain it.
-pub fn with_doubts(error: anyhow::Error, notes: &[Notes]) -> anyhow::Error {
-    let doubts: Vec<String> = notes
-        .iter()
-        .flat_map(|notes| &notes.doubts)
-        .map(|doubt| format!("; {}", told(doubt)))
-        .collect();
-    if doubts.is_empty() {
-        return error;
+pub fn with_doubts(error: anyhow::Error, files: &[Experiment], notes: &[Notes]) -> anyhow::Error {
+    let doubts = told(files, notes).map(|(_, text)| format!("; {text}"));
+    match doubts.collect::<String>() {
+        none if none.is_empty() => error,
+        doubts => anyhow!("{error:#}{doubts}"),
     }
-    anyhow!("{error:#}{}", doubts.concat())
 }
 
-/// Returns a doubt, with what to type if it is right.
-pub fn told(doubt: &Doubt) -> String {
-    match doubt.remedy() {
-        Some(remedy) => format!("{doubt}; if so, {}", typed(&remedy)),
-        None => doubt.to_string(),
-    }
+/// Returns the doubts about the files: the name of the file, the doubt, and what to type if it is right.
+pub fn told<'a>(
+    files: &'a [Experiment],
+    notes: &'a [Notes],
+) -> impl Iterator<Item = (&'a Doubt, String)> {
+    files.iter().zip(notes).flat_map(|(file, notes)| {
+        let name = &file.measurement.name;
+        notes.doubts.iter().map(move |doubt| {
+            let text = match doubt.remedy() {
+                Some(remedy) => format!("{name}: {doubt}; if so, {}", typed(&remedy)),
+                None => format!("{name}: {doubt}"),
+            };
+            (doubt, text)
+        })
+    })
 }
 
 /// Returns what to type.
