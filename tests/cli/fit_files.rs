@@ -122,7 +122,10 @@ fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
         );
     }
     let report = workdir.succeed(format!("fit twice.csv {LENS}"));
-    assert_names(&report, "warning: \"contact_radius\" turns back 2 times");
+    assert_names(
+        &report,
+        "warning: twice.csv: \"contact_radius\" turns back 2 times",
+    );
     let sound = object("once.csv").to_string();
     for kind in ["several-curves", "directions", "commas", "same-points"] {
         assert!(!sound.contains(kind), "{kind}: {sound}");

@@ -10,7 +10,7 @@ use std::fmt;
 use super::assignment::Pair;
 use super::source::Source;
 use crate::statistics::median;
-use crate::{Kind, Point};
+use crate::{Direction, Kind, Point};
 
 /// The part of the range of the abscissa that is taken for an end of the curve.
 const END: f64 = 0.1;
@@ -105,13 +105,24 @@ pub fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Sign> {
     });
     let above = median(above.collect());
     let opposite = if rise < 0.0 {
-        // A contact pulls more than nothing at all does, but its load rises with the depth.
-        let before: Vec<f64> = points
+        // An adhesive contact pulls, where apart there is no load; but its load rises with the depth.
+        let middle = |direction: Option<Direction>, from: f64, to: f64| {
+            let own = points.iter().filter(|point| {
+                point.direction == direction && (from..=to).contains(&depth(point))
+            });
+            let loads: Vec<f64> = own.map(|point| point.ordinate).collect();
+            if loads.is_empty() {
+                f64::NAN
+            } else {
+                median(loads)
+            }
+        };
+        let rises = [None, Some(Direction::Approach), Some(Direction::Retract)]
             .iter()
-            .filter(|point| (most - 3.0 * reach..most - 2.0 * reach).contains(&depth(point)))
-            .map(|point| point.ordinate)
-            .collect();
-        let rises = !before.is_empty() && deepest[1] - median(before) > RISES * (high - low);
+            .any(|way| {
+                let before = middle(*way, most - 3.0 * reach, most - 2.0 * reach);
+                middle(*way, most - reach, most) - before > RISES * (high - low)
+            });
         match kind {
             _ if rises => return None,
             Kind::LoadRadius | Kind::PenetrationRadius if above < 0.0 => return None,

@@ -275,7 +275,14 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
     let attracted = |depth: f64, load: f64| if depth < 2.0 { 0.0 } else { load - 9.0 };
     let mut spike = rising(height, |depth, load| [-depth, load]);
     spike = spike.replace("-0.4,0.0", "-0.4,-500.0");
+    // The approach stays apart up to the deepest point, and the retract still pulls there.
+    let apart =
+        rising("height,force,segment", |depth, _| [-depth, 0.0]).replace(".0\n", ".0,approach\n");
+    let cycle = rising("", |depth, load| [-depth, load - 9.0]);
+    let cycle = cycle.lines().skip(1).map(|row| format!("{row},retract\n"));
+    let cycle = apart + &cycle.collect::<String>();
     for (text, opposite) in [
+        (cycle, ""),
         (rising(height, |depth, load| [-depth, load]), ""),
         (rising(height, |depth, load| [9.0 - depth, load + 7.0]), ""),
         (spike, ""),
