@@ -1,8 +1,10 @@
 //! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
 
-use fit::{Experiment, Fit, Kind, Parameter, WarningKind};
+use acceptance::Contacts;
+use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
 
-use crate::imagined::{Course, Imagined, assert_no_doubts, fit_with, text};
+use crate::contact_stiffness::{at_radii, noisy, oxide};
+use crate::imagined::{Course, Imagined, assert_no_doubts, fit_with, free_of, text};
 
 /// Returns a force curve on a gel with adhesion, its work of adhesion free.
 fn probe() -> Imagined {
@@ -12,12 +14,12 @@ fn probe() -> Imagined {
 }
 
 /// Returns the fit of an experiment whose readings a detector has changed.
-fn through(experiment: &Experiment, imagined: &Imagined, detector: impl Fn(f64) -> f64) -> Fit {
+fn through(experiment: &Experiment, free: &[Free], detector: impl Fn(f64) -> f64) -> Fit {
     let mut experiment = experiment.clone();
     for point in &mut experiment.measurement.points {
         point.ordinate = detector(point.ordinate);
     }
-    fit_with(&experiment, &imagined.free, |options| {
+    fit_with(&experiment, free, |options| {
         options.allow_left_out = true;
     })
     .expect("sound")
@@ -38,8 +40,8 @@ fn readings_at_the_end_of_the_range_are_doubted() {
     for seed in 0..20 {
         let experiment = probe.measured(&exact, seed);
         let [least, most] = ends(&experiment);
-        let at_the_bottom = through(&experiment, &probe, |y| y.max(0.85 * least));
-        let at_the_top = through(&experiment, &probe, |y| y.min(0.8 * most));
+        let at_the_bottom = through(&experiment, &probe.free, |y| y.max(0.85 * least));
+        let at_the_top = through(&experiment, &probe.free, |y| y.min(0.8 * most));
         for (found, which) in [(at_the_bottom, "smallest"), (at_the_top, "largest")] {
             let said = text(&found, WarningKind::Saturated);
             assert!(
@@ -58,7 +60,7 @@ fn coarse_steps_are_doubted() {
     for seed in 0..20 {
         let experiment = probe.measured(&exact, seed);
         let step = 5.0 * probe.noise;
-        let found = through(&experiment, &probe, |y| step * (y / step).round());
+        let found = through(&experiment, &probe.free, |y| step * (y / step).round());
         let said = text(&found, WarningKind::CoarseSteps);
         assert!(
             said.contains("values of the force, in steps of 7.500e-10 N"),
@@ -87,28 +89,73 @@ fn sound_readings_of_few_values_are_not_doubted() {
         let experiment = probe.measured(&exact, seed);
         for steps in [0.5, 1.0] {
             let step = steps * probe.noise;
-            let found = through(&experiment, &probe, |y| step * (y / step).round());
+            let found = through(&experiment, &probe.free, |y| step * (y / step).round());
             assert_no_doubts(&found, &strain);
         }
-        assert_no_doubts(&through(&experiment, &probe, digits), &strain);
+        assert_no_doubts(&through(&experiment, &probe.free, digits), &strain);
     }
-    // Each load is set three times, and the radius has the noise.
+    // Each load is set three times, the last may be held for longer, and the radius has the noise.
     let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
     let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free);
     lens.points[0] = 12;
     let exact = lens.exact();
-    for seed in 0..50 {
+    for (seed, held) in (0..50).flat_map(|seed| [(seed, 3), (seed, 20)]) {
         let mut experiment = lens.measured(&exact, seed);
         experiment.noise = Some(1e-9);
         experiment.abscissa_noise = 2e-7;
-        let mut random = acceptance::Contacts::new(seed);
-        let points = exact.points.iter().flat_map(|point| [*point; 3]);
+        let mut random = Contacts::new(seed);
+        let last = exact.points.len() - 1;
+        let points = exact.points.iter().enumerate();
+        let points = points
+            .flat_map(|(i, point)| std::iter::repeat_n(*point, if i == last { held } else { 3 }));
         experiment.measurement.points = points.collect();
         for (i, point) in experiment.measurement.points.iter_mut().enumerate() {
             point.abscissa += experiment.abscissa_noise * random.normal();
             point.line = i as u64 + 2;
         }
         let found = fit_with(&experiment, &lens.free, |_| ()).expect("sound");
-        assert_no_doubts(&found, &[]);
+        assert!(
+            !found.warns_of(WarningKind::Saturated),
+            "{:?}",
+            found.warnings
+        );
+        // Points of one load in the order of their radii have residuals in order, too.
+        if held == 3 {
+            assert_no_doubts(&found, &[]);
+        }
+    }
+}
+
+/// The noise of a contact stiffness is relative to it, and its steps are not.
+#[test]
+fn readings_of_a_contact_stiffness_are_doubted_in_its_unit() {
+    let free = free_of(&[Parameter::FilmModulus]);
+    let exact = at_radii(&oxide(), [5e-8, 1.5e-6], 100);
+    let [_, most] = ends(&exact);
+    for seed in 0..20 {
+        let mut experiment = noisy(&exact, 1e-2, seed);
+        for noise in [None, Some(1e-2)] {
+            experiment.noise = noise;
+            let sound = through(&experiment, &free, |y| y);
+            assert_no_doubts(&sound, &[]);
+            let at_the_top = through(&experiment, &free, |y| y.min(0.8 * most));
+            let said = text(&at_the_top, WarningKind::Saturated);
+            assert!(
+                said.contains("exactly the largest contact stiffness"),
+                "{said}"
+            );
+            assert!(said.contains(" N/m, where the fit changes by "), "{said}");
+            // Steps of 0.01 N/m are fine beside 1 %, though 0.01 is the noise.
+            let fine = through(&experiment, &free, |y| 0.01 * (y / 0.01).round());
+            assert_no_doubts(&fine, &[]);
+        }
+        let experiment = noisy(&exact, 2e-3, seed);
+        let step = 0.04 * most;
+        let coarse = through(&experiment, &free, |y| step * (y / step).round().max(1.0));
+        let said = text(&coarse, WarningKind::CoarseSteps);
+        assert!(
+            said.contains(" N/m, beside which the noise is small"),
+            "{said}"
+        );
     }
 }

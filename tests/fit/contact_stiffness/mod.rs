@@ -19,7 +19,7 @@ use crate::imagined::{fit_all, free_of, measurement, text};
 use crate::recovery::{SETS, assert_recovers};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
-fn oxide() -> System {
+pub fn oxide() -> System {
     System {
         probe: Probe::Paraboloid { radius: 1e-5 },
         sphere_modulus: 1.1466e12,
@@ -52,7 +52,7 @@ fn experiment(kind: Kind, bodies: Bodies, points: Vec<[f64; 2]>) -> Experiment {
 }
 
 /// Multiplies the stiffnesses by normal noise.
-fn noisy(exact: &Experiment, noise: f64, seed: u64) -> Experiment {
+pub fn noisy(exact: &Experiment, noise: f64, seed: u64) -> Experiment {
     let mut random = Contacts::new(seed);
     let mut made = exact.clone();
     for point in &mut made.measurement.points {
@@ -103,7 +103,7 @@ fn fitted<const N: usize>(measured: Experiment, free: [Parameter; N]) -> Result<
 }
 
 /// Stiffnesses at contact radii.
-fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
+pub fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
     let contact = solved(system, radii);
     let point = |a| [a, contact.stiffness(a).expect("in range")];
     let points = evenly(radii, count).map(point).collect();

@@ -6,15 +6,15 @@ use crate::{Branch, FittedExperiment, FittedPoint, WarningKind};
 
 /// The fewest neighbouring points of one reading that make a detector saturated.
 const FEWEST: usize = 3;
-/// The most steps between readings that the fit changes by over points which rounding makes equal:
-/// one step, with the noise of both ends.
+/// The change of the fit over equal readings, in steps, that rounding explains: one step, and the noise
+/// at both ends.
 const ROUNDED: f64 = 3.0;
 /// The noise over the steps between readings where rounding makes most of it. Rounding alone makes
 /// 0.29; with noise of half a step the readings are as good as without rounding.
 const OF_ROUNDING: [f64; 2] = [0.1, 0.5];
 
 /// Adds the doubts about the detector of an experiment. Tells whether its readings are in coarse
-/// steps.
+/// steps. `local_noise` is in the unit of [`FittedExperiment::noise`].
 pub(super) fn add(
     warnings: &mut Warnings,
     fitted: &FittedExperiment,
@@ -31,10 +31,14 @@ pub(super) fn add(
     if readings.len() < FEWEST {
         return false;
     }
-    let unit = if kind == crate::Kind::PenetrationRadius {
-        "m"
-    } else {
-        "N"
+    let unit = kind.ordinate_unit();
+    // The noise of a contact stiffness is relative.
+    let noise_at = |noise: f64, reading: f64| {
+        if kind.is_stiffness() {
+            noise * reading
+        } else {
+            noise
+        }
     };
     let last = readings.len() - 1;
     for (which, extreme, next) in [
@@ -42,7 +46,7 @@ pub(super) fn add(
         ("largest", readings[last], readings[last - 1]),
     ] {
         let change = change_of_fit(fitted, assigned, extreme);
-        if change > ROUNDED * (extreme - next).abs() + local_noise {
+        if change > ROUNDED * (extreme - next).abs() + noise_at(local_noise, extreme) {
             let own = fitted
                 .points
                 .iter()
@@ -63,7 +67,11 @@ pub(super) fn add(
     let steps = readings.windows(2).map(|pair| pair[1] - pair[0]);
     let step = steps.fold(f64::INFINITY, f64::min);
     let [least, most] = OF_ROUNDING.map(|part| part * step);
-    let is_coarse = 2 * readings.len() <= count && (least..most).contains(&fitted.noise);
+    // Rounding makes a relative noise that is largest at the smallest readings.
+    let squares = fitted.points.iter().map(|point| point.ordinate.powi(-2));
+    let usual = (squares.sum::<f64>() / count as f64).powf(-0.5);
+    let noise = noise_at(fitted.noise, usual);
+    let is_coarse = 2 * readings.len() <= count && (least..most).contains(&noise);
     if is_coarse {
         warnings.add(
             WarningKind::CoarseSteps,

@@ -58,6 +58,15 @@ impl Kind {
         }
     }
 
+    /// Returns the unit of the ordinate.
+    pub(crate) const fn ordinate_unit(self) -> &'static str {
+        match self {
+            Self::PenetrationRadius => "m",
+            kind if kind.is_stiffness() => "N/m",
+            _ => "N",
+        }
+    }
+
     /// Tells whether a contact stiffness is measured.
     pub const fn is_stiffness(self) -> bool {
         matches!(

@@ -23,8 +23,7 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         };
         let noise = match kind {
             kind if kind.is_stiffness() => format!("{:.2} %", 1e2 * experiment.noise),
-            Kind::PenetrationRadius => amount(experiment.noise, "m"),
-            _ => amount(experiment.noise, "N"),
+            kind => amount(experiment.noise, kind.ordinate_unit()),
         };
         format!("{noise}{ordinate}{abscissa}")
     });
