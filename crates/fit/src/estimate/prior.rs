@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::doubts::Warnings;
 use super::problem::Problem;
+use super::solve::slot_names;
 use super::uncertainty::Uncertainty;
 use crate::WarningKind;
 
@@ -20,6 +21,7 @@ pub(super) fn add(
     uncertainty: &Uncertainty,
     residuals: &DVector<f64>,
 ) {
+    let names = slot_names(problem);
     let with_prior = problem.slots.iter().enumerate();
     let with_prior = with_prior.filter_map(|(i, slot)| Some((i, slot.parameter, slot.prior?)));
     for (row, (slot, parameter, prior)) in (problem.counting()..).zip(with_prior) {
@@ -27,16 +29,20 @@ pub(super) fn add(
         let own = 1.0 - uncertainty.leverages[row];
         let distance = residuals[row].abs() / own.sqrt();
         if own > ADDED && distance > FAR {
+            let unit = match parameter.unit() {
+                "1" => String::new(),
+                unit => format!(" {unit}"),
+            };
             warnings.add(
                 WarningKind::Prior,
                 format!(
-                    "the prior of {parameter}, {:.4e} +- {:.1e} {unit}, and the data are {distance:.0} \
-                     standard errors apart, and {:.4e} {unit} is between them: check the prior, the \
+                    "the prior of {}, {:.4e} +- {:.1e}{unit}, and the data are {distance:.0} standard \
+                     errors apart, and the fit, {:.4e}{unit}, lies between them: check the prior, the \
                      values that are fixed, and the units; or leave the prior out",
+                    names[slot],
                     prior.mean,
                     prior.width,
-                    problem.value(slot),
-                    unit = parameter.unit()
+                    problem.value(slot)
                 ),
             );
         }

@@ -30,11 +30,8 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
 
 /// Tells whether two measurements have the same points.
 fn are_equal(a: &Measurement, b: &Measurement) -> bool {
-    let values = |one: &Measurement| -> Vec<[f64; 2]> {
-        let points = one.points.iter();
-        points
-            .map(|point| [point.abscissa, point.ordinate])
-            .collect()
-    };
-    a.kind == b.kind && values(a) == values(b)
+    let mut pairs = a.points.iter().zip(&b.points);
+    a.kind == b.kind
+        && a.points.len() == b.points.len()
+        && pairs.all(|(a, b)| (a.abscissa, a.ordinate) == (b.abscissa, b.ordinate))
 }
