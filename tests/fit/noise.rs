@@ -2,9 +2,9 @@
 //! priors that the data contradict.
 
 use acceptance::{Contacts, assert_names};
-use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
+use fit::{Experiment, Fit, Free, Kind, Loss, Parameter, Scope, WarningKind};
 
-use crate::imagined::{Imagined, fit_with, text};
+use crate::imagined::{Imagined, fit_all, fit_with, text};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
@@ -25,15 +25,80 @@ fn a_noise_that_is_given_too_large_is_doubted() {
         let mut experiment = lens.measured(&exact, seed);
         experiment.noise = Some(10.0 * lens.noise);
         let said = text(&fitted(&experiment, &lens.free), WarningKind::LargeNoise);
-        assert_names(&said, "scatter less; reduced chi^2; times too large");
-        let times = said
-            .split("some ")
-            .nth(1)
-            .and_then(|rest| rest.split(' ').next());
-        let times: f64 = times
-            .and_then(|times| times.parse().ok())
-            .expect("a number");
-        assert!((7.0..14.0).contains(&times), "{said}");
+        assert_names(
+            &said,
+            "imagined.csv; noise that is given for the load; scatter less; reduced chi^2; leave it out",
+        );
+        let factor = number_after(&said, "by a factor of some ");
+        assert!((7.0..14.0).contains(&factor), "{said}");
+    }
+}
+
+/// Returns the number that follows some words.
+fn number_after(text: &str, words: &str) -> f64 {
+    let rest = text.split(words).nth(1).expect("the words");
+    let number = rest.split([' ', ',']).next();
+    number
+        .and_then(|number| number.parse().ok())
+        .expect("a number")
+}
+
+/// Of two files the one whose noise is too large is named, and what is said is what was given.
+#[test]
+fn errors_that_are_given_too_large_are_named_with_their_file() {
+    let lens = lens();
+    let exact = lens.exact();
+    let sound = lens.measured(&exact, 1);
+    for (noise, abscissa_noise, words) in [
+        (Some(5e-5), 0.0, "noise that is given for the load is"),
+        (
+            Some(5e-5),
+            3e-7,
+            "noise or the errors of the contact radius; leave the noise of the load out",
+        ),
+        (
+            None,
+            5e-6,
+            "errors that are given for the contact radius are; or none",
+        ),
+    ] {
+        let mut other = lens.measured(&exact, 2);
+        other.measurement.name = "other.csv".into();
+        other.noise = noise;
+        other.abscissa_noise = abscissa_noise;
+        let found = fit_all(&[sound.clone(), other], &lens.free).expect("sound");
+        let said = text(&found, WarningKind::LargeNoise);
+        assert_names(&said, &format!("other.csv; {words}"));
+        assert!(!said.contains("imagined.csv"), "{said}");
+        assert!(noise.is_some() || !said.contains("leave"), "{said}");
+    }
+}
+
+/// Few points tell the noise with errors of the radii that do not matter as well as without.
+#[test]
+fn a_noise_of_few_points_does_not_depend_on_errors_that_do_not_matter() {
+    let mut lens = lens();
+    for points in [3, 4, 5, 7, 9, 12] {
+        lens.points[0] = points;
+        let exact = lens.exact();
+        for (seed, loss) in (0..20).flat_map(|seed| [(seed, Loss::Squares), (seed, Loss::HUBER)]) {
+            let mut experiment = lens.measured(&exact, seed);
+            experiment.noise = None;
+            let fits = [0.0, 1e-9].map(|abscissa_noise| {
+                experiment.abscissa_noise = abscissa_noise;
+                fit_with(&experiment, &lens.free, |options| options.loss = loss).expect("sound")
+            });
+            let doubted = fits[1].warns_of(WarningKind::NoiseNotSeen);
+            assert!(!doubted, "{points} points: {:?}", fits[1].warnings);
+            let [exact, inexact] = fits.each_ref().map(|found| found.experiments[0].noise);
+            if loss == Loss::Squares {
+                let ratio = inexact / exact;
+                assert!(
+                    (ratio - 1.0).abs() < 0.02,
+                    "{points} points, {seed}: {ratio}"
+                );
+            }
+        }
     }
 }
 
@@ -47,25 +112,31 @@ fn a_noise_that_errors_of_the_abscissae_hide_is_doubted_and_no_point_draws_the_f
         ..lens()
     };
     let exact = lens.exact();
-    let truth = |parameter| lens.truth.get(parameter).expect("a value");
-    let [mut within, mut doubted] = [0; 2];
-    for seed in 0..100 {
+    let truth = lens.truth.work_of_adhesion;
+    let [mut within, mut told, mut doubted] = [0; 3];
+    for seed in 0..400 {
         let mut experiment = lens.measured(&exact, seed);
         experiment.noise = None;
         experiment.abscissa_noise = 3e-7;
         let found = fitted(&experiment, &lens.free);
         assert!(found.experiments[0].noise > 0.1 * lens.noise, "{found:?}");
+        let said = text(&found, WarningKind::NoiseNotSeen);
         assert_names(
-            &text(&found, WarningKind::NoiseNotSeen),
-            "noise of the load; contact radius; degrees of freedom; give the noise",
+            &said,
+            "noise of the load; contact radius; beyond the number of parameters; Give the noise",
         );
         doubted += usize::from(found.warns_of(WarningKind::LargeNoise));
         let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
-        let [low, high] = work.interval(1.96);
-        within += usize::from((low..=high).contains(&truth(Parameter::WorkOfAdhesion)));
+        let holds = |z: f64| {
+            let [low, high] = work.interval(z);
+            usize::from((low..=high).contains(&truth))
+        };
+        within += holds(1.96);
+        told += holds(number_after(&said, "lie within "));
     }
-    println!("{within} of 100 within 1.96 standard errors, {doubted} with a noise given too large");
-    assert!(within >= 80 && doubted >= 50, "{within}, {doubted}");
+    // Errors that are 1.2 times too small would make it 338 of the 400.
+    assert!(within >= 340, "{within}");
+    assert!(told >= 380 && doubted >= 350, "{told}, {doubted}");
 }
 
 /// Noise whose neighbours have a correlation of 0.6.
@@ -87,12 +158,22 @@ fn noise_that_is_not_independent_is_doubted_with_any_noise() {
         for (count, noise) in doubted.iter_mut().zip([None, Some(lens.noise)]) {
             experiment.noise = noise;
             let found = fitted(&experiment, &lens.free);
-            let said = text(&found, WarningKind::StructuredResiduals);
+            // One cause is said once.
+            let kinds = [WarningKind::StructuredResiduals, WarningKind::PoorFit];
+            let [alike, poor] = kinds.map(|kind| text(&found, kind));
+            assert!(
+                noise.is_some() || alike.is_empty() || poor.is_empty(),
+                "{poor}; {alike}"
+            );
+            let said = if alike.is_empty() && noise.is_none() {
+                poor
+            } else {
+                alike
+            };
             if !said.is_empty() {
-                assert_names(
-                    &said,
-                    "neighbouring residuals are alike; not independent; factor",
-                );
+                assert_names(&said, "neighbouring; not independent; factor");
+                let factor = number_after(&said, "too small by a factor of some ");
+                assert!((1.1..3.5).contains(&factor), "{said}");
                 *count += 1;
             }
         }
@@ -122,4 +203,67 @@ fn a_prior_that_the_data_contradict_is_named_with_its_distance() {
             assert!(!found.warns_of(WarningKind::Prior), "{:?}", found.warnings);
         }
     }
+}
+
+/// A number without a unit has none, and a value of one file is named with it.
+#[test]
+fn a_prior_is_named_with_its_unit_and_its_file() {
+    let [ratio, work] = [Parameter::FilmPoissonRatio, Parameter::WorkOfAdhesion];
+    let lens = lens();
+    let exact = lens.exact();
+    let first = lens.measured(&exact, 1);
+    let mut second = lens.measured(&exact, 2);
+    second.measurement.name = "second.csv".into();
+    let prior = Free::new(work).with_prior(0.08, 1e-3);
+    let free = [lens.free[0], prior.with_scope(Scope::Own)];
+    let found = fit_all(&[first.clone(), second], &free).expect("sound");
+    assert_names(
+        &text(&found, WarningKind::Prior),
+        "prior of work-of-adhesion of second.csv, 8.0000e-2 +- 1.0e-3 J/m^2, and; lies between them",
+    );
+    let free = [lens.free[1], Free::new(ratio).with_prior(0.1, 1e-3)];
+    let said = text(&fitted(&first, &free), WarningKind::Prior);
+    assert_names(
+        &said,
+        "prior of film-poisson-ratio, 1.0000e-1 +- 1.0e-3, and; lies between",
+    );
+}
+
+/// Of ten experiments in one fit, one that chance makes alike once in a thousand times is no reason.
+#[test]
+fn many_experiments_are_not_doubted_more_often_than_one() {
+    const TEN: u64 = 10;
+    let own = LENS.map(|parameter| Free::new(parameter).with_scope(Scope::Own));
+    let lens = lens();
+    let exact = lens.exact();
+    let [mut sound, mut doubted] = [0; 2];
+    for seed in 0..60 {
+        let mut odd = lens.measured(&exact, seed);
+        odd.measurement = exact.clone();
+        let mut random = Contacts::new(seed);
+        let mut error = random.normal();
+        for point in &mut odd.measurement.points {
+            error = 0.5 * error + 0.75_f64.sqrt() * random.normal();
+            point.ordinate += lens.noise * error;
+        }
+        let alone = text(&fitted(&odd, &lens.free), WarningKind::StructuredResiduals);
+        if alone.is_empty() {
+            continue;
+        }
+        let deviations = number_after(&alone, "alike, by ");
+        let mut ten: Vec<Experiment> = (1..TEN)
+            .map(|i| lens.measured(&exact, 1000 + TEN * seed + i))
+            .collect();
+        ten.push(odd);
+        let found = fit_all(&ten, &own).expect("sound");
+        let warns = found.warns_of(WarningKind::StructuredResiduals);
+        if deviations < 3.65 {
+            assert!(!warns, "{alone}; {:?}", found.warnings);
+            sound += 1;
+        } else if deviations > 3.75 {
+            assert!(warns, "{alone}");
+            doubted += 1;
+        }
+    }
+    assert!(sound >= 3 && doubted >= 3, "{sound}, {doubted}");
 }

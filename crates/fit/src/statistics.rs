@@ -1,5 +1,8 @@
 //! Statistics of samples.
 
+/// The median of the absolute value of a normal number.
+pub(crate) const MEDIAN: f64 = 0.674_49;
+
 /// Returns the median; 0 of no values.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {
@@ -17,7 +20,7 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
 
 /// Returns the value from which on half of the weights are, of values with their weights; 0 of none.
 pub(crate) fn weighted_median(values: &mut [[f64; 2]]) -> f64 {
-    values.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    values.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
     let half = 0.5 * values.iter().map(|[_, weight]| weight).sum::<f64>();
     let mut below = 0.0;
     let middle = values.iter().find(|[_, weight]| {

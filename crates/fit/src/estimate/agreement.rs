@@ -10,28 +10,32 @@ use nalgebra::DVector;
 use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::{Assigned, Problem};
-use crate::statistics::{CLIPPED, clipped, excess, likeness_of_neighbours, median};
+use crate::statistics::{
+    CLIPPED, MEDIAN, clipped, deviations, excess, likeness_of_neighbours, median,
+};
 use crate::{Branch, Direction, Fit, Loss, WarningKind};
 
 /// The excess of squares over those of one outlier in ten points, in standard deviations, from which
 /// outliers are not the reason. One fit in a thousand with so many outliers exceeds it.
 const BEYOND_OUTLIERS: f64 = 3.0;
 
-/// How alike neighbours are, in standard deviations, from which on they are doubted: one sound fit in a
-/// thousand exceeds it. At 4.5, noise with a correlation of 0.5 in 40 points would hardly be found.
-const ALIKE: f64 = 3.09;
-/// The part of a given noise that the data show, above which a difference is none.
+/// The part of sound fits in which neighbours are alike by as many standard deviations as are doubted,
+/// 3.1 in a fit of one experiment. At 4.5, noise with a correlation of 0.5 in 40 points would hardly be
+/// found.
+const ALIKE: f64 = 1e-3;
+/// The ratio of the scatter to the given noise above which nothing is said.
 const SMALLER: f64 = 0.8;
 /// The residual over the robust standard deviation of all, from which on neighbours are compared as
 /// if it were this one: an outlier would hide the others.
 const FAR: f64 = 3.0;
 
-/// Adds the doubts about noise and agreement. `local_noise` is that of neighbouring ordinates.
+/// Adds the doubts about noise and agreement, from the residuals, the share of each that the fit
+/// follows, and the noise of neighbouring ordinates of each experiment.
 pub(super) fn add(
     warnings: &mut Warnings,
     fit: &Fit,
     problem: &Problem<'_>,
-    (residuals, local_noise): (&DVector<f64>, &[Option<f64>]),
+    (residuals, leverages, local_noise): (&DVector<f64>, &[f64], &[Option<f64>]),
 ) {
     let freedom = fit.degrees_of_freedom as f64;
     if let Some(reduced) = fit.reduced_chi_squared {
@@ -42,7 +46,8 @@ pub(super) fn add(
             [fit.chi_squared, freedom, reduced],
         );
     }
-    large_noise(warnings, fit.chi_squared / freedom, freedom);
+    let count = problem.assigned.len() as f64;
+    let alike = deviations(1.0 - 2.0 * ALIKE / count).min(BEYOND_CHANCE);
     let mut row = 0;
     for ((assigned, fitted), local) in problem
         .assigned
@@ -51,12 +56,19 @@ pub(super) fn add(
         .zip(local_noise)
     {
         let own = residuals.rows(row, assigned.counting());
-        row += assigned.counting();
+        let followed: f64 = leverages[row..row + own.len()].iter().sum();
+        row += own.len();
+        large_noise(
+            warnings,
+            assigned,
+            own.norm_squared(),
+            own.len() as f64 - followed,
+        );
         // Rounding makes neighbours alike.
         if detector::add(warnings, fitted, assigned, local.unwrap_or(0.0)) {
             continue;
         }
-        beside_neighbours(warnings, assigned, own.as_slice());
+        beside_neighbours(warnings, assigned, own.as_slice(), alike);
     }
 }
 
@@ -91,27 +103,47 @@ fn poor(
     }
 }
 
-/// Warns if the residuals are smaller than the noise that is given by more than chance. Where it is
-/// estimated, with no errors of the abscissae beside it, chi^2 is what chance makes of it.
-fn large_noise(warnings: &mut Warnings, reduced: f64, freedom: f64) {
-    let by_chance = excess(reduced * freedom, freedom) > -BEYOND_CHANCE;
-    if by_chance || reduced.sqrt() > SMALLER {
+/// Warns if the residuals of an experiment are smaller than the errors that are given by more than
+/// chance.
+fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, freedom: f64) {
+    let reduced = chi_squared / freedom;
+    let is_small = excess(chi_squared, freedom) < -BEYOND_CHANCE && reduced.sqrt() < SMALLER;
+    if !is_small {
         return;
     }
+    let experiment = &assigned.experiment;
+    let [abscissa, ordinate] = experiment.measurement.kind.names();
+    let is_known = experiment.usual_noise().is_some();
+    let (too_large, remedy) = match (is_known, assigned.abscissa_parts.is_empty()) {
+        // An estimated noise is what the residuals make of it.
+        (false, true) => return,
+        (true, true) => (
+            format!("noise that is given for the {ordinate} is"),
+            "the noise of these data, or leave it out".to_string(),
+        ),
+        (true, false) => (
+            format!("noise or the errors of the {abscissa} that are given are"),
+            format!("those of these data, or leave the noise of the {ordinate} out"),
+        ),
+        (false, false) => (
+            format!("errors that are given for the {abscissa} are"),
+            "those of these data, or none".to_string(),
+        ),
+    };
     warnings.add(
         WarningKind::LargeNoise,
         format!(
-            "the data scatter less than the noise that is given: reduced chi^2 is {reduced:.2e}, so \
-             that the noise is some {:.1} times too large, and the standard errors with it; give \
-             the noise of these data, or leave it out",
+            "{}: the {too_large} too large, by a factor of some {:.1}, and the standard errors with \
+             it: the data scatter less, reduced chi^2 is {reduced:.2e}; give {remedy}",
+            experiment.measurement.name,
             reduced.sqrt().recip()
         ),
     );
 }
 
-/// Warns if neighbouring residuals of an experiment are alike, and if residuals whose noise is not
-/// given exceed the noise that neighbouring ones show.
-fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64]) {
+/// Warns if residuals whose noise is not given exceed the noise that neighbouring ones show, or else if
+/// neighbouring residuals of an experiment are alike by more than `alike` standard deviations.
+fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64], alike: f64) {
     let name = &assigned.experiment.measurement.name;
     // Neighbours are of one direction: noise that is not independent is so in time.
     let branches = [Branch::Advancing, Branch::Receding, Branch::Baseline];
@@ -132,17 +164,19 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64]) 
         .iter()
         .max_by(|one, other| one[0].total_cmp(&other[0]));
     let is_known = assigned.experiment.usual_noise().is_some();
-    if let Some([_, ratio, _]) = worst.filter(|[z, ..]| *z > BEYOND_CHANCE && !is_known) {
+    if let Some([z, ratio, count]) = worst.filter(|[z, ..]| *z > BEYOND_CHANCE && !is_known) {
         warnings.add(
             WarningKind::PoorFit,
             format!(
                 "{name}: the model does not describe the data to the noise that neighbouring \
-                 points show: reduced chi^2 is {ratio:.3} with this noise, or the noise is not \
-                 independent"
+                 points show: reduced chi^2 is {ratio:.3} with this noise; or the noise is not \
+                 independent, and then standard errors are too small by a factor of some {:.1}",
+                factor_of_errors(*z, *count)
             ),
         );
+        return;
     }
-    let scale = median(own.iter().map(|r| r.abs()).collect()) / 0.674_49;
+    let scale = median(own.iter().map(|r| r.abs()).collect()) / MEDIAN;
     let far = if scale > 0.0 {
         FAR * scale
     } else {
@@ -154,13 +188,10 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64]) 
     let sum = |of: fn(&[f64; 3]) -> f64| found.iter().map(of).sum::<f64>();
     let points = sum(|[_, _, count]| *count);
     let deviations = sum(|[z, _, count]| z * count.sqrt()) / points.sqrt();
-    if deviations <= ALIKE {
+    if deviations <= alike {
         return;
     }
-    // The correlation of neighbours, and what it makes of the error of a mean if it falls by this
-    // factor from point to point.
-    let alike = (deviations / points.sqrt()).clamp(0.0, 0.99);
-    let factor = ((1.0 + alike) / (1.0 - alike)).sqrt();
+    let factor = factor_of_errors(deviations, points);
     warnings.add(
         WarningKind::StructuredResiduals,
         format!(
@@ -172,6 +203,14 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64]) 
     );
 }
 
+/// Returns the factor by which noise that is not independent makes the error of a mean larger, from how
+/// many standard deviations neighbours of `count` points are alike. Their correlation falls by its own
+/// value from point to point.
+fn factor_of_errors(deviations: f64, count: f64) -> f64 {
+    let correlation = (deviations / count.sqrt()).clamp(0.0, 0.99);
+    ((1.0 + correlation) / (1.0 - correlation)).sqrt()
+}
+
 /// Returns the residuals of a branch and direction by descending imposed value.
 fn in_order(
     assigned: &Assigned,
@@ -179,12 +218,7 @@ fn in_order(
     (branch, direction): (Branch, Option<Direction>),
 ) -> Vec<f64> {
     let mut rows = vec![None; assigned.branches.len()];
-    let counts = assigned
-        .branches
-        .iter()
-        .enumerate()
-        .filter(|(_, branch)| **branch != Branch::LeftOut);
-    for ((i, _), residual) in counts.zip(residuals) {
+    for (i, residual) in assigned.counting_points().zip(residuals) {
         rows[i] = Some(*residual);
     }
     let points = &assigned.experiment.measurement.points;

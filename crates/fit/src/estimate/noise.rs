@@ -4,22 +4,24 @@ use super::doubts::Warnings;
 use super::problem::{Assigned, Problem};
 use super::search::range;
 use super::uncertainty::Uncertainty;
-use crate::statistics::{median, student_deviations, weighted_median};
-use crate::{Branch, Loss, WarningKind};
+use crate::statistics::{MEDIAN, median, student_deviations, weighted_median};
+use crate::{Loss, WarningKind};
 
 /// The change of an estimated noise that needs another round.
 const CHANGE: f64 = 0.02;
 /// The smallest noise, relative to the range of the ordinates, that an estimate can give.
 const LEAST: f64 = 1e-12;
 /// The noises that are tried beside errors of the abscissae: the first over the largest residual, the
-/// ratio of one to the next, and the most of them, down to 1e-6 of the first.
+/// least ratio of one to the next, and the most of them, down to 1e-6 of the first or farther.
 const FIRST: f64 = 4.0;
 const STEP: f64 = 1.2;
 const TRIED: u32 = 77;
-/// The fewest points that tell a noise.
+/// The fewest points that tell a noise, and the least part of those that would tell it if the abscissae
+/// were exact, where these are few.
 const LEAST_TOLD: f64 = 2.0;
-/// The median of the absolute value of a normal number.
-const MEDIAN: f64 = 0.674_49;
+const LEAST_PART: f64 = 0.4;
+/// The part below which errors of the abscissae are why few points tell the noise.
+const HIDDEN: f64 = 0.5;
 /// The number of standard errors with 95 % of the true values, 2 with many points, from which the
 /// noise is doubted.
 const UNCERTAIN: f64 = 2.3;
@@ -42,7 +44,7 @@ pub(super) fn estimate_noise(
             continue;
         }
         let leverages = &uncertainty.leverages[rows.clone()];
-        let points = counting(assigned);
+        let points: Vec<usize> = assigned.counting_points().collect();
         let before: Vec<f64> = points.iter().map(|&i| assigned.deviation(i)).collect();
         let own = residuals.rows(rows.start, rows.len());
         let sizes = own.iter().zip(&before);
@@ -57,7 +59,7 @@ pub(super) fn estimate_noise(
             };
             excess * assigned.noise
         } else {
-            beside_abscissae(assigned, problem.loss, &sizes, leverages)
+            beside_abscissae(assigned, problem.loss, &points, &sizes, leverages)
         };
         let noise = noise.max(least);
         changed |= (assigned.noise / noise).ln().abs() > CHANGE;
@@ -81,48 +83,55 @@ pub(super) fn estimate_noise(
 /// noise has of its variance: chi^2 alone would leave the noise to points at which it is hidden. Where
 /// errors of the abscissae explain the residuals alone, it is the least noise that [`LEAST_TOLD`]
 /// points tell: with a smaller one a single point of no slope would draw the fit to itself.
-fn beside_abscissae(assigned: &Assigned, loss: Loss, sizes: &[f64], leverages: &[f64]) -> f64 {
-    let points = counting(assigned);
+fn beside_abscissae(
+    assigned: &Assigned,
+    loss: Loss,
+    points: &[usize],
+    sizes: &[f64],
+    leverages: &[f64],
+) -> f64 {
+    let least_told = LEAST_TOLD.min(LEAST_PART * most_told(leverages));
     let mut tried = assigned.clone();
-    // The residuals in units of their deviations, over what chance makes of them; and how many tell.
-    let mut at = |noise: f64| {
+    let mut residuals = Vec::with_capacity(points.len());
+    // The residuals in units of their deviations, over what chance makes of them, or infinity where
+    // too few points tell.
+    let mut excess = |noise: f64| {
         tried.noise = noise;
+        if told(&tried, leverages) < least_told {
+            return f64::INFINITY;
+        }
+        residuals.clear();
         let of_points = points.iter().zip(sizes.iter().zip(leverages));
-        let mut residuals: Vec<[f64; 2]> = of_points
-            .map(|(&i, (size, leverage))| {
-                let deviation = tried.deviation(i);
-                let free = (1.0 - leverage).max(f64::EPSILON);
-                [
-                    size / deviation / free.sqrt(),
-                    free * (noise / deviation).powi(2),
-                ]
-            })
-            .collect();
-        let excess = match loss {
+        residuals.extend(of_points.map(|(&i, (size, leverage))| {
+            let deviation = tried.deviation(i);
+            let free = (1.0 - leverage).max(f64::EPSILON);
+            [
+                size / deviation / free.sqrt(),
+                free * (noise / deviation).powi(2),
+            ]
+        }));
+        match loss {
             Loss::Squares => {
                 let sum = |of: fn(&[f64; 2]) -> f64| residuals.iter().map(of).sum::<f64>();
                 (sum(|[r, weight]| r * r * weight) / sum(|[_, weight]| *weight)).sqrt()
             }
             _ => weighted_median(&mut residuals) / MEDIAN,
-        };
-        (excess, told(&tried, &points, leverages))
+        }
     };
     let largest = sizes.iter().copied().fold(0.0, f64::max);
-    let mut least = FIRST * largest;
+    let [mut least, mut most] = [FIRST * largest; 2];
     for _ in 0..TRIED {
-        let (excess, told) = at(least);
+        let excess = excess(least);
         if excess > 1.0 {
             break;
         }
-        if told < LEAST_TOLD {
-            return least;
-        }
-        least /= STEP;
+        // A noise smaller by a factor makes the mean square larger by the fourth power at most.
+        most = least;
+        least *= excess.sqrt().min(1.0 / STEP);
     }
-    let mut most = least * STEP;
     while most > (1.0 + 0.1 * CHANGE) * least {
         let middle = (least * most).sqrt();
-        let end = if at(middle).0 > 1.0 {
+        let end = if excess(middle) > 1.0 {
             &mut least
         } else {
             &mut most
@@ -133,12 +142,18 @@ fn beside_abscissae(assigned: &Assigned, loss: Loss, sizes: &[f64], leverages: &
 }
 
 /// Returns how many points without errors of the abscissae would tell the noise as well as these.
-fn told(assigned: &Assigned, points: &[usize], leverages: &[f64]) -> f64 {
-    let of_point = |(&i, leverage): (&usize, &f64)| {
+fn told(assigned: &Assigned, leverages: &[f64]) -> f64 {
+    let of_point = |(i, leverage): (usize, &f64)| {
         let share = assigned.noise / assigned.deviation(i);
         (1.0 - leverage) * share.powi(4)
     };
-    points.iter().zip(leverages).map(of_point).sum()
+    let points = assigned.counting_points();
+    points.zip(leverages).map(of_point).sum()
+}
+
+/// Returns how many would if the abscissae were exact.
+fn most_told(leverages: &[f64]) -> f64 {
+    leverages.iter().map(|leverage| 1.0 - leverage).sum()
 }
 
 /// Warns of an estimated noise that few points tell, because the errors of the abscissae hide it at
@@ -146,34 +161,29 @@ fn told(assigned: &Assigned, points: &[usize], leverages: &[f64]) -> f64 {
 pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, uncertainty: &Uncertainty) {
     let mut row = 0;
     for assigned in &problem.assigned {
-        let points = counting(assigned);
-        let leverages = &uncertainty.leverages[row..row + points.len()];
-        row += points.len();
+        let leverages = &uncertainty.leverages[row..row + assigned.counting()];
+        row += leverages.len();
         let experiment = &assigned.experiment;
         if experiment.usual_noise().is_some() || assigned.abscissa_parts.is_empty() {
             continue;
         }
-        let told = told(assigned, &points, leverages);
+        let told = told(assigned, leverages);
         let freedom = told.round().max(1.0) as usize;
         let within = student_deviations(0.95, freedom);
-        if within > UNCERTAIN {
+        if within > UNCERTAIN && told < HIDDEN * most_told(leverages) {
             let [abscissa, ordinate] = experiment.measurement.kind.names();
             warnings.add(
                 WarningKind::NoiseNotSeen,
                 format!(
                     "{}: the noise of the {ordinate} is estimated, and the errors given for the \
-                     {abscissa} hide it at most points: the rest tell it as {freedom} degrees of \
-                     freedom would, with which 95 % of the true values lie within {within:.1} \
-                     standard errors; give the noise, too",
-                    experiment.measurement.name
+                     {abscissa} hide it at most points. What is left tells the noise as well as \
+                     {freedom} point{} beyond the number of parameters would: 95 % of the true values \
+                     lie within {within:.1} standard errors, not 2. Give the noise of the \
+                     {ordinate}, too",
+                    experiment.measurement.name,
+                    if freedom == 1 { "" } else { "s" }
                 ),
             );
         }
     }
-}
-
-/// Lists the points that count.
-fn counting(assigned: &Assigned) -> Vec<usize> {
-    let counts = |i: &usize| assigned.branches[*i] != Branch::LeftOut;
-    (0..assigned.branches.len()).filter(counts).collect()
 }

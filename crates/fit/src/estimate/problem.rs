@@ -50,8 +50,13 @@ impl Assigned {
 
     /// Returns the number of points that count.
     pub fn counting(&self) -> usize {
-        let counts = |branch: &&Branch| **branch != Branch::LeftOut;
-        self.branches.iter().filter(counts).count()
+        self.counting_points().count()
+    }
+
+    /// Returns the points that count.
+    pub fn counting_points(&self) -> impl Iterator<Item = usize> {
+        let counts = |i: &usize| self.branches[*i] != Branch::LeftOut;
+        (0..self.branches.len()).filter(counts)
     }
 }
 

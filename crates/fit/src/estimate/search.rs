@@ -5,7 +5,7 @@ use super::noise::estimate_noise;
 use super::problem::{Assigned, Ending, Problem};
 use super::uncertainty::Uncertainty;
 use crate::model::Assignment;
-use crate::statistics::{excess, median};
+use crate::statistics::{MEDIAN, excess, median};
 use crate::{Bodies, Branch, Experiment, Kind, Loss, Parameter};
 
 /// The most evaluations over the number of parameters + 1.
@@ -139,13 +139,12 @@ pub(super) fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
         if !is_known && local.is_none() {
             return false;
         }
-        let counts = |i: &usize| assigned.branches[*i] != Branch::LeftOut;
-        let deviations = (0..assigned.branches.len()).filter(counts);
         let unit = |i: usize| local.map_or(1.0, |local| assigned.deviation(i) / local);
-        let units = deviations.map(|i| if is_known { 1.0 } else { unit(i) });
+        let points = assigned.counting_points();
+        let units = points.map(|i| if is_known { 1.0 } else { unit(i) });
         // The median bears outliers.
         let squares = own.iter().zip(units).map(|(r, unit)| (r * unit).powi(2));
-        let middle = median(squares.collect()) / 0.454_94;
+        let middle = median(squares.collect()) / MEDIAN.powi(2);
         excess(middle * count as f64, count as f64) > BAD
     })
 }

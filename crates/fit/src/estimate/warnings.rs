@@ -63,7 +63,12 @@ pub(super) fn warnings(
         interfaces::add(&mut warnings, found, uncertainty);
         left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
-            agreement::add(&mut warnings, fit, problem, (&residuals, &data.local_noise));
+            let beside = (
+                &residuals,
+                &uncertainty.leverages[..],
+                &data.local_noise[..],
+            );
+            agreement::add(&mut warnings, fit, problem, beside);
             prior::add(&mut warnings, problem, uncertainty, &residuals);
             noise::add(&mut warnings, problem, uncertainty);
             outliers(&mut warnings, fit);
