@@ -114,15 +114,7 @@ fn sound_readings_of_few_values_are_not_doubted() {
             point.line = i as u64 + 2;
         }
         let found = fit_with(&experiment, &lens.free, |_| ()).expect("sound");
-        assert!(
-            !found.warns_of(WarningKind::Saturated),
-            "{:?}",
-            found.warnings
-        );
-        // Points of one load in the order of their radii have residuals in order, too.
-        if held == 3 {
-            assert_no_doubts(&found, &[]);
-        }
+        assert_no_doubts(&found, &[]);
     }
 }
 

@@ -211,7 +211,8 @@ fn factor_of_errors(deviations: f64, count: f64) -> f64 {
     ((1.0 + correlation) / (1.0 - correlation)).sqrt()
 }
 
-/// Returns the residuals of a branch and direction by descending imposed value.
+/// Returns the residuals of a branch and direction by descending imposed value, and those of one reading
+/// in time: a load that is held has residuals in the order of the errors of its abscissae.
 fn in_order(
     assigned: &Assigned,
     residuals: &[f64],
@@ -222,10 +223,11 @@ fn in_order(
         rows[i] = Some(*residual);
     }
     let points = &assigned.experiment.measurement.points;
-    assigned
-        .order
-        .iter()
-        .filter(|&&i| assigned.branches[i] == branch && points[i].direction == direction)
-        .filter_map(|&i| rows[i])
-        .collect()
+    let is_own = |i: &usize| assigned.branches[*i] == branch && points[*i].direction == direction;
+    let order = assigned.order.iter().copied();
+    let mut order: Vec<usize> = order.filter(is_own).collect();
+    for run in order.chunk_by_mut(|&i, &j| points[i].ordinate == points[j].ordinate) {
+        run.sort_unstable();
+    }
+    order.into_iter().filter_map(|i| rows[i]).collect()
 }
