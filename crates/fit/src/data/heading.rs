@@ -84,11 +84,14 @@ impl Heading {
     /// double, its square or a multiple: `contact diameter`, `2a`, `a^2`, `10^3 F`.
     pub fn is_derived(&self) -> bool {
         // A number alone counts columns, as `1st` does.
+        let is_digit = |c: char| c.is_numeric();
+        let is_multiple = |word: &str| {
+            let rest = word.trim_start_matches(is_digit);
+            rest.len() == 1 || rest.contains(is_digit)
+        };
         let is_other = |word: &str| {
-            let is_digit = |c: char| c.is_numeric();
-            let counts = ["st", "nd", "rd", "th"].contains(&word.trim_start_matches(is_digit));
             OTHERS.contains(&word)
-                || word.starts_with(is_digit) && !word.chars().all(is_digit) && !counts
+                || word.starts_with(is_digit) && is_multiple(word)
                 || word.starts_with(['x', 'e']) && word[1..].starts_with(is_digit)
         };
         self.text.contains(['^', '*', '\u{d7}', '\u{b2}']) || self.name.split(' ').any(is_other)
