@@ -5,7 +5,7 @@
 
 use super::{Branch, Direction, Experiment, Kind, Point};
 use crate::Error;
-use crate::statistics::median;
+use crate::statistics::{MEDIAN, median};
 
 /// Steps and levels count if they exceed the noise by this factor.
 const SIGNIFICANT: f64 = 6.0;
@@ -338,6 +338,6 @@ fn noise_of(readings: &[f64]) -> Option<f64> {
         .windows(3)
         .map(|three| (three[0] - 2.0 * three[1] + three[2]).abs())
         .collect();
-    // The median of |x| is 0.6745 standard deviations; a second difference has the variance 6.
-    (bends.len() >= FEWEST).then(|| median(bends) / 0.674_49 / 6_f64.sqrt())
+    // A second difference has the variance 6.
+    (bends.len() >= FEWEST).then(|| median(bends) / MEDIAN / 6_f64.sqrt())
 }
