@@ -21,7 +21,7 @@ const ROUNDS: usize = 2;
 /// parameters are not used; priors are.
 ///
 /// A fit of force curves that jump leaves out points near the ends of their branches by the noise of the data.
-/// Its errors are then larger: by 2 to 33 % for the parameters of an AFM curve on a gel (1000 fits).
+/// Its errors are then larger than these.
 ///
 /// # Errors
 /// As [`fit`](crate::fit); [`Error::Setting`] without a noise, and for a free quantity such as the work of

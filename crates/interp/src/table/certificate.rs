@@ -84,7 +84,7 @@ impl Certificate {
         Err(Error::Malformed(format!(
             "its certificate has median_error = {median_error:?}, p999_error = {p999_error:?}, max_error = \
              {max_error:?}, points = {points}, worst_point = {worst_point:?}, identity_errors = {identities:?}: \
-             of points that were measured, 0 <= median_error <= p999_error <= max_error must hold, and all be finite"
+             if it was measured, 0 <= median_error <= p999_error <= max_error must hold, and all errors be finite"
         )))
     }
 }

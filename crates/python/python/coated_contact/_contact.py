@@ -222,8 +222,8 @@ class Contact(Native):
     def gradient(self, a: ArrayLike, w: ArrayLike, *, errors: Errors = "raise") -> Gradient:
         """Return load and penetration with their derivatives by every input.
 
-        They are derivatives of the interpolated curve, not finite differences. From the embedded
-        table they differ from those of an independent program by up to 1.2e-5 of the load.
+        They are derivatives of the interpolated curve, not finite differences. The certificate of
+        a table does not cover them.
 
         Parameters and errors are those of :meth:`load`, but above the nodes in a/t it is always an
         OutsideTableError.

@@ -198,7 +198,7 @@ def forecast(
 ) -> Forecast:
     """Return the standard errors that planned experiments would give, before they are made.
 
-    Where the force jumps, a fit finds errors up to a third larger: it leaves out points near the
+    Where the force jumps, the errors of a fit are larger than these: it leaves out points near the
     ends of the branches by the noise of the data.
 
     Parameters

@@ -139,6 +139,6 @@ mod tests {
             }
         }
         println!("integrals: {worst:.1e}");
-        assert!(worst <= 1e-10, "{worst:e}");
+        assert!(worst <= 1e-11, "{worst:e}");
     }
 }

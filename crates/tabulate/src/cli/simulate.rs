@@ -43,7 +43,7 @@ use super::table_name::{self, TableName};
 ///
 /// With --expect it prints the standard errors that a fit of these data would find, before any
 /// measurement: change --points, --from, --to and --noise until they are small enough. Where the force
-/// jumps, a fit finds errors up to a third larger.
+/// jumps, a fit leaves out points near the jump, and its errors are larger.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN -o a.csv",

@@ -45,13 +45,13 @@ impl Running {
     }
 
     /// Guesses the integrals of terms that were not needed before, at the contact radius `y` where `es/Gamma^2`
-    /// is `share`: as if `Gamma` were the same at all smaller radii. They grow so fast that their values there
+    /// is `rate`: as if `Gamma` were the same at all smaller radii. They grow so fast that their values there
     /// soon do not matter.
-    fn extend(&mut self, terms: usize, y: f64, share: f64) {
+    fn extend(&mut self, terms: usize, y: f64, rate: f64) {
         for k in self.terms..terms {
             let n = (2 * k) as f64;
             self.moments[k] = self.moments[k - 1] * y * y / (n * (n + 1.0));
-            self.penetrations[k] = self.moments[k - 1] * y * share / n;
+            self.penetrations[k] = self.moments[k - 1] * y * rate / n;
         }
         self.terms = terms;
     }
