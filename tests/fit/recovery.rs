@@ -113,6 +113,9 @@ fn a_lens_on_a_film() {
     offset.free.push(Free::new(LoadOffset));
     offset.truth.load_offset = 2e-5;
     recover("lens, load offset", &offset, 3, &[]);
+    // The nodes of the table end at a/t of 1000.
+    let thinnest = Imagined::lens(kind, 50e-9, 5e-6, &[SphereModulus, WorkOfAdhesion]);
+    recover("lens, a/t of 840 to 2620", &thinnest, 41, &[]);
     let free = [SphereModulus, WorkOfAdhesion, FilmModulus];
     let thick = Imagined::lens(kind, 100e-6, 5e-7, &free);
     recover("lens, film modulus", &thick, 4, &[WarningKind::LargeStrain]);

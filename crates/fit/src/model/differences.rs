@@ -1,5 +1,5 @@
-//! The model where contacts have no exact derivatives: on layers. Central differences stand for
-//! them.
+//! The model where contacts have no exact derivatives: on layers, and beyond the nodes of a table in
+//! `a/t`. Central differences stand for them.
 //!
 //! A contact on layers is a spline through solves to 1e-8, so that a step of 1e-3 in a modulus or a
 //! thickness leaves errors of some 1e-6 of the derivative. At a given contact a step can be
@@ -43,11 +43,15 @@ impl Experiment {
         if self.measurement.kind.is_stiffness() {
             return self.stiffness_and_differences(contact_of, branches, parameters);
         }
-        let exact = self.bodies.has_derivatives();
-        let contact = contact_of(&self.bodies, parameters.filter(|_| exact))?;
-        let Some(columns) = parameters.filter(|_| !exact) else {
-            return Ok(self.predict(&contact, branches, order, parameters)?);
-        };
+        if parameters.is_none() || self.bodies.has_derivatives() {
+            let contact = contact_of(&self.bodies, parameters)?;
+            match self.predict(&contact, branches, order, parameters) {
+                Err(error) if parameters.is_some() && is_beyond_nodes(&error) => {}
+                predicted => return Ok(predicted?),
+            }
+        }
+        let columns = parameters.unwrap_or_default();
+        let contact = contact_of(&self.bodies, None)?;
         let mut predicted = self.predict(&contact, branches, order, None)?;
         predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
         for (column, &parameter) in columns.iter().enumerate() {
@@ -94,11 +98,14 @@ impl Experiment {
         branch: Branch,
         columns: &[Parameter],
     ) -> Result<Option<BranchEnd>, Error> {
-        let exact = self.bodies.has_derivatives();
-        let contact = contact_of(&self.bodies, exact.then_some(columns))?;
-        if exact {
-            return Ok(self.branch_end(&contact, branch, columns)?);
+        if self.bodies.has_derivatives() {
+            let contact = contact_of(&self.bodies, Some(columns))?;
+            match self.branch_end(&contact, branch, columns) {
+                Err(error) if is_beyond_nodes(&error) => {}
+                end => return Ok(end?),
+            }
         }
+        let contact = contact_of(&self.bodies, None)?;
         let Some(mut end) = self.branch_end(&contact, branch, &[])? else {
             return Ok(None);
         };
@@ -177,4 +184,13 @@ impl Experiment {
             _ => ordinates,
         }
     }
+}
+
+/// Tells whether an error is that of exact derivatives beyond the nodes of a table in `a/t`, where the
+/// expansion about the limit gives values only.
+const fn is_beyond_nodes(error: &contact::Error) -> bool {
+    matches!(
+        error,
+        contact::Error::Table(interp::Error::OutsideTable { .. })
+    )
 }
