@@ -91,3 +91,27 @@ fn a_contact_beyond_the_sphere_is_told_without_the_limits_of_the_search() {
     );
     assert!(!message.contains("1e-60"), "{message}");
 }
+
+/// MPa taken for Pa below a layer that is right, and the reverse: all layers are looked at.
+#[test]
+fn every_layer_of_a_stack_is_checked() {
+    let workdir = workdir!();
+    let cases = "
+        inf | 0.02 | the modulus of a layer = 0.02 Pa
+        inf | 7e13 | the modulus of a layer = 7e13 Pa
+        7e12 | 2e5 | the modulus of the base = 7e12 Pa
+        ";
+    assert_cases(cases, |[base, gel, _]| {
+        let layer = |young: &str| {
+            format!("[[layers]]\nyoung_modulus = {young}\npoisson_ratio = 0.4\nthickness = 3e-6\n")
+        };
+        let layers = layer(gel) + &layer("2e5");
+        let text = format!("base = {{ young_modulus = {base}, poisson_ratio = 0.3 }}\n{layers}");
+        workdir.write("stack.toml", text);
+        let lens = "--stack stack.toml --sphere-radius 100um --sphere-modulus inf --work-of-adhesion 1mJ/m^2";
+        let pull_off = workdir.fail(1, format!("pull-off {lens}"));
+        let message = workdir.fail(1, format!("curve {lens}"));
+        assert_eq!(message, pull_off);
+        message
+    });
+}

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use interp::System;
+use interp::{Probe, System};
 
 /// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
 const MODULI: [f64; 2] = [1.0, 2e12];
@@ -44,18 +44,53 @@ impl Magnitude {
     /// Names what no contact has of the radius, the thickness and the moduli of a system, and of the
     /// work of adhesion (J/m^2) between its bodies.
     pub fn of_system(system: &System, work_of_adhesion: f64) -> Vec<Self> {
-        let radius = system.probe.radius();
-        [
-            radius.and_then(|radius| Self::length("the radius of the sphere", radius)),
+        let coating = [
             Self::length("the film thickness", system.film_thickness),
-            Self::modulus("the sphere's modulus", system.sphere_modulus),
             Self::modulus("the film's modulus", system.film.young()),
             Self::modulus("the substrate's modulus", system.substrate.young()),
+        ];
+        let coating = coating.into_iter().flatten();
+        Self::of_probe(&system.probe, system.sphere_modulus, work_of_adhesion)
+            .chain(coating)
+            .collect()
+    }
+
+    /// Names what no contact has of a probe of a reduced modulus (Pa), of layers with their
+    /// thicknesses (m) and moduli (Pa) on a base of the modulus `base` (Pa), and of the work of
+    /// adhesion (J/m^2) between probe and layers.
+    pub fn of_layered(
+        probe: &Probe,
+        sphere_modulus: f64,
+        base: f64,
+        layers: impl IntoIterator<Item = [f64; 2]>,
+        work_of_adhesion: f64,
+    ) -> Vec<Self> {
+        let layers = layers.into_iter().flat_map(|[thickness, modulus]| {
+            [
+                Self::length("the thickness of a layer", thickness),
+                Self::modulus("the modulus of a layer", modulus),
+            ]
+        });
+        let layers = layers.chain([Self::modulus("the modulus of the base", base)]);
+        Self::of_probe(probe, sphere_modulus, work_of_adhesion)
+            .chain(layers.flatten())
+            .collect()
+    }
+
+    /// Names what no contact has of a probe, its reduced modulus (Pa) and its work of adhesion
+    /// (J/m^2) to a surface.
+    pub fn of_probe(
+        probe: &Probe,
+        sphere_modulus: f64,
+        work_of_adhesion: f64,
+    ) -> impl Iterator<Item = Self> {
+        let radius = probe.radius();
+        let found = [
+            radius.and_then(|radius| Self::length("the radius of the sphere", radius)),
+            Self::modulus("the sphere's modulus", sphere_modulus),
             Self::work_of_adhesion("the work of adhesion", work_of_adhesion),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
+        ];
+        found.into_iter().flatten()
     }
 
     /// Checks a length of a body, m.

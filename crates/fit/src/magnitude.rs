@@ -26,35 +26,26 @@ impl Bodies {
     /// Names what no contact has of the radius, the thickness and the moduli of the bodies, and of
     /// the work of adhesion (J/m^2) between them. Infinite moduli are rigid bodies.
     pub fn magnitudes(&self, work_of_adhesion: f64) -> Vec<Magnitude> {
-        let radius = |probe: &Probe| {
-            let radius = probe.radius()?;
-            Magnitude::length("the radius of the sphere", radius)
-        };
-        let sphere_modulus = |value| Magnitude::modulus("the sphere's modulus", value);
-        let work = Magnitude::work_of_adhesion("the work of adhesion", work_of_adhesion);
-        let found = match self {
-            Self::Coated(system) => return Magnitude::of_system(system, work_of_adhesion),
-            Self::HalfSpace(half_space) => vec![
-                radius(&half_space.probe),
-                sphere_modulus(half_space.sphere_modulus),
-                Magnitude::modulus("the half-space's modulus", half_space.solid.young()),
-                work,
-            ],
-            Self::Layered(layered) => {
-                let layers = || layered.layers.iter().map(|named| &named.layer);
-                let lengths = layers()
-                    .map(|layer| Magnitude::length("the thickness of a layer", layer.thickness));
-                let moduli = layers()
-                    .map(|layer| Magnitude::modulus("the modulus of a layer", layer.solid.young()));
-                let others = [
-                    sphere_modulus(layered.sphere_modulus),
-                    Magnitude::modulus("the modulus of the base", layered.base.young()),
-                ];
-                let lengths = [radius(&layered.probe)].into_iter().chain(lengths);
-                lengths.chain(others).chain(moduli).chain([work]).collect()
+        match self {
+            Self::Coated(system) => Magnitude::of_system(system, work_of_adhesion),
+            Self::HalfSpace(half_space) => {
+                let modulus = half_space.solid.young();
+                let modulus = Magnitude::modulus("the half-space's modulus", modulus);
+                let sphere_modulus = half_space.sphere_modulus;
+                Magnitude::of_probe(&half_space.probe, sphere_modulus, work_of_adhesion)
+                    .chain(modulus)
+                    .collect()
             }
-        };
-        found.into_iter().flatten().collect()
+            Self::Layered(layered) => {
+                let layers = layered.layers.iter().map(|named| {
+                    let layer = &named.layer;
+                    [layer.thickness, layer.solid.young()]
+                });
+                let (probe, sphere_modulus) = (&layered.probe, layered.sphere_modulus);
+                let base = layered.base.young();
+                Magnitude::of_layered(probe, sphere_modulus, base, layers, work_of_adhesion)
+            }
+        }
     }
 }
 

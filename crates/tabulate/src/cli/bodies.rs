@@ -87,7 +87,17 @@ impl BodiesArguments {
     /// those of a contact. An error names the file and the body.
     pub fn read_checked(&self) -> anyhow::Result<Bodies> {
         let bodies = self.read()?;
-        let found = Magnitude::of_system(&bodies.system, bodies.work_of_adhesion);
+        let (system, work) = (&bodies.system, bodies.work_of_adhesion);
+        let found = match &bodies.stack {
+            Some(layers) if self.stack.is_some() => {
+                let (stack, probe) = (layers.stack(), &system.probe);
+                let layers = stack.layers().iter();
+                let layers = layers.map(|layer| [layer.thickness, layer.solid.young()]);
+                let base = stack.base().young();
+                Magnitude::of_layered(probe, system.sphere_modulus, base, layers, work)
+            }
+            _ => Magnitude::of_system(system, work),
+        };
         allow::magnitudes(&found, &self.allow)?;
         Ok(bodies)
     }
