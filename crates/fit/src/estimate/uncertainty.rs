@@ -107,29 +107,31 @@ impl Uncertainty {
 
     /// Lists the combinations whose standard error is above [`UNDETERMINED`].
     pub fn undetermined(&self, names: &[String]) -> Vec<Combination> {
-        let eigen = self.covariance.clone().symmetric_eigen();
-        let combination = |k: usize| {
-            let weights: Vec<(usize, f64)> = eigen
-                .eigenvectors
-                .column(k)
-                .iter()
-                .copied()
-                .enumerate()
-                .filter(|(_, weight)| weight.abs() > LIGHT)
-                .collect();
-            let parts: Vec<&str> = weights
-                .iter()
-                .map(|&(slot, _)| names[slot].as_str())
-                .collect();
+        let combination = |weights: Vec<(usize, f64)>| {
+            let parts: Vec<&str> = weights.iter().map(|&(slot, _)| &*names[slot]).collect();
             Combination {
                 text: parts.join(" and "),
                 weights,
             }
         };
-        (0..self.sizes.len())
-            .filter(|&k| eigen.eigenvalues[k].sqrt() > UNDETERMINED)
-            .map(combination)
-            .collect()
+        // No datum depends on a value whose variance overflows, and with it there are no eigenvectors.
+        let is_finite = |&slot: &usize| self.covariance[(slot, slot)].is_finite();
+        let (slots, lost): (Vec<usize>, Vec<usize>) = (0..self.sizes.len()).partition(is_finite);
+        let lost = lost.into_iter().map(|slot| vec![(slot, 1.0)]);
+        if slots.is_empty() {
+            return lost.map(combination).collect();
+        }
+        let covariance = self.covariance.select_rows(&slots);
+        let eigen = covariance.select_columns(&slots).symmetric_eigen();
+        let large = (0..slots.len()).filter(|&k| eigen.eigenvalues[k].sqrt() > UNDETERMINED);
+        let weights = large.map(|k| {
+            let weights = slots
+                .iter()
+                .copied()
+                .zip(eigen.eigenvectors.column(k).iter().copied());
+            weights.filter(|(_, weight)| weight.abs() > LIGHT).collect()
+        });
+        lost.chain(weights).map(combination).collect()
     }
 }
 

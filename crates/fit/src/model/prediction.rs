@@ -65,6 +65,7 @@ impl Experiment {
         parameters: &[Parameter],
     ) -> Result<Prediction, Error> {
         self.accept_instrument()?;
+        self.accept_indentation()?;
         self.accept_abscissae()?;
         for &parameter in parameters {
             if let Some(reason) = self.why_without_effect(parameter) {

@@ -38,8 +38,8 @@ pub fn simulate(
 /// the noise of a stiffness, in rad: both parts of a complex stiffness are as noisy.
 ///
 /// # Errors
-/// As [`simulate`], and [`Error::Setting`] for depths without a hardness and for a loss tangent
-/// outside 0 to 1.
+/// As [`simulate`], and [`Error::Setting`] for numbers of the indentation that a fit does not accept, for depths
+/// without a hardness and for a loss tangent outside 0 to 1.
 pub fn simulate_experiment(
     table: &Table,
     experiment: &Experiment,
@@ -54,6 +54,7 @@ pub fn simulate_experiment(
         });
     }
     experiment.accept_instrument()?;
+    experiment.accept_indentation()?;
     experiment.accept_abscissae()?;
     let mut made = experiment.clone();
     made.reach_contacts();

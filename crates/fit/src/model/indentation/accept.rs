@@ -49,8 +49,8 @@ impl Indentation {
 }
 
 impl Experiment {
-    /// Accepts the settings and the points of a measurement of contact stiffness.
-    pub(crate) fn accept_stiffness(&self) -> Result<(), Error> {
+    /// Accepts the settings of a measurement of contact stiffness.
+    pub(crate) fn accept_indentation(&self) -> Result<(), Error> {
         let (kind, of) = (self.measurement.kind, &self.indentation);
         if !kind.is_stiffness() {
             return Ok(());
@@ -64,6 +64,17 @@ impl Experiment {
                 allowed: "0 where no depth is measured: the contact depth thins the film".into(),
             });
         }
+        Ok(())
+    }
+
+    /// Accepts the settings and the points of a measurement of contact stiffness.
+    pub(crate) fn accept_stiffness(&self) -> Result<(), Error> {
+        self.accept_indentation()?;
+        let (kind, of) = (self.measurement.kind, &self.indentation);
+        if !kind.is_stiffness() {
+            return Ok(());
+        }
+        let name = &self.measurement.name;
         let points = &self.measurement.points;
         let count = |what: &str, found: usize, allowed: String| Error::Setting {
             name: format!("the number of {what} of {name}"),
