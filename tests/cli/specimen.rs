@@ -121,6 +121,17 @@ fn a_fit_lists_all_that_is_missing_at_once_and_no_more() {
             );
             assert_eq!(message.contains(question), asked, "{more:?}: {message}");
         }
+        let film_modulus = expected.contains(&"--film-modulus") && !more.contains("film-modulus");
+        assert_eq!(
+            message.contains("name film-modulus in --free"),
+            film_modulus,
+            "{message}"
+        );
+        let given = more.contains("--half-space");
+        assert!(
+            !(given && message.contains("give --half-space")),
+            "{message}"
+        );
         let stiffness = message.contains("--stiffness");
         assert_eq!(stiffness, expected.contains(&"--stiffness"), "{message}");
         assert_names(&message, &["--specimen paper"]);

@@ -114,7 +114,7 @@ impl KnownArguments {
                 one.measurement.name
             ));
         }
-        lines.extend(questions(&missing, is_free));
+        lines.extend(questions(&missing, is_free, self.half_space));
         ensure!(lines.is_empty(), lines.join("\n"));
         Ok(())
     }

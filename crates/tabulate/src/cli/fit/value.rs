@@ -37,10 +37,7 @@ const fn question(value: Value) -> &'static str {
              if it is rigid beside the sample"
         }
         Value::FilmThickness => "how thick is the film? For example 30um",
-        Value::FilmModulus => {
-            "what is Young's modulus of the film? For example 3.5MPa. Under a rigid sphere \
-             (--sphere-modulus inf) the fit finds it"
-        }
+        Value::FilmModulus => "what is Young's modulus of the film? For example 3.5MPa",
         Value::FilmPoissonRatio => {
             "what is the Poisson ratio of the film? Some 0.5 for elastomers and gels, 0.2 to 0.4 \
              for other solids"
@@ -59,18 +56,26 @@ const fn question(value: Value) -> &'static str {
 }
 
 /// Lists what is missing, with a question for each. `guessed` tells whether a guess will do, because
-/// the fit only starts from the value.
-pub fn questions(missing: &[Value], guessed: impl Fn(Value) -> bool) -> Vec<String> {
+/// the fit only starts from the value. A `half_space` is known to have no film.
+pub fn questions(
+    missing: &[Value],
+    guessed: impl Fn(Value) -> bool,
+    half_space: bool,
+) -> Vec<String> {
     let question = |&value: &Value| {
-        let guess = if guessed(value) {
-            ". It is free, and the fit starts from it: a guess will do"
-        } else {
-            ""
+        let further = match parameter(value) {
+            _ if guessed(value) => {
+                ". It is free, and the fit starts from it: a guess will do".into()
+            }
+            Some(modulus @ Parameter::FilmModulus) => {
+                format!(". If the data are to tell it, name {modulus} in --free")
+            }
+            _ => String::new(),
         };
-        format!("{} is missing: {}{guess}", value.flag(), question(value))
+        format!("{} is missing: {}{further}", value.flag(), question(value))
     };
     let mut lines: Vec<String> = missing.iter().map(question).collect();
-    if missing.iter().any(|value| value.is_of_sample()) {
+    if !half_space && missing.iter().any(|value| value.is_of_sample()) {
         lines
             .push("without a film give --half-space, for several layers --stack STACK.toml".into());
     }
