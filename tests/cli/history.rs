@@ -205,3 +205,38 @@ fn mistakes_are_told() {
         "
     ));
 }
+
+/// A load that falls is followed by elements, which reach no tolerance of 1e-5 here. Without a tolerance the
+/// answer comes with its error, which is true beside a run to a tolerance of its own.
+#[test]
+fn a_load_that_falls_comes_with_its_error() {
+    let workdir = workdir!();
+    let gel = GEL.split(" --relaxation").next().expect("a text");
+    let program = "--relaxation=power-law --relaxation-exponent=0.2 --program 'load 0:0 1:1nN 2:0' --points 5";
+    let run = workdir.run(format!("{gel} {program}"));
+    assert_eq!(run.status, 0, "{}", run.stderr);
+    let stated = run.stderr.split_once("# estimated error: ");
+    let stated = stated
+        .and_then(|(_, rest)| rest.split_once(" of "))
+        .expect("an error")
+        .0;
+    let stated: f64 = stated.parse().expect("a number");
+    assert!(1e-5 < stated && stated < 1e-2, "{stated}");
+    let message = workdir.fail(1, format!("{gel} {program} --tolerance=1e-5"));
+    assert_names(
+        &message,
+        &["tolerance 1e-5 is not reached", "give a tolerance above"],
+    );
+    let own = Data::parse("history", &run.stdout);
+    let other = rows(&workdir, &format!("{gel} {program} --tolerance=1e-3"));
+    let penetration =
+        |data: &Data| -> Vec<f64> { data.cases().map(|row| row.get("penetration")).collect() };
+    let (own, other) = (penetration(&own), penetration(&other));
+    let largest = own.iter().copied().fold(0.0, f64::max);
+    for (own, other) in own.iter().zip(&other) {
+        assert!(
+            (own - other).abs() <= (stated + 1e-3) * largest,
+            "{own} {other}"
+        );
+    }
+}

@@ -161,7 +161,10 @@ impl<L: CrackTip> Motion<'_, L> {
         let mut point: Point = [1.0, 0.0];
         let mut states = vec![self.timed_state(&point)?];
         let mut length = LONGEST_STEP;
-        for _ in 0..MOST_STEPS {
+        let mut steps = 0;
+        // A line that runs without bound asks for steps that vanish.
+        while steps < MOST_STEPS && length > f64::MIN_POSITIVE {
+            steps += 1;
             let slope = self.slope(point[TIME], point[RADIUS])?;
             let next = if slope.is_infinite() {
                 Some([self.leap(&point, slope.signum())?, point[TIME]])
@@ -193,7 +196,7 @@ impl<L: CrackTip> Motion<'_, L> {
         }
         Err(Error::Motion {
             time: point[TIME] * self.duration,
-            steps: MOST_STEPS,
+            steps,
         })
     }
 

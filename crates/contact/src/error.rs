@@ -71,13 +71,13 @@ pub enum Error {
     },
     /// A motion of the contact line that takes too many steps.
     #[error(
-        "the contact line has been followed to {time:?} s of the ramp in {steps} steps, the most that are taken; divide the ramp \
+        "the contact line has been followed to {time:?} s of the ramp in {steps} steps, and no further; divide the ramp \
          into several, or give a larger tolerance"
     )]
     Motion {
         /// The time from the beginning of the ramp up to which it was followed, s.
         time: f64,
-        /// The largest number of steps.
+        /// The number of steps.
         steps: usize,
     },
     /// An error of the table, of the curve, or of the system.

@@ -63,6 +63,83 @@ fn bodies_that_do_not_relax() {
     }
 }
 
+/// A film so thick that it is a half-space, under an elastic sphere: by Lee and Radok, exact with the summed compliance,
+/// which is that of a standard linear solid again. A relaxation that is over before the first step, and one in the midst
+/// of the program, leave errors within the bound, or are refused.
+#[test]
+fn the_bound_for_an_elastic_sphere_holds() {
+    let film = 1e3;
+    let of = |sphere_modulus: f64| {
+        let system = System {
+            sphere_modulus,
+            ..rigid_probe(
+                Probe::Paraboloid { radius: 1e-5 },
+                solid(film, 0.5),
+                1e-2,
+                solid(f64::INFINITY, 0.5),
+            )
+        };
+        solved_contact(&system, [1e-7, 1e-2], 1e-9)
+    };
+    let rigid = of(f64::INFINITY);
+    let (depth, mut answered, mut refused) = (1e-7, 0, 0);
+    for relaxed in [0.1, 0.6, 0.95] {
+        for time in [1e-6, 1e-3, 0.3, 100.0] {
+            for softness in [1e-3, 1e-2, 0.1, 1.0] {
+                let law = Relaxation::Prony {
+                    relaxed,
+                    terms: vec![[1.0 - relaxed, time]],
+                };
+                let own = of(film / 0.75 / softness);
+                let history = own.history(&law).expect("a law").beside(&rigid);
+                let program = [(0.0, 0.0), (1.0, depth), (3.0, depth)];
+                let times: Vec<f64> = (1..=30).map(|i| 0.1 * f64::from(i)).collect();
+                match history.at(Control::Displacement, &program, &times, None) {
+                    Ok(course) => {
+                        // The compliance of the film creeps, that of the sphere does not. Moduli over that of both
+                        // at first.
+                        let whole = 1.0 + softness;
+                        let left = whole / (1.0 / relaxed + softness);
+                        let own_time = time / relaxed * left;
+                        let exact = |t: f64| {
+                            // Of a load that grows like the power 3/2 of time, and then is held.
+                            let grows = t.min(1.0);
+                            let n = 4000;
+                            let falling: f64 = (0..n)
+                                .map(|i| {
+                                    let s = grows * (f64::from(i) + 0.5) / f64::from(n);
+                                    let rate = 1.5 * s.sqrt() * grows / f64::from(n);
+                                    rate * (-(t - s) / own_time).exp()
+                                })
+                                .sum();
+                            left * grows.powf(1.5) + (1.0 - left) * falling
+                        };
+                        let held = own.load((1e-5 * depth).sqrt(), 0.0).expect("a load");
+                        let largest = course
+                            .states
+                            .iter()
+                            .map(|at| at.state.load)
+                            .fold(0.0, f64::max);
+                        for at in &course.states {
+                            let error = (at.state.load - held * exact(at.time)).abs() / largest;
+                            assert!(
+                                error <= course.unlike_bodies + 1e-3,
+                                "{relaxed} {time} {softness} at {}: {error:.1e}, {:.1e}",
+                                at.time,
+                                course.unlike_bodies
+                            );
+                        }
+                        answered += 1;
+                    }
+                    Err(HistoryError::UnlikeBodies { .. }) => refused += 1,
+                    Err(error) => panic!("{error}"),
+                }
+            }
+        }
+    }
+    assert!(answered >= 15 && refused >= 15, "{answered} {refused}");
+}
+
 /// Each mistake has an error that says what to do.
 #[test]
 fn mistakes() {
@@ -109,6 +186,14 @@ fn mistakes() {
                 time,
             },
             "0.001",
+        ),
+        (
+            Relaxation::FractionalZener {
+                relaxed: 1.0,
+                exponent: 0.5,
+                time,
+            },
+            "relaxed fraction; elastic",
         ),
     ] {
         contact.history(&law).refused(name);

@@ -155,12 +155,14 @@ pub enum HistoryError {
     },
     /// Bodies that relax differently by too much.
     #[error(
-        "the bodies that do not relax carry too much of the deformation: the load may be wrong by {bound:.1e} of the largest \
-         load, and at most 2e-2 is accepted; at the largest penetration the elastic load rises by {chi:.1e} of itself when these \
+        "the bodies that do not relax carry too much of the deformation: the {what} may be wrong by {bound:.1e} of the largest \
+         {what}, and at most 2e-2 is accepted; at the largest penetration the elastic load rises by {chi:.1e} of itself when these \
          bodies are made rigid; no reduction to the elastic contact exists for them"
     )]
     UnlikeBodies {
-        /// The bound of the error, in parts of the largest load.
+        /// What may be wrong, in words.
+        what: &'static str,
+        /// The bound of the error, in parts of the largest one.
         bound: f64,
         /// The relative rise of the elastic load when the elastic bodies are made rigid.
         chi: f64,
@@ -179,5 +181,15 @@ pub enum HistoryError {
 impl From<interp::Error> for HistoryError {
     fn from(error: interp::Error) -> Self {
         Self::Contact(error.into())
+    }
+}
+
+impl HistoryError {
+    /// Returns the error of a contact whose times were counted from `origin` (s).
+    pub(super) fn later_by(mut self, origin: f64) -> Self {
+        if let Self::NotOneDisc { time, .. } | Self::GrowsAgain { time } = &mut self {
+            *time += origin;
+        }
+        self
     }
 }

@@ -59,6 +59,12 @@ impl Exponentials {
             _ => (0.0, Vec::new()),
         };
         terms.sort_by(|a, b| b[1].total_cmp(&a[1]));
+        // Between equal rates there is no pole.
+        terms.dedup_by(|next, term| {
+            let equal = next[1] == term[1];
+            term[0] += if equal { next[0] } else { 0.0 };
+            equal
+        });
         Self {
             constant: relaxed,
             weights: terms.iter().map(|[weight, _]| *weight).collect(),

@@ -157,12 +157,8 @@ impl History<'_> {
             compliance,
             width,
         };
-        follow(&setting, &steps.places(&program), &mut found).map_err(|error| match error {
-            HistoryError::GrowsAgain { time } => HistoryError::GrowsAgain {
-                time: time + origin,
-            },
-            error => error,
-        })?;
+        follow(&setting, &steps.places(&program), &mut found)
+            .map_err(|error| error.later_by(origin))?;
         for (point, at) in found.states.iter_mut().enumerate() {
             at.time = points[point].0;
             let radius = at.state.contact_radius;

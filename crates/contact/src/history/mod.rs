@@ -34,6 +34,7 @@ mod rim;
 mod run;
 mod setting;
 mod steps;
+mod unlike;
 mod variation;
 
 pub use self::error::HistoryError;
@@ -187,11 +188,9 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// States that only the film relaxes, and gives the contact of the same film between a rigid
     /// probe and a rigid base.
     ///
-    /// For bodies that relax differently no reduction to the elastic contact exists. The error of
-    /// treating all as relaxing is below `chi (1 - phi(T)/phi(first step))`, where `chi` is the
-    /// relative rise of the elastic load at the largest penetration when the elastic bodies are made
-    /// rigid (24 full simulations: by a factor of 2.5 or more). [`Course::unlike_bodies`] states
-    /// it; above 2e-2 it is an error.
+    /// For bodies that relax differently no reduction to the elastic contact exists. All are followed as relaxing;
+    /// the page `unlike.rs` of the source bounds the error of this. [`Course::unlike_bodies`] states it; above 2e-2
+    /// it is an error.
     #[must_use]
     pub fn beside(self, rigid: &'a Contact) -> Self {
         Self {
@@ -274,83 +273,43 @@ impl<'a, L: CrackTip> History<'a, L> {
                 before: times[i],
             });
         }
-        let program = Program::new(program, times)?;
+        let mut program = Program::new(program, times)?;
         if program.values[0] > 0.0 {
             return Err(HistoryError::BeginsInContact {
                 name: control.name(),
                 value: program.values[0],
             });
         }
+        // From the first point on, times resolve the shortest steps.
+        let origin = program.times[0];
+        program.times.iter_mut().for_each(|time| *time -= origin);
+        let asked: Vec<f64> = times.iter().map(|time| time - origin).collect();
         // Errors are parts of the largest values of the program, whatever is asked for.
-        let all: Vec<f64> = program.with(times).iter().map(|at| at.time).collect();
+        let mut all = asked.clone();
+        if self.rigid.is_some() {
+            all.extend(program.between());
+            all.sort_by(f64::total_cmp);
+        }
+        let all: Vec<f64> = program.with(&all).iter().map(|at| at.time).collect();
         let run = Run {
             history: self,
             control,
             program: &program,
             times: &all,
-            asked: times,
+            asked: &asked,
             tolerance,
         };
-        let mut course = run.course()?;
+        let mut course = run.course().map_err(|error| error.later_by(origin))?;
         if let Some(rigid) = self.rigid {
-            let times = [program.times[1] - program.times[0], program.duration()];
-            course.unlike_bodies = self.unlike(rigid, times, &course.states)?;
+            course.unlike_bodies = self.unlike(rigid, control, &course.states)?;
         }
         let mut states = course.states.into_iter().peekable();
-        let asked = times.iter().map(|&time| {
-            while states.next_if(|at| at.time < time).is_some() {}
-            *states.peek().expect("the program holds all times")
+        let asked = asked.iter().zip(times).map(|(&from_origin, &time)| {
+            while states.next_if(|at| at.time < from_origin).is_some() {}
+            let at = *states.peek().expect("the program holds all times");
+            TimedContact { time, ..at }
         });
         course.states = asked.collect();
         Ok(course)
-    }
-
-    /// Returns the bound of the error by bodies that do not relax in a measured history, in parts of
-    /// the largest load; 0 unless [`History::beside`] is told of them.
-    ///
-    /// # Errors
-    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::OtherBodies`] if the rigid bodies are
-    /// not those of this history; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the
-    /// curve of the rigid bodies does not hold the contact.
-    pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
-        match (self.rigid, &measured.states[..]) {
-            (Some(rigid), states @ [first, second, ..]) => {
-                let last = states[states.len() - 1];
-                let times = [second.time - first.time, last.time - first.time];
-                self.unlike(rigid, times, states)
-            }
-            _ => Ok(0.0),
-        }
-    }
-
-    /// Returns the bound of the error by bodies that do not relax, from the first step and the
-    /// duration (s).
-    fn unlike(
-        &self,
-        rigid: &Contact,
-        [step, duration]: [f64; 2],
-        states: &[TimedContact],
-    ) -> Result<f64, HistoryError> {
-        if !rigid.bodies.are_rigid_beside(&self.contact.bodies) {
-            return Err(HistoryError::OtherBodies);
-        }
-        let penetrations = states.iter().map(|at| at.state.penetration);
-        let largest = penetrations.fold(0.0, f64::max);
-        if largest == 0.0 {
-            return Ok(0.0);
-        }
-        let load = |contact: &Contact| -> Result<f64, HistoryError> {
-            let a = elastic::radius_of(contact, "penetration", largest, |node| node.penetration)?;
-            Ok(contact.load(a, 0.0)?)
-        };
-        let chi = load(rigid)? / load(self.contact)? - 1.0;
-        // Of a program with few points the first step of a simulation would be shorter.
-        let first = step.min(1e-3 * duration);
-        let falls = 1.0 - self.relaxation.modulus(duration)? / self.relaxation.modulus(first)?;
-        let bound = chi.max(0.0) * falls;
-        if bound > UNLIKE {
-            return Err(HistoryError::UnlikeBodies { bound, chi });
-        }
-        Ok(bound)
     }
 }

@@ -82,6 +82,17 @@ impl Program {
         self.times[self.times.len() - 1] - self.times[0]
     }
 
+    /// Returns times between the points of a program of few, on which a load bends.
+    pub fn between(&self) -> impl Iterator<Item = f64> {
+        const FEW: usize = 100;
+        const PARTS: usize = 8;
+        let parts = if self.times.len() > FEW { 1 } else { PARTS };
+        self.times.windows(2).flat_map(move |ends| {
+            let part = move |i: usize| ends[0] + (ends[1] - ends[0]) * i as f64 / parts as f64;
+            (1..parts).map(part)
+        })
+    }
+
     /// Returns the value on the segment before the point `end`, at a `time` within it.
     pub fn on_segment(&self, end: usize, time: f64) -> f64 {
         let [t0, t1] = [self.times[end - 1], self.times[end]];

@@ -39,7 +39,7 @@ pub enum Relaxation {
     },
     /// `phi = relaxed + (1 - relaxed) (1 + t/time)^-exponent`.
     ModifiedPowerLaw {
-        /// The part of the modulus that is left in the end, from 0 to 1.
+        /// The part of the modulus that is left in the end, from 0 to below 1.
         relaxed: f64,
         /// The exponent, from 1e-9 to below 1.
         exponent: f64,
@@ -49,7 +49,7 @@ pub enum Relaxation {
     /// `phi = relaxed + (1 - relaxed) E_exponent(-(t/time)^exponent)` with the Mittag-Leffler
     /// function, which is `erfcx((t/time)^(1/2))` for the exponent 1/2.
     FractionalZener {
-        /// The part of the modulus that is left in the end, from 0 to 1.
+        /// The part of the modulus that is left in the end, from 0 to below 1.
         relaxed: f64,
         /// The exponent, from 0.001 to 0.99.
         exponent: f64,
@@ -132,6 +132,12 @@ impl Relaxation {
             }
         };
         part(relaxed)?;
+        unless(
+            relaxed < 1.0 || matches!(self, Self::Prony { .. }),
+            "relaxed fraction",
+            relaxed,
+            "below 1: at 1 the body is elastic, and needs no law",
+        )?;
         let allowed = "from 1e-9 to below 1: a larger exponent is that of no solid, and its contact line would jump at every turn";
         unless(
             (1e-9..1.0).contains(&exponent),

@@ -11,6 +11,8 @@ use crate::{Control, CrackTip, State};
 /// The tolerances where none is given: of the integrals, and of elements.
 const DIGITS: f64 = 1e-8;
 const BY_ELEMENTS: f64 = 1e-5;
+/// The largest error of elements that is answered with where no tolerance is given.
+const COARSEST: f64 = 0.01;
 /// The part of the time of growth in which the load of the first contacts arises, and after which it has relaxed.
 const EARLY: f64 = 0.01;
 /// The most runs of the integrals, and the tolerance of the law in one over that in the one before.
@@ -133,10 +135,7 @@ impl<L: CrackTip> Run<'_, L> {
             }
             coarse = Some(states);
         }
-        Err(HistoryError::Unreached {
-            tolerance: self.digits(),
-            reached: error,
-        })
+        Err(unreached(self.digits(), error))
     }
 
     /// Returns the tolerance of integrals.
@@ -235,8 +234,7 @@ impl<L: CrackTip> Run<'_, L> {
         let mut most = most;
         let mut earlier: Option<Vec<TimedContact>> = None;
         let mut extrapolated: Option<Vec<TimedContact>> = None;
-        let mut reached = f64::INFINITY;
-        let mut change = f64::INFINITY;
+        let [mut reached, mut change, mut needed] = [f64::INFINITY; 3];
         let instants = self.program.with(self.times).len() as f64;
         for level in 0..REFINEMENTS {
             let refined = 1 << level;
@@ -281,18 +279,31 @@ impl<L: CrackTip> Run<'_, L> {
                 change / (CHANCE * CHANCE)
             };
             reached = likely + law.error;
-            if likely <= tolerance * (1.0 - PART) {
-                let states = better.expect("there were two runs");
-                return Ok(Course {
-                    states,
-                    error: reached,
-                    unlike_bodies: 0.0,
-                });
-            }
+            needed = reached.max(likely / (1.0 - PART));
             earlier = Some(states);
             extrapolated = better;
+            if likely <= tolerance * (1.0 - PART) {
+                break;
+            }
         }
-        Err(HistoryError::Unreached { tolerance, reached })
+        match extrapolated {
+            Some(states) if reached <= self.tolerance.unwrap_or(COARSEST) => Ok(Course {
+                states,
+                error: reached,
+                unlike_bodies: 0.0,
+            }),
+            _ => Err(unreached(tolerance, needed)),
+        }
+    }
+}
+
+/// Returns the error of a tolerance that is not reached, and the least one that would be. Printed with two digits it is
+/// not rounded down.
+fn unreached(tolerance: f64, needed: f64) -> HistoryError {
+    const UPWARDS: f64 = 1.05;
+    HistoryError::Unreached {
+        tolerance,
+        reached: UPWARDS * needed,
     }
 }
 

@@ -6,10 +6,7 @@ use interp::{Error, Parameter};
 pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
     error.chain().find_map(|cause| {
         if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
-            return Some(
-                "if all bodies relax by the law, give --all-relax; a sphere or a substrate that hardly deforms is \
-                 rigid, --sphere-modulus inf, --substrate-modulus inf",
-            );
+            return Some("if all bodies relax by the law, give --all-relax");
         }
         let own = cause.downcast_ref::<contact::Error>();
         let of_program = cause.downcast_ref().and_then(|error| match error {

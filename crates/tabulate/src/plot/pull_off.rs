@@ -15,7 +15,7 @@ use solve::stack::{Layer, Stack};
 
 /// The ends of Tabor's parameter, and the number of points on each line.
 const TABOR: [f64; 2] = [0.05, 10.0];
-const POINTS: usize = 33;
+const POINTS: usize = 65;
 
 /// The bodies of a line. Lengths in units of the film's thickness, moduli in units of 1 MPa.
 struct Bodies {

@@ -141,7 +141,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let radii = course.states.iter().map(|at| at.state.contact_radius);
     bodies.note_large_contact(radii.fold(0.0, f64::max));
-    arguments.warn(&bodies.system, &course);
+    arguments.warn(&bodies.system, program.imposed, &course);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["time", "penetration", "load", "contact_radius", "phase"])?;
     for time in times {
@@ -196,8 +196,11 @@ impl Arguments {
         times: &[f64],
     ) -> anyhow::Result<Course> {
         /// The largest `a/t` of the direct solves, one after the other.
-        const REACHES: [f64; 7] = [0.01, 1.0, 4.0, 16.0, 64.0, 256.0, 1024.0];
+        const REACHES: [f64; 8] = [0.01, 0.1, 1.0, 4.0, 16.0, 64.0, 256.0, 1024.0];
         let system = &bodies.system;
+        // The contact of a flat end is wider from the first touch on.
+        let [flat, _] = system.probe.contact_radii();
+        let holds = |reach: &f64| reach * system.film_thickness > 2.0 * flat;
         let rigid = self.rigid(bodies)?;
         let follow = |contact: &Contact, rigid: Option<&Contact>| {
             let history = contact.history(law)?;
@@ -216,7 +219,7 @@ impl Arguments {
             return Ok(follow(&contact, rigid.as_ref())?);
         }
         let mut refused = None;
-        for reach in REACHES {
+        for reach in REACHES.into_iter().filter(holds) {
             let contact = solved(bodies, system, reach)?;
             let rigid = rigid
                 .as_ref()
@@ -276,7 +279,7 @@ impl Arguments {
     }
 
     /// Says what is doubtful, and how exact the numbers are.
-    fn warn(&self, system: &System, course: &Course) {
+    fn warn(&self, system: &System, imposed: Imposed, course: &Course) {
         if course.error > self.tolerance.unwrap_or(TOLD) {
             // `eprintln` panics where standard error is closed.
             let _ = writeln!(
@@ -286,8 +289,14 @@ impl Arguments {
             );
         }
         if course.unlike_bodies > UNLIKE {
+            let what = if imposed == Imposed::Load {
+                "penetration"
+            } else {
+                "load"
+            };
             note(&format!(
-                "warning: sphere or substrate deform beside the film and do not relax: the loads may be wrong by {:.1e} of the largest load",
+                "warning: sphere or substrate deform beside the film and do not relax: the {what}s may be wrong by {:.1e} \
+                 of the largest {what}",
                 course.unlike_bodies
             ));
         }

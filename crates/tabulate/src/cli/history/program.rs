@@ -96,15 +96,13 @@ impl Program {
             .comment(Some(b'#'))
             .from_reader(bytes);
         let header = reader.headers()?.clone();
-        let time = header
-            .iter()
-            .position(|name| name == "time")
-            .with_context(|| {
-                format!(
-                    "the columns are {}: there must be one named time, in seconds",
-                    names(&header)
-                )
-            })?;
+        let mut times = (0..header.len()).filter(|&i| header[i] == *"time");
+        let (Some(of_time), None) = (times.next(), times.next()) else {
+            bail!(
+                "the columns are {}: there must be one named time, in seconds",
+                names(&header)
+            )
+        };
         let found: Vec<(usize, Imposed)> = header
             .iter()
             .enumerate()
@@ -125,14 +123,14 @@ impl Program {
         for record in reader.records() {
             let record = record?;
             let line = record.position().map_or(0, csv::Position::line);
-            let value = |column: usize, dimension: Option<Dimension>| {
+            let value = |column: usize, dimension: Dimension| {
                 let text = record.get(column).unwrap_or_default();
-                read(text, dimension)
+                read(text, Some(dimension))
                     .map_err(|error| anyhow!("line {line}, column {}: {error}", &header[column]))
             };
             points.push((
-                value(time, None)?,
-                value(column, Some(imposed.dimension()))?,
+                value(of_time, Dimension::Time)?,
+                value(column, imposed.dimension())?,
             ));
         }
         ensure!(!points.is_empty(), "it holds no points");
