@@ -132,6 +132,20 @@ fn a_forecast_tells_the_errors_of_the_fit() {
             .iter()
             .any(|one| one.text.contains("film-modulus"))
     );
+    // Points of an approach alone tell nothing of the receding work of adhesion, whose variance overflows: that hides
+    // no other combination.
+    let mut approach = experiment.clone();
+    for point in &mut approach.measurement.points {
+        point.direction = Some(Direction::Approach);
+    }
+    approach.work_of_adhesion_receding = Some(0.05);
+    let receding = Free::new(Parameter::WorkOfAdhesionReceding);
+    let free: Vec<Free> = lens.free.iter().cloned().chain([receding]).collect();
+    let lost = forecast(Table::embedded(), &[approach], &free).expect("sound");
+    let mut texts: Vec<&str> = lost.undetermined.iter().map(|one| &*one.text).collect();
+    assert_eq!(texts.remove(0), "work-of-adhesion-receding");
+    let others: Vec<&str> = expected.undetermined.iter().map(|one| &*one.text).collect();
+    assert_eq!(texts, others);
     experiment.noise = None;
     let planned = forecast(Table::embedded(), &[experiment], &lens.free);
     planned.refused("the noise of imagined.csv");

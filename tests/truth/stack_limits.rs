@@ -435,7 +435,7 @@ fn graded_films_converge_with_the_square_of_the_number_of_sublayers() {
         ] {
             let upper = 0.05 / lower;
             let quantities = |count: usize| {
-                let young = |height: f64| lower * (upper / lower).powf(height);
+                let young = |height: f64| lower * f64::powf(upper / lower, height);
                 let graded = |height: f64| solid(young(height), poisson);
                 let stack = Stack::graded(graded(0.0), 1.0, count, graded).expect("physical");
                 assert!((stack.surface().young() / upper - 1.0).abs() < 1e-15);

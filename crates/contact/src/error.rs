@@ -20,7 +20,7 @@ pub enum Error {
         from: f64,
         /// The largest contact radius, m.
         to: f64,
-        /// Whether the range ends at the radius of the sphere, beyond which no table helps.
+        /// Whether the range ends where the shape of the probe does, beyond which no table helps.
         at_sphere: bool,
     },
     /// A load, penetration or position of the spring at which there is no contact.
@@ -69,7 +69,7 @@ pub enum Error {
         /// The reason, and what to do instead.
         reason: &'static str,
     },
-    /// A motion of the contact line that takes too many steps.
+    /// A motion of the contact line that takes too many steps, or steps that vanish.
     #[error(
         "the contact line has been followed to {time:?} s of the ramp in {steps} steps, and no further; divide the ramp \
          into several, or give a larger tolerance"
@@ -99,8 +99,8 @@ fn at_the_sphere(to: f64) -> String {
     // The search ends just below the radius.
     let radius = format!("{to:.6e}").parse().unwrap_or(to);
     format!(
-        "no contact has: the search ends at the sphere's radius, {radius:?} m; give a smaller value, \
-         or check its unit and that of the radius"
+        "no contact of this probe has: the search ends at {radius:?} m; give a smaller value, \
+         or check its unit and that of the radius of the probe"
     )
 }
 

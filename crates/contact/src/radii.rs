@@ -88,12 +88,13 @@ impl Contact {
     /// Makes the error of a state whose contact radius is outside the range of a search.
     pub(crate) fn outside(&self, name: &'static str, value: f64) -> Error {
         let [from, to] = self.search_ends();
+        let [_, most] = self.mechanics().radii();
         Error::OutsideRadii {
             name,
             value,
             from,
             to,
-            at_sphere: to == BELOW_LARGEST * self.mechanics().sphere_radius(),
+            at_sphere: to == BELOW_LARGEST * most,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use ::solve::parallel;
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -9,7 +10,7 @@ use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::error::Failure;
-use crate::interruption::interruptible;
+use crate::interruption::{TICK, interruptible};
 
 /// An input: one value for each point, or one value for all.
 pub type Input<'py> = PyReadonlyArray1<'py, f64>;
@@ -46,7 +47,7 @@ impl Points {
         Failure: From<E>,
     {
         let function = &function;
-        self.in_blocks(py, inputs, 1 << 16, None, |values, block| {
+        self.in_blocks(py, inputs, [1, 1 << 16], None, |values, block| {
             block.map(move |index| function(values.at(index)))
         })
     }
@@ -63,7 +64,8 @@ impl Points {
         Failure: From<E>,
     {
         let interrupted = AtomicBool::new(false);
-        self.in_blocks(py, inputs, 1 << 12, Some(&interrupted), |values, block| {
+        let lengths = [1 << 12; 2];
+        self.in_blocks(py, inputs, lengths, Some(&interrupted), |values, block| {
             let one = |index| {
                 let goes_on = !interrupted.load(Ordering::Relaxed);
                 goes_on.then(|| function(values.at(index)))
@@ -73,12 +75,13 @@ impl Points {
     }
 
     /// Evaluates blocks of points one after the other. Between them a signal, such as Ctrl-C, ends
-    /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`.
+    /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`. Blocks are of
+    /// the first of the `lengths` first, and double up to the second while they take little time.
     fn in_blocks<'py, 'a, const K: usize, const N: usize, E, I>(
         &self,
         py: Python<'py>,
         inputs: [&'a Input<'_>; K],
-        length: usize,
+        [mut length, most]: [usize; 2],
         interrupted: Option<&AtomicBool>,
         evaluate: impl Fn(Values<'a, K>, Range<usize>) -> I + Sync,
     ) -> PyResult<[Output<'py>; N]>
@@ -104,8 +107,11 @@ impl Points {
                 .try_reserve_exact(count)
                 .map_err(|error| PyMemoryError::new_err(error.to_string()))?;
         }
-        for start in (0..count).step_by(length) {
+        let mut start = 0;
+        while start < count {
             let block = start..count.min(start + length);
+            start = block.end;
+            let begun = Instant::now();
             let work = || {
                 for (index, result) in block.clone().zip(evaluate(values, block)) {
                     let numbers = match result {
@@ -125,6 +131,9 @@ impl Points {
             };
             done.map_err(|(index, error)| Failure::from(error).at(index).raise(py))?;
             py.check_signals()?;
+            if begun.elapsed() < TICK {
+                length = most.min(2 * length);
+            }
         }
         Ok(results.map(|result| PyArray1::from_vec(py, result)))
     }

@@ -9,7 +9,7 @@ use std::time::Duration;
 use pyo3::prelude::*;
 
 /// The time between two looks at signals.
-const TICK: Duration = Duration::from_millis(50);
+pub const TICK: Duration = Duration::from_millis(50);
 
 /// Does `work` with the interpreter's lock released. After a signal whose handler raises, such as
 /// that of Ctrl-C, it sets `interrupted`, which `work` reads between its parts, waits for the end of

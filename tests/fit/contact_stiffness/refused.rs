@@ -1,7 +1,8 @@
 //! Contact stiffnesses that no measurement has, and parameters that they do not tell.
 
 use acceptance::Refused;
-use fit::{AreaFunction, Direction, Experiment, Kind, Parameter};
+use fit::{AreaFunction, Direction, Experiment, Kind, Parameter, simulate};
+use interp::Table;
 
 use super::{at_radii, fitted, oxide};
 
@@ -41,6 +42,22 @@ fn what_is_no_contact_stiffness_is_refused() {
         one.indentation.loads = vec![1.0; 8];
     });
     depths.refused("contact depth; line 1");
+    // What a fit refuses of the settings, no simulation and no prediction takes.
+    for (change, words) in [
+        (
+            (|one| one.indentation.hardness = Some(-1e9)) as fn(&mut Experiment),
+            "hardness; positive",
+        ),
+        (|one| one.indentation.epsilon = 5.0, "epsilon; 0 to 2"),
+        (|one| one.indentation.beta = f64::INFINITY, "beta; 0.5 to 2"),
+    ] {
+        let mut wrong = good.clone();
+        change(&mut wrong);
+        simulate(Table::embedded(), &wrong, 0.0, 1).refused(words);
+        wrong
+            .predictions(Table::embedded(), None, &[])
+            .refused(words);
+    }
     for (parameter, word) in [
         (Parameter::Hardness, "load"),
         (Parameter::TipRounding, "depth"),

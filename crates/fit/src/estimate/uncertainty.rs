@@ -125,10 +125,8 @@ impl Uncertainty {
         let eigen = covariance.select_columns(&slots).symmetric_eigen();
         let large = (0..slots.len()).filter(|&k| eigen.eigenvalues[k].sqrt() > UNDETERMINED);
         let weights = large.map(|k| {
-            let weights = slots
-                .iter()
-                .copied()
-                .zip(eigen.eigenvectors.column(k).iter().copied());
+            let column = eigen.eigenvectors.column(k);
+            let weights = slots.iter().copied().zip(column.iter().copied());
             weights.filter(|(_, weight)| weight.abs() > LIGHT).collect()
         });
         lost.chain(weights).map(combination).collect()

@@ -6,7 +6,10 @@ use interp::{Error, Parameter};
 pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
     error.chain().find_map(|cause| {
         if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
-            return Some("if all bodies relax by the law, give --all-relax");
+            return Some(
+                "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
+                 --sphere-modulus inf and --substrate-modulus inf",
+            );
         }
         let own = cause.downcast_ref::<contact::Error>();
         let of_program = cause.downcast_ref().and_then(|error| match error {
