@@ -5,10 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import Springs, StackSystem, fit, simulate
+from coated_contact import Experiment, FitError, Indentation, Springs, StackSystem, fit, simulate
 from conftest import loads_at, make_system, refuses
 from test_fit import WANTED, lens
+from test_indentation import system as coated
 from test_model import retract
+from test_relaxing import plan
 
 lmfit = pytest.importorskip("lmfit")
 
@@ -74,6 +76,39 @@ def test_the_fit_is_drawn_on_a_finer_grid(model_class):
     assert found.eval_uncertainty(x=finer).shape == finer.shape
 
 
+def test_what_is_known_of_each_point_is_not_known_of_others(model_class):
+    one = lens(seed=1)
+    points = np.shape(one.abscissa)
+    each = replace(one, noise=np.full(points, 2e-6), time=np.arange(*points, dtype=float))
+    each = replace(each, abscissa_noise=np.full(points, 1e-9))
+    found = model_class(each, WANTED).eval(x=one.abscissa[::2])
+    assert np.array_equal(found, model_class(one, WANTED).eval(x=one.abscissa[::2]))
+    depths = np.linspace(4e-8, 2.5e-7, 5)
+    tip = Indentation(hardness=1e10)
+    csm = Experiment(kind="stiffness-depth", abscissa=depths, system=coated(), indentation=tip)
+    for made, needed in [
+        (simulate(plan(), noise=1e-10, seed=1), "times"),
+        (simulate(csm, noise=0.01, seed=1), "loads"),
+    ]:
+        model = model_class(made, ["film_modulus"])
+        assert model.eval(x=made.abscissa).shape == made.abscissa.shape
+        other = made.abscissa[:3]
+        refuses(FitError, f"the {needed} at other", lambda model=model, x=other: model.eval(x=x))
+
+
+def test_a_prefix_and_parameters_of_ones_own(model_class):
+    one = lens(seed=1)
+    data = {"data": one.ordinate, "x": one.abscissa, "weights": 1 / 2e-6}
+    expected = model_class(one, WANTED).fit(**data)
+    params = model_class(one, WANTED, prefix="p_").make_params()
+    params.add("sphere_modulus", value=1.0)
+    found = model_class(one, WANTED, prefix="p_").fit(params=params, **data)
+    assert found.nfev < 10
+    for name in WANTED:
+        assert found.best_values[f"p_{name}"] == pytest.approx(expected.best_values[name])
+    assert found.params["sphere_modulus"].value == 1.0
+
+
 def test_expressions_and_fixed_parameters(model_class):
     system = make_system(film_modulus=5e5, film_poisson_ratio=0.45)
     made = simulate(loads_at(system, np.linspace(50e-6, 110e-6, 40)), noise=1e-6, seed=3)
@@ -87,6 +122,34 @@ def test_expressions_and_fixed_parameters(model_class):
         "film_modulus",
         "work_of_adhesion",
     ]
+
+
+@pytest.mark.parametrize("given", ["hint", "keyword", "params"])
+@pytest.mark.parametrize("method", ["leastsq", "least_squares"])
+def test_every_way_to_give_an_expression_gives_one_fit(model_class, given, method):
+    one = lens(seed=1)
+    model = model_class(one, WANTED)
+    data = {"data": one.ordinate, "x": one.abscissa, "weights": 1 / 2e-6, "method": method}
+    expression = "2e-8 * sphere_modulus"
+    params = model.make_params()
+    params["work_of_adhesion"].set(expr=expression)
+    # Without the Jacobian.
+    expected = lmfit.Model.fit(model, params=params, **data)
+    found = {
+        "hint": lambda: hinted(model, expression).fit(**data),
+        "keyword": lambda: model.fit(work_of_adhesion=lmfit.Parameter("", expr=expression), **data),
+        "params": lambda: model.fit(params=params, **data),
+    }[given]()
+    assert found.chisqr == expected.chisqr
+    assert found.params["sphere_modulus"].stderr == expected.params["sphere_modulus"].stderr
+    free = model_class(one, WANTED).fit(**data)
+    with pytest.raises(ValueError, match="call fit of the model"):
+        free.fit(params=params)
+
+
+def hinted(model, expression):
+    model.set_param_hint("work_of_adhesion", expr=expression)
+    return model
 
 
 def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack):

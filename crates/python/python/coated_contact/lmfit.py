@@ -13,7 +13,7 @@ from inspect import Signature
 from typing import Any
 
 import numpy as np
-from lmfit import Parameters
+from lmfit import Parameter, Parameters
 from lmfit.model import Model as LmfitModel
 from lmfit.model import ModelResult
 from lmfit.parameter import valid_symbol_name
@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike
 from ._arrays import real
 from ._bodies import Elastic, HalfSpace, System
 from ._columns import Array
+from ._errors import FitError
 from ._experiment import Experiment, ParameterName
 from ._model import Prediction, branches, predict
 from ._stack import Layer, Springs, StackSystem
@@ -50,7 +51,8 @@ class Model(LmfitModel):  # type: ignore[misc]
 
     At the abscissae of the experiment the branch of each point is read from its data, as
     :func:`coated_contact.branches` does, and points in a jump do not count. At other abscissae the
-    model decides.
+    model decides; a relaxation and ``"stiffness-depth"``, which need the time or the load of each
+    point, have none there.
 
     Parameters
     ----------
@@ -124,9 +126,9 @@ class Model(LmfitModel):  # type: ignore[misc]
         """Fit the model to data, as ``lmfit.Model.fit`` does, with exact derivatives."""
         method = args[1] if len(args) > 1 else kwargs.get("method", "leastsq")
         settings = dict(kwargs.pop("fit_kws", None) or {})
-        if method in WITH_JACOBIAN and not any(
-            parameter.expr is not None for parameter in (params or {}).values()
-        ):
+        start = self.make_params() if params is None else params
+        given = [one for one in kwargs.values() if isinstance(one, Parameter)]
+        if method in WITH_JACOBIAN and not _has_expression([*start.values(), *given]):
             settings.setdefault("Dfun", self._jacobian)
         return super().fit(data, params, *args, fit_kws=settings, **kwargs)
 
@@ -142,27 +144,65 @@ class Model(LmfitModel):  # type: ignore[misc]
 
     def _jacobian(self, params: Parameters, data: Any, weights: Any, **kwargs: Any) -> Array:
         """Return the derivatives of the residuals ``(data - model) weights``, a column for each."""
-        varied = [name for name, parameter in params.items() if parameter.vary]
-        values = {name: params[name].value for name in self.param_names}
-        found = self._predict(kwargs["x"], values, varied)
-        columns = np.stack([found.derivatives[self._known[name]] for name in varied], axis=1)
-        columns = np.where(np.isnan(columns), 0.0, columns)
-        return -columns if weights is None else -columns * np.reshape(weights, (-1, 1))
+        if _has_expression(params.values()):
+            raise ValueError(
+                "a result whose fit had no expressions cannot be fitted again with them: call fit "
+                "of the model"
+            )
+        roots = {name: name.removeprefix(self.prefix) for name in self.param_names}
+        values = {root: params[name].value for name, root in roots.items()}
+        # Parameters that the model does not have change nothing.
+        varied = [
+            self._known[roots[name]] if name in roots else None
+            for name, one in params.items()
+            if one.vary
+        ]
+        found = self._predict(kwargs["x"], values, [name for name in varied if name is not None])
+        nothing = np.zeros_like(found.ordinate)
+        columns = [nothing if name is None else found.derivatives[name] for name in varied]
+        jacobian = np.stack(columns, axis=1)
+        jacobian = np.where(np.isnan(jacobian), 0.0, jacobian)
+        return -jacobian if weights is None else -jacobian * np.reshape(weights, (-1, 1))
 
-    def _predict(self, x: ArrayLike, values: dict[str, float], by: list[str]) -> Prediction:
+    def _predict(
+        self, x: ArrayLike, values: dict[str, float], by: list[ParameterName]
+    ) -> Prediction:
+        """Predict at the abscissae ``x``, with values by their names in lmfit, without a prefix."""
         abscissa = np.atleast_1d(real("x", x))
         experiment, words = self._experiment, self._branches
         if not np.array_equal(abscissa, experiment.abscissa):
-            retract = experiment.retract
-            same = retract is not None and (retract.all() or not retract.any())
-            direction = np.full(abscissa.shape, bool(retract[0])) if same else None
-            experiment, words = (
-                replace(experiment, abscissa=abscissa, ordinate=None, retract=direction),
-                None,
-            )
+            experiment, words = _at(experiment, abscissa), None
         changed = with_values(experiment, {self._known[name]: v for name, v in values.items()})
-        by = [self._known[name] for name in by]
         return predict(changed, by, branches=words, table=self._table)
+
+
+def _has_expression(parameters: Iterable[Parameter]) -> bool:
+    return any(one.expr is not None for one in parameters)
+
+
+def _at(experiment: Experiment, abscissa: Array) -> Experiment:
+    """Return an experiment at other abscissae, without what is known of each point."""
+    needed = "loads" if experiment.kind == "stiffness-depth" else "times"
+    if needed == "loads" or experiment.relaxation is not None:
+        raise FitError(
+            f"the {needed} at other abscissae, which this model needs, are not known: give the "
+            "abscissae of the experiment",
+            axis="x",
+        )
+    retract, indentation = experiment.retract, experiment.indentation
+    same = retract is not None and (retract.all() or not retract.any())
+    if indentation is not None:
+        indentation = replace(indentation, loads=None, phases=None)
+    return replace(
+        experiment,
+        abscissa=abscissa,
+        ordinate=None,
+        retract=np.full(abscissa.shape, bool(retract[0])) if same else None,
+        noise=None,
+        abscissa_noise=0.0,
+        time=None,
+        indentation=indentation,
+    )
 
 
 POSITIVE = (
