@@ -54,13 +54,16 @@ def test_a_flat_punch_comes_off_at_once():
     assert pull_off.penetration == pytest.approx(pull_off.load / (2 * 3e-6 * MODULUS), rel=1e-13)
 
 
-@by_name
+UNEVEN = Profile(points=[(1e-6, 2e-8), (3e-6, 1e-7), (3.5e-6, 3e-7), (9e-6, 4e-6)])
+
+
+@pytest.mark.parametrize("probe", [*PROBES, UNEVEN], ids=lambda probe: probe.name)
 def test_heights_are_those_of_the_contact(probe):
     """Without adhesion delta0 = int_0^a f'(r) a / sqrt(a^2 - r^2) dr on a half-space."""
-    if isinstance(probe, FlatPunch | Profile):
-        # A punch has no other height than 0; the slope of a profile is smoothed.
-        assert probe.height(2e-6) == pytest.approx(0.0 if probe.name == "flat punch" else 2e-7)
-        assert probe.height(1e-5) == inf
+    assert type(probe.height(2e-6)) is float
+    assert np.array_equal(probe.height([[2e-6], [-2e-6]]), np.full((2, 1), probe.height(2e-6)))
+    if isinstance(probe, FlatPunch):
+        assert probe.height([2e-6, 1e-5]).tolist() == [0.0, inf]
         return
     a = 4e-6
     # With r = a sin(theta) the integral is that of f'(a sin theta) a, whose bends need many points.
@@ -69,6 +72,17 @@ def test_heights_are_those_of_the_contact(probe):
     rise = np.diff(probe.height(a * np.sin(theta)))
     delta = np.sum(rise / np.cos(middles))
     assert on_half_space(probe).load_and_penetration(a, 0.0)[1] == pytest.approx(delta, rel=1e-3)
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_a_profile_of_a_paraboloid_has_its_heights(first):
+    """Between the points, near the axis, and beyond the last bend."""
+    paraboloid = Paraboloid(radius=1e-3)
+    points = np.arange(first, 11) * 1e-5
+    profile = Profile(points=np.stack([points, paraboloid.height(points)], axis=1))
+    r = np.array([0.0, 1e-7, 4e-6, 5e-6, 2.5e-5, 9.4e-5, 9.6e-5, 1e-4])
+    assert profile.height(r) == pytest.approx(paraboloid.height(r), rel=1e-14, abs=0)
+    assert profile.height([1.0001e-4, inf]).tolist() == [inf, inf]
 
 
 @by_name

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
-from typing import ClassVar, final
+from typing import Any, ClassVar, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import real
+from ._arrays import real, scalar_or_array
 from ._values import Native, set_field, set_numbers
 
 
@@ -37,13 +37,13 @@ class Probe(Native):
         numbers = np.array([getattr(self, name) for name in names])
         set_field(self, "_native", _core.Probe(self.name, numbers))
 
-    def height(self, r: ArrayLike) -> NDArray[np.float64]:
-        """Return the heights f (m) at the distances ``r`` (m) from the axis.
+    def height(self, r: ArrayLike) -> Any:
+        """Return the heights f (m) at the distances ``r`` (m) from the axis, of their shape.
 
         They are infinite where the probe has no surface: beyond the radius of a sphere or a punch
         and beyond the last point of a profile.
         """
-        return self._height(np.abs(real("r", r)))
+        return scalar_or_array(self._height(np.abs(real("r", r))))
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         raise NotImplementedError
@@ -229,8 +229,20 @@ class Profile(Probe):
         points = np.array(self.points)
         if points[0, 0] > 0:
             points = np.vstack([np.zeros(2), points])
-        height = np.interp(r, points[:, 0], points[:, 1] - points[0, 1])
-        return np.where(r <= points[-1, 0], height, np.inf)
+        distances, heights = points.T
+        # Where the slope bends, the slopes there, and the heights: their integral.
+        bends = np.append(0.0, 0.5 * (distances[:-1] + distances[1:]))
+        slopes = np.append(0.0, np.diff(heights) / np.diff(distances))
+        # They may fall by the rounding of text, and are taken as the steepest before.
+        slopes = np.maximum.accumulate(slopes)
+        steps = np.diff(bends)
+        at_bends = np.append(0.0, np.cumsum(0.5 * (slopes[:-1] + slopes[1:]) * steps))
+        inside = np.minimum(r, distances[-1])
+        # Beyond the last bend the slope goes on as before it.
+        i = np.clip(np.searchsorted(bends, inside, side="right") - 1, 0, len(steps) - 1)
+        s = inside - bends[i]
+        height = at_bends[i] + s * (slopes[i] + 0.5 * s * (np.diff(slopes) / steps)[i])
+        return np.where(r <= distances[-1], height, np.inf)
 
 
 def probe_of(probe: Probe | None, sphere_radius: float | None) -> Probe:
