@@ -13,6 +13,7 @@ from coated_contact import (
     Experiment,
     FitError,
     Free,
+    Indentation,
     Paraboloid,
     RateDependent,
     Stack,
@@ -26,6 +27,7 @@ from coated_contact import (
 )
 from conftest import PROBES, loads_at, make_system, refuses, without_result
 from test_fit import WANTED, lens
+from test_indentation import system as oxide
 
 
 @pytest.fixture(scope="module")
@@ -166,6 +168,23 @@ def test_a_fit_is_drawn(axes):
     # The numbers along the axes are in these units, the coordinates in SI units.
     assert axes.xaxis.get_major_formatter()(60e-6) == "60"
     assert axes.yaxis.get_major_formatter()(-1.5e-4) == "-0.15"
+
+
+@pytest.mark.parametrize(
+    ("kind", "abscissa", "label"),
+    [
+        ("stiffness-radius", np.linspace(4e-8, 9e-7, 20), "contact radius (nm)"),
+        ("stiffness-load", np.linspace(1e-5, 1e-3, 20), "load (mN)"),
+        ("stiffness-depth", np.linspace(4e-8, 2.5e-7, 20), "depth (nm)"),
+    ],
+)
+def test_a_fit_of_contact_stiffness_is_drawn(axes, kind, abscissa, label):
+    tip = Indentation(hardness=1e10)
+    plan = Experiment(kind=kind, abscissa=abscissa, system=oxide(), indentation=tip)
+    found = fit(simulate(plan, noise=0.01, seed=1), ["film_modulus"])
+    found.plot(axes)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (label, "contact stiffness (kN/m)")
+    assert legend(axes) == ["data", "fit", "fit without the film"]
 
 
 def legend(axes):

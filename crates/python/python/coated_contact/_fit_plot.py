@@ -24,6 +24,9 @@ QUANTITIES = {
     "penetration-radius": (("contact radius", "m"), ("penetration", "m")),
     "load-penetration": (("penetration", "m"), ("load", "N")),
     "force-height": (("height", "m"), ("force", "N")),
+    "stiffness-radius": (("contact radius", "m"), ("contact stiffness", "N/m")),
+    "stiffness-load": (("load", "N"), ("contact stiffness", "N/m")),
+    "stiffness-depth": (("depth", "m"), ("contact stiffness", "N/m")),
 }
 JKR = (
     r"$a^{3/2} / (\sqrt{\pi}\, R)$  (m$^{1/2}$)",
