@@ -1,12 +1,23 @@
 """Broadcasting, types, and what a point with an error gives."""
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from coated_contact import ContactError, InputError, State, States
-from conftest import refuses
+from coated_contact import (
+    Cohesive,
+    Cone,
+    ContactError,
+    InputError,
+    Profile,
+    State,
+    States,
+    log_likelihood,
+    simulate,
+)
+from conftest import loads_at, refuses
 
 W = 0.04
 
@@ -45,6 +56,35 @@ def test_layouts_and_types_do_not_matter(contact):
     single = a.astype(np.float32)
     assert np.array_equal(contact.load(single, W), contact.load(single.astype(float), W))
     assert np.array_equal(contact.load(a, 0), contact.load(a, 0.0))
+
+
+def behind_a_header(values):
+    """The numbers as they are read from a file that begins with 13 bytes: not aligned."""
+    return np.frombuffer(bytes(13) + np.asarray(values, dtype="<f8").tobytes(), "<f8", offset=13)
+
+
+def test_numbers_need_not_be_aligned(contact, system):
+    a = np.linspace(40e-6, 90e-6, 5)
+    record = np.zeros(5, dtype=[("flag", "u1"), ("a", "<f8")])
+    record["a"] = a
+    for given in (behind_a_header(a), record["a"]):
+        assert not given.flags.aligned
+        assert np.array_equal(contact.load(given, W), contact.load(a, W))
+        assert contact.load(given[:1], W) == contact.load(a[:1], W)
+    assert Cone(half_angle=behind_a_header([1.0])[0]) == Cone(half_angle=1.0)
+    points = np.stack([a, a * a], axis=1)
+    assert Profile(points=behind_a_header(points).reshape(5, 2)) == Profile(points=points)
+    small = replace(system, sphere_radius=1e-6)
+    cohesive = Cohesive(system=small, work_of_adhesion=W, interaction_range=1e-8)
+    r = np.linspace(0.0, 1e-7, 5)
+    expected = cohesive.pressure(1e-7, r)
+    assert np.array_equal(cohesive.pressure(1e-7, behind_a_header(r)), expected)
+    lens = simulate(loads_at(system, a, noise=1e-6), noise=1e-6, seed=1)
+    likelihood = log_likelihood(lens, ["film_modulus", "work_of_adhesion"])
+    at = np.array([3e6, 0.04])
+    for given in (behind_a_header(at), np.repeat(at, 2)[::2]):
+        assert likelihood(given) == likelihood(at)
+        assert np.array_equal(likelihood.gradient(given), likelihood.gradient(at))
 
 
 @pytest.mark.parametrize(

@@ -40,7 +40,7 @@ def integer(name: str, value: int, least: int, end: int) -> int:
 
 
 def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Return real numbers as an array of float64; refuse what would lose a part on the way."""
+    """Return real numbers as an aligned array of float64; refuse what would lose a part."""
     if hasattr(type(value), "units") or hasattr(type(value), "unit"):
         raise TypeError(f"{name} = {value!r} has a unit of its own: give its value in SI units")
     array = np.asarray(value)
@@ -48,7 +48,9 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
         raise TypeError(f"{name} must be real numbers, not of the type {array.dtype}")
     if ma.is_masked(value):
         raise TypeError(f"{name} is masked: leave out these points, or fill them with numbers")
-    return np.asarray(array, dtype=np.float64)
+    array = np.asarray(array, dtype=np.float64)
+    # A field of a packed record is not aligned, nor are numbers behind the header of a file.
+    return array if array.flags.aligned else array.copy()
 
 
 def fixed(array: ArrayLike) -> NDArray[Any]:

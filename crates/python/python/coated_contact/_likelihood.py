@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _adapters, _core
@@ -112,7 +113,7 @@ class LogLikelihood(Native, OneLine):
                 f"{', '.join(self.names)} along the last axis",
                 axis="values",
             )
-        return rows
+        return np.ascontiguousarray(rows)
 
 
 def log_likelihood(
