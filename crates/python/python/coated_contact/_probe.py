@@ -216,7 +216,7 @@ class Profile(Probe):
     """
 
     name = "profile"
-    points: tuple[tuple[float, float], ...]
+    points: Any
 
     def __post_init__(self) -> None:
         points = real("points", self.points)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any, Literal, final
@@ -154,7 +154,7 @@ class Stack(Native):
     """
 
     base: Elastic
-    layers: tuple[Layer, ...]
+    layers: Sequence[Layer]
     surface: Elastic | None = None
 
     def __post_init__(self) -> None:
@@ -218,7 +218,7 @@ class Stack(Native):
         count = operator.index(count)
         middles = [thickness * ((i + 0.5) / count) for i in range(count)]
         layers = [Layer(material=material(z), thickness=thickness / count) for z in middles]
-        return cls(base=base, layers=tuple(layers), surface=material(thickness))
+        return cls(base=base, layers=layers, surface=material(thickness))
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Stack:
@@ -248,7 +248,7 @@ class Stack(Native):
         def solid(young: float, poisson: float) -> Elastic:
             return Elastic(young_modulus=young, poisson_ratio=poisson)
 
-        made = (
+        made = [
             Layer(
                 material=solid(*material),
                 thickness=thickness,
@@ -256,8 +256,8 @@ class Stack(Native):
                 interface=_interface(*stiffnesses),
             )
             for material, thickness, name, stiffnesses in layers
-        )
-        return cls(base=solid(*base), layers=tuple(made))
+        ]
+        return cls(base=solid(*base), layers=made)
 
     def _scene(self) -> dict[str, Any]:
         """Return the stack as the mapping of its file."""

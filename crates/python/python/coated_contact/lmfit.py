@@ -272,7 +272,7 @@ def with_values(experiment: Experiment, values: dict[ParameterName, float]) -> E
         elif "." not in name:
             own[name] = value
     if isinstance(system, StackSystem):
-        layers = tuple(_layer_with(one, values) for one in system.stack.layers)
+        layers = [_layer_with(one, values) for one in system.stack.layers]
         changes["stack"] = replace(system.stack, layers=layers)
     else:
         film = "solid" if isinstance(system, HalfSpace) else "film"
