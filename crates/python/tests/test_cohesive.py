@@ -1,6 +1,7 @@
 """An attraction of finite range: independent values, limits, and Rust bit for bit."""
 
 from dataclasses import replace
+from functools import partial
 from math import inf, pi
 
 import numpy as np
@@ -120,6 +121,12 @@ def test_what_is_not_solved_is_named(cohesive, stack):
     refuses(TypeError, "a System or a StackSystem", lambda: replace(cohesive, system=3))
     error = refuses(SolveError, "contact radius", lambda: cohesive.state([1e-6, -1.0]))
     assert error.index == (1,)
+    for field in (cohesive.pressure, cohesive.gap):
+        error = refuses(SolveError, "radius = 1.0 ", partial(field, 1e-6, [[1e-6, 1.0]]))
+        assert error.index == (0, 1)
+        # The contact radius is one number.
+        error = refuses(SolveError, "contact radius = 1.0 ", partial(field, 1.0, [1e-6, 1.0]))
+        assert error.index is None
     wide = replace(cohesive, system=replace(cohesive.system, film_thickness=1e-9))
     refuses(SolveError, r"attraction acts beyond|contact radius", lambda: wide.state(1.199e-7))
     refuses(ContactError, "from 2 to 1000000", lambda: cohesive.branch((1e-6, 2e-6), 1))

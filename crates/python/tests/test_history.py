@@ -76,12 +76,22 @@ def test_adhesion_of_the_receding_line() -> None:
         ({"penetration": [1e-3, 1e-2, 0]}, "begins in contact"),
         ({"time": [0, 1, 1]}, "rise"),
         ({"at": [-1.0]}, "begins at"),
+        ({"at": [[0.5], [1.5]]}, r"a row of times, and has the shape \(2, 1\)"),
         ({"tolerance": 1e-20}, "1e-10"),
     ],
 )
 def test_mistakes(change: dict[str, object], words: str) -> None:
     arguments = {"time": PROGRAM[0], "penetration": PROGRAM[1], **change}
     refuses(InputError, words, lambda: CONTACT.history(relaxation=LAW, **arguments))
+
+
+@pytest.mark.parametrize("wrong", [-1.0, math.nan])
+@pytest.mark.parametrize("name", ["modulus", "creep", "complex"])
+def test_an_error_of_a_law_has_the_place(name: str, wrong: float) -> None:
+    values, words = getattr(LAW, name), "time|frequency"
+    error = refuses(InputError, words, lambda: values([[1.0, 2.0], [wrong, 3.0]]))
+    assert error.index == (1, 0)
+    assert refuses(InputError, words, lambda: values(wrong)).index is None
 
 
 def test_laws_of_no_solid() -> None:

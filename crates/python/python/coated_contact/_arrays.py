@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from math import prod
 from typing import Any, Literal
 
@@ -93,6 +94,20 @@ def _locate(error: ContactError, shape: tuple[int, ...]) -> None:
     error.index = tuple(int(i) for i in np.unravel_index(flat, shape)) if shape else None
     if error.index is not None:
         error.add_note(f'at index {error.index}; errors="nan" gives NaN at such points')
+
+
+@contextmanager
+def located(axis: str, array: NDArray[np.float64]) -> Iterator[None]:
+    """Give an error about a number of ``array`` the index of the first such number."""
+    try:
+        yield
+    except ContactError as error:
+        if error.axis == axis and error.value is not None and array.ndim > 0:
+            same = (array == error.value) | (np.isnan(array) & np.isnan(error.value))
+            if same.any():
+                error.index = tuple(np.argwhere(same)[0].tolist())
+                error.add_note(f"at index {error.index}")
+        raise
 
 
 def scalar_or_array(array: NDArray[np.float64]) -> Any:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Errors, evaluate, integer, number, real
+from ._arrays import Errors, evaluate, integer, located, number, real
 from ._bodies import System
 from ._columns import Array
 from ._control import Control, native_control
@@ -171,4 +171,5 @@ def _field(native: Callable[..., Array], a: float, r: ArrayLike) -> Array:
     """Return a field of the contact of radius ``a`` at distances from the axis."""
     radii = real("r", r)
     flat = np.ascontiguousarray(radii).reshape(-1)
-    return native(number("a", a), flat).reshape(radii.shape)
+    with located("radius", radii):
+        return native(number("a", a), flat).reshape(radii.shape)

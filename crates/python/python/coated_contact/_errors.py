@@ -22,7 +22,7 @@ class ContactError(ValueError):
     allowed : str or None
         The values allowed in words, where they are no range.
     index : tuple of int or None
-        The position of the first point with an error, where arrays were given.
+        The position of the first point with an error, where a function was evaluated at arrays.
     """
 
     def __init__(

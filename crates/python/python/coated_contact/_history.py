@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import number, real, scalar_or_array
+from ._arrays import located, number, real, scalar_or_array
 from ._columns import Array, Columns
 from ._control import Control, Spring, native_control
 from ._errors import InputError
@@ -115,15 +115,17 @@ class Relaxation:
     def complex(self, omega: ArrayLike) -> tuple[Any, Any]:
         """Return storage and loss modulus over ``E_ref`` at angular frequencies (rad/s)."""
         at = real("omega", omega)
-        both = _core.relaxation_values(self._numbers(), "complex", at.ravel().tolist())
-        both = both.reshape(-1, 2)
+        both = self._values("complex", "omega", at).reshape(-1, 2)
         storage, loss = (scalar_or_array(both[:, i].reshape(at.shape)) for i in (0, 1))
         return storage, loss
 
     def _at(self, what: str, name: str, where: ArrayLike) -> Any:
         at = real(name, where)
-        values = _core.relaxation_values(self._numbers(), what, at.ravel().tolist())
-        return scalar_or_array(values.reshape(at.shape))
+        return scalar_or_array(self._values(what, name, at).reshape(at.shape))
+
+    def _values(self, what: str, name: str, at: Array) -> Array:
+        with located(name, at):
+            return _core.relaxation_values(self._numbers(), what, at.ravel().tolist())
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -209,6 +211,8 @@ def history(
             f"{values.shape}"
         )
     asked = times if at is None else np.atleast_1d(real("at", at))
+    if asked.ndim != 1:
+        raise InputError(f"at must be one time or a row of times, and has the shape {asked.shape}")
     if rigid is not None and type(rigid) is not type(contact):
         raise TypeError(
             "rigid must be the Contact of the same film between a rigid probe and a rigid "
