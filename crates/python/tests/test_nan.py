@@ -67,3 +67,12 @@ def test_the_pull_off_error_is_nan_where_it_is_not_known(contact):
     with pytest.raises(InputError):
         strict.pull_off_error()
     assert np.isnan(strict.pull_off_error(errors="nan")).tolist() == [False, True]
+
+
+def test_friction_is_nan_where_there_is_no_contact(contact):
+    """A flat punch of the radius of the sphere could be solved."""
+    radius = contact.system.sphere_radius
+    found = contact.validity([5e-5, radius], errors="nan")
+    assert np.isnan(found.friction()).tolist() == [False, True]
+    assert (found.in_range[1], found.is_large_contact[1]) == (False, False)
+    assert np.isnan(contact.validity(radius, errors="nan").friction())

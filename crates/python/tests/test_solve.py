@@ -9,6 +9,7 @@ from coated_contact import (
     InputError,
     SolveError,
     solve,
+    solve_stack,
 )
 from conftest import refuses, rows
 
@@ -70,6 +71,7 @@ def test_errors():
         solve(1e5, 1e20, 0.3, 1e-10, tolerance=1e-13)
     assert caught.value.range[0] > 1e-13
     refuses(TypeError, "nu1 must be real numbers", lambda: solve(1.0, 1.75, "0.5", 1e5))
+    refuses(TypeError, "stack must be a Stack, not int", lambda: solve_stack(1.0, 3, 2e6))
 
 
 def test_a_signal_ends_a_long_solve():
@@ -109,3 +111,6 @@ def test_xarray_names_its_dimensions():
     assert data["a_over_t"].dims == ("dim_0", "nu1")
     assert solve(1.0, 1.75, 0.5, 1e5).to_xarray()["eeq"].shape == ()
     assert solve([[1.0]], 1.75, 0.5, 1e5).to_xarray()["eeq"].dims == ("dim_0", "dim_1")
+    assert dict(solve([], 1.75, 0.5, 1e5).to_xarray().sizes) == {"a_over_t": 0}
+    data = solve(np.empty((0, 1)), 1.75, nu1, 1e5).to_xarray()
+    assert dict(data.sizes) == {"a_over_t": 0, "nu1": 2}

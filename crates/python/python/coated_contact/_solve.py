@@ -76,7 +76,7 @@ class Solution(OneLine):
         ndim = values["pi0"].ndim
         given = {name: real(name, value) for name, value in self._parameters.items()}
         varied = {
-            name: tuple(i + ndim - array.ndim for i, n in enumerate(array.shape) if n > 1)
+            name: tuple(i + ndim - array.ndim for i, n in enumerate(array.shape) if n != 1)
             for name, array in given.items()
         }
         dimensions = [
@@ -231,6 +231,8 @@ def solve_stack(
     >>> solve_stack([0.1, 1.0, 6.5], stack, 2e6).eeq.round(4)
     array([0.7123, 0.8471, 0.9748])
     """
+    if not isinstance(stack, Stack):
+        raise TypeError(f"stack must be a Stack, not {type(stack).__name__}")
     parameters: dict[str, ArrayLike] = {"a_over_t": a_over_t, "sphere_modulus": sphere_modulus}
     native = partial(_core.solve_stack, stack._native)
     return solution(native, errors, parameters, tolerance=tolerance)

@@ -22,7 +22,9 @@ if TYPE_CHECKING:
 class Validity(OneLine):
     """The geometry of a contact, compared with the assumptions of the model.
 
-    Each number has the shape of the contact radii given.
+    Each number has the shape of the contact radii given. With ``errors="nan"`` numbers are NaN at a
+    radius that the contact cannot have, and answers to yes or no, which cannot be NaN, are False:
+    there ``neglected`` says nothing.
 
     Attributes
     ----------
@@ -108,9 +110,11 @@ class Validity(OneLine):
         system = self._contact.system
         if isinstance(system, HalfSpace):
             return None
+        # No radius where the contact has none, such as beyond the sphere.
+        there = np.where(np.isnan(self.a_over_r), np.nan, self._contact_radius)
         ratio = stick_stiffening(
             system,
-            self._contact_radius,
+            there,
             sphere_poisson_ratio=sphere_poisson_ratio,
             errors=self._errors if errors is None else errors,
         )
