@@ -167,3 +167,21 @@ pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>
     };
     problem.slots.iter().enumerate().map(estimate).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_changes_nothing_hides_no_combination() {
+        // The first two change all ordinates alike, the third none.
+        let jacobian = DMatrix::from_fn(9, 3, |i, j| [1.0, 1.0 + 1e-3 * i as f64, 0.0][j]);
+        let uncertainty =
+            Uncertainty::new(jacobian, &DVector::zeros(9), Loss::Squares, vec![1.0; 3]);
+        let names = ["a", "b", "c"].map(String::from);
+        let found = uncertainty.undetermined(&names);
+        let texts: Vec<&str> = found.iter().map(|one| one.text.as_str()).collect();
+        assert_eq!(texts, ["c", "a and b"]);
+        assert_eq!(found[0].weights, [(2, 1.0)]);
+    }
+}
