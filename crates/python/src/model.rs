@@ -111,8 +111,8 @@ pub fn simulate<'py>(
     ])
 }
 
-/// Returns the estimates that planned experiments would give, their correlation, and what would not
-/// be determined.
+/// Returns the estimates that planned experiments would give, their correlation, and the
+/// combinations that would not be determined: each in words, with the numbers of its estimates.
 #[pyfunction]
 pub fn forecast<'py>(
     py: Python<'py>,
@@ -132,7 +132,10 @@ pub fn forecast<'py>(
     let fields = PyDict::new(py);
     fields.set_item("estimates", estimates(py, &found.estimates)?)?;
     fields.set_item("correlation", found.correlation)?;
-    let undetermined = found.undetermined.into_iter().map(|one| one.text);
+    let undetermined = found.undetermined.into_iter().map(|one| {
+        let parts = one.weights.iter().map(|&(estimate, _)| estimate);
+        (one.text, parts.collect::<Vec<_>>())
+    });
     fields.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
     Ok(fields)
 }

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from coated_contact import FitError, Free, HalfSpace, Table, design, forecast
-from conftest import loads_at, refuses
+from conftest import loads_at, make_system, refuses
 
 FREE = ["film_modulus", "work_of_adhesion"]
 
@@ -107,3 +107,32 @@ def test_each_experiments_own_parameter_has_its_number(system):
     assert found.stderr == {"plan 0": forecast(pair, free).stderr["load_offset[1]"]}
     with pytest.raises(FitError, match=r"give one of film_modulus, load_offset\[0\]"):
         design([pair], free, about="load_offset")
+
+
+def test_what_one_experiment_does_not_tell_is_not_told_of_others(system):
+    """Names of parameters and experiments that contain one another are not confused."""
+    depths = np.linspace(1e-6, 1e-5, 20)
+    one = replace(lens(system, noise=1e-9), kind="load-penetration", abscissa=depths)
+    noisy = replace(one, noise=1e-2, name="a film_modulus, work-of-adhesion")
+    pair, free = [one, noisy], [*FREE, "contact_point"]
+    expected = forecast(pair, free)
+    assert expected.undetermined == (f"contact-point of {noisy.name}",)
+    for about in (*FREE, "contact_point[0]"):
+        assert design([pair], free, about=about).stderr == {"plan 0": expected.stderr[about]}
+    with pytest.raises(FitError, match=r"no plan determines contact_point\[1\]: contact-point of"):
+        design([pair], free, about="contact_point[1]")
+
+
+def test_a_parameter_that_changes_nothing_hides_no_other():
+    """The modulus and the thickness of a thin film are not told apart, whatever else is free."""
+    soft = make_system(film_thickness=1e-6, film_modulus=2e4, film_poisson_ratio=0.3)
+    soft = replace(soft, sphere_modulus=np.inf)
+    advancing = np.zeros(30, dtype=bool)
+    thin = lens(soft, retract=advancing, work_of_adhesion=1e-3, work_of_adhesion_receding=2e-3)
+    free = ["film_modulus", "film_thickness", "work_of_adhesion_receding"]
+    expected = forecast(thin, free)
+    both = "film-modulus and film-thickness"
+    assert expected.undetermined == ("work-of-adhesion-receding", both)
+    for about in free:
+        with pytest.raises(FitError, match=f"no plan determines {about}: .*{both}"):
+            design([thin], free, about=about)

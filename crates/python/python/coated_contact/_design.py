@@ -197,9 +197,5 @@ def _unit(about: object) -> str:
 
 def _error(expected: Forecast, about: str) -> float:
     """Return the standard error; infinity where the plan does not determine the parameter."""
-    name = about.partition("[")[0]
-    named = (name, name.replace("_", "-"))
-    if any(one in words for words in expected.undetermined for one in named):
-        return np.inf
     error = expected.stderr[about]
-    return error if np.isfinite(error) else np.inf
+    return error if np.isfinite(error) and about not in expected._undetermined else np.inf

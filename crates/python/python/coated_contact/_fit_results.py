@@ -418,6 +418,8 @@ class Forecast(OneLine):
     correlation: Array
     undetermined: tuple[str, ...]
     stderr: dict[str, float]
+    # The names of the parameters in these combinations.
+    _undetermined: frozenset[str] = field(repr=False)
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows: values with the errors expected, and what is not told."""

@@ -235,11 +235,13 @@ def forecast(
     native = native_table(table)
     found = _core.forecast(native, given, free_of(free), "magnitudes" in allowed_of(allow))
     estimates = estimates_of(found)
+    names = [name_of(one, len(given)) for one in estimates]
     return Forecast(
         estimates=estimates,
         correlation=correlation_of(found),
-        undetermined=tuple(found["undetermined"]),
-        stderr={name_of(one, len(given)): one.standard_error for one in estimates},
+        undetermined=tuple(words for words, _ in found["undetermined"]),
+        stderr={name: one.standard_error for name, one in zip(names, estimates, strict=True)},
+        _undetermined=frozenset(names[i] for _, parts in found["undetermined"] for i in parts),
     )
 
 
