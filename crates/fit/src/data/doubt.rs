@@ -5,6 +5,7 @@ use std::fmt;
 use super::Notes;
 use super::assignment::Pair;
 use super::number::Commas;
+use super::segment::Split;
 use super::sign::{Sign, sign};
 use super::turns::turns;
 use crate::{Direction, Kind, Point};
@@ -33,8 +34,8 @@ pub enum Doubt {
         abscissa: String,
         /// The direction that these rows are read as.
         direction: Direction,
-        /// Whether the points were split at the largest load.
-        split: bool,
+        /// How the points were split, if the file does not tell their directions.
+        split: Option<Split>,
     },
 }
 
@@ -73,11 +74,12 @@ impl fmt::Display for Doubt {
                 f,
                 "{abscissa:?} goes there and back in the rows that are read as {}; {}",
                 direction.name(),
-                if *split {
-                    "the points were split at the largest load, which may be that of a point far from \
-                     the curve: remove it, or give a column of segments"
-                } else {
-                    "their direction may be wrong"
+                match split {
+                    Some(split) => format!(
+                        "the points were split {split}: name the direction of each row in a column of \
+                         segments, approach or retract"
+                    ),
+                    None => "their direction may be wrong".to_owned(),
                 }
             ),
         }
@@ -102,7 +104,7 @@ pub fn doubts(
 
 /// Returns the doubt that the points are several curves, or that their directions are wrong. A curve
 /// goes there and back, and in one direction it does not turn.
-fn course(points: &[Point], pair: &Pair, split: bool) -> Option<Doubt> {
+fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> {
     let heading = || pair.abscissa.heading.clone();
     let of = |direction: Option<Direction>| {
         let points = points.iter().filter(|point| point.direction == direction);

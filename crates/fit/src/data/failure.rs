@@ -366,7 +366,7 @@ pub enum Problem {
     /// A segment that is not known.
     #[error(
         "{0:?} is not a segment; write approach (extend, loading, 0), retract (unloading, 1) or \
-         pause, or split the points at the largest load"
+         pause, or let the points be split where the height turns back"
     )]
     Segment(String),
     /// A contact radius that is negative.

@@ -58,6 +58,7 @@ pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue, Untold};
 pub use number::Commas;
 pub use remedy::{Named, Remedy};
+pub use segment::Split;
 pub use source::Source;
 
 use units::Dimension;
@@ -97,13 +98,13 @@ pub struct Cantilever {
 /// Where the directions of points come from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Segments {
-    /// From the file. Heights without a direction are split at the largest force.
+    /// From the file. Heights without a direction are split where they turn back.
     #[default]
     Auto,
     /// From the file only.
     File,
-    /// The points up to the largest load are the approach, the rest is the retract, whatever the
-    /// file says.
+    /// Points are split where the height, the penetration or the load as abscissa turns back, and at
+    /// radii at the largest ordinate, whatever the file says.
     Split,
 }
 
@@ -145,8 +146,8 @@ pub struct Notes {
     pub outside: u64,
     /// The number of times that headings with rows below them stand in the file.
     pub blocks: u64,
-    /// Whether the points were split at the largest load.
-    pub split: bool,
+    /// How the points were split, if they were.
+    pub split: Option<Split>,
     /// What the commas of numbers are.
     pub commas: Commas,
     /// What the head of the file tells of the cantilever.

@@ -147,13 +147,13 @@ pub fn join(
         }
     }
     let known = all.points.iter().any(|point| point.direction.is_some());
-    notes.split = match format.segments {
+    let splits = match format.segments {
         Segments::Auto => kind == Kind::ForceHeight && !known,
         Segments::File => false,
         Segments::Split => true,
     };
-    if notes.split {
-        split(&mut all.points);
+    if splits {
+        notes.split = split(&mut all.points, kind);
     }
     // While a sample is unloaded its load and its depth do not tell the contact radius.
     let is_of_loading = matches!(kind, Kind::StiffnessLoad | Kind::StiffnessDepth)

@@ -18,7 +18,7 @@ pub enum Remedy {
         /// Whether the sensitivity is needed.
         sensitivity: bool,
     },
-    /// To split the points at the largest load.
+    /// To split the points by the program.
     Split,
 }
 
@@ -99,7 +99,7 @@ impl Doubt {
                 });
                 Some(named(turned.collect()))
             }
-            Self::Directions { split: false, .. } => Some(Remedy::Split),
+            Self::Directions { split: None, .. } => Some(Remedy::Split),
             Self::Directions { .. } | Self::Commas | Self::Curves { .. } => None,
         }
     }

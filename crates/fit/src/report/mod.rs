@@ -155,8 +155,8 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     if notes.blocks > 1 {
         text += &format!("; {} times headings with rows below them", notes.blocks);
     }
-    if notes.split {
-        text += "; split at the largest load";
+    if let Some(split) = notes.split {
+        text += &format!("; split {split}");
     }
     if notes.commas != Commas::None {
         text += "; commas are decimal";

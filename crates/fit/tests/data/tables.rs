@@ -132,7 +132,7 @@ fn segments_come_from_a_column_from_comments_from_headings_or_from_the_largest_l
         let directions: Vec<_> = points.map(|point| point.direction).collect();
         (
             directions,
-            reading.notes.split,
+            reading.notes.split.is_some(),
             reading.notes.pauses + reading.notes.other_segments,
         )
     };
