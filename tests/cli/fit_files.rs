@@ -36,6 +36,15 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
             "phase.csv",
             "height,force,phase\n1,2,sideways\n2,3,sideways\n",
         ),
+        ("separation.csv", "Separation (nm),Force (nN)\n1,2\n2,1\n"),
+        (
+            "hc.csv",
+            "hc (nm),Load (mN),Stiffness [N/m]\n1,2,3\n2,3,4\n",
+        ),
+        (
+            "durchmesser.csv",
+            "Kontaktdurchmesser (mm);Kraft (mN)\n0,1;2\n0,2;3\n",
+        ),
         ("area.csv", "contact area [um^2];F [mN]\n1;2\n2;3\n"),
         (
             "csm.csv",
@@ -56,9 +65,12 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         two.csv | --kind load-penetration | type --column "penetration=Tiefe (nm)" --column "load=Kraft (mN)"
         one.csv |  | load-penetration lacks load (a force); "Depth (nm)" (penetration), "Kraft (mN)" (a force); type --kind load-penetration --column "load=Kraft (mN)"
         both.csv |  | type --kind load-penetration|force-height
-        bare.csv |  | type --column "contact_radius=1 [um]" --column "load=2 [mN]"
+        bare.csv |  | such as "um" of contact_radius; type --column "contact_radius=1 [UNIT]" --column "load=2 [UNIT]", with the unit of the numbers in place of UNIT, such as mN or um
         volts.csv |  | type --stiffness N/m --sensitivity m/V
-        unit.csv |  | no unit; --column "contact_radius=Radius [um]"
+        unit.csv |  | no unit; name its unit, such as "um"; type --column "contact_radius=Radius [UNIT]", with the unit of the numbers
+        separation.csv |  | (a separation, from which the deflection is already taken off); type --kind force-height --column "height=Separation (nm)" --stiffness 1e9N/m
+        hc.csv | --kind stiffness-depth | (a contact depth, which is less than the penetration); type --column "penetration=hc (nm)" --epsilon 0
+        durchmesser.csv |  | "Kontaktdurchmesser (mm)" (a length, to be converted); and name the quantity and its unit in the heading
         phase.csv |  | sideways; type --segments split
         area.csv |  | type --kind load-radius --column "contact_area=contact area [um^2]"
         csm.csv |  | type --kind load-penetration|stiffness-load|stiffness-depth
@@ -70,6 +82,15 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         assert_eq!(message.lines().count(), 1, "{message}");
         message
     });
+    // What is to be filled in is no unit.
+    let open = workdir.fail(
+        2,
+        fit("unit.csv", "--column 'contact_radius=Radius [UNIT]'"),
+    );
+    assert_names(
+        &open,
+        &["the unit of the numbers in its place, such as [um]"],
+    );
     let typed = "--column 'penetration=Tiefe (nm)' --column 'load=Kraft (mN)'";
     let run = workdir.run(fit("two.csv", &format!("{typed} --kind load-penetration")));
     assert!(!run.stderr.contains("type --"), "{run:?}");

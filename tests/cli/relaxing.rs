@@ -65,11 +65,19 @@ fn the_interval_between_points_stands_for_times() {
     let swapped = text.replacen("penetration,load", "load,penetration", 1);
     assert_ne!(swapped, text);
     workdir.write("swapped.csv", swapped);
+    for (name, head) in [("minutes.csv", "Zeit [min]"), ("bare.csv", "Time")] {
+        workdir.write(
+            name,
+            text.replacen("time,penetration", &format!("{head},penetration"), 1),
+        );
+    }
     let data = format!("fit data.csv {GEL}");
     let law = "--relaxation power-law";
     workdir.refuses(format!(
         "
-        1 | {data} {law} | no times; --sample-interval; --column
+        1 | {data} {law} | no times; no column is in a unit of time; --sample-interval
+        1 | fit minutes.csv {GEL} {law} | type --column \"time=Zeit [min]\", or type --sample-interval
+        1 | fit bare.csv {GEL} {law} | --column \"time=Time [UNIT]\", with the unit of the numbers in place of UNIT
         1 | fit swapped.csv {GEL} {law} | swapped.csv; begin in contact; columns
         1 | fit none.csv {GEL} {law} | none.csv; No such file
         2 | {data} --relaxation power | power-law; prony:M; sls

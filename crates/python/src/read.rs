@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use fit::data::{Cantilever, Column, Format, Named, Reading, Remedy, Role, Segments, read};
+use fit::data::{
+    Cantilever, Column, Format, Named, RIGID, Reading, Reduced, Remedy, Role, Segments, read,
+};
 use fit::report::reading;
 use fit::{Direction, Kind};
 use numpy::PyArray1;
@@ -95,7 +97,7 @@ fn format(given: GivenFormat) -> PyResult<Format> {
     let column = |(role, heading): (String, String)| {
         format!("{role}={heading}")
             .parse::<Column>()
-            .map_err(|_| unknown(&role))
+            .map_err(PyValueError::new_err)
     };
     Ok(Format {
         kind: given.kind.map(kind).transpose()?,
@@ -124,14 +126,24 @@ fn format(given: GivenFormat) -> PyResult<Format> {
 pub fn in_python(remedy: &Remedy) -> String {
     match remedy {
         Remedy::Columns(ways) => {
-            let way = |Named { kind, columns }: &Named| {
+            let way = |named: &Named| {
+                let Named { kind, columns, .. } = named;
                 let kind = kind.map(|kind| format!("kind=\"{}\", ", kind.name()));
                 let columns: Vec<String> = columns.iter().map(entry).collect();
                 let columns = columns.join(", ");
-                format!("{}columns={{{columns}}}", kind.unwrap_or_default())
+                let reduced = named.reduced.map(|reduced| match reduced {
+                    Reduced::ContactDepth => ", indentation=Indentation(epsilon=0)".to_owned(),
+                    Reduced::Separation => format!(", stiffness={RIGID}"),
+                });
+                let [kind, reduced] = [kind, reduced].map(Option::unwrap_or_default);
+                format!("{kind}columns={{{columns}}}{reduced}")
             };
             let ways: Vec<String> = ways.iter().map(way).collect();
-            format!("give {}", ways.join(", or "))
+            let given = format!("give {}", ways.join(", or "));
+            match remedy.to_fill_in() {
+                Some(open) => format!("{given}, {open}"),
+                None => given,
+            }
         }
         Remedy::Kind(kinds) => {
             let names: Vec<String> = kinds
@@ -145,6 +157,7 @@ pub fn in_python(remedy: &Remedy) -> String {
             "give stiffness=, N/m, and sensitivity=, m/V".to_owned()
         }
         Remedy::Split => "give segments=\"split\"".to_owned(),
+        Remedy::BaselineSlope => "free baseline_slope in the fit, too".to_owned(),
     }
 }
 

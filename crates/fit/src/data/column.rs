@@ -4,6 +4,9 @@ use std::str::FromStr;
 
 use units::{Dimension, Unit};
 
+/// What stands in place of a unit that the user has to fill in.
+pub(super) const UNIT: &str = "[UNIT]";
+
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
@@ -174,6 +177,12 @@ impl FromStr for Column {
         let role =
             role.ok_or_else(|| format!("{name:?} is not a column; the columns are {names}"))?;
         let heading = heading.trim();
+        if heading.ends_with(UNIT) {
+            let unit = role.example();
+            return Err(format!(
+                "{text:?} still has {UNIT}: put the unit of the numbers in its place, such as [{unit}]"
+            ));
+        }
         let positive = heading.strip_prefix('-');
         let heading = positive.unwrap_or(heading).trim();
         if heading.is_empty() {
@@ -217,6 +226,10 @@ mod tests {
             ("load", "has no ="),
             ("lode=x", "lode"),
             ("load=-", "no heading"),
+            (
+                "load=F [UNIT]",
+                "unit of the numbers in its place, such as [mN]",
+            ),
         ] {
             let error = text.parse::<Column>().unwrap_err();
             assert!(error.contains(word), "{error}");

@@ -7,6 +7,7 @@ use super::assignment::Pair;
 use super::number::Commas;
 use super::segment::Split;
 use super::sign::{Sign, sign};
+use super::tilt::is_tilted;
 use super::turns::turns;
 use crate::{Direction, Kind, Point};
 
@@ -21,6 +22,15 @@ pub enum Doubt {
     Sign(Sign),
     /// The commas of the numbers may part thousands.
     Commas,
+    /// The points of the numbers may part thousands.
+    Points,
+    /// The baseline is tilted, so that the force falls where the bodies are closer.
+    Tilt {
+        /// The heading of the ordinate.
+        ordinate: String,
+        /// The heading of the abscissa.
+        abscissa: String,
+    },
     /// The abscissa turns back more often than that of one curve.
     Curves {
         /// The heading of the abscissa.
@@ -45,6 +55,8 @@ impl Doubt {
         match self {
             Self::Sign(_) => "sign",
             Self::Commas => "commas",
+            Self::Points => "points",
+            Self::Tilt { .. } => "tilt",
             Self::Curves { .. } => "several-curves",
             Self::Directions { .. } => "directions",
         }
@@ -59,6 +71,16 @@ impl fmt::Display for Doubt {
                 f,
                 "each comma stands before three digits, and is read as a decimal mark: 1,249 is 1.249; \
                  if the commas part thousands, remove them from the file"
+            ),
+            Self::Points => write!(
+                f,
+                "each point stands before three digits, and is read as a decimal mark: 1.249 is not 1249; \
+                 if the points part thousands, remove them from the file"
+            ),
+            Self::Tilt { ordinate, abscissa } => write!(
+                f,
+                "{ordinate:?} falls along a straight line while {abscissa:?} says that the bodies come \
+                 closer, and rises near the end: the baseline may be tilted"
             ),
             Self::Curves { abscissa, turns } => write!(
                 f,
@@ -86,17 +108,30 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// Returns the doubts about a file: its points, the columns of its first pair, and what else was noted.
+/// Returns the doubts about a file: its points, the pairs of its columns, and what else was noted.
 /// `paused` points stay where they are in part, so that their course tells nothing.
 pub fn doubts(
     kind: Kind,
     points: &[Point],
-    pair: &Pair,
+    pairs: &[Pair],
     notes: &Notes,
     paused: bool,
 ) -> Vec<Doubt> {
-    let sign = sign(kind, points, pair).map(Doubt::Sign);
-    let commas = (notes.commas == Commas::Unclear).then_some(Doubt::Commas);
+    let pair = &pairs[0];
+    let sign = sign(kind, points, pairs).map(|sign| {
+        if is_tilted(kind, points) {
+            let [ordinate, abscissa] =
+                [&pair.ordinate, &pair.abscissa].map(|source| source.heading.clone());
+            Doubt::Tilt { ordinate, abscissa }
+        } else {
+            Doubt::Sign(sign)
+        }
+    });
+    let commas = match notes.commas {
+        Commas::Unclear => Some(Doubt::Commas),
+        Commas::UnclearPoints => Some(Doubt::Points),
+        Commas::None | Commas::Decimal => None,
+    };
     let course = || course(points, pair, notes.split);
     let course = if paused { None } else { course() };
     sign.into_iter().chain(commas).chain(course).collect()

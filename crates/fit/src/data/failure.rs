@@ -6,6 +6,7 @@ use std::io;
 
 use super::column::Role;
 use super::head::Untold;
+use super::heading::Reduced;
 use crate::Kind;
 use units::Unit;
 
@@ -73,6 +74,8 @@ pub struct Found {
     pub unknown: Option<String>,
     /// Whether its heading names the double, the square or a multiple of a quantity.
     pub is_derived: bool,
+    /// The length that its heading names, if it is one from which something is taken off.
+    pub reduced: Option<Reduced>,
     /// What it is recognised as.
     pub role: Option<Role>,
 }
@@ -89,6 +92,15 @@ impl fmt::Display for Found {
         write!(f, "{:?}", self.heading)?;
         match (self.role, self.unit, &self.unknown) {
             (Some(role), ..) => write!(f, " ({})", role.name()),
+            (None, Some(_), _) if self.reduced == Some(Reduced::ContactDepth) => {
+                write!(f, " (a contact depth, which is less than the penetration)")
+            }
+            (None, Some(_), _) if self.reduced == Some(Reduced::Separation) => {
+                write!(
+                    f,
+                    " (a separation, from which the deflection is already taken off)"
+                )
+            }
             (None, Some(unit), _) if self.is_derived => {
                 write!(f, " ({}, to be converted)", unit.dimension)
             }
@@ -110,13 +122,28 @@ pub struct Missing {
 
 impl Missing {
     /// Returns the column that could be each missing one: the first of its dimension that is
-    /// recognised as nothing else, each once. A contact area gives a contact radius.
+    /// recognised as nothing else, each once. A contact area gives a contact radius. A contact depth can be
+    /// a penetration only where a contact stiffness is measured, and a separation only a height beside a
+    /// force: with a stiffness that is no more that of the cantilever a deflection would be no force.
     pub fn candidates<'a>(&self, columns: &'a [Found]) -> Vec<Option<&'a Found>> {
         let mut taken: Vec<&str> = Vec::new();
+        let is_force = |found: &Found| {
+            let in_newtons = found.unit.is_some_and(|unit| Role::Load.accepts(unit));
+            found.role == Some(Role::Load) || in_newtons
+        };
+        let has_force = columns.iter().any(is_force);
         let mut candidate = |role: &Role| {
             let is_free = |found: &&Found| {
+                let can_be = match found.reduced {
+                    None => true,
+                    Some(Reduced::ContactDepth) => {
+                        *role == Role::Penetration && self.kind == Kind::StiffnessDepth
+                    }
+                    Some(Reduced::Separation) => *role == Role::Height && has_force,
+                };
                 let is_alike = found.role.is_none()
                     && !found.is_derived
+                    && can_be
                     && found.unit.is_some_and(|unit| role.accepts(unit));
                 let is_area = *role == Role::ContactRadius && found.role == Some(Role::ContactArea);
                 (is_alike || is_area) && !taken.contains(&found.heading.as_str())
@@ -209,7 +236,9 @@ pub enum Problem {
     /// The columns have no headings.
     #[error(
         "the rows of {columns} cells that begin here have no line of {columns} headings above \
-         them; add one, or name the columns by their numbers and units"
+         them; add one, or name the columns by their numbers and units, such as {:?} of {}",
+        roles[0].example(),
+        roles[0].name()
     )]
     NoHeadings {
         /// The number of columns.
@@ -358,8 +387,22 @@ pub enum Problem {
     )]
     MissingValue,
     /// A number with another decimal mark than those before it.
-    #[error("{0:?} has another decimal mark than numbers before it; use one, point or comma")]
-    DecimalMark(String),
+    #[error(
+        "{text:?} has another decimal mark than numbers before it; {}",
+        match thousands {
+            Some(mark) => format!(
+                "if {mark:?} parts thousands, remove it from all numbers (replace {mark:?} by nothing); else \
+                 write one decimal mark, point or comma"
+            ),
+            None => "use one, point or comma".to_owned(),
+        }
+    )]
+    DecimalMark {
+        /// The number.
+        text: String,
+        /// The mark that may part thousands, in this number or in those before it.
+        thousands: Option<char>,
+    },
     /// A number with a separator of thousands.
     #[error("{0:?} has a separator of thousands; save the numbers without it")]
     Thousands(String),

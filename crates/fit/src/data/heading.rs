@@ -24,8 +24,49 @@ const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
 const IN_BRACKETS_ONLY: [&str; 5] = ["h", "min", "g", "mg", "kg"];
 /// Words for what is no length or force of the contact itself.
 const OTHERS: [&str; 8] = [
-    "diameter", "diam", "area", "square", "squared", "width", "log", "sqrt",
+    "area", "aire", "square", "squared", "width", "log", "sqrt", "\u{f8}",
 ];
+/// Parts of words for a diameter or an area, in several languages.
+const OTHER_PARTS: [&str; 10] = [
+    "diam",
+    "di\u{e1}m",
+    "durchmesser",
+    "fl\u{e4}che",
+    "flaeche",
+    "superfic",
+    "\u{76f4}\u{5f84}",
+    "\u{76f4}\u{5f91}",
+    "\u{9762}\u{79ef}",
+    "\u{9762}\u{7a4d}",
+];
+/// Parts of words for a separation of tip and sample; `distance` is one unless it is that of the scanner.
+const SEPARATIONS: [&str; 5] = [
+    "separation",
+    "s\u{e9}paration",
+    "distance",
+    "abstand",
+    "\u{8ddd}\u{79bb}",
+];
+/// Parts of words for a scanner.
+const SCANNERS: [&str; 4] = ["piezo", "scan", "height", "sensor"];
+/// Names of a contact depth.
+const CONTACT_DEPTHS: [&str; 6] = [
+    "contact depth",
+    "depth of contact",
+    "hc",
+    "h c",
+    "kontakttiefe",
+    "profondeur de contact",
+];
+
+/// A length from which something is already taken off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reduced {
+    /// The depth of the contact below its edge: a penetration where epsilon is 0.
+    ContactDepth,
+    /// The separation of tip and sample, without the deflection: a height of a rigid cantilever.
+    Separation,
+}
 
 impl Heading {
     /// Reads a heading: `Force [mN]`, `Radius (um)`, `height_nm`, `Piezo/nm`, `Extend Force(nN)`,
@@ -91,10 +132,26 @@ impl Heading {
         };
         let is_other = |word: &str| {
             OTHERS.contains(&word)
+                || OTHER_PARTS.iter().any(|part| word.contains(part))
                 || word.starts_with(is_digit) && is_multiple(word)
                 || word.starts_with(['x', 'e']) && word[1..].starts_with(is_digit)
         };
-        self.text.contains(['^', '*', '\u{d7}', '\u{b2}']) || self.name.split(' ').any(is_other)
+        self.text.contains(['^', '*', '\u{d7}', '\u{b2}'])
+            || self.name.split(' ').any(is_other)
+            || self.name.starts_with("surface")
+    }
+
+    /// Returns the length that the text names, if it is one from which something is taken off.
+    pub fn reduced(&self) -> Option<Reduced> {
+        let has = |parts: &[&str]| parts.iter().any(|part| self.name.contains(part));
+        let begins = |name: &&str| self.name == **name || self.name.starts_with(&format!("{name} "));
+        if CONTACT_DEPTHS.iter().any(&begins) {
+            Some(Reduced::ContactDepth)
+        } else if (has(&SEPARATIONS) || begins(&"gap")) && !has(&SCANNERS) && !begins(&"z") {
+            Some(Reduced::Separation)
+        } else {
+            None
+        }
     }
 }
 

@@ -22,7 +22,7 @@
 //! `source` finds the column of a quantity, `deviation` that of
 //! its standard deviations and `beside` those of a contact stiffness, and `assignment` decides by them
 //! what is measured. `rows` reads the rows, `segment` finds their directions, `points` joins and checks
-//! their points, `sign`, `turns` and `doubt` tell what seems wrong with them, and `remedy` tells what a
+//! their points, `sign`, `tilt`, `turns` and `doubt` tell what seems wrong with them, and `remedy` tells what a
 //! user can give where a file is not read.
 
 mod assignment;
@@ -44,6 +44,7 @@ mod rows;
 mod segment;
 mod sign;
 mod source;
+mod tilt;
 mod turns;
 
 use std::fmt;
@@ -56,8 +57,9 @@ pub use column::{Column, Role};
 pub use doubt::Doubt;
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue, Untold};
+pub use heading::Reduced;
 pub use number::Commas;
-pub use remedy::{Named, Remedy};
+pub use remedy::{Named, RIGID, Remedy};
 pub use segment::Split;
 pub use source::Source;
 
@@ -133,6 +135,9 @@ pub struct Notes {
     pub columns: Vec<Source>,
     /// The headings of the other columns.
     pub unused: Vec<String>,
+    /// The headings of those among them that can be named as times: with a unit of time, or with the name
+    /// of one and `[UNIT]` in place of the unit.
+    pub unused_times: Vec<String>,
     /// The first line whose time is missing, where there is a column of times; then it is not used.
     pub untimed: Option<u64>,
     /// The number of rows that were left out because their values are missing.

@@ -4,11 +4,11 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DecimalMark {
     mark: Option<Mark>,
-    /// Whether a comma stands where none parts thousands.
+    /// Whether a mark stands where none parts thousands.
     surely_decimal: bool,
 }
 
-/// What the commas of numbers are.
+/// What the commas of numbers are, or their points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Commas {
     /// There are none.
@@ -18,6 +18,8 @@ pub enum Commas {
     Decimal,
     /// Read as decimal marks, although each could part thousands: `41,250`.
     Unclear,
+    /// There are none, and each point could part thousands: `41.250`.
+    UnclearPoints,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,8 +65,22 @@ impl DecimalMark {
         match self.mark {
             Some(Mark::Comma) if self.surely_decimal => Commas::Decimal,
             Some(Mark::Comma) => Commas::Unclear,
+            Some(Mark::Point) if !self.surely_decimal => Commas::UnclearPoints,
             _ => Commas::None,
         }
+    }
+
+    /// Returns the mark that may part thousands, where a number has another one than those before it.
+    pub fn thousands(self, text: &str) -> Option<char> {
+        let before = if self.mark == Some(Mark::Comma) {
+            ','
+        } else {
+            '.'
+        };
+        let other = if before == ',' { '.' } else { ',' };
+        (!self.surely_decimal)
+            .then_some(before)
+            .or(has_groups(text).then_some(other))
     }
 
     /// Reads a cell.
@@ -105,7 +121,7 @@ impl DecimalMark {
         {
             return Cell::OtherMark;
         }
-        self.surely_decimal |= mark == Some(Mark::Comma) && !may_part_thousands(text);
+        self.surely_decimal |= mark.is_some() && !has_groups(text);
         // 15 digits of the largest number are above it.
         let is_largest = || text.to_ascii_lowercase().ends_with("308");
         if value.is_infinite() && !is_largest() {
@@ -120,8 +136,13 @@ impl DecimalMark {
 
 /// Tells whether the comma of a number may part thousands: `41,250`, and not `0,250`.
 pub fn may_part_thousands(text: &str) -> bool {
+    text.contains(',') && has_groups(text)
+}
+
+/// Tells whether a number has groups of three digits, and does not begin with a 0.
+fn has_groups(text: &str) -> bool {
     let digits = text.trim_start_matches(['+', '-']);
-    text.contains(',') && has_thousands(text) && !digits.starts_with('0')
+    has_thousands(text) && !digits.starts_with('0')
 }
 
 /// Tells whether a text that is no number is one with a separator of thousands: `1,234.5`, `1.234,5`,
@@ -180,6 +201,14 @@ mod tests {
         assert_eq!(point.read(".5"), Cell::Number(0.5));
         assert_eq!(point.commas(), Commas::None);
         assert_eq!(point.read("1,5"), Cell::OtherMark);
+        assert_eq!(point.thousands("1,5"), None);
+        assert_eq!(point.thousands("1,500"), Some(','));
+        let mut unclear = DecimalMark::default();
+        assert_eq!(unclear.read("-41.250"), Cell::Number(-41.25));
+        assert_eq!(unclear.commas(), Commas::UnclearPoints);
+        assert_eq!(unclear.thousands("1,5"), Some('.'));
+        assert_eq!(unclear.read("0.250"), Cell::Number(0.25));
+        assert_eq!(unclear.commas(), Commas::None);
     }
 
     #[test]

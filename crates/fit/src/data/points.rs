@@ -2,6 +2,7 @@
 
 use super::assignment::{Assignment, Pair};
 use super::beside::Beside;
+use super::column::{Role, UNIT};
 use super::doubt::doubts;
 use super::failure::{Failure, Problem};
 use super::heading::Heading;
@@ -54,16 +55,15 @@ impl Block {
         None
     }
 
-    /// Returns the headings of the columns that are not read.
-    fn unused(&self) -> Vec<String> {
-        let is_read = |index: usize| {
+    /// Returns the columns that are not read.
+    fn unused(&self) -> impl Iterator<Item = &Heading> {
+        let is_read = move |index: usize| {
             self.assignment.segment == Some(index) || self.sources().any(|one| one.index == index)
         };
         let headings = self.headings.iter().enumerate();
         headings
-            .filter(|(index, heading)| !is_read(*index) && !heading.text.is_empty())
-            .map(|(_, heading)| heading.text.clone())
-            .collect()
+            .filter(move |(index, heading)| !is_read(*index) && !heading.text.is_empty())
+            .map(|(_, heading)| heading)
     }
 
     /// Returns the columns of every pair.
@@ -121,9 +121,12 @@ pub fn join(
     mut notes: Notes,
 ) -> Result<Reading, Failure> {
     let first = &blocks[0].assignment;
-    let (kind, pair) = (first.kind, first.pairs[0].clone());
+    let (kind, pairs) = (first.kind, first.pairs.clone());
+    let pair = &pairs[0];
     notes.blocks = blocks.len() as u64;
-    notes.unused = blocks[0].unused();
+    let unused = || blocks[0].unused();
+    notes.unused = unused().map(|heading| heading.text.clone()).collect();
+    notes.unused_times = unused().filter_map(time_to_name).collect();
     for source in blocks.iter().flat_map(Block::sources) {
         if !notes.columns.contains(source) {
             notes.columns.push(source.clone());
@@ -170,8 +173,8 @@ pub fn join(
     if all.points.is_empty() {
         return Err(Problem::NoPoints(rows).into());
     }
-    check_constant(&all.points, &pair)?;
-    notes.doubts = doubts(kind, &all.points, &pair, &notes, format.keep_pauses);
+    check_constant(&all.points, pair)?;
+    notes.doubts = doubts(kind, &all.points, &pairs, &notes, format.keep_pauses);
     let known = |value: fn(&Beside) -> f64| {
         let values = all.beside.iter().map(value);
         values.filter(|value| !value.is_nan()).collect()
@@ -188,6 +191,15 @@ pub fn join(
         errors: all.errors,
         notes,
     })
+}
+
+/// Returns the heading under which a column can be named as times.
+fn time_to_name(heading: &Heading) -> Option<String> {
+    let is_time = || Role::Time.headings().contains(&heading.name.as_str());
+    match heading.unit {
+        Some(unit) => Role::Time.accepts(unit).then(|| heading.text.clone()),
+        None => is_time().then(|| format!("{} {UNIT}", heading.text)),
+    }
 }
 
 /// Retains the items of a list that belong to kept points. An empty list stays empty.

@@ -1,9 +1,10 @@
 //! What a user can give so that a file is read: data, which a program and a package put in the
 //! words of their users.
 
-use super::column::Role;
+use super::column::{Role, UNIT};
 use super::doubt::Doubt;
 use super::failure::{DataError, Found, Missing, Problem};
+use super::heading::Reduced;
 use crate::Kind;
 
 /// What helps against a [`Problem`] or a [`Doubt`].
@@ -20,6 +21,8 @@ pub enum Remedy {
     },
     /// To split the points by the program.
     Split,
+    /// To free the slope of the baseline, beside what else is free.
+    BaselineSlope,
 }
 
 /// Columns that a user names.
@@ -28,8 +31,32 @@ pub struct Named {
     /// The kind to be given, if it is open.
     pub kind: Option<Kind>,
     /// What the columns hold, and their headings with units. A heading is `HEADING [UNIT]` where it
-    /// cannot be told, and begins with a minus where the numbers count in the opposite sense.
+    /// cannot be told, ends in `[UNIT]` where the unit cannot, and begins with a minus where the numbers
+    /// count in the opposite sense.
     pub columns: Vec<(Role, String)>,
+    /// What one of the columns is in truth: a contact depth needs an epsilon of 0, and a separation the
+    /// stiffness of a rigid cantilever.
+    pub reduced: Option<Reduced>,
+}
+
+/// The stiffness, N/m, of a cantilever that does not bend.
+pub const RIGID: &str = "1e9";
+
+impl Remedy {
+    /// Returns what is to be filled in, in words.
+    pub fn to_fill_in(&self) -> Option<String> {
+        let Self::Columns(ways) = self else {
+            return None;
+        };
+        let columns = ways.iter().flat_map(|way| &way.columns);
+        let open = columns.filter(|(_, heading)| heading.ends_with(UNIT));
+        let mut examples: Vec<&str> = open.map(|(role, _)| role.example()).collect();
+        examples.sort_unstable();
+        examples.dedup();
+        let examples = examples.join(" or ");
+        (!examples.is_empty())
+            .then(|| format!("with the unit of the numbers in place of UNIT, such as {examples}"))
+    }
 }
 
 impl DataError {
@@ -55,27 +82,28 @@ impl DataError {
                     let candidates = one.candidates(columns).into_iter();
                     let heading = |(role, found): (&Role, Option<&Found>)| match found {
                         Some(found) => (found.role.unwrap_or(*role), found.heading.clone()),
-                        None => (*role, any(*role)),
+                        None => (*role, any()),
                     };
+                    let reduced = candidates.clone().flatten().find_map(|found| found.reduced);
                     Named {
                         kind: (kinds.len() > 1).then_some(one.kind),
                         columns: one.roles.iter().zip(candidates).map(heading).collect(),
+                        reduced,
                     }
                 };
                 Remedy::Columns(likely.map(way).collect())
             }
             Problem::UnknownHeading { role, .. }
             | Problem::WrongUnit { role, .. }
-            | Problem::Constant { role, .. } => column(*role, any(*role)),
+            | Problem::Constant { role, .. } => column(*role, any()),
             Problem::SeveralKinds { kinds, .. } => Remedy::Kind(kinds.clone()),
             Problem::Duplicate { role, numbers } => column(*role, numbers[0].to_string()),
             Problem::NoUnit { role, heading } | Problem::UnknownUnit { role, heading, .. } => {
-                column(*role, format!("{heading} [{}]", role.example()))
+                column(*role, format!("{heading} {UNIT}"))
             }
             Problem::NoHeadings { roles, .. } => {
                 let numbered = (1..).zip(roles);
-                let column =
-                    |(i, role): (usize, &Role)| (*role, format!("{i} [{}]", role.example()));
+                let column = |(i, role): (usize, &Role)| (*role, format!("{i} {UNIT}"));
                 named(numbered.map(column).collect())
             }
             Problem::NoCantilever { volts, .. } => Remedy::Cantilever {
@@ -93,14 +121,15 @@ impl Doubt {
     pub fn remedy(&self) -> Option<Remedy> {
         match self {
             Self::Sign(sign) => {
-                let turned = sign.columns().map(|column| {
+                let turned = sign.columns().into_iter().map(|column| {
                     let minus = if column.factor < 0.0 { "" } else { "-" };
                     (column.role, format!("{minus}{}", column.heading))
                 });
                 Some(named(turned.collect()))
             }
             Self::Directions { split: None, .. } => Some(Remedy::Split),
-            Self::Directions { .. } | Self::Commas | Self::Curves { .. } => None,
+            Self::Tilt { .. } => Some(Remedy::BaselineSlope),
+            Self::Directions { .. } | Self::Commas | Self::Points | Self::Curves { .. } => None,
         }
     }
 }
@@ -110,10 +139,11 @@ fn named(columns: Vec<(Role, String)>) -> Remedy {
     Remedy::Columns(vec![Named {
         kind: None,
         columns,
+        reduced: None,
     }])
 }
 
 /// A heading that the user has to fill in.
-fn any(role: Role) -> String {
-    format!("HEADING [{}]", role.example())
+fn any() -> String {
+    format!("HEADING {UNIT}")
 }

@@ -11,7 +11,7 @@ use super::head::{Head, Untold};
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles, is_words, titles};
 use super::lines::Lines;
-use super::number::{Cell, DecimalMark};
+use super::number::{Cell, Commas, DecimalMark};
 use super::points::{Block, join};
 use super::segment::Segment;
 use super::source::Source;
@@ -372,11 +372,17 @@ impl Rows<'_> {
             return Err(failure);
         }
         self.check_head()?;
+        // Where commas are no delimiters they may be decimal, and points part thousands.
+        let is_clear = self.delimiter != Delimiter::Semicolon;
+        let commas = match self.mark.commas() {
+            Commas::UnclearPoints if is_clear => Commas::None,
+            commas => commas,
+        };
         let notes = Notes {
+            commas,
             missing: self.missing,
             pauses: self.pauses,
             untimed: self.untimed,
-            commas: self.mark.commas(),
             cantilever: self.format.cantilever,
             head: self.head,
             ..Notes::default()
@@ -423,7 +429,10 @@ fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f
         Cell::Number(value) => return Ok(Some(value * source.factor)),
         Cell::Missing => return Ok(None),
         Cell::Infinite => Problem::Infinite(text.to_owned()),
-        Cell::OtherMark => Problem::DecimalMark(text.to_owned()),
+        Cell::OtherMark => Problem::DecimalMark {
+            text: text.to_owned(),
+            thousands: mark.thousands(text),
+        },
         Cell::Thousands => Problem::Thousands(text.to_owned()),
         Cell::Text => Problem::NotANumber(text.to_owned()),
     })

@@ -33,26 +33,28 @@ const BENT_AND_FAR: f64 = 0.05;
 /// Columns that may count in the opposite sense.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sign {
-    /// The abscissa.
-    pub abscissa: Source,
-    /// The ordinate.
-    pub ordinate: Source,
+    /// Abscissa and ordinate of each pair of columns: of all points, or of approach and retract.
+    pub pairs: Vec<[Source; 2]>,
     /// Which of them may count in the opposite sense: abscissa and ordinate.
     pub opposite: [bool; 2],
 }
 
 impl Sign {
-    /// Returns the columns that may count in the opposite sense.
-    pub fn columns(&self) -> impl Iterator<Item = &Source> {
-        let both = [&self.abscissa, &self.ordinate].into_iter();
-        both.zip(self.opposite)
-            .filter_map(|(one, opposite)| opposite.then_some(one))
+    /// Returns the columns that may count in the opposite sense, each once.
+    pub fn columns(&self) -> Vec<&Source> {
+        let mut columns: Vec<&Source> = Vec::new();
+        for (k, pair) in self.pairs.iter().flat_map(|pair| pair.iter().enumerate()) {
+            if self.opposite[k] && !columns.contains(&pair) {
+                columns.push(pair);
+            }
+        }
+        columns
     }
 }
 
 impl fmt::Display for Sign {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [abscissa, ordinate] = [&self.abscissa.heading, &self.ordinate.heading];
+        let [abscissa, ordinate] = self.pairs[0].each_ref().map(|source| &source.heading);
         match self.opposite {
             [true, true] => write!(
                 f,
@@ -70,7 +72,7 @@ impl fmt::Display for Sign {
 }
 
 /// Returns the doubt that columns count in the opposite sense. A radius has one sense only.
-pub fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Sign> {
+pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
     // The direction in which the abscissa grows when the bodies are pressed together.
     let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
     let depth = |point: &Point| inwards * point.abscissa;
@@ -139,8 +141,10 @@ pub fn sign(kind: Kind, points: &[Point], pair: &Pair) -> Option<Sign> {
         [has_two_senses && above > bent * rise; 2]
     };
     (opposite != [false; 2]).then(|| Sign {
-        abscissa: pair.abscissa.clone(),
-        ordinate: pair.ordinate.clone(),
+        pairs: pairs
+            .iter()
+            .map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()])
+            .collect(),
         opposite,
     })
 }

@@ -225,6 +225,7 @@ impl Columns<'_> {
                 unit: column.1.unit,
                 unknown: column.1.unknown.clone(),
                 is_derived: column.1.is_derived(),
+                reduced: column.1.reduced(),
                 role: role(column),
             })
             .collect()

@@ -158,7 +158,7 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     if let Some(split) = notes.split {
         text += &format!("; split {split}");
     }
-    if notes.commas != Commas::None {
+    if matches!(notes.commas, Commas::Decimal | Commas::Unclear) {
         text += "; commas are decimal";
     }
     for value in notes.from_head() {

@@ -1,6 +1,6 @@
 //! Tables that cannot be read: each error names the place and the next step. `habits.rs` has others.
 
-use fit::data::{Cantilever, Format};
+use fit::data::{Cantilever, Format, Remedy};
 
 use crate::{read, rows};
 
@@ -38,6 +38,8 @@ fn an_error_names_line_column_value_and_next_step() {
         contact_radius,load\n1,5,2,5\n1,6,2,7\n1,8,2,9\n | line 2; 4 cells; headings
         contact_radius,load\n1,2\n1,3\n | column 1; all 2 values are 1.0
         contact_radius,load\n1,2\n2,2\n | column 2; all 2 values are 2.0
+        a [nm];F [uN]\n60,000;-413.6\n | line 2, column 2; "-413.6"; if ',' parts thousands, remove it
+        a [um];F [uN]\n242,1;1.919\n | "1.919"; if '.' parts thousands, remove it
         Radius,Load [mN]\n1,2\n2,3\n | column 1 "Radius"; no unit; contact_radius; "um"
         Radius [um],Load [mm]\n1,2\n2,3\n | load-radius lacks load (a force); penetration-radius lacks penetration (a length); "Radius [um]" (contact_radius), "Load [mm]" (a length)
         Radius [um],Load [mN],Load [uN]\n1,2,3\n2,3,4\n | columns 2 and 3; load; number
@@ -109,6 +111,78 @@ fn a_column_that_is_not_there_is_refused() {
     let text = "Radius [um],Load [mN]\n1,2\n2,3\n";
     let words = "load-penetration lacks penetration (a length); \"Radius [um]\" (contact_radius), \"Load [mN]\" (load)";
     refused(text, &format, words);
+}
+
+/// What a length in another word is offered as: the kinds and columns of the remedy, and what is to be
+/// given beside them.
+#[test]
+fn a_length_is_offered_only_as_what_it_can_be() {
+    let none = Format::default();
+    let depths = Format {
+        kind: Some(fit::Kind::StiffnessDepth),
+        ..Format::default()
+    };
+    for (heads, format, expected) in [
+        (
+            "Tip-Sample Separation (nm),Force (nN)",
+            &none,
+            "height=Tip-Sample Separation (nm) Separation",
+        ),
+        (
+            "Abstand [nm],Kraft [nN]",
+            &none,
+            "height=Abstand [nm] load=Kraft [nN] Separation",
+        ),
+        ("gap [nm],force", &none, "height=gap [nm] Separation"),
+        (
+            "Separation (nm),Deflection (nN)",
+            &none,
+            "height=Separation (nm) Separation",
+        ),
+        (
+            "Piezo distance (nm),Force (nN)",
+            &none,
+            "contact_radius=Piezo distance (nm), penetration=Piezo distance (nm), height=Piezo distance (nm)",
+        ),
+        (
+            "Contact Depth (nm),Load (mN),Stiffness [N/m]",
+            &depths,
+            "penetration=Contact Depth (nm) ContactDepth",
+        ),
+        (
+            "hc [nm],Load (mN),Stiffness [N/m]",
+            &depths,
+            "penetration=hc [nm] ContactDepth",
+        ),
+        (
+            "Kontakttiefe (nm),Load (mN)",
+            &none,
+            "contact_radius=HEADING [UNIT], penetration=HEADING [UNIT], height=HEADING [UNIT]",
+        ),
+        ("Kontaktdurchmesser (mm),Kraft (mN)", &none, ""),
+        ("diam\u{e8}tre (mm),Force (mN)", &none, ""),
+        ("Aire de contact (mm\u{b2}),Force (mN)", &none, ""),
+        ("Surface (mm2),Force (mN)", &none, ""),
+        ("\u{63a5}\u{89e6}\u{76f4}\u{5f84} (mm),F (mN)", &none, ""),
+        ("\u{9762}\u{79ef} (um^2),F (mN)", &none, ""),
+        ("Radius,Load [mN]", &none, "contact_radius=Radius [UNIT]"),
+    ] {
+        let row = "1,2,3".split(',').take(heads.split(',').count());
+        let row = row.collect::<Vec<_>>().join(",");
+        let error = read(&format!("{heads}\n{row}\n{row}\n"), format).expect_err(heads);
+        let ways = match error.remedy() {
+            Some(Remedy::Columns(ways)) => ways,
+            None => Vec::new(),
+            Some(other) => panic!("{heads}: {other:?}"),
+        };
+        let ways = ways.iter().map(|way| {
+            let columns = way.columns.iter();
+            let columns = columns.map(|(role, heading)| format!("{}={heading}", role.name()));
+            let reduced = way.reduced.map(|reduced| format!("{reduced:?}"));
+            columns.chain(reduced).collect::<Vec<_>>().join(" ")
+        });
+        assert_eq!(ways.collect::<Vec<_>>().join(", "), expected, "{error}");
+    }
 }
 
 #[test]

@@ -394,10 +394,58 @@ fn a_course_or_commas_that_are_doubtful_are_told() {
             "1,100;2,300\n2,100;3,300\n".to_owned(),
             "1,249 is 1.249; if the commas part thousands, remove them",
         ),
+        (
+            "contact_radius;load",
+            "1.100;2.300\n242;3.300\n".to_owned(),
+            "1.249 is not 1249; if the points part thousands, remove them",
+        ),
     ] {
         let doubts = doubts(head, &rows);
         assert_eq!(doubts.len(), 1, "{head} {words}: {doubts:?}");
         assert!(doubts[0].contains(words), "{doubts:?}");
+    }
+}
+
+/// Heights and forces of Nanoscope have a column for each direction.
+#[test]
+fn both_columns_of_a_sign_are_named() {
+    let row = |i: i32| format!("{0},{0},{1:e},{1:e}\n", i, f64::from((i - 10).max(0)));
+    let rows: String = (0..20).map(row).collect();
+    let text = format!("Ramp_nm_Ex,Ramp_nm_Rt,Defl_nN_Ex,Defl_nN_Rt\n{rows}");
+    let heights = ["height=Ramp_nm_Ex", "height=Ramp_nm_Rt"];
+    let format = Format {
+        columns: heights.map(|text| text.parse().expect("a column")).to_vec(),
+        ..Format::default()
+    };
+    let reading = sound(&text, &format);
+    let Some(Remedy::Columns(ways)) = reading.notes.doubts[0].remedy() else {
+        panic!("no columns: {:?}", reading.notes.doubts);
+    };
+    let named: Vec<&str> = ways[0]
+        .columns
+        .iter()
+        .map(|(_, heading)| &**heading)
+        .collect();
+    assert_eq!(named, ["-Ramp_nm_Ex", "-Ramp_nm_Rt"]);
+}
+
+/// Times that are not read, as the user can name them.
+#[test]
+fn columns_that_can_be_times_are_told() {
+    for (heads, times) in [
+        (
+            "Zeit [min];Segment Time (s);Temp [C]",
+            vec!["Zeit [min]", "Segment Time (s)"],
+        ),
+        ("Time;no;x", vec!["Time [UNIT]"]),
+        ("Index;no;x", vec![]),
+    ] {
+        let text = format!("penetration;load;{heads}\n1;2;3;4;5\n2;3;4;5;6\n");
+        assert_eq!(
+            sound(&text, &Format::default()).notes.unused_times,
+            times,
+            "{heads}"
+        );
     }
 }
 

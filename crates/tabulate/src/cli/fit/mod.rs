@@ -383,6 +383,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let system = &arguments.known.bodies.system;
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    if parameters.contains(&Parameter::BaselineSlope) {
+        let is_other = |doubt: &Doubt| !matches!(doubt, Doubt::Tilt { .. });
+        let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
+        lists.for_each(|doubts| doubts.retain(is_other));
+    }
     let set: Vec<Parameter> = values.iter().map(|one| one.parameter).collect();
     arguments
         .known
@@ -460,12 +465,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             let Some(remedy) = doubt.remedy() else {
                 continue;
             };
-            let wrong = if matches!(doubt, Doubt::Sign(_)) {
-                "sign is"
-            } else {
-                "directions are"
+            let cause = match doubt {
+                Doubt::Sign(_) => "sign is wrong",
+                Doubt::Tilt { .. } => "baseline is tilted",
+                _ => "directions are wrong",
             };
-            let step = format!("if the {wrong} wrong, {}\n", typed(&remedy));
+            let step = format!("if the {cause}, {}\n", typed(&remedy));
             if !report.ends_with(&step) {
                 report += &step;
             }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ::fit::Experiment;
-use ::fit::data::{Doubt, Format, Named, Notes, Reading, Remedy, read};
+use ::fit::data::{Doubt, Format, Named, Notes, RIGID, Reading, Reduced, Remedy, read};
 use anyhow::anyhow;
 
 /// Reads a file. An error says which flag helps.
@@ -20,10 +20,23 @@ pub fn doubted(error: ::fit::Error, files: &[Experiment], notes: &[Notes]) -> an
         ::fit::Error::LeftOut { .. } => anyhow!("{error}: --allow left-out"),
         ::fit::Error::NoTimes { .. } => {
             let untimed = notes.iter().find_map(|notes| notes.untimed);
-            let line = untimed.map(|line| format!(" (line {line} has no number of a time)"));
+            let mut columns: Vec<String> = notes
+                .iter()
+                .flat_map(|notes| &notes.unused_times)
+                .map(|heading| format!("--column \"time={heading}\""))
+                .collect();
+            columns.dedup();
+            let columns = columns.join(" or ");
             anyhow!(
-                "{error}{}: name the column, --column \"time=Time [s]\", or type --sample-interval S",
-                line.unwrap_or_default()
+                "{error}{}, or type --sample-interval S",
+                match untimed {
+                    Some(line) => format!(": complete line {line}, which has no number of a time"),
+                    None if columns.is_empty() =>
+                        ": no column is in a unit of time; add one".to_owned(),
+                    None if columns.contains("[UNIT]") =>
+                        format!(": type {columns}, with the unit of the numbers in place of UNIT"),
+                    None => format!(": type {columns}"),
+                }
             )
         }
         ::fit::Error::History(contact::HistoryError::UnlikeBodies { .. })
@@ -65,15 +78,25 @@ pub fn told<'a>(
 pub fn typed(remedy: &Remedy) -> String {
     match remedy {
         Remedy::Columns(ways) => {
-            let way = |Named { kind, columns }: &Named| {
+            let way = |named: &Named| {
+                let Named { kind, columns, .. } = named;
                 let kind = kind.map(|kind| format!(" --kind {}", kind.name()));
                 let columns = columns
                     .iter()
                     .map(|(role, heading)| format!(" --column \"{}={heading}\"", role.name()));
-                kind.into_iter().chain(columns).collect::<String>()
+                let reduced = named.reduced.map(|reduced| match reduced {
+                    Reduced::ContactDepth => " --epsilon 0".to_owned(),
+                    Reduced::Separation => format!(" --stiffness {RIGID}N/m"),
+                });
+                let all = kind.into_iter().chain(columns).chain(reduced);
+                all.collect::<String>()
             };
             let ways: Vec<String> = ways.iter().map(way).collect();
-            format!("type{}", ways.join(", or"))
+            let typed = format!("type{}", ways.join(", or"));
+            match remedy.to_fill_in() {
+                Some(open) => format!("{typed}, {open}"),
+                None => typed,
+            }
         }
         Remedy::Kind(kinds) => {
             let names: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
@@ -88,5 +111,6 @@ pub fn typed(remedy: &Remedy) -> String {
             format!("type --stiffness N/m{sensitivity}")
         }
         Remedy::Split => "type --segments split".to_owned(),
+        Remedy::BaselineSlope => "type --free ...,baseline-slope".to_owned(),
     }
 }
