@@ -239,6 +239,60 @@ fn a_doubt_about_a_sign_says_what_to_type() {
     );
 }
 
+/// Simulates a force curve, and returns its heights and forces without their segments, of which the
+/// baseline is tilted by `slope` (N/m).
+fn without_segments(workdir: &Workdir, more: &str, slope: f64) -> String {
+    let curve = workdir.succeed(format!(
+        "simulate --kind force-height {GEL} --seed 1 {more}"
+    ));
+    let rows = curve.lines().filter_map(|row| {
+        let mut cells = row.split(',').map(str::parse::<f64>);
+        let (height, load) = (cells.next()?.ok()?, cells.next()?.ok()?);
+        Some(format!("{height:e},{:e}\n", load + slope * height))
+    });
+    format!("height,load\n{}", rows.collect::<String>())
+}
+
+/// The contact still pulls where the cantilever turns, so that the largest load is on the baseline.
+#[test]
+fn heights_without_segments_are_split_where_they_turn() {
+    let workdir = workdir!();
+    let known = "--work-of-adhesion 5e-4 --stiffness 0.1";
+    let plan = format!("{known} --from 2e-6 --to=-5e-8 --noise 2e-11");
+    workdir.write("pulls.csv", without_segments(&workdir, &plan, 0.0));
+    let found = workdir.json(fit("pulls.csv", &format!("{known} --json")));
+    let [value, error] = estimate(&found, "film_modulus");
+    assert!(
+        (value - 5e3).abs() < 4.0 * error && error < 50.0,
+        "{value} +- {error}, not 5 kPa"
+    );
+    let read = found["read"][0].as_str().expect("a line");
+    assert_names(
+        read,
+        "40 of approach and 40 of retract; split by the course of the height",
+    );
+}
+
+/// A tilted baseline is no wrong sign: the slope is to be free, and then there is no doubt.
+#[test]
+fn a_tilted_baseline_says_what_to_free() {
+    let workdir = workdir!();
+    let known = "--work-of-adhesion 0 --stiffness 0.1";
+    let plan = format!("{known} --from 3e-6 --to=-1e-7 --noise 1e-11");
+    workdir.write("tilted.csv", without_segments(&workdir, &plan, 5e-4));
+    let message = workdir.fail(1, fit("tilted.csv", known));
+    assert_names(
+        &message,
+        "the baseline may be tilted; type --free ...,baseline-slope",
+    );
+    assert!(!message.contains("opposite sense"), "{message}");
+    let free = "--free film-modulus,contact-point,baseline,baseline-slope";
+    let found = workdir.json(fit("tilted.csv", &format!("{known} {free} --json")));
+    let [value, error] = estimate(&found, "film_modulus");
+    assert!((value - 5e3).abs() < 4.0 * error, "{value} +- {error}");
+    assert!(!found.to_string().contains("tilted"), "{found}");
+}
+
 /// The report says which modulus each number is, and Young's modulus of the sphere on request.
 #[test]
 fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {

@@ -35,7 +35,7 @@ pub fn read_file<'py>(
     path: PathBuf,
     given: GivenFormat,
 ) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
-    let format = format(given)?;
+    let format = format(py, given)?;
     let Reading {
         measurement,
         errors,
@@ -84,7 +84,7 @@ pub fn read_file<'py>(
 }
 
 /// Returns the format. The Python layer has checked the words.
-fn format(given: GivenFormat) -> PyResult<Format> {
+fn format(py: Python<'_>, given: GivenFormat) -> PyResult<Format> {
     let unknown = |what: &str| PyValueError::new_err(format!("{what} is not known"));
     let kind = |name: String| {
         let kind = Kind::ALL.into_iter().find(|kind| kind.name() == name);
@@ -97,7 +97,8 @@ fn format(given: GivenFormat) -> PyResult<Format> {
     let column = |(role, heading): (String, String)| {
         format!("{role}={heading}")
             .parse::<Column>()
-            .map_err(PyValueError::new_err)
+            .map_err(|text| Failure::of_words("FitError", &text))
+            .or_raise(py)
     };
     Ok(Format {
         kind: given.kind.map(kind).transpose()?,

@@ -120,6 +120,8 @@ def test_several_curves_and_directions_that_may_be_wrong_are_told(write):
         ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "P"}}, ['no column is "P"']),
         ("penetration,load\n1,2\n2,3\n", {"columns": {"lode": "P"}}, ["lode", "contact_radius"]),
         ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "-"}}, ["empty"]),
+        ("penetration,P\n1,2\n2,3\n", {"columns": {"load": "P [UNIT]"}}, ["in its place", "[mN]"]),
+        ("Gap [nm],Load [mN]\n1,2\n2,3\n", {}, ['{"height": "Gap [nm]"}, stiffness=1e9']),
         ("penetration,load\n1,2\n2,3\n", {"kind": "load"}, ["'load'", "load-penetration"]),
         ("penetration,load\n1,2\n2,3\n", {"segments": "up"}, ["'up'", "split"]),
         ("penetration,load\n1,2\n2,3\n", {"only": "up"}, ["'up'", "retract"]),

@@ -144,7 +144,8 @@ impl Heading {
     /// Returns the length that the text names, if it is one from which something is taken off.
     pub fn reduced(&self) -> Option<Reduced> {
         let has = |parts: &[&str]| parts.iter().any(|part| self.name.contains(part));
-        let begins = |name: &&str| self.name == **name || self.name.starts_with(&format!("{name} "));
+        let begins =
+            |name: &&str| self.name == **name || self.name.starts_with(&format!("{name} "));
         if CONTACT_DEPTHS.iter().any(&begins) {
             Some(Reduced::ContactDepth)
         } else if (has(&SEPARATIONS) || begins(&"gap")) && !has(&SCANNERS) && !begins(&"z") {

@@ -121,8 +121,8 @@ def read_experiment(
     Warns
     -----
     UserWarning
-        Where a column seems to count in the opposite sense, commas may part thousands, the
-        directions seem wrong, or the file seems to hold several curves.
+        Where a column seems to count in the opposite sense, the baseline seems tilted, commas or
+        points may part thousands, the directions seem wrong, or the file seems to hold several curves.
 
     Examples
     --------
