@@ -409,7 +409,7 @@ pub enum Problem {
     /// A segment that is not known.
     #[error(
         "{0:?} is not a segment; write approach (extend, loading, 0), retract (unloading, 1) or \
-         pause, or let the points be split where the height turns back"
+         pause, or let the points be split where the motion turns back"
     )]
     Segment(String),
     /// A contact radius that is negative.
