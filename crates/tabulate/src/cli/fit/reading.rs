@@ -33,8 +33,9 @@ pub fn doubted(error: ::fit::Error, files: &[Experiment], notes: &[Notes]) -> an
                     Some(line) => format!(": complete line {line}, which has no number of a time"),
                     None if columns.is_empty() =>
                         ": no column is in a unit of time; add one".to_owned(),
-                    None if columns.contains("[UNIT]") =>
-                        format!(": type {columns}, with the unit of the numbers in place of UNIT"),
+                    None if columns.contains("[UNIT]") => format!(
+                        ": type {columns}, with the unit of the numbers in place of UNIT, such as s"
+                    ),
                     None => format!(": type {columns}"),
                 }
             )
