@@ -91,9 +91,9 @@ def read_experiment(
         ``"phase_shift"`` or ``"loss_stiffness"``. A minus before it turns the sign. Where approach
         and retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}
-        Where the directions come from: the file; where the height or the penetration turns back, and
-        at radii the largest load; or by default from the file, and heights without a direction are
-        split where they turn back.
+        Where the directions come from: the file; where the height or the penetration turns back,
+        and at radii the largest load; or by default from the file, and heights without a direction
+        are split where they turn back.
     only : {"approach", "retract"}, optional
         The only direction that is kept. Of a contact stiffness at loads or depths it is the
         approach, unless another is asked for.
@@ -122,7 +122,8 @@ def read_experiment(
     -----
     UserWarning
         Where a column seems to count in the opposite sense, the baseline seems tilted, commas or
-        points may part thousands, the directions seem wrong, or the file seems to hold several curves.
+        points may part thousands, the directions seem wrong, or the file seems to hold several
+        curves.
 
     Examples
     --------
