@@ -160,7 +160,7 @@ fn a_length_is_offered_only_as_what_it_can_be() {
             "contact_radius=HEADING [UNIT], penetration=HEADING [UNIT], height=HEADING [UNIT]",
         ),
         ("Kontaktdurchmesser (mm),Kraft (mN)", &none, ""),
-        ("diam\u{e8}tre (mm),Force (mN)", &none, ""),
+        ("Durchmesser (mm),Force (mN)", &none, ""),
         ("Aire de contact (mm\u{b2}),Force (mN)", &none, ""),
         ("Surface (mm2),Force (mN)", &none, ""),
         ("\u{63a5}\u{89e6}\u{76f4}\u{5f84} (mm),F (mN)", &none, ""),
