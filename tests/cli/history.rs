@@ -14,6 +14,11 @@ fn rows(workdir: &Workdir, arguments: &str) -> Data {
     Data::parse("history", &run.stdout)
 }
 
+/// A cone with a flat end of 1 um.
+const FLAT: &str = "history --probe=flat-ended-cone --half-angle=70 --sphere-radius=1um --sphere-modulus=inf \
+     --film-modulus=1kPa --film-poisson-ratio=0.5 --substrate-modulus=inf --relaxation=power-law -n=0.2 \
+     --program='penetration 0:0 1:1nm'";
+
 const PROGRAM: &str = "--program 'penetration 0:0 1:1um 2:1um 3:0'";
 
 /// The independent series that has this gel.
@@ -166,6 +171,7 @@ fn mistakes_are_told() {
     for (file, text) in [
         ("radii.csv", "time,contact_radius\n0,1\n"),
         ("both.csv", "time,load,penetration\n0,0,0\n"),
+        ("twice.csv", "time,time,load\n0,0,0\n"),
         ("untimed.csv", "t,load\n0,0\n"),
         ("swapped.csv", "time,penetration\n0,0\n1e-6,1\n0,2\n"),
         ("words.csv", "time,load\n0,0\n1,much\n"),
@@ -202,6 +208,8 @@ fn mistakes_are_told() {
         1 | {GEL} {PROGRAM} --at=-1 | -1; begins at
         1 | {GEL} {PROGRAM} --tolerance=1e-14 | 1e-14; 1e-10
         1 | {GEL} --program 'penetration 0:0 1:1mm' | penetration
+        1 | {GEL} --program twice.csv | time, time, load; one column named time
+        1 | {FLAT} --film-thickness=1nm | flat end of the probe, 1e-6 m; give a TABLE
         "
     ));
 }
@@ -239,4 +247,22 @@ fn a_load_that_falls_comes_with_its_error() {
             "{own} {other}"
         );
     }
+}
+
+/// The flat end is as wide as a tenth of the film is thick, and times of a file have units.
+#[test]
+fn a_flat_end_and_times_with_units() {
+    let workdir = workdir!();
+    workdir.write("units.csv", "time,penetration\n0,0\n1e3ms,0.1um\n");
+    let flat = FLAT.split(" --program").next().expect("a text");
+    let of = |program: &str| {
+        let data = rows(
+            &workdir,
+            &format!("{flat} --film-thickness=10um --program {program} --points 2"),
+        );
+        data.cases().map(|row| row.get("load")).collect::<Vec<_>>()
+    };
+    let loads = of("units.csv");
+    assert_eq!(loads, of("'penetration 0:0 1:0.1um'"));
+    assert!(loads[1] > 0.0);
 }

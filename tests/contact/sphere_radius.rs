@@ -159,7 +159,7 @@ fn the_range_on_a_film_ends_at_the_sphere_or_at_the_last_node() {
         let at_sphere = matches!(
             beyond,
             Err(Error::OutsideRadii {
-                at_sphere: true,
+                at_end_of_probe: true,
                 ..
             })
         );

@@ -9,7 +9,7 @@ pub enum Error {
     #[error(
         "{name} = {value:?}{} needs a contact radius that {}",
         unit(name),
-        if *at_sphere { at_the_sphere(*to) } else { of_the_table(*from, *to) }
+        if *at_end_of_probe { end_of_probe(*to) } else { of_the_table(*from, *to) }
     )]
     OutsideRadii {
         /// The name of the quantity imposed or measured.
@@ -21,7 +21,7 @@ pub enum Error {
         /// The largest contact radius, m.
         to: f64,
         /// Whether the range ends where the shape of the probe does, beyond which no table helps.
-        at_sphere: bool,
+        at_end_of_probe: bool,
     },
     /// A load, penetration or position of the spring at which there is no contact.
     #[error("there is no contact at {name} = {value:?}{unit}: give {least:?}{unit} or more", unit = unit(name))]
@@ -94,13 +94,13 @@ fn unit(name: &str) -> &'static str {
     }
 }
 
-/// Says that no contact reaches the sphere's radius.
-fn at_the_sphere(to: f64) -> String {
+/// Says that no contact of the probe is as wide.
+fn end_of_probe(to: f64) -> String {
     // The search ends just below the radius.
     let radius = format!("{to:.6e}").parse().unwrap_or(to);
     format!(
         "no contact of this probe has: the search ends at {radius:?} m; give a smaller value, \
-         or check its unit and that of the radius of the probe"
+         or check its unit and those of the probe"
     )
 }
 

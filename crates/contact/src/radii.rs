@@ -94,7 +94,7 @@ impl Contact {
             value,
             from,
             to,
-            at_sphere: to == BELOW_LARGEST * most,
+            at_end_of_probe: to == BELOW_LARGEST * most,
         }
     }
 

@@ -75,13 +75,13 @@ impl Points {
     }
 
     /// Evaluates blocks of points one after the other. Between them a signal, such as Ctrl-C, ends
-    /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`. Blocks are of
-    /// the first of the `lengths` first, and double up to the second while they take little time.
+    /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`. Their
+    /// length doubles from the `least` up to the `most` while they take little time.
     fn in_blocks<'py, 'a, const K: usize, const N: usize, E, I>(
         &self,
         py: Python<'py>,
         inputs: [&'a Input<'_>; K],
-        [mut length, most]: [usize; 2],
+        [least, most]: [usize; 2],
         interrupted: Option<&AtomicBool>,
         evaluate: impl Fn(Values<'a, K>, Range<usize>) -> I + Sync,
     ) -> PyResult<[Output<'py>; N]>
@@ -107,7 +107,7 @@ impl Points {
                 .try_reserve_exact(count)
                 .map_err(|error| PyMemoryError::new_err(error.to_string()))?;
         }
-        let mut start = 0;
+        let (mut start, mut length) = (0, least);
         while start < count {
             let block = start..count.min(start + length);
             start = block.end;
@@ -131,9 +131,11 @@ impl Points {
             };
             done.map_err(|(index, error)| Failure::from(error).at(index).raise(py))?;
             py.check_signals()?;
-            if begun.elapsed() < TICK {
-                length = most.min(2 * length);
-            }
+            length = if begun.elapsed() < TICK {
+                most.min(2 * length)
+            } else {
+                least.max(length / 2)
+            };
         }
         Ok(results.map(|result| PyArray1::from_vec(py, result)))
     }

@@ -1,7 +1,7 @@
 //! What is refused of contacts in time, and what is answered at the ends of the range.
 
-use acceptance::{Refused, assert_names, rigid_probe, solid, solved_contact};
-use contact::{Control, HistoryError, Hysteresis, RateDependent, Relaxation};
+use acceptance::{Refused, assert_names, larger, rigid_probe, solid, solved_contact};
+use contact::{Control, HistoryError, Hysteresis, RateDependent, Relaxation, TimedContact};
 use interp::{Probe, System};
 
 use super::{CYCLES, PARABOLOID, half_space, solid_law};
@@ -63,82 +63,110 @@ fn bodies_that_do_not_relax() {
     }
 }
 
-/// A film so thick that it is a half-space, under an elastic sphere: by Lee and Radok, exact with the summed compliance,
-/// which is that of a standard linear solid again. A relaxation that is over before the first step, and one in the midst
-/// of the program, leave errors within the bound, or are refused.
+/// A film so thick that it is a half-space, under an elastic sphere: all bodies together relax by the law of their summed
+/// compliance, which is that of a standard linear solid again, and the same program with this law is exact. Relaxations
+/// that are over before the first step, and in the midst of the program, leave errors within the bound, or are refused.
+/// Measured: up to 0.99 of the bound.
 #[test]
 fn the_bound_for_an_elastic_sphere_holds() {
-    let film = 1e3;
-    let of = |sphere_modulus: f64| {
+    let of = |sphere_modulus: f64, young: f64| {
         let system = System {
             sphere_modulus,
             ..rigid_probe(
                 Probe::Paraboloid { radius: 1e-5 },
-                solid(film, 0.5),
+                solid(young, 0.5),
                 1e-3,
                 solid(f64::INFINITY, 0.5),
             )
         };
         solved_contact(&system, [1e-6, 1e-2], 1e-9)
     };
-    let rigid = of(f64::INFINITY);
-    let (depth, mut answered, mut refused) = (1e-7, 0, 0);
+    let film = 1e3;
+    let rigid = of(f64::INFINITY, film);
+    let held = (
+        Control::Displacement,
+        [(0.0, 0.0), (1.0, 1e-7), (3.0, 1e-7)],
+    );
+    let creep = (Control::Load, [(0.0, 0.0), (1e-3, 1e-10), (3.0, 1e-10)]);
+    let falls = (Control::Load, [(0.0, 0.0), (1.0, 1e-10), (2.0, 1e-12)]);
+    let (mut answered, mut refused, mut closest) = (0, 0, 0.0);
     for relaxed in [0.1, 0.6, 0.95] {
         for time in [1e-6, 1e-3, 0.3, 100.0] {
             for softness in [1e-3, 1e-2, 0.1, 1.0] {
-                let law = Relaxation::Prony {
+                let solid_of = |relaxed: f64, time: f64| Relaxation::Prony {
                     relaxed,
                     terms: vec![[1.0 - relaxed, time]],
                 };
-                let own = of(film / 0.75 / softness);
-                let history = own.history(&law).expect("a law").beside(&rigid);
-                let program = [(0.0, 0.0), (1.0, depth), (3.0, depth)];
-                let times: Vec<f64> = (1..=30).map(|i| 0.1 * f64::from(i)).collect();
-                match history.at(Control::Displacement, &program, &times, None) {
-                    Ok(course) => {
-                        // The compliance of the film creeps, that of the sphere does not. Moduli over that of both
-                        // at first.
-                        let whole = 1.0 + softness;
-                        let left = whole / (1.0 / relaxed + softness);
-                        let own_time = time / relaxed * left;
-                        let exact = |t: f64| {
-                            // Of a load that grows like the power 3/2 of time, and then is held.
-                            let grows = t.min(1.0);
-                            let n = 4000;
-                            let falling: f64 = (0..n)
-                                .map(|i| {
-                                    let s = grows * (f64::from(i) + 0.5) / f64::from(n);
-                                    let rate = 1.5 * s.sqrt() * grows / f64::from(n);
-                                    rate * (-(t - s) / own_time).exp()
-                                })
-                                .sum();
-                            left * grows.powf(1.5) + (1.0 - left) * falling
-                        };
-                        let elastic = own.equilibria(0.0, Control::Displacement).expect("sound");
-                        let held = elastic.at(depth).expect("a contact")[0].state.load;
-                        let largest = course
-                            .states
-                            .iter()
-                            .map(|at| at.state.load)
-                            .fold(0.0, f64::max);
-                        for at in &course.states {
-                            let error = (at.state.load - held * exact(at.time)).abs() / largest;
-                            assert!(
-                                error <= course.unlike_bodies + 1e-3, // the film is no half-space
-                                "{relaxed} {time} {softness} at {}: {error:.1e}, {:.1e}",
-                                at.time,
-                                course.unlike_bodies
-                            );
+                let law = solid_of(relaxed, time);
+                let left = (1.0 + softness) / (1.0 / relaxed + softness);
+                let summed = solid_of(left, time / relaxed * left);
+                let own = of(film / 0.75 / softness, film);
+                for (control, program) in [held, creep, falls] {
+                    let part = |i: i32| f64::from(i) / 20.0 * program[2].0;
+                    let mut times: Vec<f64> = (0..=20).map(part).chain([program[1].0]).collect();
+                    times.sort_by(f64::total_cmp);
+                    let history = own.history(&law).expect("a law").beside(&rigid);
+                    let course = match history.at(control, &program, &times, None) {
+                        Ok(course) => course,
+                        Err(HistoryError::UnlikeBodies { .. }) => {
+                            refused += 1;
+                            continue;
                         }
-                        answered += 1;
+                        Err(error) => panic!("{error}"),
+                    };
+                    let exact = own.history(&summed).expect("a law");
+                    let exact = exact.at(control, &program, &times, None).expect("a course");
+                    let of_state = |at: &TimedContact| match control {
+                        Control::Load => at.state.penetration,
+                        _ => at.state.load,
+                    };
+                    let largest = course.states.iter().map(of_state).fold(0.0, f64::max);
+                    let pairs = course.states.iter().zip(&exact.states);
+                    let error =
+                        pairs.map(|(own, exact)| (of_state(own) - of_state(exact)).abs() / largest);
+                    let error = error.fold(0.0, larger);
+                    let bound = course.unlike_bodies;
+                    // The film is no half-space, and elements have errors of their own.
+                    assert!(
+                        error <= 1.02 * bound + 5e-5,
+                        "{relaxed} {time} {softness} {control:?}: {error:.2e}, {bound:.2e}"
+                    );
+                    if bound > 1e-3 {
+                        closest = larger(closest, error / bound);
                     }
-                    Err(HistoryError::UnlikeBodies { .. }) => refused += 1,
-                    Err(error) => panic!("{error}"),
+                    answered += 1;
                 }
             }
         }
     }
-    assert!(answered >= 15 && refused >= 15, "{answered} {refused}");
+    println!("{answered} answered, {refused} refused, up to {closest:.2} of the bound");
+    assert!(answered >= 45 && refused >= 45, "{answered} {refused}");
+    assert!(closest > 0.8, "{closest}");
+}
+
+/// Times count from the first point: a program at 1.7e9 s (a clock that counts from 1970) is that at 0.
+#[test]
+fn a_history_does_not_depend_on_when_it_begins() {
+    let contact = half_space(PARABOLOID);
+    let law = solid_law();
+    let history = contact.history(&law).expect("a law");
+    let of = |origin: f64| {
+        let program = [(origin, 0.0), (origin + 0.5, 1e-6), (origin + 2.0, 0.0)];
+        let times = [0.25, 0.5, 1.0].map(|time| origin + time);
+        let course = history
+            .at(Control::Displacement, &program, &times, None)
+            .expect("a course");
+        course
+            .states
+            .into_iter()
+            .map(|at| (at.time - origin, at.state))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(of(0.0), of(1.7e9));
+    let close = [(-1e10, 0.0), (0.0, 1e-6), (1e-9, 0.0)];
+    history
+        .at(Control::Displacement, &close, &[], None)
+        .refused("point 3; close together");
 }
 
 /// Each mistake has an error that says what to do.
@@ -199,6 +227,23 @@ fn mistakes() {
     ] {
         contact.history(&law).refused(name);
     }
+    // Two times with one reciprocal make one term.
+    let twins = Relaxation::Prony {
+        relaxed: 0.2,
+        terms: vec![
+            [0.4, 1.999_999_999_999_999_6],
+            [0.4, 1.999_999_999_999_999_8],
+        ],
+    };
+    let falls = [(0.0, 0.0), (1.0, 1e-9), (2.0, 0.0)];
+    let of_twins = contact.history(&twins).expect("a law");
+    assert!(
+        of_twins
+            .run(Control::Load, &falls, None)
+            .expect("a course")
+            .error
+            < 1e-3
+    );
     let punch = half_space(Probe::FlatPunch { radius: 1.0 });
     punch.history(&law).refused("punch");
     let growing = contact.history(&law).expect("a law").receding(1e-4);

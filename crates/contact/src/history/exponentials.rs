@@ -61,7 +61,7 @@ impl Exponentials {
         terms.sort_by(|a, b| b[1].total_cmp(&a[1]));
         // Between equal rates there is no pole.
         terms.dedup_by(|next, term| {
-            let equal = next[1] == term[1];
+            let equal = 1.0 / next[1] == 1.0 / term[1];
             term[0] += if equal { next[0] } else { 0.0 };
             equal
         });

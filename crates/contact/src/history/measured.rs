@@ -117,10 +117,7 @@ impl History<'_> {
             Control::Spring { stiffness } => 1.0 / stiffness,
             Control::Load => return Err(HistoryError::MeasuredLoad),
         };
-        let mut program = Program::new(points, &[])?;
-        // From the first point on, times resolve the shortest steps.
-        let origin = program.times[0];
-        program.times.iter_mut().for_each(|time| *time -= origin);
+        let program = Program::new(points, &[])?;
         if program.values[0] > 0.0 {
             return Err(HistoryError::BeginsInContact {
                 name: control.name(),
@@ -158,7 +155,7 @@ impl History<'_> {
             width,
         };
         follow(&setting, &steps.places(&program), &mut found)
-            .map_err(|error| error.later_by(origin))?;
+            .map_err(|error| error.later_by(program.origin))?;
         for (point, at) in found.states.iter_mut().enumerate() {
             at.time = points[point].0;
             let radius = at.state.contact_radius;

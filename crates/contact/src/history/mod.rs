@@ -7,7 +7,7 @@
 //! `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses among them and refines. `density` and `variation` hold the
 //! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
 //! them `measured`, at the places of `steps`, by `approach` and `return_steps`, which share a `setting`, follows measured points and
-//! differentiates their loads. `moments` and `gamma` are functions for them.
+//! differentiates their loads. `unlike` bounds the error by bodies that do not relax. `moments` and `gamma` are functions for them.
 
 mod adhesion;
 mod approach;
@@ -112,8 +112,8 @@ pub struct Course {
     ///
     /// `tests/truth/viscoelastic/errors.rs` compares it with the same histories to smaller tolerances.
     pub error: f64,
-    /// The bound of the error by bodies that do not relax, in parts of the largest load; 0 unless
-    /// [`History::beside`] is told of them.
+    /// The bound of the error by bodies that do not relax: of the loads, in parts of the largest one, or where loads are
+    /// imposed of the penetrations, in parts of the largest one. 0 unless [`History::beside`] is told of them.
     pub unlike_bodies: f64,
 }
 
@@ -188,9 +188,10 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// States that only the film relaxes, and gives the contact of the same film between a rigid
     /// probe and a rigid base.
     ///
-    /// For bodies that relax differently no reduction to the elastic contact exists. All are followed as relaxing;
-    /// the page `unlike.rs` of the source bounds the error of this. [`Course::unlike_bodies`] states it; above 2e-2
-    /// it is an error.
+    /// For bodies that relax differently no reduction to the elastic contact exists. All are followed as relaxing by
+    /// `phi`. To first order the error of a load `F` is at most `chi` times the largest difference of `F` and
+    /// `int phi(t-s) dF(s)`, where `chi` is the relative rise of the elastic load when the other bodies are made rigid.
+    /// [`Course::unlike_bodies`] states this bound; above 2e-2 it is an error.
     #[must_use]
     pub fn beside(self, rigid: &'a Contact) -> Self {
         Self {
@@ -246,8 +247,8 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// integrals with many digits; every other program is followed by elements. Both are refined until two runs agree.
     ///
     /// `tolerance` is that of loads, radii and penetrations, relative to the largest one of each, from
-    /// 1e-10 to 1e-2. Bodies that nearly flow may not reach the smallest ones. Without one it is 1e-5 for elements; integrals
-    /// then aim at 1e-8, and what they reach is stated.
+    /// 1e-10 to 1e-2. Bodies that nearly flow may not reach the smallest ones. Without one, integrals aim at 1e-8 and elements
+    /// at 1e-5; the error that is reached is stated, and more than 0.5 is an error.
     ///
     /// # Errors
     /// [`HistoryError`] says which number of the program is wrong; [`HistoryError::BeginsInContact`] unless
@@ -273,16 +274,14 @@ impl<'a, L: CrackTip> History<'a, L> {
                 before: times[i],
             });
         }
-        let mut program = Program::new(program, times)?;
+        let program = Program::new(program, times)?;
         if program.values[0] > 0.0 {
             return Err(HistoryError::BeginsInContact {
                 name: control.name(),
                 value: program.values[0],
             });
         }
-        // From the first point on, times resolve the shortest steps.
-        let origin = program.times[0];
-        program.times.iter_mut().for_each(|time| *time -= origin);
+        let origin = program.origin;
         let asked: Vec<f64> = times.iter().map(|time| time - origin).collect();
         // Errors are parts of the largest values of the program, whatever is asked for.
         let mut all = asked.clone();

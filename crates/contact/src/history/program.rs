@@ -10,6 +10,9 @@ const DURATIONS: RangeInclusive<f64> = 1e-50..=1e50;
 /// Points `(time, value)` joined by straight lines, long enough for all times asked for.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
+    /// The time of the first point, s.
+    pub origin: f64,
+    /// From the first point on, so that they resolve the shortest steps, s.
     pub times: Vec<f64>,
     pub values: Vec<f64>,
 }
@@ -23,7 +26,9 @@ impl Program {
                 points: points.len(),
             });
         }
+        let origin = points[0].0;
         let mut own = Self {
+            origin,
             times: Vec::with_capacity(points.len() + 1),
             values: Vec::with_capacity(points.len() + 1),
         };
@@ -37,18 +42,18 @@ impl Program {
                 });
             }
             match own.times.last() {
-                Some(&before) if time <= before => {
+                Some(&before) if time - origin <= before => {
                     return Err(HistoryError::Order {
                         number,
                         time,
-                        before,
+                        before: points[i - 1].0,
                     });
                 }
-                _ => own.times.push(time),
+                _ => own.times.push(time - origin),
             }
             own.values.push(value);
         }
-        let (begin, end) = (own.times[0], own.times[own.times.len() - 1]);
+        let (begin, end) = (origin, own.duration());
         for &time in asked {
             if !time.is_finite() {
                 return Err(HistoryError::Time { value: time });
@@ -57,7 +62,7 @@ impl Program {
                 return Err(HistoryError::BeforeProgram { time, begin });
             }
         }
-        let latest = asked.iter().copied().fold(end, f64::max);
+        let latest = asked.iter().map(|time| time - origin).fold(end, f64::max);
         if latest > end {
             own.times.push(latest);
             own.values.push(own.values[own.values.len() - 1]);
@@ -82,14 +87,15 @@ impl Program {
         self.times[self.times.len() - 1] - self.times[0]
     }
 
-    /// Returns times between the points of a program of few, on which a load bends.
+    /// Returns times within the long segments, close together after each point, where a load changes most.
     pub fn between(&self) -> impl Iterator<Item = f64> {
-        const FEW: usize = 100;
-        const PARTS: usize = 8;
-        let parts = if self.times.len() > FEW { 1 } else { PARTS };
-        self.times.windows(2).flat_map(move |ends| {
-            let part = move |i: usize| ends[0] + (ends[1] - ends[0]) * i as f64 / parts as f64;
-            (1..parts).map(part)
+        /// The length of a long segment over the time at its end.
+        const LONG: f64 = 0.01;
+        const HALVINGS: i32 = 10;
+        let segments = self.times.windows(2).map(|ends| [ends[0], ends[1]]);
+        let long = segments.filter(|[from, to]| to - from > LONG * to);
+        long.flat_map(|[from, to]| {
+            (1..=HALVINGS).map(move |i| from + (to - from) * 0.5_f64.powi(i))
         })
     }
 

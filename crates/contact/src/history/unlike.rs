@@ -5,17 +5,17 @@
 //! differ from those with one by
 //!
 //! ```text
-//! chi (int phi(t-s) dF(s) - F(t))        of the load F, where a penetration or a spring is imposed
-//! chi (F_e(t) - F(t))                    of the elastic load F_e at the contact radius, where F is imposed
+//! chi (int phi(t-s) dF(s) - F(t))          of the load F, where a penetration or a spring is imposed
+//! chi ((F - F_e)/S - (delta - delta_e))    of the penetration delta, where F is imposed
 //! ```
 //!
-//! The terms of higher order make the difference smaller. A modulus far from `E_ref` counts, whenever it relaxes:
-//! after a relaxation that is over within the first step, and at times far from the reference time of a power law, too.
+//! with the load `F_e`, the penetration `delta_e` and the stiffness `S` of the elastic contact of the same radius. The
+//! exact difference of the loads is the first one convolved with a positive kernel whose integral is at most 1.
 
 use super::exponentials::Exponentials;
 use super::measured::MeasuredHistory;
 use super::{History, HistoryError, TimedContact, UNLIKE, elastic};
-use crate::{Contact, Control, CrackTip};
+use crate::{Contact, Control, CrackTip, State};
 
 /// The tolerance of the law.
 const DIGITS: f64 = 1e-4;
@@ -55,33 +55,52 @@ impl<L: CrackTip> History<'_, L> {
             let a = elastic::radius_of(contact, "penetration", deepest, |node| node.penetration)?;
             Ok(contact.load(a, 0.0)?)
         };
-        let chi = (load(rigid)? / load(self.contact)? - 1.0).max(0.0);
-        let loads: Vec<f64> = states.iter().map(|at| at.state.load).collect();
-        let (what, others) = if control == Control::Load {
-            let elastic = |at: &TimedContact| match at.state.contact_radius {
-                0.0 => Ok(0.0),
-                a => self.contact.load(a, 0.0),
-            };
-            let elastic: Result<Vec<f64>, _> = states.iter().map(elastic).collect();
-            ("penetration", elastic?)
-        } else {
-            ("load", self.relaxed_again(&loads, states))
-        };
-        let unit = match control {
-            Control::Load => largest(&mut others.iter().copied()),
-            _ => largest(&mut loads.iter().map(|load| load.abs())),
-        };
-        let pairs = loads.iter().zip(&others);
-        let departure = largest(&mut pairs.map(|(load, other)| (other - load).abs()));
-        let bound = if departure > 0.0 {
-            chi * departure / unit
-        } else {
-            0.0
-        };
-        if bound > UNLIKE {
-            return Err(HistoryError::UnlikeBodies { what, bound, chi });
+        let chi = load(rigid)? / load(self.contact)? - 1.0;
+        if chi <= 0.0 {
+            return Ok(0.0);
         }
-        Ok(bound)
+        let (what, unit, departures) = if control == Control::Load {
+            let departures = states.iter().map(|at| self.departure(&at.state));
+            (
+                "penetration",
+                deepest,
+                departures.collect::<Result<Vec<f64>, _>>()?,
+            )
+        } else {
+            let loads: Vec<f64> = states.iter().map(|at| at.state.load).collect();
+            let pairs = self.relaxed_again(&loads, states).into_iter().zip(&loads);
+            let departures = pairs
+                .map(|(relaxed, load)| (relaxed - load).abs())
+                .collect();
+            (
+                "load",
+                largest(&mut loads.iter().map(|load| load.abs())),
+                departures,
+            )
+        };
+        let departure = departures.into_iter().fold(0.0, larger);
+        let bound = if departure == 0.0 {
+            0.0
+        } else {
+            chi * departure / unit
+        };
+        if bound <= UNLIKE {
+            Ok(bound)
+        } else {
+            Err(HistoryError::UnlikeBodies { what, bound, chi })
+        }
+    }
+
+    /// Returns by how much (m) the penetration is not that of a body that rests under its load; that of a dent without
+    /// contact.
+    fn departure(&self, state: &State) -> Result<f64, HistoryError> {
+        let a = state.contact_radius;
+        if a == 0.0 {
+            return Ok(state.penetration.max(0.0));
+        }
+        let (load, penetration) = self.contact.load_and_penetration(a, 0.0)?;
+        let of_load = (state.load - load) / self.contact.stiffness(a)?;
+        Ok((of_load - (state.penetration - penetration)).abs())
     }
 
     /// Returns `int phi(t-s) dF(s)` at the times of the states, between which the loads `F` are straight.
@@ -93,13 +112,9 @@ impl<L: CrackTip> History<'_, L> {
         let duration = states[states.len() - 1].time - states[0].time;
         let law = Exponentials::of_steps(&self.relaxation, [shortest, duration], DIGITS);
         let mut memory = vec![0.0; law.len()];
-        let mut relaxed = vec![law.value(shortest) * loads[0]];
+        let mut relaxed = vec![0.0];
         for (pair, at) in loads.windows(2).zip(states.windows(2)) {
             let step = at[1].time - at[0].time;
-            if step == 0.0 {
-                relaxed.push(relaxed[relaxed.len() - 1]);
-                continue;
-            }
             let rate = (pair[1] - pair[0]) / step;
             let terms = law.weights.iter().zip(&law.rates);
             let mut sum = law.constant * pair[1] + law.impulse * rate;
@@ -112,4 +127,9 @@ impl<L: CrackTip> History<'_, L> {
         }
         relaxed
     }
+}
+
+/// Returns the larger of two numbers, NaN if one of them is.
+const fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
 }

@@ -123,8 +123,9 @@ pub struct Missing {
 impl Missing {
     /// Returns the column that could be each missing one: the first of its dimension that is
     /// recognised as nothing else, each once. A contact area gives a contact radius. A contact depth can be
-    /// a penetration only where a contact stiffness is measured, and a separation only a height beside a
-    /// force: with a stiffness that is no more that of the cantilever a deflection would be no force.
+    /// a penetration only where a contact stiffness is measured. A separation can be a height only beside
+    /// a force: the stiffness given with it is that of a rigid cantilever, which turns no deflection into
+    /// a force.
     pub fn candidates<'a>(&self, columns: &'a [Found]) -> Vec<Option<&'a Found>> {
         let mut taken: Vec<&str> = Vec::new();
         let is_force = |found: &Found| {

@@ -23,12 +23,13 @@ const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
 /// Units that end the names of other quantities: `depth h`.
 const IN_BRACKETS_ONLY: [&str; 5] = ["h", "min", "g", "mg", "kg"];
 /// Words for what is no length or force of the contact itself.
-const OTHERS: [&str; 8] = [
-    "area", "aire", "square", "squared", "width", "log", "sqrt", "\u{f8}",
+const OTHERS: [&str; 9] = [
+    "diam", "area", "aire", "square", "squared", "width", "log", "sqrt", "\u{f8}",
 ];
 /// Parts of words for a diameter or an area, in several languages.
-const OTHER_PARTS: [&str; 10] = [
-    "diam",
+const OTHER_PARTS: [&str; 11] = [
+    "diamet",
+    "diam\u{e8}t",
     "di\u{e1}m",
     "durchmesser",
     "fl\u{e4}che",
@@ -136,9 +137,11 @@ impl Heading {
                 || word.starts_with(is_digit) && is_multiple(word)
                 || word.starts_with(['x', 'e']) && word[1..].starts_with(is_digit)
         };
-        self.text.contains(['^', '*', '\u{d7}', '\u{b2}'])
-            || self.name.split(' ').any(is_other)
-            || self.name.starts_with("surface")
+        let is_area = self.name == "surface" || self.name.starts_with("surface de contact");
+        self.reduced().is_none()
+            && (is_area
+                || self.text.contains(['^', '*', '\u{d7}', '\u{b2}'])
+                || self.name.split(' ').any(is_other))
     }
 
     /// Returns the length that the text names, if it is one from which something is taken off.

@@ -372,7 +372,7 @@ impl Rows<'_> {
             return Err(failure);
         }
         self.check_head()?;
-        // Where commas are no delimiters they may be decimal, and points part thousands.
+        // Between semicolons commas are decimal marks as a rule, and points may part thousands.
         let is_clear = self.delimiter != Delimiter::Semicolon;
         let commas = match self.mark.commas() {
             Commas::UnclearPoints if is_clear => Commas::None,

@@ -91,7 +91,8 @@ impl fmt::Display for Split {
 }
 
 /// Splits points into an approach and a retract: where a height, a penetration or a load as abscissa turns
-/// back, and at the largest ordinate where the abscissa is a radius, which may rest while the load falls.
+/// back, and at the largest ordinate where the abscissa is a radius, which may rest while the load falls. A course
+/// that goes one way is one direction as a whole.
 pub fn split(points: &mut [Point], kind: Kind) -> Option<Split> {
     let ordinate = |&i: &usize| points[i].ordinate;
     let of_ordinate = |a: &usize, b: &usize| ordinate(a).total_cmp(&ordinate(b));

@@ -43,9 +43,9 @@ impl Sign {
     /// Returns the columns that may count in the opposite sense, each once.
     pub fn columns(&self) -> Vec<&Source> {
         let mut columns: Vec<&Source> = Vec::new();
-        for (k, pair) in self.pairs.iter().flat_map(|pair| pair.iter().enumerate()) {
-            if self.opposite[k] && !columns.contains(&pair) {
-                columns.push(pair);
+        for (k, source) in self.pairs.iter().flat_map(|pair| pair.iter().enumerate()) {
+            if self.opposite[k] && !columns.contains(&source) {
+                columns.push(source);
             }
         }
         columns

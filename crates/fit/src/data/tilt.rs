@@ -7,13 +7,15 @@ use crate::{Kind, Point};
 const PARTS: usize = 20;
 /// The last of them that is on the baseline.
 const LAST: usize = 13;
-/// The part of the fall of the baseline by which it may differ from a straight line, and from which on a
-/// force rises.
+/// A baseline differs from a straight line by less than this part of its fall, and a force that rises rises by more.
 const SEEN: f64 = 0.05;
 
 /// Tells whether a force falls along a straight line while the bodies come closer, and rises only near the
 /// end. With the signs of height or force turned, this would be no contact.
 pub fn is_tilted(kind: Kind, points: &[Point]) -> bool {
+    if kind != Kind::ForceHeight {
+        return false;
+    }
     let heights = || points.iter().map(|point| point.abscissa);
     let least = heights().fold(f64::INFINITY, f64::min);
     let range = heights().fold(f64::NEG_INFINITY, f64::max) - least;
@@ -22,7 +24,7 @@ pub fn is_tilted(kind: Kind, points: &[Point]) -> bool {
         let part = (1.0 - (point.abscissa - least) / range) * PARTS as f64;
         parts[(part as usize).min(PARTS - 1)].push(point.ordinate);
     }
-    if kind != Kind::ForceHeight || parts.iter().any(Vec::is_empty) {
+    if parts.iter().any(Vec::is_empty) {
         return false;
     }
     let forces: Vec<f64> = parts.into_iter().map(median).collect();
@@ -30,7 +32,7 @@ pub fn is_tilted(kind: Kind, points: &[Point]) -> bool {
     let line = |i: usize| forces[1] - fall * (i as f64 - 1.0) / (LAST as f64 - 1.0);
     let is_straight = (0..=LAST).all(|i| (forces[i] - line(i)).abs() <= SEEN * fall);
     let lowest = forces.iter().copied().fold(f64::INFINITY, f64::min);
-    is_straight && forces[PARTS - 1] - lowest > SEEN * fall
+    fall > 0.0 && is_straight && forces[PARTS - 1] - lowest > SEEN * fall
 }
 
 #[cfg(test)]

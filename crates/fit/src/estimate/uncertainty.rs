@@ -23,6 +23,10 @@ pub(crate) struct Uncertainty {
     pub covariance: DMatrix<f64>,
     /// The derivatives of the residuals with respect to the values in units of their sizes.
     pub jacobian: DMatrix<f64>,
+    /// A root of `(J^T J)^-1`, which keeps more digits.
+    factor: DMatrix<f64>,
+    /// The factor by which a robust loss widens the errors.
+    scatter: f64,
     /// The share of each residual that the fit follows, `diag J (J^T J)^-1 J^T`.
     pub leverages: Vec<f64>,
     /// The growth of the loss, as a number of standard deviations, at one standard error: 1 of
@@ -76,6 +80,8 @@ impl Uncertainty {
         Self {
             covariance: factor.tr_mul(&factor) * (scatter * scatter),
             jacobian,
+            factor,
+            scatter,
             leverages,
             growth: scatter * slope.sqrt(),
             orthonormal: left,
@@ -105,7 +111,8 @@ impl Uncertainty {
             .collect()
     }
 
-    /// Lists the combinations whose standard error is above [`UNDETERMINED`].
+    /// Lists the combinations whose standard error is above [`UNDETERMINED`]. A value that the data do not tell even with
+    /// all others known is listed alone, as its error would hide the others.
     pub fn undetermined(&self, names: &[String]) -> Vec<Combination> {
         let combination = |weights: Vec<(usize, f64)>| {
             let parts: Vec<&str> = weights.iter().map(|&(slot, _)| &*names[slot]).collect();
@@ -114,19 +121,22 @@ impl Uncertainty {
                 weights,
             }
         };
-        // No datum depends on a value whose variance overflows, and with it there are no eigenvectors.
-        let is_finite = |&slot: &usize| self.covariance[(slot, slot)].is_finite();
-        let (slots, lost): (Vec<usize>, Vec<usize>) = (0..self.sizes.len()).partition(is_finite);
+        let is_told = |&slot: &usize| {
+            let alone = self.scatter / self.jacobian.column(slot).norm();
+            alone <= UNDETERMINED
+        };
+        let (slots, lost): (Vec<usize>, Vec<usize>) = (0..self.sizes.len()).partition(is_told);
         let lost = lost.into_iter().map(|slot| vec![(slot, 1.0)]);
         if slots.is_empty() {
             return lost.map(combination).collect();
         }
-        let covariance = self.covariance.select_rows(&slots);
-        let eigen = covariance.select_columns(&slots).symmetric_eigen();
-        let large = (0..slots.len()).filter(|&k| eigen.eigenvalues[k].sqrt() > UNDETERMINED);
+        let svd = self.factor.select_columns(&slots).svd(false, true);
+        let directions = svd.v_t.expect("it was asked for");
+        let large =
+            (0..slots.len()).filter(|&k| self.scatter * svd.singular_values[k] > UNDETERMINED);
         let weights = large.map(|k| {
-            let column = eigen.eigenvectors.column(k);
-            let weights = slots.iter().copied().zip(column.iter().copied());
+            let direction = directions.row(k);
+            let weights = slots.iter().copied().zip(direction.iter().copied());
             weights.filter(|(_, weight)| weight.abs() > LIGHT).collect()
         });
         lost.chain(weights).map(combination).collect()
@@ -173,15 +183,25 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_changes_nothing_hides_no_combination() {
-        // The first two change all ordinates alike, the third none.
-        let jacobian = DMatrix::from_fn(9, 3, |i, j| [1.0, 1.0 + 1e-3 * i as f64, 0.0][j]);
-        let uncertainty =
-            Uncertainty::new(jacobian, &DVector::zeros(9), Loss::Squares, vec![1.0; 3]);
-        let names = ["a", "b", "c"].map(String::from);
-        let found = uncertainty.undetermined(&names);
-        let texts: Vec<&str> = found.iter().map(|one| one.text.as_str()).collect();
-        assert_eq!(texts, ["c", "a and b"]);
-        assert_eq!(found[0].weights, [(2, 1.0)]);
+    fn what_changes_next_to_nothing_hides_no_combination() {
+        for tiny in [0.0, 1e-100, 1e-20, 1e-12, 1e-9] {
+            // The first two change all ordinates alike, the last one hardly any.
+            let row = |i: usize| {
+                [
+                    1.0,
+                    1.0 + 1e-3 * i as f64,
+                    1e3 * (i as f64).sin(),
+                    tiny * i as f64,
+                ]
+            };
+            let jacobian = DMatrix::from_fn(9, 4, |i, j| row(i)[j]);
+            let uncertainty =
+                Uncertainty::new(jacobian, &DVector::zeros(9), Loss::Squares, vec![1.0; 4]);
+            let names = ["a", "b", "c", "d"].map(String::from);
+            let found = uncertainty.undetermined(&names);
+            let texts: Vec<&str> = found.iter().map(|one| one.text.as_str()).collect();
+            assert_eq!(texts, ["d", "a and b"], "{tiny:e}");
+            assert_eq!(found[0].weights, [(3, 1.0)]);
+        }
     }
 }

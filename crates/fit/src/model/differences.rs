@@ -23,7 +23,8 @@ pub(crate) type ContactOf<'a> =
     dyn Fn(&Bodies, Option<&[Parameter]>) -> Result<Contact, Error> + 'a;
 
 impl Experiment {
-    /// Tells whether the derivatives of its predictions are exact, so that they need no further contacts.
+    /// Tells whether the derivatives of its predictions are exact, so that they need no further contacts but beyond the
+    /// nodes of a table.
     pub(crate) const fn has_exact_derivatives(&self) -> bool {
         self.bodies.has_derivatives() && !self.measurement.kind.is_stiffness()
     }

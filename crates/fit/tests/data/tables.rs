@@ -120,7 +120,7 @@ fn columns_are_named_by_heading_by_number_and_with_a_minus() {
 }
 
 #[test]
-fn segments_come_from_a_column_from_comments_from_headings_or_from_the_largest_load() {
+fn segments_come_from_a_column_from_comments_from_headings_or_from_the_course() {
     let directions = |text: &str, segments, only| {
         let format = Format {
             segments,

@@ -371,9 +371,9 @@ class Contact(Native):
             The same film between a rigid probe and a rigid substrate, if only the film relaxes: the
             error of that is estimated, and above 2 % refused.
         tolerance : float, optional
-            The tolerance relative to the largest load, radius and penetration, from 1e-10 to 1e-2;
-            by default 1e-8, and 1e-5 where the contact grows again after a retract, under a load
-            that falls and for heights.
+            The tolerance relative to the largest load, radius and penetration, from 1e-10 to 1e-2.
+            Without one the error is as near to 1e-8 as possible, or to 1e-5 where the contact grows
+            again after a retract, under a load that falls and for heights; above 0.5 it is raised.
 
         Returns
         -------

@@ -144,8 +144,8 @@ class HistoryStates(Columns):
         The estimated largest error of the columns, in parts of the largest value of each. That of
         the elastic curve adds.
     unlike_bodies : float
-        The bound of the error by bodies that do not relax, in parts of the largest load; 0 without
-        ``rigid``.
+        The bound of the error by bodies that do not relax: of the loads, in parts of the largest
+        one, or where loads are imposed of the penetrations; 0 without ``rigid``.
     """
 
     time: Array

@@ -43,7 +43,8 @@ class Probe(Native):
         They are infinite where the probe has no surface: beyond the radius of a sphere or a punch
         and beyond the last point of a profile.
         """
-        return scalar_or_array(self._height(np.abs(real("r", r))))
+        at = np.abs(real("r", r))
+        return scalar_or_array(np.where(np.isnan(at), at, self._height(at)))
 
     def _height(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
         raise NotImplementedError

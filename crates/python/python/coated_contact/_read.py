@@ -91,9 +91,9 @@ def read_experiment(
         ``"phase_shift"`` or ``"loss_stiffness"``. A minus before it turns the sign. Where approach
         and retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}
-        Where the directions come from: the file; where the height or the penetration turns back,
-        and at radii the largest load; or by default from the file, and heights without a direction
-        are split where they turn back.
+        ``"file"``: directions come from the file. ``"split"``: the points are split at the turn of
+        the height, penetration or load that is the abscissa, and at contact radii at the largest
+        ordinate. ``"auto"``: from the file, and heights without a direction are split.
     only : {"approach", "retract"}, optional
         The only direction that is kept. Of a contact stiffness at loads or depths it is the
         approach, unless another is asked for.

@@ -193,7 +193,7 @@ class Stack(Native):
         It has sublayers of equal thickness, each of the solid at its middle height. The error falls
         with the square of their number: for an exponential gradient of 20:1 on a base like its
         lower face, 40 sublayers give at most 2.6e-3, 1.1e-3 and 3.3e-4 at a/t of 0.3, 1 and 5 for
-        Poisson ratios from 0 to 0.5, and a fifth of that where the film is incompressible.
+        Poisson ratios from 0 to 0.5, and a quarter of that where the film is incompressible.
 
         Parameters
         ----------

@@ -51,8 +51,8 @@ class Model(LmfitModel):  # type: ignore[misc]
 
     At the abscissae of the experiment the branch of each point is read from its data, as
     :func:`coated_contact.branches` does, and points in a jump do not count. At other abscissae the
-    model decides; a relaxation and ``"stiffness-depth"``, which need the time or the load of each
-    point, have none there.
+    model decides. Under a relaxation, and of the kind ``"stiffness-depth"``, there is no model at
+    other abscissae: it needs the time or the load of each point.
 
     Parameters
     ----------

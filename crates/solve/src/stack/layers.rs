@@ -96,7 +96,7 @@ impl Stack {
     /// The error falls with the square of the number of sublayers. Measured for an exponential
     /// gradient of 20:1 on a base like its lower face (`tests/truth/stack_limits.rs`): with 40
     /// sublayers at most 2.6e-3, 1.1e-3 and 3.3e-4 at `a/t` of 0.3, 1 and 5 for Poisson ratios from 0 to
-    /// 0.5, and a fifth of that where the film is incompressible.
+    /// 0.5, and a quarter of that where the film is incompressible.
     ///
     /// # Errors
     /// As [`Stack::new`].

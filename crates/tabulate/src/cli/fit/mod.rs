@@ -109,9 +109,9 @@ pub struct Arguments {
     #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
-    /// `segment: retract` or headings of the file (file), or where the height or the penetration turns
-    /// back, and at radii the largest load (split). auto: from the file, and heights without a direction
-    /// are split
+    /// `segment: retract` or headings of the file (file), or the turn of the height, penetration or load
+    /// that is the abscissa, and at contact radii the largest ordinate (split). auto: from the file, and
+    /// heights without a direction are split
     #[arg(long, default_value = "auto", value_parser = one_of([
         ("auto", Segments::Auto),
         ("file", Segments::File),

@@ -25,6 +25,7 @@ pub fn doubted(error: ::fit::Error, files: &[Experiment], notes: &[Notes]) -> an
                 .flat_map(|notes| &notes.unused_times)
                 .map(|heading| format!("--column \"time={heading}\""))
                 .collect();
+            columns.sort_unstable();
             columns.dedup();
             let columns = columns.join(" or ");
             anyhow!(

@@ -39,9 +39,9 @@ use super::table_name::{self, TableName};
 /// the square of the contact radius, or of the thickness of a thin film. Measure at two radii: a
 /// material has the same relaxation times at both.
 ///
-/// The errors of loads, radii and penetrations are within the tolerance, each relative to the largest
-/// one; the error of the elastic curve adds to it. Without --tolerance a comment line on standard
-/// error names an estimated error above 1e-8.
+/// The errors of loads, radii and penetrations are within a --tolerance, each relative to the largest
+/// one; the error of the elastic curve adds to it. Without one a comment line on standard error names
+/// an estimated error above 1e-8; one above 0.5 ends the command.
 ///
 /// Values that are not given are those of the paper, and a comment line on standard error names
 /// them, as in `tabulate curve`; the work of adhesion is 0.
@@ -81,8 +81,8 @@ pub struct Arguments {
     /// Take sphere and substrate to relax like the film
     #[arg(long)]
     all_relax: bool,
-    /// Tolerance of loads, radii and penetrations, relative to the largest of each [default: 1e-8; 1e-5
-    /// where the contact grows again after a retract, under a load that falls, and for heights]
+    /// Tolerance of loads, radii and penetrations, relative to the largest of each [without one: as near to 1e-8 as
+    /// possible; to 1e-5 where the contact grows again after a retract, under a load that falls, and for heights]
     #[arg(long, value_parser = quantity::number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
@@ -228,7 +228,8 @@ impl Arguments {
             match follow(&contact, rigid.as_ref()) {
                 Err(HistoryError::Contact(
                     error @ contact::Error::OutsideRadii {
-                        at_sphere: false, ..
+                        at_end_of_probe: false,
+                        ..
                     },
                 )) => {
                     refused = Some(error);
@@ -236,7 +237,15 @@ impl Arguments {
                 done => return Ok(done?),
             }
         }
-        Err(refused.map_or_else(|| anyhow!("no range of contact radii"), Into::into))
+        Err(refused.map_or_else(
+            || {
+                anyhow!(
+                    "the flat end of the probe, {flat:?} m, is more than 512 times as wide as the film is thick, which is \
+                     beyond direct solves: give a TABLE, or leave out the film"
+                )
+            },
+            Into::into,
+        ))
     }
 
     fn follow(

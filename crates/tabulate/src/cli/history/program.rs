@@ -99,7 +99,7 @@ impl Program {
         let mut times = (0..header.len()).filter(|&i| header[i] == *"time");
         let (Some(of_time), None) = (times.next(), times.next()) else {
             bail!(
-                "the columns are {}: there must be one named time, in seconds",
+                "the columns are {}: there must be one column named time (s)",
                 names(&header)
             )
         };
