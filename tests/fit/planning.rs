@@ -140,7 +140,7 @@ fn a_forecast_tells_the_errors_of_the_fit() {
     }
     approach.work_of_adhesion_receding = Some(0.05);
     let receding = Free::new(Parameter::WorkOfAdhesionReceding);
-    let free: Vec<Free> = lens.free.iter().cloned().chain([receding]).collect();
+    let free: Vec<Free> = lens.free.iter().copied().chain([receding]).collect();
     let lost = forecast(Table::embedded(), &[approach], &free).expect("sound");
     let mut texts: Vec<&str> = lost.undetermined.iter().map(|one| &*one.text).collect();
     assert_eq!(texts.remove(0), "work-of-adhesion-receding");
