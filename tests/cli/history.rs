@@ -17,7 +17,7 @@ fn rows(workdir: &Workdir, arguments: &str) -> Data {
 /// A cone with a flat end of 1 um.
 const FLAT: &str = "history --probe=flat-ended-cone --half-angle=70 --sphere-radius=1um --sphere-modulus=inf \
      --film-modulus=1kPa --film-poisson-ratio=0.5 --substrate-modulus=inf --relaxation=power-law -n=0.2 \
-     --program='penetration 0:0 1:1nm'";
+     --program 'penetration 0:0 1:1nm'";
 
 const PROGRAM: &str = "--program 'penetration 0:0 1:1um 2:1um 3:0'";
 
