@@ -68,7 +68,7 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         bare.csv |  | such as "um" of contact_radius; type --column "contact_radius=1 [UNIT]" --column "load=2 [UNIT]", with the unit of the numbers in place of UNIT, such as mN or um
         volts.csv |  | type --stiffness N/m --sensitivity m/V
         unit.csv |  | no unit; name its unit, such as "um"; type --column "contact_radius=Radius [UNIT]", with the unit of the numbers
-        separation.csv |  | (a separation, from which the deflection is already taken off); type --kind force-height --column "height=Separation (nm)" --stiffness 1e9N/m
+        separation.csv |  | (a separation, from which the deflection is taken off); type --kind force-height --column "height=Separation (nm)" --stiffness 1e9N/m
         hc.csv | --kind stiffness-depth | (a contact depth, which is less than the penetration); type --column "penetration=hc (nm)" --epsilon 0
         durchmesser.csv |  | "Kontaktdurchmesser (mm)" (a length, to be converted); and name the quantity and its unit in the heading
         phase.csv |  | sideways; type --segments split

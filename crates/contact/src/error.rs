@@ -72,7 +72,7 @@ pub enum Error {
     /// A motion of the contact line that takes too many steps, or steps that vanish.
     #[error(
         "the contact line has been followed to {time:?} s of the ramp in {steps} steps, and no further; divide the ramp \
-         into several, or give a larger tolerance"
+         into several, give a larger tolerance, or take a law whose speed rises less steeply"
     )]
     Motion {
         /// The time from the beginning of the ramp up to which it was followed, s.

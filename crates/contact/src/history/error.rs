@@ -6,8 +6,8 @@ use crate::Error;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HistoryError {
-    /// A parameter of a relaxation function that no solid has.
-    #[error("{name} = {value:?} is not that of a solid: it must be {allowed}")]
+    /// A parameter that no relaxation function has.
+    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
     Law {
         /// The name of the parameter.
         name: &'static str,
@@ -119,8 +119,12 @@ pub enum HistoryError {
     MeasuredLoad,
     /// A tolerance that is not reached.
     #[error(
-        "the tolerance {tolerance:?} is not reached: in the finest run the error is about {reached:.1e} of \
-         the largest load and contact radius; give a tolerance above that"
+        "the tolerance {tolerance:?} is not reached; {}",
+        if reached.is_finite() {
+            format!("give one above {reached:.1e}, in parts of the largest load and contact radius")
+        } else {
+            "no error can be stated for this program: give one with fewer turns, or with longer steps".to_owned()
+        }
     )]
     Unreached {
         /// The tolerance asked for.

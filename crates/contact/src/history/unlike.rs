@@ -22,7 +22,7 @@ const DIGITS: f64 = 1e-4;
 
 impl<L: CrackTip> History<'_, L> {
     /// Returns the bound of the error by bodies that do not relax in a measured history, in parts of
-    /// the largest load; 0 unless [`History::beside`] is told of them.
+    /// the largest load; 0 unless [`History::beside`] is told of them. Contact radii may be wrong by more.
     ///
     /// # Errors
     /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::OtherBodies`] if the rigid bodies are
@@ -46,9 +46,8 @@ impl<L: CrackTip> History<'_, L> {
         if !rigid.bodies.are_rigid_beside(&self.contact.bodies) {
             return Err(HistoryError::OtherBodies);
         }
-        let largest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0, f64::max);
-        let deepest = largest(&mut states.iter().map(|at| at.state.penetration));
-        if deepest == 0.0 {
+        let deepest = largest(states.iter().map(|at| at.state.penetration));
+        if deepest <= 0.0 {
             return Ok(0.0);
         }
         let load = |contact: &Contact| -> Result<f64, HistoryError> {
@@ -59,26 +58,20 @@ impl<L: CrackTip> History<'_, L> {
         if chi <= 0.0 {
             return Ok(0.0);
         }
-        let (what, unit, departures) = if control == Control::Load {
+        let (what, unit, departure) = if control == Control::Load {
             let departures = states.iter().map(|at| self.departure(&at.state));
-            (
-                "penetration",
-                deepest,
-                departures.collect::<Result<Vec<f64>, _>>()?,
-            )
+            let departures: Result<Vec<f64>, _> = departures.collect();
+            ("penetration", deepest, largest(departures?))
         } else {
             let loads: Vec<f64> = states.iter().map(|at| at.state.load).collect();
             let pairs = self.relaxed_again(&loads, states).into_iter().zip(&loads);
-            let departures = pairs
-                .map(|(relaxed, load)| (relaxed - load).abs())
-                .collect();
+            let departure = largest(pairs.map(|(relaxed, load)| (relaxed - load).abs()));
             (
                 "load",
-                largest(&mut loads.iter().map(|load| load.abs())),
-                departures,
+                largest(loads.iter().map(|load| load.abs())),
+                departure,
             )
         };
-        let departure = departures.into_iter().fold(0.0, larger);
         let bound = if departure == 0.0 {
             0.0
         } else {
@@ -106,9 +99,7 @@ impl<L: CrackTip> History<'_, L> {
     /// Returns `int phi(t-s) dF(s)` at the times of the states, between which the loads `F` are straight.
     fn relaxed_again(&self, loads: &[f64], states: &[TimedContact]) -> Vec<f64> {
         let steps = states.windows(2).map(|pair| pair[1].time - pair[0].time);
-        let shortest = steps
-            .filter(|step| *step > 0.0)
-            .fold(f64::INFINITY, f64::min);
+        let shortest = steps.fold(f64::INFINITY, f64::min);
         let duration = states[states.len() - 1].time - states[0].time;
         let law = Exponentials::of_steps(&self.relaxation, [shortest, duration], DIGITS);
         let mut memory = vec![0.0; law.len()];
@@ -129,7 +120,7 @@ impl<L: CrackTip> History<'_, L> {
     }
 }
 
-/// Returns the larger of two numbers, NaN if one of them is.
-const fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b <= a { a } else { b }
+/// Returns the largest number, NaN if there is one.
+fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().max_by(f64::total_cmp).unwrap_or(0.0)
 }

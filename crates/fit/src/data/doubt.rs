@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::Notes;
 use super::assignment::Pair;
-use super::number::Commas;
+use super::number::Marks;
 use super::segment::Split;
 use super::sign::{Sign, sign};
 use super::tilt::is_tilted;
@@ -127,14 +127,14 @@ pub fn doubts(
             Doubt::Sign(sign)
         }
     });
-    let commas = match notes.commas {
-        Commas::Unclear => Some(Doubt::Commas),
-        Commas::UnclearPoints => Some(Doubt::Points),
-        Commas::None | Commas::Decimal => None,
+    let marks = match notes.marks {
+        Marks::UnclearCommas => Some(Doubt::Commas),
+        Marks::UnclearPoints => Some(Doubt::Points),
+        Marks::Points | Marks::Commas => None,
     };
     let course = || course(points, pair, notes.split);
     let course = if paused { None } else { course() };
-    sign.into_iter().chain(commas).chain(course).collect()
+    sign.into_iter().chain(marks).chain(course).collect()
 }
 
 /// Returns the doubt that the points are several curves, or that their directions are wrong. A curve

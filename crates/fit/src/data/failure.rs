@@ -92,19 +92,16 @@ impl fmt::Display for Found {
         write!(f, "{:?}", self.heading)?;
         match (self.role, self.unit, &self.unknown) {
             (Some(role), ..) => write!(f, " ({})", role.name()),
-            (None, Some(_), _) if self.reduced == Some(Reduced::ContactDepth) => {
-                write!(f, " (a contact depth, which is less than the penetration)")
-            }
-            (None, Some(_), _) if self.reduced == Some(Reduced::Separation) => {
-                write!(
-                    f,
-                    " (a separation, from which the deflection is already taken off)"
-                )
-            }
-            (None, Some(unit), _) if self.is_derived => {
-                write!(f, " ({}, to be converted)", unit.dimension)
-            }
-            (None, Some(unit), _) => write!(f, " ({})", unit.dimension),
+            (None, Some(unit), _) => match self.reduced {
+                Some(Reduced::ContactDepth) => {
+                    write!(f, " (a contact depth, which is less than the penetration)")
+                }
+                Some(Reduced::Separation) => {
+                    write!(f, " (a separation, from which the deflection is taken off)")
+                }
+                None if self.is_derived => write!(f, " ({}, to be converted)", unit.dimension),
+                None => write!(f, " ({})", unit.dimension),
+            },
             (None, None, Some(unknown)) => write!(f, " ({unknown:?} is not a known unit)"),
             (None, None, None) => Ok(()),
         }

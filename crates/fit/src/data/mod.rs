@@ -58,7 +58,7 @@ pub use doubt::Doubt;
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue, Untold};
 pub use heading::Reduced;
-pub use number::Commas;
+pub use number::Marks;
 pub use remedy::{Named, RIGID, Remedy};
 pub use segment::Split;
 pub use source::Source;
@@ -153,8 +153,8 @@ pub struct Notes {
     pub blocks: u64,
     /// How the points were split, if they were.
     pub split: Option<Split>,
-    /// What the commas of numbers are.
-    pub commas: Commas,
+    /// The decimal marks of the numbers.
+    pub marks: Marks,
     /// What the head of the file tells of the cantilever.
     pub head: Head,
     /// The cantilever that was used: the one given, completed by the head.

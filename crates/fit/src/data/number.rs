@@ -8,17 +8,17 @@ pub struct DecimalMark {
     surely_decimal: bool,
 }
 
-/// What the commas of numbers are, or their points.
+/// The decimal marks of numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Commas {
-    /// There are none.
+pub enum Marks {
+    /// Points, or none.
     #[default]
-    None,
-    /// Decimal marks.
-    Decimal,
-    /// Read as decimal marks, although each could part thousands: `41,250`.
-    Unclear,
-    /// There are none, and each point could part thousands: `41.250`.
+    Points,
+    /// Commas.
+    Commas,
+    /// Commas, of which each could part thousands: `41,250`.
+    UnclearCommas,
+    /// Points, of which each could part thousands: `41.250`.
     UnclearPoints,
 }
 
@@ -60,13 +60,13 @@ const PLACEHOLDER: f64 = 1e300;
 const UNUSUAL: [char; 4] = ['\u{2212}', '\u{2013}', 'D', 'd'];
 
 impl DecimalMark {
-    /// Returns what the commas of the numbers are that were read.
-    pub fn commas(self) -> Commas {
+    /// Returns the decimal marks of the numbers that were read.
+    pub fn marks(self) -> Marks {
         match self.mark {
-            Some(Mark::Comma) if self.surely_decimal => Commas::Decimal,
-            Some(Mark::Comma) => Commas::Unclear,
-            Some(Mark::Point) if !self.surely_decimal => Commas::UnclearPoints,
-            _ => Commas::None,
+            Some(Mark::Comma) if self.surely_decimal => Marks::Commas,
+            Some(Mark::Comma) => Marks::UnclearCommas,
+            Some(Mark::Point) if !self.surely_decimal => Marks::UnclearPoints,
+            _ => Marks::Points,
         }
     }
 
@@ -191,24 +191,24 @@ mod tests {
         assert_eq!(mark.read(" -1,5e-3 "), Cell::Number(-1.5e-3));
         assert_eq!(mark.read("1.5"), Cell::OtherMark);
         assert_eq!(mark.read("1,5"), Cell::Number(1.5));
-        assert_eq!(mark.commas(), Commas::Decimal);
+        assert_eq!(mark.marks(), Marks::Commas);
         let mut unclear = DecimalMark::default();
         assert_eq!(unclear.read("-41,250"), Cell::Number(-41.25));
-        assert_eq!(unclear.commas(), Commas::Unclear);
+        assert_eq!(unclear.marks(), Marks::UnclearCommas);
         assert_eq!(unclear.read("0,250"), Cell::Number(0.25));
-        assert_eq!(unclear.commas(), Commas::Decimal);
+        assert_eq!(unclear.marks(), Marks::Commas);
         let mut point = DecimalMark::default();
         assert_eq!(point.read(".5"), Cell::Number(0.5));
-        assert_eq!(point.commas(), Commas::None);
+        assert_eq!(point.marks(), Marks::Points);
         assert_eq!(point.read("1,5"), Cell::OtherMark);
         assert_eq!(point.thousands("1,5"), None);
         assert_eq!(point.thousands("1,500"), Some(','));
         let mut unclear = DecimalMark::default();
         assert_eq!(unclear.read("-41.250"), Cell::Number(-41.25));
-        assert_eq!(unclear.commas(), Commas::UnclearPoints);
+        assert_eq!(unclear.marks(), Marks::UnclearPoints);
         assert_eq!(unclear.thousands("1,5"), Some('.'));
         assert_eq!(unclear.read("0.250"), Cell::Number(0.25));
-        assert_eq!(unclear.commas(), Commas::None);
+        assert_eq!(unclear.marks(), Marks::Points);
     }
 
     #[test]

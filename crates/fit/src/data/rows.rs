@@ -11,7 +11,7 @@ use super::head::{Head, Untold};
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles, is_words, titles};
 use super::lines::Lines;
-use super::number::{Cell, Commas, DecimalMark};
+use super::number::{Cell, DecimalMark, Marks};
 use super::points::{Block, join};
 use super::segment::Segment;
 use super::source::Source;
@@ -374,12 +374,12 @@ impl Rows<'_> {
         self.check_head()?;
         // Between semicolons commas are decimal marks as a rule, and points may part thousands.
         let is_clear = self.delimiter != Delimiter::Semicolon;
-        let commas = match self.mark.commas() {
-            Commas::UnclearPoints if is_clear => Commas::None,
-            commas => commas,
+        let marks = match self.mark.marks() {
+            Marks::UnclearPoints if is_clear => Marks::Points,
+            marks => marks,
         };
         let notes = Notes {
-            commas,
+            marks,
             missing: self.missing,
             pauses: self.pauses,
             untimed: self.untimed,

@@ -22,7 +22,7 @@ pub use self::indentation::a_over_t;
 pub use self::jkr_plot::{JkrPlotPoint, jkr_plot};
 pub use self::unit::UnitOf;
 use self::unit::{decimals, scaled, unit, with_error};
-use crate::data::{Commas, Notes, Source};
+use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
     Bodies, Combination, Direction, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias,
@@ -158,7 +158,7 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
     if let Some(split) = notes.split {
         text += &format!("; split {split}");
     }
-    if matches!(notes.commas, Commas::Decimal | Commas::Unclear) {
+    if matches!(notes.marks, Marks::Commas | Marks::UnclearCommas) {
         text += "; commas are decimal";
     }
     for value in notes.from_head() {

@@ -141,7 +141,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let radii = course.states.iter().map(|at| at.state.contact_radius);
     bodies.note_large_contact(radii.fold(0.0, f64::max));
-    arguments.warn(&bodies.system, program.imposed, &course);
+    arguments.warn(&bodies.system, &course);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["time", "penetration", "load", "contact_radius", "phase"])?;
     for time in times {
@@ -241,7 +241,7 @@ impl Arguments {
             || {
                 anyhow!(
                     "the flat end of the probe, {flat:?} m, is more than 512 times as wide as the film is thick, which is \
-                     beyond direct solves: give a TABLE, or leave out the film"
+                     beyond direct solves: give a TABLE whose a_over_t goes beyond it"
                 )
             },
             Into::into,
@@ -288,7 +288,7 @@ impl Arguments {
     }
 
     /// Says what is doubtful, and how exact the numbers are.
-    fn warn(&self, system: &System, imposed: Imposed, course: &Course) {
+    fn warn(&self, system: &System, course: &Course) {
         if course.error > self.tolerance.unwrap_or(TOLD) {
             // `eprintln` panics where standard error is closed.
             let _ = writeln!(
@@ -298,14 +298,9 @@ impl Arguments {
             );
         }
         if course.unlike_bodies > UNLIKE {
-            let what = if imposed == Imposed::Load {
-                "penetration"
-            } else {
-                "load"
-            };
             note(&format!(
-                "warning: sphere or substrate deform beside the film and do not relax: the {what}s may be wrong by {:.1e} \
-                 of the largest {what}",
+                "warning: sphere or substrate deform beside the film and do not relax: the loads, or the penetrations where \
+                 loads are imposed, may be wrong by {:.1e} of the largest, and contact radii by more",
                 course.unlike_bodies
             ));
         }
