@@ -83,7 +83,7 @@ fn wrong_usage_ends_with_2_and_failed_work_with_1() {
 const EXAMPLE: &str = "  tabulate";
 
 /// Examples that take too long for a test. Other tests run most of these commands on smaller input.
-const LONG: [&str; 11] = [
+const LONG: [&str; 12] = [
     "tabulate generate                                  # the default scene: a million contacts",
     "tabulate report tables/paper.h5 -o paper.html",
     "tabulate report embedded -o report.html",
@@ -92,6 +92,7 @@ const LONG: [&str; 11] = [
     "tabulate plot error-map tables/paper.h5 -o errors.svg",
     "tabulate cost solve -o solve.csv",
     "tabulate cost table --budget 20 -o table.csv",
+    "tabulate cost table --to 1e-4",
     "tabulate cost lookup tables/paper.h5 -o lookup.csv",
     "tabulate cost effects tables/incompressible.toml --tolerance 1e-3 --points 1000",
     "tabulate cost history -o history.csv",
