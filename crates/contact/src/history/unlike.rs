@@ -120,7 +120,9 @@ impl<L: CrackTip> History<'_, L> {
     }
 }
 
-/// Returns the largest number, NaN if there is one.
+/// Returns the largest number and at least 0; NaN if there is one. An order of all floats would put a NaN with a minus
+/// sign first, and lose it.
 fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    numbers.into_iter().max_by(f64::total_cmp).unwrap_or(0.0)
+    let larger = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
+    numbers.into_iter().fold(0.0, larger)
 }
