@@ -100,7 +100,7 @@ const REFUSED: [(&str, &str, &str); 6] = [
 ];
 
 /// Every number of every file of measurements is replaced by numbers that no measurement gives. The
-/// figure and the summary either show it, or name the line and the column.
+/// figure or the summary, by turns, either shows it, or names the line and the column.
 #[test]
 fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
     let workdir = workdir!();
@@ -110,7 +110,7 @@ fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
         let header: Vec<&str> = text.lines().next().expect("a header").split(',').collect();
         let (mut refused, mut shown) = (0, 0);
         for (column, name) in header.iter().enumerate() {
-            for value in ["0", "inf", "-1", "1e300", "NaN"] {
+            for (i, value) in ["0", "inf", "-1", "1e300", "NaN"].into_iter().enumerate() {
                 let line = write_with(&workdir, costs, 1, column, value);
                 if REFUSED.contains(&(costs, name, value)) {
                     let message =
@@ -119,33 +119,32 @@ fn a_measurement_that_cannot_be_shown_is_named_with_its_line_and_column() {
                     assert_names(&message, &["costs.csv", &words]);
                     named += 1;
                 }
-                for command in [
-                    &format!("plot {figure} --data costs.csv -o x.svg"),
-                    &format!("cost {costs} --data costs.csv"),
-                ] {
-                    let run = workdir.run(command);
-                    if run.status == 0 {
-                        shown += 1;
-                        continue;
-                    }
-                    refused += 1;
-                    assert_eq!(
-                        (run.status, run.stdout.as_str()),
-                        (1, ""),
-                        "{name} = {value}"
-                    );
-                    let place = [format!("line {line}"), format!("line: {line}")];
-                    assert!(
-                        place.iter().any(|place| run.stderr.contains(place))
-                            || run.stderr.contains("there is no row")
-                            || run.stderr.contains("each row must save"),
-                        "{name} = {value}: {run:?}"
-                    );
+                let run = workdir.run(if (column + i).is_multiple_of(2) {
+                    format!("plot {figure} --data costs.csv -o x.svg")
+                } else {
+                    format!("cost {costs} --data costs.csv")
+                });
+                if run.status == 0 {
+                    shown += 1;
+                    continue;
                 }
+                refused += 1;
+                assert_eq!(
+                    (run.status, run.stdout.as_str()),
+                    (1, ""),
+                    "{name} = {value}"
+                );
+                let place = [format!("line {line}"), format!("line: {line}")];
+                assert!(
+                    place.iter().any(|place| run.stderr.contains(place))
+                        || run.stderr.contains("there is no row")
+                        || run.stderr.contains("each row must save"),
+                    "{name} = {value}: {run:?}"
+                );
             }
         }
         let _ = writeln!(report, "{costs}: {refused} refused, {shown} shown");
-        assert!(refused > 50);
+        assert!(refused > 25);
     }
     print!("{report}");
     assert_eq!(named, REFUSED.len());

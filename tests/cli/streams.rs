@@ -72,7 +72,7 @@ fn an_error_names_the_first_wrong_line_and_leaves_no_file() {
 }
 
 /// The memory that the program may map. With all points in memory it took six times as much for
-/// the points of this test.
+/// twice the points of this test.
 const MEMORY: usize = 300_000;
 
 fn within_memory(workdir: &Workdir, command: &str) {
@@ -84,7 +84,7 @@ fn within_memory(workdir: &Workdir, command: &str) {
 
 #[test]
 fn memory_does_not_grow_with_the_number_of_points() {
-    const COUNT: usize = 1_000_000;
+    const COUNT: usize = 500_000;
     let workdir = workdir!();
     let table = paper_table();
     workdir.write(

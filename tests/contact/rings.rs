@@ -8,15 +8,16 @@ use contact::Control;
 use interp::{Probe, System};
 use solve::Compliance;
 
-/// The number of rings.
+/// The number of rings, and the radius where the last one ends.
 const RINGS: usize = 160;
+const LARGEST_RADIUS: f64 = 1.15;
 /// The number of wave numbers, and the largest `k t`. `X - 1` is below 1e-9 beyond.
 const WAVES: usize = 1200;
 const LARGEST: f64 = 14.0;
 
 /// Bessel's functions `J0` and `J1`, by the trapezoidal rule on their integrals over a period.
 fn bessel(x: f64) -> [f64; 2] {
-    let count = 48 + 2 * x as usize;
+    let count = 24 + x as usize;
     let angles = (0..count).map(|i| PI * (i as f64 + 0.5) / count as f64);
     let (j0, j1) = angles.fold((0.0, 0.0), |(j0, j1), angle| {
         let phase = x * angle.sin();
@@ -52,13 +53,21 @@ fn under_disc(radius: f64, r: f64) -> f64 {
         }
 }
 
-/// Returns the load of a rigid probe at a penetration, with contacts below `most`.
-fn load(system: &System, shape: &dyn Fn(f64) -> f64, penetration: f64, most: f64) -> f64 {
+/// Returns the radii where the rings end, with that of the centre, and their middles.
+fn radii() -> [Vec<f64>; 2] {
+    let step = LARGEST_RADIUS / RINGS as f64;
+    [
+        (0..=RINGS).map(|i| step * i as f64).collect(),
+        (0..RINGS).map(|i| step * (i as f64 + 0.5)).collect(),
+    ]
+}
+
+/// Returns, at `[i][r]`, the displacement at the middle of the ring `r` under a pressure of the film's reduced modulus on
+/// the disc of the first `i` rings.
+fn displacements(system: &System) -> Vec<Vec<f64>> {
     let compliance = Compliance::new(&system.material().expect("physical"));
     let t = system.film_thickness;
-    let step = most / RINGS as f64;
-    let ends: Vec<f64> = (0..=RINGS).map(|i| step * i as f64).collect();
-    let middles: Vec<f64> = (0..RINGS).map(|i| step * (i as f64 + 0.5)).collect();
+    let [ends, middles] = radii();
     // The film adds `2 (X - 1)` times the transform of the pressure, by Simpson's rule.
     let waves: Vec<(f64, f64)> = (1..=WAVES)
         .map(|i| {
@@ -100,9 +109,14 @@ fn load(system: &System, shape: &dyn Fn(f64) -> f64, penetration: f64, most: f64
             under_disc(ends[i], middles[r]) + film + first
         }
     };
-    let of_discs: Vec<Vec<f64>> = (0..=RINGS)
+    (0..=RINGS)
         .map(|i| (0..RINGS).map(|r| disc(i, r)).collect())
-        .collect();
+        .collect()
+}
+
+/// Returns the load of a rigid probe at a penetration as a share of the film's reduced modulus.
+fn load(of_discs: &[Vec<f64>], shape: &dyn Fn(f64) -> f64, penetration: f64) -> f64 {
+    let [ends, middles] = radii();
     // The contact is the rings with a positive pressure: take them off from outside.
     let mut count = RINGS;
     loop {
@@ -130,8 +144,7 @@ fn load(system: &System, shape: &dyn Fn(f64) -> f64, penetration: f64, most: f64
         let negative = pressure.iter().rev().take_while(|p| **p < 0.0).count();
         if negative == 0 {
             let area = |j: usize| PI * (ends[j + 1] * ends[j + 1] - ends[j] * ends[j]);
-            let sum: f64 = (0..count).map(|j| pressure[j] * area(j)).sum();
-            return sum * system.film.reduced();
+            return (0..count).map(|j| pressure[j] * area(j)).sum();
         }
         count -= negative.div_ceil(4);
     }
@@ -174,14 +187,16 @@ fn loads_are_those_of_rings_of_pressure() {
         ),
     ];
     for (film, substrate) in films {
+        let system_of = |probe: &Probe| rigid_probe(probe.clone(), film, t, substrate);
+        let of_discs = displacements(&system_of(&shapes[0].0));
         for (probe, shape) in &shapes {
-            let system = rigid_probe(probe.clone(), film, t, substrate);
+            let system = system_of(probe);
             let contact = looked_up(&system);
             let (_, penetration) = contact.load_and_penetration(1.0, 0.0).expect("in range");
             let equilibria = contact.equilibria(0.0, Control::Displacement);
             let expected = equilibria.and_then(|all| all.unloading(penetration));
             let expected = expected.expect("in range").load;
-            let found = load(&system, shape.as_ref(), penetration, 1.15);
+            let found = load(&of_discs, shape.as_ref(), penetration) * film.reduced();
             let miss = found / expected - 1.0;
             println!("{}: {miss:.1e}", probe.name());
             // The error of the rings falls like the square of their width.

@@ -91,7 +91,7 @@ fn flip(is_chosen: impl Fn(&[u8], usize) -> bool) {
 fn a_flipped_bit_is_an_error_or_leaves_the_numbers_as_they_are() {
     flip(|bytes, bit| {
         let before = &bytes[(bit / 8).saturating_sub(128)..(bit / 8 + 4).min(bytes.len())];
-        bit % 61 == 0 || before.windows(4).any(|found| found == b"TREE")
+        bit % 151 == 0 || before.windows(4).any(|found| found == b"TREE")
     });
 }
 
@@ -171,7 +171,7 @@ fn attack(cases: u64) {
 
 #[test]
 fn forged_files_are_an_error_or_the_same_numbers_in_little_memory() {
-    attack(20_000);
+    attack(6_000);
 }
 
 #[test]

@@ -269,7 +269,7 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
 fn no_state_is_lower_than_the_pull_off() {
     const STEP: f64 = 0.04;
     let mut without_contact = 0;
-    for seed in 1000..1000 + cases(40) {
+    for seed in 1000..1000 + cases(20) {
         let case = random(seed, [1e-2, 10.0]);
         let cohesive = case.cohesive();
         let Ok(found) = cohesive.pull_off(case.control) else {

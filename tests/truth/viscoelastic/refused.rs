@@ -83,6 +83,8 @@ fn the_bound_for_an_elastic_sphere_holds() {
     };
     let film = 1e3;
     let rigid = of(f64::INFINITY, film);
+    let softnesses =
+        [1e-3, 1e-2, 0.1, 1.0].map(|softness| (softness, of(film / 0.75 / softness, film)));
     let held = (
         Control::Displacement,
         [(0.0, 0.0), (1.0, 1e-7), (3.0, 1e-7)],
@@ -92,7 +94,7 @@ fn the_bound_for_an_elastic_sphere_holds() {
     let (mut answered, mut refused, mut closest) = (0, 0, 0.0);
     for relaxed in [0.1, 0.6, 0.95] {
         for time in [1e-6, 1e-3, 0.3, 100.0] {
-            for softness in [1e-3, 1e-2, 0.1, 1.0] {
+            for (softness, own) in &softnesses {
                 let solid_of = |relaxed: f64, time: f64| Relaxation::Prony {
                     relaxed,
                     terms: vec![[1.0 - relaxed, time]],
@@ -100,7 +102,6 @@ fn the_bound_for_an_elastic_sphere_holds() {
                 let law = solid_of(relaxed, time);
                 let left = (1.0 + softness) / (1.0 / relaxed + softness);
                 let summed = solid_of(left, time / relaxed * left);
-                let own = of(film / 0.75 / softness, film);
                 for (control, program) in [held, creep, falls] {
                     let part = |i: i32| f64::from(i) / 20.0 * program[2].0;
                     let mut times: Vec<f64> = (0..=20).map(part).chain([program[1].0]).collect();
