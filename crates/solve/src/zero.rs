@@ -141,7 +141,7 @@ pub mod tests {
         inner: f64,
         outer: f64,
     ) -> f64 {
-        const STEPS: usize = 1000;
+        const STEPS: usize = 4000;
         let ray = |angle: f64| {
             move |t: f64| Complex64::from_polar(inner * (outer / inner).powf(t), angle)
         };
