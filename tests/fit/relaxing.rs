@@ -7,6 +7,8 @@ use fit::{
     WarningKind, simulate,
 };
 use interp::{Probe, Table};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
 
 use crate::recovery::{SETS, assert_recovers};
 
@@ -289,7 +291,36 @@ fn units() {
     }
 }
 
-/// Noise of the penetrations in time is made monotone, and the change is told.
+/// Noise of the heights, everywhere or in one phase, neither turns the contact around nor changes what is found.
+#[test]
+fn heights_with_noise() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);
+    let plan = planned(Kind::ForceHeight, 1e-5, &power(), 0.5);
+    let phases: [fn(f64) -> bool; 3] = [|_| true, |t| (1.0..1.5).contains(&t), |t| t > 1.5];
+    for (phase, is_noisy) in phases.into_iter().enumerate() {
+        for (seed, noise) in [(1, 3e-10), (2, 1e-9), (3, 2e-9), (4, 2e-9)] {
+            let mut data = measured(&plan, seed);
+            let mut random = Pcg64Mcg::seed_from_u64(seed);
+            for (point, &time) in data.measurement.points.iter_mut().zip(&data.times) {
+                if is_noisy(time) {
+                    point.abscissa += 3.0_f64.sqrt() * noise * random.random_range(-1.0..1.0);
+                }
+            }
+            let found = fit_all(&[data], &free).expect("a fit");
+            for (estimate, truth) in found.estimates.iter().zip([2e3, 0.2, 3e-7]) {
+                let deviations = (estimate.value - truth) / estimate.standard_error;
+                let name = estimate.parameter.name();
+                assert!(
+                    deviations.abs() < 4.0,
+                    "{name}: {deviations:.1}, phase {phase}, {noise:e}"
+                );
+            }
+            assert!(!found.warns_of(WarningKind::NotMonotone));
+        }
+    }
+}
+
+/// Noise of the penetrations in time is taken off, and the change is told.
 #[test]
 fn a_penetration_that_goes_back_and_forth() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);

@@ -219,5 +219,11 @@ impl From<interp::Error> for Error {
 
 /// Lists the names of all parameters.
 fn names() -> String {
-    Parameter::ALL.map(Parameter::name).join(", ")
+    // Not by `map` of the array: the compiler takes longer for that than for the rest of the crate.
+    let names: Vec<_> = Parameter::ALL
+        .iter()
+        .copied()
+        .map(Parameter::name)
+        .collect();
+    names.join(", ")
 }

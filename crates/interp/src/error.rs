@@ -189,8 +189,8 @@ pub enum Error {
     #[error(
         "there is no derivative with respect to {0}: the contact does not depend on it, it is at \
          the end of its domain, the curve was made without it (make it with all derivatives), or the table \
-         fixes a parameter that the derivative needs (make a table whose scene gives e1_over_e2, nu1 \
-         and e0_over_e2 as ranges)"
+         fixes a parameter that the derivative needs (make a table whose scene gives a_over_t, e1_over_e2, \
+         nu1 and e0_over_e2 as ranges)"
     )]
     FixedParameter(&'static str),
     /// The gradient of a curve that was made without one.

@@ -128,9 +128,12 @@ impl Grid {
         }
     }
 
-    /// Returns `x dt/dx`.
+    /// Returns `x dt/dx`; NaN if the range is a single point, which does not tell how a function grows.
     #[inline]
     pub fn logarithmic_speed(&self, x: f64) -> f64 {
+        if self.range[0] == self.range[1] {
+            return f64::NAN;
+        }
         let (octave, mantissa) = split(x * self.factor);
         2.0 * mantissa * (1_u64 << self.octaves[octave].bits) as f64
     }

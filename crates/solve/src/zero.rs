@@ -133,6 +133,29 @@ pub mod tests {
     use super::*;
     use crate::compliance::SWITCH;
 
+    /// Returns by how much the argument of a function grows along a part of a path. A part along which it changes by
+    /// more than half a radian is halved.
+    fn turn(
+        function: &impl Fn(Complex64) -> Complex64,
+        path: &impl Fn(f64) -> Complex64,
+        [from, to]: [f64; 2],
+        [first, last]: [Complex64; 2],
+    ) -> f64 {
+        let turned = (last / first).arg();
+        if turned.abs() < 0.5 {
+            return turned;
+        }
+        let middle = 0.5 * (from + to);
+        assert!(
+            from < middle && middle < to,
+            "a zero on the path, at {}",
+            path(from)
+        );
+        let value = function(path(middle));
+        turn(function, path, [from, middle], [first, value])
+            + turn(function, path, [middle, to], [value, last])
+    }
+
     /// Returns how often a function winds around 0 along the boundary of the sector
     /// `arg q <= angle`, `inner <= |q| <= outer`.
     fn winding(
@@ -141,22 +164,21 @@ pub mod tests {
         inner: f64,
         outer: f64,
     ) -> f64 {
-        const STEPS: usize = 4000;
+        const STEPS: usize = 200;
+        let along = |path: &dyn Fn(f64) -> Complex64| -> f64 {
+            let at = |i: usize| i as f64 / STEPS as f64;
+            let values: Vec<Complex64> = (0..=STEPS).map(|i| function(path(at(i)))).collect();
+            (0..STEPS)
+                .map(|i| {
+                    let ends = [values[i], values[i + 1]];
+                    turn(&function, &path, [at(i), at(i + 1)], ends)
+                })
+                .sum()
+        };
         let ray = |angle: f64| {
             move |t: f64| Complex64::from_polar(inner * (outer / inner).powf(t), angle)
         };
         let arc = |radius: f64| move |t: f64| Complex64::from_polar(radius, angle * t);
-        let turned = |from: Complex64, to: Complex64| (function(to) / function(from)).arg();
-        let along = |path: &dyn Fn(f64) -> Complex64| -> f64 {
-            (0..STEPS)
-                .map(|i| {
-                    turned(
-                        path(i as f64 / STEPS as f64),
-                        path((i + 1) as f64 / STEPS as f64),
-                    )
-                })
-                .sum()
-        };
         (along(&ray(0.0)) + along(&arc(outer)) - along(&ray(angle)) - along(&arc(inner)))
             / (2.0 * PI)
     }

@@ -96,7 +96,8 @@ impl Terms<'_> {
                 })
             }
         }?;
-        Some(Derivatives { load, penetration })
+        // A table of a single a/t does not tell how the quantities grow with it.
+        (!load.is_nan()).then_some(Derivatives { load, penetration })
     }
 
     /// Returns what [`Self::by`] does. Loops over inputs call it: in a loop `by` would compute what any
@@ -118,6 +119,7 @@ impl Terms<'_> {
         match input {
             Input::WorkOfAdhesion => Some(0.0),
             Input::ContactRadius => None,
+            Input::SphereRadius | Input::FilmThickness if by_a_over_t.is_nan() => None,
             Input::SphereRadius => Some((1.0 + by_a_over_t) / self.a),
             Input::FilmThickness => Some(-by_a_over_t / self.thickness()?),
             _ => {

@@ -126,3 +126,21 @@ fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let larger = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
     numbers.into_iter().fold(0.0, larger)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_that_is_none_is_the_largest_wherever_it_stands() {
+        assert_eq!(largest([]), 0.0);
+        assert_eq!(largest([-2.0, 3.0, 1.0]), 3.0);
+        for nan in [f64::NAN, -f64::NAN] {
+            for place in 0..3 {
+                let mut numbers = [1.0, f64::INFINITY, 2.0];
+                numbers[place] = nan;
+                assert!(largest(numbers).is_nan(), "{nan:?} at {place}");
+            }
+        }
+    }
+}

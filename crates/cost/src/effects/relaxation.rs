@@ -33,9 +33,15 @@ fn follow(
     let times: Vec<f64> = (0..points)
         .map(|i| end * f64::from(i) / f64::from(points - 1))
         .collect();
-    let course = contact
-        .history(law)
-        .and_then(|history| history.at(Control::Displacement, &program, &times, tolerance));
+    let to = |tolerance| {
+        let history = contact.history(law)?;
+        history.at(Control::Displacement, &program, &times, tolerance)
+    };
+    let course = match to(tolerance) {
+        // As exact as it becomes.
+        Err(HistoryError::Unreached { .. }) => to(None),
+        course => course,
+    };
     match course {
         Ok(course) => Ok(course.states.iter().map(|at| at.state.load).collect()),
         Err(HistoryError::Contact(error)) => Err(error.into()),

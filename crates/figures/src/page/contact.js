@@ -11,7 +11,7 @@ function root(f, low, high) {
 }
 
 /** The largest contact radius under each probe, over its radius. */
-const LARGEST = { paraboloid: 1 - 1e-12, sphere: 0.8 };
+const LARGEST = { paraboloid: 1 - 1e-12, sphere: 0.55 * (1 - 1e-12) };
 
 /** The contact of a sphere, or of its paraboloid, with a film on a substrate, with a work of adhesion. */
 class Contact {

@@ -163,7 +163,7 @@ class Page {
             outside("The radius of the punch over the film thickness", R / t, TABLE.range, lengths);
         } else if (first * t >= R * LARGEST[this.probe]) {
             const radius = `${shown(first * t, "m").textContent}, where the table’s a/t begins`;
-            const sphere = this.probe === "sphere" ? `${LARGEST.sphere} times the sphere` : "the sphere";
+            const sphere = this.probe === "sphere" ? `${rounded(LARGEST.sphere, 6)} times the sphere` : "the sphere";
             const text = `A contact of ${radius}, is not smaller than ${sphere}. Change the sphere radius or the film thickness.`;
             wrong.push({ text, keys: lengths });
         }
@@ -191,14 +191,16 @@ class Page {
         const particular = pulled.map(({ key, label, state }) => [`pull-off, ${label}`, `pull-off-${key}`, state]);
         const states = contact.workOfAdhesion > 0 ? [...particular, ["zero load", "zero-load", contact.zeroLoad()]] : [];
         byId("states").tBodies[0].replaceChildren(...states.map(([name, id, state]) => {
-            const rest = state ? cells(state) : [element("td", { colspan: columns.length }, "outside the table’s a/t")];
+            const rest = state ? cells(state) : [element("td", { colspan: columns.length }, "outside the curve")];
             return element("tr", { id }, element("th", { scope: "row" }, name), ...rest);
         }));
         byId("states").parentElement.hidden = states.length === 0;
         byId("points").tBodies[0].replaceChildren(...this.points(10).map((state) => element("tr", {}, ...cells(state))));
         const [from, to] = this.printed, probe = this.probe === "paraboloid" ? {} : { probe: this.probe };
+        // The program takes a soft modulus with its unit alone.
+        const argument = (key, value) => (value === Infinity ? "inf" : `${value}${key.endsWith("modulus") ? "Pa" : ""}`);
         const options = Object.entries({ ...probe, ...this.values, ...(punch ? {} : { from, to, points: 150 }) })
-            .map(([key, value]) => `--${key.replaceAll("_", "-")} ${value === Infinity ? "inf" : value}`);
+            .map(([key, value]) => `--${key.replaceAll("_", "-")} ${argument(key, value)}`);
         byId("command").textContent = ["tabulate curve TABLE", ...options].join(" ");
         byId("prints").textContent = punch ? "the state in which the punch separates" : "the same curve";
     }
@@ -209,8 +211,8 @@ class Page {
         const { contact, drawn: [, to], probe } = this, [least, most] = contact.range, [x0, x1] = TABLE.range, notes = [];
         const limit = (verb, a, x) => notes.push(`The curve ${verb} at a = ${shown(a, "m").textContent}, where the table’s a/t ${verb}: ${x}.`);
         if (least > 0.1 * to) limit("begins", least, x0);
-        if (to === most && most < x1 * contact.thickness) {
-            notes.push(probe === "sphere" ? `The curve ends at a = ${LARGEST.sphere} R.` : "The curve ends at the sphere’s radius R.");
+        if (to === most && most === contact.largest) {
+            notes.push(probe === "sphere" ? `The curve ends at a = ${rounded(LARGEST.sphere, 6)} R.` : "The curve ends at the sphere’s radius R.");
         } else if (to === most) limit("ends", most, x1);
         if (probe === "paraboloid" && to > WARNING_A_OVER_R * contact.radius) notes.push(LARGE_CONTACT);
         return notes;

@@ -140,8 +140,8 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
         warnings.add(
             WarningKind::NotMonotone,
             format!(
-                "{name}: the {} goes back and forth in time by {:.2e} m, {:.1} % of its range; it is taken to \
-                 rise to its largest value and to fall from there: check that the points are one cycle",
+                "{name}: the {} departs by {:.2e} m, {:.1} % of its range, from the straight pieces that are taken for \
+                 it, which rise to the largest value and fall from there: check that the points are one cycle",
                 experiment.measurement.kind.names()[0],
                 found.made_monotone,
                 1e2 * found.made_monotone / (most - least)

@@ -127,8 +127,8 @@ pub struct FittedRelaxation {
     /// after a step of the strain: the shortest interval between points, half of the duration, and
     /// the duration.
     pub moduli: [[f64; 2]; 3],
-    /// The largest change (m) of an abscissa that made the penetrations or heights rise to the largest
-    /// one and fall from there.
+    /// The largest change (m) of an abscissa that took its noise off the penetrations or heights, and made
+    /// them rise to the largest one and fall from there.
     pub made_monotone: f64,
     /// The bound of the error by bodies that do not relax, in parts of the largest load.
     pub unlike_bodies: f64,
@@ -378,8 +378,8 @@ pub enum WarningKind {
     UnlikeBodies,
     /// A film that is stiffer than a substrate that relaxes with it, and may pull inside the contact.
     TensileInside,
-    /// Penetrations or heights in time that go back and forth by more than a hundredth of their
-    /// range.
+    /// Penetrations or heights in time whose noise, or way back and forth, is more than a hundredth of
+    /// their range.
     NotMonotone,
     /// Steps in time whose error is seen beside the noise.
     Steps,

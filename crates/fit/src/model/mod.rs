@@ -7,7 +7,7 @@
 //! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
 //! stack of layers, `direct_solver` makes its contacts (`stick_solver` those with full friction,
 //! `interruptible` lets them be stopped), and `differences` the derivatives on it. `relaxing` predicts
-//! the points in time where the bodies relax. `indentation` is
+//! the points in time where the bodies relax, and `program` takes the noise off what is imposed on them. `indentation` is
 //! contact stiffness as a measurement. `simulate` makes synthetic points,
 //! `prediction` evaluates the model for other methods of fitting.
 
@@ -27,6 +27,7 @@ mod parameter;
 mod predict;
 mod predicted;
 mod prediction;
+mod program;
 mod readings;
 mod relaxing;
 mod simulate;

@@ -7,6 +7,7 @@ use interp::{Elastic, Table};
 
 use super::differences::ContactOf;
 use super::predicted::Predicted;
+use super::program::Program;
 use super::{Bodies, Branch, Experiment, Kind, Parameter};
 use crate::Error;
 
@@ -83,16 +84,6 @@ pub(crate) fn of_law(parameter: Parameter) -> Option<LawParameter> {
 const SEVERAL: f64 = 0.1;
 /// The most relaxation times of one law.
 const MOST_TERMS: usize = 50;
-
-/// The imposed values of a measured history.
-pub(crate) struct Program {
-    /// Times (s) with penetrations or positions of the spring (m).
-    pub points: Vec<(f64, f64)>,
-    /// The largest change that made the values rise to the largest one and fall from there, m.
-    pub changed: f64,
-    /// The number of the point of the largest value.
-    pub turn: usize,
-}
 
 impl Experiment {
     /// Returns why a parameter of the law, or of the adhesion, is not one of this experiment.
@@ -230,31 +221,14 @@ impl Experiment {
         rigid.contact(table, None).map(Some)
     }
 
-    /// Returns what is imposed on the contact in time. Noise of the abscissae must not turn it around:
-    /// each value is the largest one so far up to the largest of all, and the smallest one so far from
-    /// there on.
+    /// Returns what is imposed on the contact in time, without its noise.
     pub(crate) fn program(&self) -> Program {
         let points = &self.measurement.points;
-        let values = points.iter().map(|point| self.imposed(point.abscissa));
-        let mut values: Vec<f64> = values.collect();
-        let turn = (0..values.len())
-            .max_by(|&i, &j| values[i].total_cmp(&values[j]))
-            .unwrap_or(0);
-        let mut changed = 0.0_f64;
-        for i in 1..values.len() {
-            let kept = if i <= turn {
-                values[i].max(values[i - 1])
-            } else {
-                values[i].min(values[i - 1])
-            };
-            changed = changed.max((kept - values[i]).abs());
-            values[i] = kept;
-        }
-        Program {
-            points: self.times.iter().copied().zip(values).collect(),
-            changed,
-            turn,
-        }
+        let values: Vec<f64> = points
+            .iter()
+            .map(|point| self.imposed(point.abscissa))
+            .collect();
+        Program::new(&self.times, &values)
     }
 
     /// Returns the branches of points in time: advancing up to the largest imposed value, and receding

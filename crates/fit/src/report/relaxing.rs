@@ -41,7 +41,8 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
         ));
         if found.made_monotone > 0.0 {
             lines.push(format!(
-                "{}: the {} was changed by up to {} so that it rises to its largest value and falls from there",
+                "{}: the {} was changed by up to {}: it is taken without its noise, as straight pieces that rise to the \
+                 largest value and fall from there",
                 fitted.name,
                 experiment.measurement.kind.names()[0],
                 text(found.made_monotone, "m")

@@ -234,14 +234,13 @@ impl Curve {
     /// [`Curve::quantity`].
     ///
     /// Its error is some ten times that of the quantity: the errors of a certificate's identities,
-    /// which contain slopes, are 5 to 30 times its largest error. On a curve of a single node the
-    /// slope is 0.
+    /// which contain slopes, are 5 to 30 times its largest error.
     ///
     /// # Errors
-    /// As [`Curve::quantity`].
+    /// As [`Curve::quantity`]; [`Error::FixedParameter`] on a curve of a single node.
     pub fn slope(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
-        Ok(self.values_and_slopes(a_over_t)?.1.get(quantity))
+        Ok(self.known_slopes(a_over_t)?.1.get(quantity))
     }
 
     /// Returns all four quantities at `a_over_t`.
@@ -260,25 +259,25 @@ impl Curve {
     /// Returns all four quantities at `a_over_t` and their [slopes](Curve::slope).
     ///
     /// # Errors
-    /// As [`Curve::quantity`].
+    /// As [`Curve::slope`].
     #[inline]
     pub fn quantities_and_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
         self.require_all()?;
-        self.values_and_slopes(a_over_t)
+        self.known_slopes(a_over_t)
     }
 
     /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or
     /// not.
     ///
     /// # Errors
-    /// As [`Curve::quantity`].
+    /// As [`Curve::slope`].
     pub fn adhesionless_and_slopes(
         &self,
         a_over_t: f64,
     ) -> Result<(Quantities, Quantities), Error> {
         self.require(Quantity::Pi0)?;
         self.require(Quantity::Delta0)?;
-        self.values_and_slopes(a_over_t)
+        self.known_slopes(a_over_t)
     }
 
     /// Returns all four quantities at `a_over_t` with their derivatives with respect to `a_over_t`
@@ -392,7 +391,17 @@ impl Curve {
         }
     }
 
-    /// Evaluates all quantities and their slopes, whether they are known or not.
+    /// Evaluates all quantities and their slopes. A single node tells no slope.
+    #[inline]
+    fn known_slopes(&self, a_over_t: f64) -> Result<(Quantities, Quantities), Error> {
+        let [from, to] = self.range();
+        if from == to && self.inside(a_over_t).is_some() {
+            return Err(Error::FixedParameter(Parameter::AOverT.name()));
+        }
+        self.values_and_slopes(a_over_t)
+    }
+
+    /// Evaluates all quantities and their slopes, which are NaN on a curve of a single node.
     #[inline]
     pub(super) fn values_and_slopes(
         &self,

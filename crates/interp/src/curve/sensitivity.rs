@@ -187,7 +187,7 @@ impl QuantityGradient {
         self.values
     }
 
-    /// Returns the logarithmic slopes of the quantities, `x dQ/dx` with `x = a/t`.
+    /// Returns the logarithmic slopes of the quantities, `x dQ/dx` with `x = a/t`; NaN on a curve of a single node.
     #[inline]
     pub const fn slopes(&self) -> Quantities {
         self.slopes

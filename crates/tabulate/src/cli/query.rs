@@ -135,7 +135,9 @@ fn look_up(
         let by = [by[0], by[1], by[2], gradient.by_nu0().ok()];
         let derivatives = |quantity| {
             let [e1, nu1, e0, nu0] = by.map(|derivatives| Some(derivatives?.get(quantity)));
-            [Some(gradient.slopes().get(quantity) / x), e1, nu1, e0, nu0]
+            let slope = gradient.slopes().get(quantity);
+            let by_a_over_t = (!slope.is_nan()).then_some(slope / x);
+            [by_a_over_t, e1, nu1, e0, nu0]
         };
         answer
             .further

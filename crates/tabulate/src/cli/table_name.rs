@@ -115,23 +115,23 @@ fn readable(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Parses the name of an HDF5 file to write: any but one with the ending of a packed table.
+/// Parses the name of an HDF5 file to write: any but one with the ending of another kind of file.
 pub fn hdf5_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| {
         refuse(
             path,
-            &["bin"],
+            &["bin", "toml", "csv", "json", "html", "svg", "png"],
             "this command writes HDF5: let the name end in .h5, and pack the table with `tabulate pack`",
         )
     })
 }
 
-/// Parses the name of a packed file to write: any but one with an ending of HDF5.
+/// Parses the name of a packed file to write: any but one with the ending of another kind of file.
 pub fn packed_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| {
         refuse(
             path,
-            &["h5", "hdf5"],
+            &["h5", "hdf5", "toml", "csv", "json", "html", "svg", "png"],
             "this command writes the packed form: let the name end in .bin; `tabulate unpack` writes HDF5",
         )
     })

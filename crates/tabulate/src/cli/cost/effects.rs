@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
+use anyhow::ensure;
 use clap::value_parser;
+use interp::Parameter;
 
 use super::Rows;
 use crate::cli::generate::read_scene;
@@ -46,6 +48,11 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let scene = read_scene(arguments.scene.as_deref(), Some(arguments.tolerance))?;
+    ensure!(
+        scene.parameters == Parameter::ALL,
+        "the effects are those of one film whose moduli are given by e1_over_e2 and e0_over_e2: give a scene with these \
+         axes, and without [stack]"
+    );
     arguments.rows.report(
         arguments.scene.as_deref(),
         |timing| Ok(measured(&scene, arguments.points, timing)?.into()),
