@@ -226,3 +226,18 @@ fn effects_that_a_scene_does_not_have_are_named() {
         ",
     );
 }
+
+/// Effects are told by Young's moduli: scenes with other axes would get rows that mean something else.
+#[test]
+fn scenes_with_other_axes_are_refused() {
+    let workdir = workdir!();
+    let reduced = "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1s_over_einfs = { from = 0.1, to = 10 }\nnu1 = 0.3\n\
+         e0s_over_e2s = { from = 0.1, to = 10 }\nnu0 = 'paired'\n";
+    let stack = "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1_over_e2 = { from = 0.3, to = 3 }\n[stack]\n\
+         base = { young_modulus = inf }\n[[stack.layers]]\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2e-6\n";
+    for scene in [reduced, stack] {
+        workdir.write("scene.toml", scene);
+        let message = workdir.fail(1, "cost effects scene.toml --points 10 --tolerance 1e-2");
+        assert_names(&message, &["e1_over_e2 and e0_over_e2", "without [stack]"]);
+    }
+}

@@ -244,6 +244,9 @@ fn a_file_is_not_given_the_ending_of_another_format() {
         ["generate", "-o", "table.bin", "--plan"],
         ["unpack", "embedded", "-o", "table.BIN"],
         ["pack", "embedded", "-o", "table.h5"],
+        // Those of scenes, measurements, pages and figures.
+        ["unpack", "embedded", "-o", "table.csv"],
+        ["pack", "embedded", "-o", "table.toml"],
     ] {
         let message = workdir.fail(2, command);
         assert_names(&message, &["table.", "let the name end in .", "pack"]);

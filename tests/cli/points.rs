@@ -1,8 +1,10 @@
 //! `tabulate solve` and `tabulate query`: one point, and points from CSV.
 
-use acceptance::{Contacts, Data, assert_cases, assert_names, json, material, table, workdir};
-use interp::Parameter;
-use interp::Table;
+use acceptance::{
+    Contacts, Data, assert_cases, assert_names, json, material, solid, table, workdir,
+};
+use contact::{Contact, Input};
+use interp::{Parameter, Probe, System, Table};
 use solve::solve_power_laws;
 
 use crate::{TWO_QUANTITIES, solved};
@@ -336,6 +338,50 @@ fn query_prints_the_derivatives_that_the_table_knows() {
     );
     let message = workdir.fail(1, "query table.bin --points points.csv --gradient");
     assert!(message.contains("does not hold pi0"), "{message}");
+}
+
+/// A table of a single `a/t` does not tell how the quantities grow with it.
+#[test]
+fn a_single_a_over_t_has_no_slopes() {
+    let workdir = workdir!();
+    let table = table(
+        "title = 'one'\na_over_t = 1\ne1_over_e2 = { from = 0.5, to = 2 }\nnu1 = 0.5\ne0_over_e2 = inf\n",
+    );
+    workdir.write("table.bin", table.to_packed().expect("a small table"));
+    workdir.write(
+        "points.csv",
+        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n",
+    );
+    let answer = workdir.succeed("query table.bin --points points.csv --gradient");
+    let data = Data::parse("query", &answer);
+    let case = data.cases().next().expect("a point");
+    assert_eq!(case.text("d_pi0_d_a_over_t"), "");
+    assert!(case.get("d_pi0_d_e1_over_e2") != 0.0);
+
+    let curve = table
+        .curve(&material([1.0, 0.5, f64::INFINITY, 0.25]))
+        .expect("inside");
+    let unknown = curve
+        .slope(interp::Quantity::Pi0, 1.0)
+        .expect_err("unknown");
+    assert_names(&unknown.to_string(), &["a_over_t", "as ranges"]);
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-4 },
+        sphere_modulus: 2e6,
+        film: solid(2e6, 0.5),
+        film_thickness: 1e-6,
+        substrate: solid(f64::INFINITY, 0.25),
+    };
+    let contact = Contact::in_table_with_gradient(&table, &system).expect("inside");
+    let gradient = contact.gradient(1e-6, 0.04).expect("inside");
+    for (input, is_known) in [
+        (Input::FilmModulus, true),
+        (Input::WorkOfAdhesion, true),
+        (Input::ContactRadius, false),
+        (Input::FilmThickness, false),
+    ] {
+        assert_eq!(gradient.by(input).is_ok(), is_known, "{input:?}");
+    }
 }
 
 /// The quantities at `x`, `None` where the table does not hold them.

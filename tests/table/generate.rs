@@ -261,7 +261,7 @@ fn wrong_arguments_are_named() {
         2 | generate scene.toml --certificate-points 0 | --certificate-points; 0
         1 | generate scene.toml --tolerance -1 | tolerance; -1
         1 | generate scene.toml --tolerance nan | tolerance; NaN
-        1 | generate scene.toml -o scene.toml | scene.toml; it is the input
+        2 | generate scene.toml -o scene.toml | scene.toml; let the name end in .h5
         ",
     );
     assert_eq!(workdir.files(), ["out_of_reach.toml", "scene.toml"]);

@@ -337,7 +337,8 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
             assert_eq!(run.status, i32::from(word.is_some()), "{run:?}");
             assert!(
                 word.is_none_or(|word| run.stderr.contains(word)
-                    && run.stderr.contains("is less accurate than it states")),
+                    && run.stderr.contains("is less accurate than it states")
+                    && run.stderr.contains("--certificate-points 10000`")),
                 "{run:?}"
             );
         }

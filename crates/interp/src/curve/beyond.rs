@@ -21,7 +21,8 @@ impl Curve {
         if self.inside(a_over_t).is_some() {
             return Ok(accuracy.error);
         }
-        Ok(self.expanded(a_over_t)?.error)
+        // No quantity is more exact than its rounding.
+        Ok(self.expanded(a_over_t)?.error.max(f64::EPSILON))
     }
 
     /// Returns whether the curve continues to `a/t` of 0: whether the expansion below the nodes is

@@ -15,24 +15,21 @@ use crate::{Error, Material, Parameter, Quantities, Quantity};
 
 /// The four quantities as functions of `a/t` for one material.
 ///
-/// [`Table::curve`](crate::Table::curve) and [`Curve::through`] make it. Each evaluation is then a
-/// polynomial of degree 9 in `a/t` on one of some forty pieces (as many in each octave as are
-/// needed: two in the embedded table). The pieces follow the spline through the logarithms at the
-/// nodes; they add to the error less than a tenth of the table's tolerance, or 1e-11 if that is
-/// more. An evaluation allocates nothing. A clone shares the pieces.
+/// [`Table::curve`](crate::Table::curve) and [`Curve::through`] make it. Each evaluation is then a polynomial of degree
+/// 9 in `a/t` on one of some forty pieces (as many in each octave as are needed: two in the embedded table). The pieces
+/// follow the spline through the logarithms at the nodes; they add to the error less than a tenth of the table's
+/// tolerance, or 1e-11 if that is more. An evaluation allocates nothing. A clone shares the pieces.
 ///
-/// A table of `gamma` alone makes a curve of all four quantities: the others are integrals of
-/// `Gamma` over `a/t`, exactly (see the page `curve/derived.rs` of the source). The
-/// relative error of each is about that of `Gamma`, in theory up to 2, 4 and 6 times as large for
-/// `Eeq`, `Delta0` and `Pi0`. The table must begin at a small `a/t` (0.01 for a tolerance of 1e-8,
-/// 0.03 for 1e-6); otherwise the others are an [`Error::BeginsTooLate`].
+/// A table of `gamma` alone makes a curve of all four quantities: the others are integrals of `Gamma` over `a/t`,
+/// exactly (see the page `curve/derived.rs` of the source). The relative error of each is about that of `Gamma`, in
+/// theory up to 2, 4 and 6 times as large for `Eeq`, `Delta0` and `Pi0`. The table must begin at a small `a/t` (0.01
+/// for a tolerance of 1e-8, 0.03 for 1e-6); otherwise the others are an [`Error::BeginsTooLate`].
 ///
-/// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions
-/// about the exact limits, as far as their estimated error ([`Curve::error`]) is within the table's
-/// tolerance. This needs a table that begins at an `a/t` of 1 at most, or ends at 2 at least and
-/// begins at half of its end or less. Farther out, and beyond the nodes of any other curve, an
-/// evaluation is an error. The errors are at most 0.93 of the estimates: measured by
-/// `tests/table/beyond.rs`, with 300 random boxes that end anywhere and 18,096 contacts.
+/// A curve of a table continues beyond the `a/t` of its nodes by the first terms of the expansions about the exact
+/// limits, as far as their estimated error ([`Curve::error`]) is within the table's tolerance. This needs a table that
+/// begins at an `a/t` of 1 at most, or ends at 2 at least and begins at half of its end or less. Farther out, and
+/// beyond the nodes of any other curve, an evaluation is an error. The errors are at most 0.93 of the estimates:
+/// measured by `tests/table/beyond.rs`, with 300 random boxes that end anywhere and 18,096 contacts.
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The quantities over `a/t`, in the order of [`Quantity::ALL`].
@@ -122,9 +119,8 @@ impl Curve {
         }
     }
 
-    /// Adds the expansions beyond the nodes. `error` is the largest error of the table's
-    /// certificate, `tolerance` the tolerance of the table, with which the quantities derived from
-    /// `Gamma` must begin.
+    /// Adds the expansions beyond the nodes. `error` is the largest error of the table's certificate, `tolerance` the
+    /// tolerance of the table, with which the quantities derived from `Gamma` must begin.
     pub(crate) fn with_expansions(self, error: f64, tolerance: f64) -> Self {
         let derived = self.start_error.is_some_and(|error| error <= tolerance);
         Self {
@@ -134,14 +130,13 @@ impl Curve {
         }
     }
 
-    /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that
-    /// the sphere touches and the base.
+    /// Makes this the curve of a stack of layers, of which [`Curve::material`] holds the solid that the sphere touches
+    /// and the base.
     ///
-    /// Its compressibility replaces the formula for one film, and the thickness of its top layer
-    /// limits the zone of an attraction of finite range. Nothing else that a contact answers needs
-    /// more than the quantities, the material and the thickness `t` of all layers. The curve
-    /// has no expansions beyond its nodes, and answers only the quantities that it holds, because
-    /// the expansions are those of one film.
+    /// Its compressibility replaces the formula for one film, and the thickness of its top layer limits the zone of an
+    /// attraction of finite range. Nothing else that a contact answers needs more than the quantities, the material and
+    /// the thickness `t` of all layers. The curve has no expansions beyond its nodes, and answers only the quantities
+    /// that it holds, because the expansions are those of one film.
     #[must_use]
     pub fn of_stack(self, stack: StackShape) -> Self {
         Self {
@@ -153,10 +148,10 @@ impl Curve {
 
     /// Makes this the curve of a contact with full friction.
     ///
-    /// Its `Eeq` and `Gamma` are then those of eq. 9 for the history of this contact. Those of a flat
-    /// punch that sticks, which give the stiffness at a fixed contact radius, are the `Eeq` and
-    /// `Gamma` of `punch`. With friction `Gamma^2 = es d(x Eeq)/dx` and all that follows from it do
-    /// not hold, so that the contact of another shape does not follow from the curve.
+    /// Its `Eeq` and `Gamma` are then those of eq. 9 for the history of this contact. Those of a flat punch that
+    /// sticks, which give the stiffness at a fixed contact radius, are the `Eeq` and `Gamma` of `punch`. With friction
+    /// `Gamma^2 = es d(x Eeq)/dx` and all that follows from it do not hold, so that the contact of another shape does
+    /// not follow from the curve.
     #[must_use]
     pub fn with_stick(self, punch: &Self) -> Self {
         Self {
@@ -188,8 +183,8 @@ impl Curve {
         self.functions.grid().range()
     }
 
-    /// Returns whether [`Curve::quantity`] answers `quantity`: the table holds it, or it follows from
-    /// `Gamma` within the tolerance of the table.
+    /// Returns whether [`Curve::quantity`] answers `quantity`: the table holds it, or it follows from `Gamma` within
+    /// the tolerance of the table.
     pub fn answers(&self, quantity: Quantity) -> bool {
         self.known[quantity as usize]
     }
@@ -197,10 +192,9 @@ impl Curve {
     /// Returns the value of `quantity` at `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included;
-    /// [`Error::Extrapolation`] where the expansion about the limit is not accurate enough;
-    /// [`Error::MissingQuantity`] if the table does not hold `quantity`, [`Error::BeginsTooLate`]
-    /// if it holds `gamma` alone and begins at too large an `a/t`.
+    /// [`Error::OutsideTable`] for an `a_over_t` outside the curve, NaN included; [`Error::Extrapolation`] where the
+    /// expansion about the limit is not accurate enough; [`Error::MissingQuantity`] if the table does not hold
+    /// `quantity`, [`Error::BeginsTooLate`] if it holds `gamma` alone and begins at too large an `a/t`.
     #[inline]
     pub fn quantity(&self, quantity: Quantity, a_over_t: f64) -> Result<f64, Error> {
         self.require(quantity)?;
@@ -230,11 +224,10 @@ impl Curve {
             .value_at_all(quantity as usize, a_over_t, values, outside)
     }
 
-    /// Returns the logarithmic slope `x dQ/dx` of `quantity` at `x = a_over_t`, the derivative of
-    /// [`Curve::quantity`].
+    /// Returns the logarithmic slope `x dQ/dx` of `quantity` at `x = a_over_t`, the derivative of [`Curve::quantity`].
     ///
-    /// Its error is some ten times that of the quantity: the errors of a certificate's identities,
-    /// which contain slopes, are 5 to 30 times its largest error.
+    /// Its error is some ten times that of the quantity: the errors of a certificate's identities, which contain
+    /// slopes, are 5 to 30 times its largest error.
     ///
     /// # Errors
     /// As [`Curve::quantity`]; [`Error::FixedParameter`] on a curve of a single node.
@@ -266,8 +259,7 @@ impl Curve {
         self.known_slopes(a_over_t)
     }
 
-    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or
-    /// not.
+    /// Returns `Pi0` and `Delta0` with their [slopes](Curve::slope). The other two are known or not.
     ///
     /// # Errors
     /// As [`Curve::slope`].
@@ -280,26 +272,24 @@ impl Curve {
         self.known_slopes(a_over_t)
     }
 
-    /// Returns all four quantities at `a_over_t` with their derivatives with respect to `a_over_t`
-    /// and to the four parameters of the material.
+    /// Returns all four quantities at `a_over_t` with their derivatives with respect to `a_over_t` and to the four
+    /// parameters of the material.
     ///
-    /// They are the derivatives of the table's splines or polynomials, except for the error of the
-    /// pieces. With respect to the Poisson ratio of nearly incompressible films they are
-    /// differences of lookups instead, because there the slope is inaccurate. Below the nodes they
-    /// are those of the expansion for thick films.
+    /// They are the derivatives of the table's splines or polynomials, except for the error of the pieces. With respect
+    /// to the Poisson ratio of nearly incompressible films they are differences of lookups instead, because there the
+    /// slope is inaccurate. Below the nodes they are those of the expansion for thick films.
     ///
-    /// Errors of the derivatives of the embedded table are at most about 60 times its tolerance for
-    /// the film's Poisson ratio, and below 10 times for the others. They are relative to the
-    /// quantity and per unit of `ln(a/t)`, `ln e1_over_e2` and `ln e0_over_e2`. The unit of the film's
-    /// Poisson ratio is `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, that of the substrate's `1/(1 + E1/E0)`: the
-    /// sizes of a change that alters the contact. Measured by `tests/contact/gradient` at 2000 random
-    /// contacts of every contrast: 2.7, 9.5 and 9.5 tolerances, and 57 and 7.6 for the Poisson
-    /// ratios; for `e1_over_e2` from 1e-3 to 1e3 and `e0_over_e2` from 1 to 1e6: 2.8, 3.5 and 3.1,
-    /// and 52 and 1.0.
+    /// Errors of the derivatives of the embedded table are at most about 60 times its tolerance for the film's Poisson
+    /// ratio, and below 10 times for the others. They are relative to the quantity and per unit of `ln(a/t)`, `ln
+    /// e1_over_e2` and `ln e0_over_e2`. The unit of the film's Poisson ratio is `(1 - 2 nu1) + 1/(1 + (a/t)^2)`, that
+    /// of the substrate's `1/(1 + E1/E0)`: the sizes of a change that alters the contact. Measured by
+    /// `tests/contact/gradient` at 2000 random contacts of every contrast: 2.7, 9.5 and 9.5 tolerances, and 57 and 7.6
+    /// for the Poisson ratios; for `e1_over_e2` from 1e-3 to 1e3 and `e0_over_e2` from 1 to 1e6: 2.8, 3.5 and 3.1, and
+    /// 52 and 1.0.
     ///
     /// # Errors
-    /// As [`Curve::quantity`], but [`Error::OutsideTable`] everywhere above the nodes;
-    /// [`Error::NoGradient`] on a curve that was made without derivatives.
+    /// As [`Curve::quantity`], but [`Error::OutsideTable`] everywhere above the nodes; [`Error::NoGradient`] on a curve
+    /// that was made without derivatives.
     #[inline]
     pub fn gradient(&self, a_over_t: f64) -> Result<QuantityGradient, Error> {
         self.require_all()?;

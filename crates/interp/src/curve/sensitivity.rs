@@ -142,12 +142,12 @@ pub struct QuantityGradient {
 }
 
 impl QuantityGradient {
-    /// Returns the gradient of the expansion for thick films at an `a/t` that is `ratio` times as
-    /// large, where the quantities and their slopes are `values` and `slopes`.
+    /// Returns the gradient of the expansion for thick films at an `a/t` that is `ratio` times as large, where the
+    /// quantities and their slopes are `values` and `slopes`.
     ///
-    /// There the departures of `Pi0`, `Delta0`, `1/Eeq` and `1/Gamma` from their limits are `ratio`
-    /// times as large. Under another shape than a paraboloid, `delta0` is by what factors the
-    /// departure of `Delta0`, and its limit, are as large.
+    /// There the departures of `Pi0`, `Delta0`, `1/Eeq` and `1/Gamma` from their limits are `ratio` times as large.
+    /// Under another shape than a paraboloid, `delta0` is by what factors the departure of `Delta0`, and its limit, are
+    /// as large.
     pub(crate) fn continued_to_thicker_films(
         self,
         ratio: f64,
@@ -193,16 +193,16 @@ impl QuantityGradient {
         self.slopes
     }
 
-    /// Returns the derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material
-    /// asked for, with all other parameters fixed.
+    /// Returns the derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked for, with all
+    /// other parameters fixed.
     ///
-    /// They are 0 with respect to an infinite `e0_over_e2`. The derivatives with respect to
-    /// `a_over_t` are the [slopes](QuantityGradient::slopes) divided by `a_over_t`.
+    /// They are 0 with respect to an infinite `e0_over_e2`. The derivatives with respect to `a_over_t` are the
+    /// [slopes](QuantityGradient::slopes) divided by `a_over_t`.
     ///
     /// # Errors
-    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the
-    /// curve was made without them; for a parameter that is none of these three; and for an
-    /// `e1_over_e2` of 0, where the normalisation changes.
+    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the curve was made
+    /// without them; for a parameter that is none of these three; and for an `e1_over_e2` of 0, where the normalisation
+    /// changes.
     pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
         let unknown = Error::FixedParameter(parameter.name());
         let (index, modulus) = match parameter {

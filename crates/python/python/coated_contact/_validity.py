@@ -38,7 +38,7 @@ class Validity(OneLine):
         paraboloid; 0 without a radius of curvature. ``Sphere`` adds this effect.
     sideways : float or numpy.ndarray
         The part by which the load at a given penetration rises because the surface moves sideways
-        under the sloping probe, which the model neglects: ``(3/4 pi) (1 - 2 nu)/(1 - nu) a/R``. It
+        under the sloping probe, which the model neglects: ``3/(4 pi) (1 - 2 nu)/(1 - nu) a/R``. It
         follows from the displacements of Hertz's contact; on a thin film it is an order of
         magnitude.
     probe_share : float or numpy.ndarray

@@ -121,7 +121,7 @@ pub fn hdf5_file() -> impl TypedValueParser<Value = PathBuf> {
         refuse(
             path,
             &["bin", "toml", "csv", "json", "html", "svg", "png"],
-            "this command writes HDF5: let the name end in .h5, and pack the table with `tabulate pack`",
+            "this command writes HDF5: let the name end in .h5; `tabulate pack` writes the packed form",
         )
     })
 }

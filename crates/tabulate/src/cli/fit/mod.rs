@@ -66,8 +66,8 @@ use crate::printable;
 /// looked up where --stack names a table of the stack.
 ///
 /// Values that the fit needs and that are not given are an error that lists them. A value of the bodies
-/// is fixed unless it is free (--free). A free modulus of sphere or film and a free work of adhesion need no
-/// value: the fit takes its start from the data.
+/// is fixed unless it is free (--free). A free modulus of sphere or film, if the other
+/// is known, and a free work of adhesion need no value: the fit takes its start from the data.
 ///
 /// With --relaxation the film relaxes in time. The points of a file are an approach, a hold and a
 /// retract without adhesion; they give the modulus of the film and its relaxation function. The effect
