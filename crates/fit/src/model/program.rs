@@ -1,8 +1,8 @@
 //! The penetrations or heights that are imposed on a contact in time, without their noise.
 //!
 //! A contact that relaxes is followed through one approach, which may be held, and one retract. Noise would turn it
-//! around at every point. Values that go back are therefore replaced by a polyline through them, with as few corners as
-//! the noise allows.
+//! around at every point, and a retract whose slope changes makes the contact grow again. Noisy values are therefore
+//! replaced by a polyline through them, with as few corners as the noise allows.
 
 use std::ops::Range;
 

@@ -26,8 +26,8 @@ pub(crate) struct Sensitivities {
 }
 
 impl Sensitivities {
-    /// Takes the derivatives on the pieces with respect to parameters of the table, those of these
-    /// parameters with respect to the material asked for, and which of the latter are then known.
+    /// Takes the derivatives on the pieces with respect to parameters of the table, those of these parameters with
+    /// respect to the material asked for, and which of the latter are then known.
     pub(crate) fn new(
         by_table: Vec<Piecewise<SPLINE_TERMS>>,
         factors: Vec<[f64; 4]>,
@@ -58,9 +58,9 @@ impl Sensitivities {
         &self.material
     }
 
-    /// Returns the derivatives, with respect to a parameter of the material asked for by number, of
-    /// the logarithms of `Pi0`, `Eeq` and `Gamma` over `es` at `x`, and of the last one also the
-    /// logarithmic slope; `None` if they are not known.
+    /// Returns the derivatives, with respect to a parameter of the material asked for by number, of the logarithms of
+    /// `Pi0`, `Eeq` and `Gamma` over `es` at `x`, and of the last one also the logarithmic slope; `None` if they are
+    /// not known.
     pub(crate) fn over_es(&self, x: f64, parameter: usize) -> Option<[f64; 4]> {
         let mut sums = [0.0; 4];
         for (by_table, factors) in self.by_table.iter().zip(&self.factors) {
@@ -233,15 +233,14 @@ impl QuantityGradient {
         Ok(self.absolute(self.relative(3).ok_or(Error::FixedParameter("nu0"))?))
     }
 
-    /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect
-    /// to a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
+    /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect to a parameter by
+    /// number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
     #[inline]
     pub fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
         self.known[parameter].then_some(self.relative[parameter])
     }
 
-    /// Returns the derivative of `ln es` with respect to a parameter, numbered as in
-    /// [`Self::relative`].
+    /// Returns the derivative of `ln es` with respect to a parameter, numbered as in [`Self::relative`].
     #[inline]
     pub const fn scale(&self, parameter: usize) -> f64 {
         self.scale[parameter]
