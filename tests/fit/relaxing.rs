@@ -295,28 +295,39 @@ fn units() {
 #[test]
 fn heights_with_noise() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint].map(Free::new);
-    let plan = planned(Kind::ForceHeight, 1e-5, &power(), 0.5);
-    let phases: [fn(f64) -> bool; 3] = [|_| true, |t| (1.0..1.5).contains(&t), |t| t > 1.5];
-    for (phase, is_noisy) in phases.into_iter().enumerate() {
-        for (seed, noise) in [(1, 3e-10), (2, 1e-9), (3, 2e-9), (4, 2e-9)] {
-            let mut data = measured(&plan, seed);
-            let mut random = Pcg64Mcg::seed_from_u64(seed);
-            for (point, &time) in data.measurement.points.iter_mut().zip(&data.times) {
-                if is_noisy(time) {
-                    point.abscissa += 3.0_f64.sqrt() * noise * random.random_range(-1.0..1.0);
-                }
+    let heights = planned(Kind::ForceHeight, 1e-5, &power(), 0.5);
+    // The hold is as long as approach and retract: a part of it that falls would turn the contact around.
+    let penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 1.0);
+    let cases = [
+        (&heights, 0),
+        (&heights, 1),
+        (&heights, 2),
+        (&penetrations, 0),
+    ];
+    let noises = [(1, 3e-10), (2, 1e-9), (3, 2e-9), (4, 2e-9)];
+    for ((plan, phase), (seed, noise)) in cases
+        .into_iter()
+        .flat_map(|case| noises.map(|noise| (case, noise)))
+    {
+        let retract = plan.times[plan.times.len() - 1] - 1.0;
+        let is_noisy = |t: f64| [true, (1.0..retract).contains(&t), t > retract][phase];
+        let mut data = measured(plan, seed);
+        let mut random = Pcg64Mcg::seed_from_u64(seed);
+        for (point, &time) in data.measurement.points.iter_mut().zip(&data.times) {
+            if is_noisy(time) {
+                point.abscissa += 3.0_f64.sqrt() * noise * random.random_range(-1.0..1.0);
             }
-            let found = fit_all(&[data], &free).expect("a fit");
-            for (estimate, truth) in found.estimates.iter().zip([2e3, 0.2, 3e-7]) {
-                let deviations = (estimate.value - truth) / estimate.standard_error;
-                let name = estimate.parameter.name();
-                assert!(
-                    deviations.abs() < 4.0,
-                    "{name}: {deviations:.1}, phase {phase}, {noise:e}"
-                );
-            }
-            assert!(!found.warns_of(WarningKind::NotMonotone));
         }
+        let found = fit_all(&[data], &free).expect("a fit");
+        for (estimate, truth) in found.estimates.iter().zip([2e3, 0.2, 3e-7]) {
+            let deviations = (estimate.value - truth) / estimate.standard_error;
+            let name = estimate.parameter.name();
+            assert!(
+                deviations.abs() < 4.0,
+                "{name}: {deviations:.1}, phase {phase}, {noise:e}"
+            );
+        }
+        assert!(!found.warns_of(WarningKind::NotMonotone));
     }
 }
 

@@ -255,6 +255,7 @@ fn a_wrong_scene_is_named_with_key_value_and_range() {
 #[test]
 fn wrong_arguments_are_named() {
     let workdir = workdir();
+    workdir.write("scene", SCENE);
     workdir.refuses(
         "
         2 | generate scene.toml --jobs 0 | --jobs; 0
@@ -262,9 +263,13 @@ fn wrong_arguments_are_named() {
         1 | generate scene.toml --tolerance -1 | tolerance; -1
         1 | generate scene.toml --tolerance nan | tolerance; NaN
         2 | generate scene.toml -o scene.toml | scene.toml; let the name end in .h5
+        1 | generate scene -o scene | scene; it is the input
         ",
     );
-    assert_eq!(workdir.files(), ["out_of_reach.toml", "scene.toml"]);
+    assert_eq!(
+        workdir.files(),
+        ["out_of_reach.toml", "scene", "scene.toml"]
+    );
 }
 
 #[cfg(unix)]

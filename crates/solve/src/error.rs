@@ -128,7 +128,7 @@ pub enum Error {
     /// A pull-off with an attraction of finite range at a contact wider than is solved.
     #[error(
         "at the pull-off the contact, or the attraction around it, is wider than {reach:?} m, up to which an attraction of finite range is \
-         solved on a top layer of {thickness:?} m; take another sphere or a thicker layer, or leave out the range of the attraction: \
+         solved on a top layer of {thickness:?} m; take a smaller sphere or a thicker layer, or leave out the range of the attraction: \
          JKR, the limit of short ranges, is solved on thinner layers"
     )]
     PullOffReach {

@@ -143,8 +143,8 @@ pub mod tests {
     ) -> f64 {
         let turned = (last / first).arg();
         let middle = 0.5 * (from + to);
-        // Nothing is left to be halved at a zero on the path itself.
-        if turned.abs() < 0.5 || middle <= from || middle >= to {
+        // Nothing is left to be halved at a zero on the path itself; not a number is none for the caller either.
+        if turned.is_nan() || turned.abs() < 0.5 || middle <= from || middle >= to {
             return turned;
         }
         let value = function(path(middle));

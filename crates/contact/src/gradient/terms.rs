@@ -77,6 +77,8 @@ impl Terms<'_> {
     pub(crate) fn by(&self, input: Input) -> Option<Derivatives> {
         let LoadAndPenetration { load, penetration } = match input {
             Input::ContactRadius if self.contact.is_punch() => None,
+            Input::ContactRadius | Input::FilmThickness if self.has_no_slopes() => None,
+            Input::SphereRadius if self.contact.is_punch() && self.has_no_slopes() => None,
             Input::SphereRadius if self.contact.is_punch() => self.by_contact_radius(),
             Input::ContactRadius => self.by_contact_radius(),
             Input::SphereRadius => self.by_sphere_radius(),
@@ -96,8 +98,7 @@ impl Terms<'_> {
                 })
             }
         }?;
-        // A table of a single a/t does not tell how the quantities grow with it.
-        (!load.is_nan()).then_some(Derivatives { load, penetration })
+        Some(Derivatives { load, penetration })
     }
 
     /// Returns what [`Self::by`] does. Loops over inputs call it: in a loop `by` would compute what any
@@ -105,6 +106,11 @@ impl Terms<'_> {
     #[inline(never)]
     pub(crate) fn by_one(&self, input: Input) -> Option<Derivatives> {
         self.by(input)
+    }
+
+    /// Whether the quantities are those of a single a/t, which does not tell how they grow with it.
+    fn has_no_slopes(&self) -> bool {
+        self.by_a_over_t[0].is_nan()
     }
 
     /// Returns the stiffness of the contact, N/m.
@@ -119,7 +125,7 @@ impl Terms<'_> {
         match input {
             Input::WorkOfAdhesion => Some(0.0),
             Input::ContactRadius => None,
-            Input::SphereRadius | Input::FilmThickness if by_a_over_t.is_nan() => None,
+            Input::SphereRadius | Input::FilmThickness if self.has_no_slopes() => None,
             Input::SphereRadius => Some((1.0 + by_a_over_t) / self.a),
             Input::FilmThickness => Some(-by_a_over_t / self.thickness()?),
             _ => {

@@ -39,7 +39,7 @@ fn follow(
     };
     let course = match to(tolerance) {
         // As exact as it becomes.
-        Err(HistoryError::Unreached { .. }) => to(None),
+        Err(HistoryError::Unreached { .. }) if tolerance.is_some() => to(None),
         course => course,
     };
     match course {

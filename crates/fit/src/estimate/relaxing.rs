@@ -140,7 +140,7 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
         warnings.add(
             WarningKind::NotMonotone,
             format!(
-                "{name}: the {} departs by {:.2e} m, {:.1} % of its range, from the straight pieces that are taken for \
+                "{name}: the {} departs by {:.2e} m, {:.1} % of its range, from the straight lines that are taken for \
                  it, which rise to the largest value and fall from there: check that the points are one cycle",
                 experiment.measurement.kind.names()[0],
                 found.made_monotone,

@@ -378,7 +378,7 @@ pub enum WarningKind {
     UnlikeBodies,
     /// A film that is stiffer than a substrate that relaxes with it, and may pull inside the contact.
     TensileInside,
-    /// Penetrations or heights in time whose noise, or way back and forth, is more than a hundredth of
+    /// Penetrations or heights in time that scatter, or go back and forth, by more than a hundredth of
     /// their range.
     NotMonotone,
     /// Steps in time whose error is seen beside the noise.

@@ -179,7 +179,7 @@ impl Experiment {
         });
         if self.program().changed > SEVERAL * (most - least) {
             return Err(why_not(
-                "its penetrations or heights go back and forth by more than a tenth of their range, and one \
+                "its penetrations or heights go back and forth, or scatter, by more than a tenth of their range, and one \
                  approach, which may be held, and one retract are followed: keep the points of one cycle that \
                  begins before the contact, and check that no two columns are swapped",
             ));
@@ -226,9 +226,16 @@ impl Experiment {
         let points = &self.measurement.points;
         let values: Vec<f64> = points
             .iter()
-            .map(|point| self.imposed(point.abscissa))
+            .map(|point| self.sense() * point.abscissa)
             .collect();
-        Program::new(&self.times, &values)
+        let mut program = Program::new(&self.times, &values);
+        // Afterwards, so that the same point is the turn for each contact point.
+        let shift = self.imposed(0.0);
+        program
+            .points
+            .iter_mut()
+            .for_each(|(_, value)| *value += shift);
+        program
     }
 
     /// Returns the branches of points in time: advancing up to the largest imposed value, and receding

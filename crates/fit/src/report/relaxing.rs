@@ -41,7 +41,7 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
         ));
         if found.made_monotone > 0.0 {
             lines.push(format!(
-                "{}: the {} was changed by up to {}: it is taken without its noise, as straight pieces that rise to the \
+                "{}: the {} was changed by up to {}: it is taken without its noise, as straight lines that rise to the \
                  largest value and fall from there",
                 fitted.name,
                 experiment.measurement.kind.names()[0],

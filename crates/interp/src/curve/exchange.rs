@@ -15,7 +15,7 @@ impl Curve {
     /// test `the_cubic_spline_of_the_curve_converges_to_it_with_its_order`).
     ///
     /// # Errors
-    /// As [`Curve::quantity`]; [`Error::InvalidArgument`] unless `pieces` is 1 to 1,000,000.
+    /// As [`Curve::slope`]; [`Error::InvalidArgument`] unless `pieces` is 1 to 1,000,000.
     ///
     /// ```
     /// # #[cfg(feature = "embedded")]

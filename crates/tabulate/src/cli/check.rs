@@ -143,9 +143,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ensure!(
             holds(error, allowed),
             "{} is less accurate than it states: its {name} is {error:.3e}, more than {allowed:.3e}; make it anew with \
-             `tabulate generate --certificate-points {}`, which seeks its largest error at more points",
+             `tabulate generate SCENE.toml --certificate-points {}`: at more points, larger errors are found",
             arguments.table,
-            (MORE * certified.points).clamp(ENOUGH as u64, u64::from(super::MOST_POINTS as u32))
+            certified
+                .points
+                .saturating_mul(MORE)
+                .clamp(ENOUGH as u64, super::MOST_POINTS.unsigned_abs())
         );
     }
     Ok(())
