@@ -87,7 +87,8 @@ fn without_noise(times: &[f64], measured: &[f64]) -> Vec<f64> {
     let course = Course {
         times,
         values: measured,
-        least_noise: LEAST_NOISE * (measured[largest(measured)] - least),
+        // Not 0 where all values are one.
+        least_noise: (LEAST_NOISE * (measured[largest(measured)] - least)).max(f64::MIN_POSITIVE),
     };
     let mut parts = Vec::new();
     let all = 0..times.len();
@@ -442,6 +443,7 @@ mod tests {
             let expected: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
             assert_eq!(program.points, expected, "{name}");
         }
+        assert_eq!(Program::new(&times, &[2.0; 301]).changed, 0.0);
         let steps = [0.0, 0.0, 1.0, 1.0, 1.0, 0.5];
         let program = Program::new(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], &steps);
         assert_eq!((program.changed, program.turn), (0.0, 4));
