@@ -143,7 +143,7 @@ pub mod tests {
     ) -> f64 {
         let turned = (last / first).arg();
         let middle = 0.5 * (from + to);
-        // Nothing is left to be halved at a zero on the path itself; not a number is none for the caller either.
+        // Nothing is left to be halved at a zero on the path itself, or is told by NaN, which fails the assertions of the tests.
         if turned.is_nan() || turned.abs() < 0.5 || middle <= from || middle >= to {
             return turned;
         }

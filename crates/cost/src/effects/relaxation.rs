@@ -38,7 +38,7 @@ fn follow(
         history.at(Control::Displacement, &program, &times, tolerance)
     };
     let course = match to(tolerance) {
-        // As exact as it becomes.
+        // Without a tolerance the history is as exact as it can be.
         Err(HistoryError::Unreached { .. }) if tolerance.is_some() => to(None),
         course => course,
     };

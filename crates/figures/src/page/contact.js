@@ -10,7 +10,7 @@ function root(f, low, high) {
     return 0.5 * (low + high);
 }
 
-/** The largest contact radius under each probe, over its radius. */
+/** The largest contact radius under each probe, over its radius; that of the sphere is LARGEST_A_OVER_R of the crate contact. */
 const LARGEST = { paraboloid: 1 - 1e-12, sphere: 0.55 * (1 - 1e-12) };
 
 /** The contact of a sphere, or of its paraboloid, with a film on a substrate, with a work of adhesion. */

@@ -7,7 +7,8 @@
 //! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
 //! stack of layers, `direct_solver` makes its contacts (`stick_solver` those with full friction,
 //! `interruptible` lets them be stopped), and `differences` the derivatives on it. `relaxing` predicts
-//! the points in time where the bodies relax, and `program` takes the noise off what is imposed on them. `indentation` is
+//! the points in time where the bodies relax, and `program` takes the noise off what is imposed on them
+//! by `straight_lines`. `indentation` is
 //! contact stiffness as a measurement. `simulate` makes synthetic points,
 //! `prediction` evaluates the model for other methods of fitting.
 
@@ -32,6 +33,7 @@ mod readings;
 mod relaxing;
 mod simulate;
 mod stick_solver;
+mod straight_lines;
 mod turn;
 mod ways;
 

@@ -120,7 +120,7 @@ pub fn hdf5_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| {
         refuse(
             path,
-            &["bin", "toml", "csv", "json", "html", "svg", "png"],
+            &["bin"],
             "this command writes HDF5: let the name end in .h5; `tabulate pack` writes the packed form",
         )
     })
@@ -131,18 +131,22 @@ pub fn packed_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| {
         refuse(
             path,
-            &["h5", "hdf5", "toml", "csv", "json", "html", "svg", "png"],
+            &["h5", "hdf5"],
             "this command writes the packed form: let the name end in .bin; `tabulate unpack` writes HDF5",
         )
     })
 }
 
-fn refuse(path: PathBuf, endings: &[&str], why: &'static str) -> Result<PathBuf, &'static str> {
+/// The endings of scenes, measurements, pages and figures.
+const NO_TABLES: [&str; 6] = ["toml", "csv", "json", "html", "svg", "png"];
+
+/// Refuses a path with the ending of a table of the other form, or of a file that is no table.
+fn refuse(path: PathBuf, other: &[&str], why: &'static str) -> Result<PathBuf, &'static str> {
     let refused = |ending: &&str| {
         path.extension()
             .is_some_and(|found| found.eq_ignore_ascii_case(ending))
     };
-    if endings.iter().any(refused) {
+    if other.iter().chain(&NO_TABLES).any(refused) {
         Err(why)
     } else {
         Ok(path)
