@@ -58,6 +58,7 @@
 //! * [`cover_once`]: whether boxes of two variables, each with a train of its own, cover them once.
 //! * `compress` (feature `compress`): the train of values on a grid.
 //! * [`chebyshev`]: the polynomials of a box.
+//! * [`add_rows`]: weighted sums of rows, of which interpolation consists.
 //! * [`once`]: values that are made at their first use, also in the child of a fork.
 
 #![forbid(unsafe_code)]
@@ -88,3 +89,4 @@ pub use needs::Needs;
 pub use prepared_train::PreparedTrain;
 pub use tiling::cover_once;
 pub use vectors::WeightedSum;
+pub use weighted_sum::add_rows;

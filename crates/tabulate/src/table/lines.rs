@@ -5,6 +5,7 @@
 //! everywhere.
 
 use interp::{Material, Parameter, Quantities};
+use low_rank::add_rows;
 use piecewise::bspline::Basis;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -126,12 +127,8 @@ impl Lines {
                     weights[node] = 1.0;
                 }
                 let sum: f64 = weights.iter().sum();
-                for (weight, values) in weights.iter().zip(self.rows.chunks_exact(self.width)) {
-                    let weight = weight / sum;
-                    row.iter_mut()
-                        .zip(values)
-                        .for_each(|(row, value)| *row += weight * value);
-                }
+                weights.iter_mut().for_each(|weight| *weight /= sum);
+                add_rows(row, &weights, &self.rows, self.width);
             });
         });
         rows
