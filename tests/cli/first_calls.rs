@@ -10,6 +10,14 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
     let lens = lens.display();
     let fit = format!("fit {lens} --specimen paper");
     let film = format!("{fit} --film-thickness 30um");
+    for (name, headings) in [
+        ("bare", "r_um,z_nm"),
+        ("steep", "r [um],z"),
+        ("wide", "r,z"),
+    ] {
+        let points = "0,0\n0.5,12.5\n1,50\n2,200\n3,450\n";
+        workdir.write(&format!("{name}.csv"), format!("{headings}\n{points}"));
+    }
     workdir.refuses(format!(
         "
         1 | pull-off --stiffness 0.1N/m | --control spring
@@ -22,6 +30,12 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | curve -o table.h5 | table.h5; another name
         1 | curve --film-thickness inf | film thickness; inf; 0.1 m
         1 | curve --interaction-range 0 | interaction range = 0.0; JKR
+        1 | curve --interaction-range 5 | 5.0 m; 0.001 m; unit
+        1 | curve --interaction-range 5nm --work-of-adhesion 0 | leave out --interaction-range
+        1 | curve --interaction-range 5nm --to 120um | 0.00012 m; smaller contact radius
+        1 | pull-off --probe profile --profile bare.csv | r_um; r [um]
+        1 | pull-off --probe profile --profile steep.csv | slope of the profile = 3e8; units of r and z
+        1 | pull-off --probe profile --profile wide.csv | largest r of the profile = 3 m; 3 um
         1 | solve --a-over-t 1 --e1-over-e2 1 --nu1 0.3 --e0-over-e2 1 --sphere-modulus 2MPa | --sphere-modulus; --stack
         1 | simulate --specimen paper --kind force-height --from=-1um --to=1um --noise 1nN --stiffness 0.1 | moves away; the height is smaller
         1 | simulate --specimen paper --kind load-penetration --from=1um --to=-1um --noise 1nN | moves away; the penetration is larger
@@ -42,7 +56,17 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {film} --relaxation power-law | load-radius; leave out --relaxation
         "
     ));
-    assert_eq!(workdir.files(), [""; 0]);
+    assert_eq!(workdir.files(), ["bare.csv", "steep.csv", "wide.csv"]);
+}
+
+/// The usual radii of a curve end where an attraction of finite range is solved.
+#[test]
+fn a_range_of_the_attraction_needs_no_other_flag() {
+    let workdir = workdir!();
+    let text = workdir.succeed("curve --specimen paper --interaction-range 5nm --points 3");
+    let curve = Data::parse("curve", &text);
+    let radii = curve.cases().map(|row| row.get("contact_radius"));
+    assert!(radii.last().expect("rows") > 1e-4, "{text}");
 }
 
 /// A work of adhesion of 0 is no start of a fit: there is none.

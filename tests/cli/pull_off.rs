@@ -1,7 +1,7 @@
 //! `tabulate pull-off` where the contact is far smaller or wider than the film is thick: it chooses the
 //! radii that it solves, and its messages speak of what was given.
 
-use acceptance::{assert_names, value, workdir};
+use acceptance::{Data, assert_names, value, workdir};
 
 #[test]
 fn a_film_much_thicker_than_the_sphere_is_solved() {
@@ -91,4 +91,18 @@ fn a_thin_layer_on_layers_like_the_base_is_refused_with_the_a_over_t_given() {
     assert_names(&error, &["a_over_t = 6.04", "top layer"]);
     assert!(!error.contains("outside the domain"), "{error}");
     workdir.succeed(format!("{arguments} 0.9"));
+}
+
+/// The pull-off of a film that slides, beside the lowest load of a curve over wide contacts.
+#[test]
+fn a_pull_off_at_400_times_the_thickness_is_found() {
+    let workdir = workdir!();
+    let film = "--specimen paper --film-thickness 100nm --interface sliding";
+    let text = workdir.succeed(format!("pull-off {film}"));
+    let [load, radius] = ["load", "contact_radius"].map(|name| value(&text, name));
+    assert!(radius > 4e-5, "{text}");
+    let curve = workdir.succeed(format!("curve {film} --from 40um --to 43um --points 61"));
+    let curve = Data::parse("curve", &curve);
+    let lowest = curve.cases().map(|row| row.get("load")).fold(0.0, f64::min);
+    assert!((load / lowest - 1.0).abs() < 1e-6, "{load} {lowest}");
 }

@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused, solid};
+use acceptance::{Contacts, Refused, assert_names, solid};
 use fit::data::{Format, read_from};
 use fit::{Bodies, Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
 use interp::{HalfSpace, Probe, Table};
 
-use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with};
+use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with, text};
 use crate::recovery::{SETS, assert_recovers};
 
 const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -235,4 +235,45 @@ fn what_is_no_standard_deviation_is_refused() {
         &lens.free,
     );
     assert!(matches!(error, Err(Error::Setting { .. })), "{error:?}");
+}
+
+/// Errors of the heights change no force off contact: one noise from all points is too small in contact.
+/// Noise of the forces alone, and errors that are given, are no reason for doubt.
+#[test]
+fn noise_in_the_height_that_is_not_given_is_seen_beside_the_baseline() {
+    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
+    let probe = Imagined {
+        noise_is_known: false,
+        points: [60, 120],
+        ..Imagined::probe(Course::Approach, 0.0, &free)
+    };
+    let noise = 1e-8;
+    let exact = probe.exact();
+    for seed in 0..20 {
+        let mut plain = probe.measured(&exact, seed);
+        plain.noise = None;
+        let experiment = blurred(plain.clone(), |_| noise, seed);
+        let mut given = experiment.clone();
+        given.abscissa_noise = noise;
+        for loss in [Loss::Squares, Loss::HUBER] {
+            for sound in [&plain, &given] {
+                let found = fitted(sound.clone(), &probe, loss);
+                assert!(
+                    !found.warns_of(WarningKind::UnequalNoise),
+                    "{:?}",
+                    found.warnings
+                );
+            }
+            let found = fitted(experiment.clone(), &probe, loss);
+            let said = text(&found, WarningKind::UnequalNoise);
+            assert_names(
+                &said,
+                "imagined.csv; in contact scatter; noise of the force; standard errors; too small; height",
+            );
+            // A robust loss would take the baseline for the rule.
+            if found.warns_of(WarningKind::Outliers) {
+                assert!(!text(&found, WarningKind::Outliers).contains("robust"));
+            }
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
-use acceptance::{assert_names, solid, springs};
-use fit::{Bodies, Fit, Kind, Parameter, WarningKind};
-use interp::System;
+use acceptance::{Refused, assert_names, solid, springs};
+use fit::{Bodies, Fit, Kind, Parameter, WarningKind, forecast};
+use interp::{System, Table};
 use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
 
@@ -155,4 +155,17 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
     });
     let found = fit_of(thick.measured(&thick.exact(), 0), &thick);
     assert!(!found.warns_of(WarningKind::AssumesBonding));
+}
+
+/// The errors of a plan are those at the planned value, and a bonded or sliding film has none.
+#[test]
+fn the_stiffness_of_an_interface_is_planned_where_it_is_free() {
+    for interface in [Interface::Bonded, Interface::Sliding] {
+        let lens = lens(interface, &[modulus(), stiffness()]);
+        let mut experiment = lens.truth.clone();
+        experiment.measurement = lens.exact();
+        experiment.noise = Some(lens.noise);
+        let refused = forecast(Table::embedded(), &[experiment], &lens.free);
+        refused.refused("film.interface-stiffness; planned as bonded or sliding; plan a stiffness");
+    }
 }

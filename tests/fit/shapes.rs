@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use acceptance::solid;
-use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point};
-use interp::{HalfSpace, Probe, System};
+use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point, WarningKind};
+use interp::{HalfSpace, Probe, Profile, System};
 use solve::{PowerLaw, solve_power_laws};
 
 use crate::imagined::{Imagined, fit_all, measurement};
@@ -252,4 +252,49 @@ fn a_sphere_on_a_half_space() {
     let bodies = Bodies::HalfSpace(half_space);
     let off = recover("half-space", bodies, &exact, &free, 1..9, wrong);
     assert!(off > 10.0, "{off}");
+}
+
+/// Hertz's contact under one shape in three forms: where the work of adhesion ends at 0, each says so.
+#[test]
+fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
+    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
+    let radius = 1e-5;
+    let points: Vec<[f64; 2]> = (0..=60)
+        .map(|i| 1e-7 * f64::from(i))
+        .map(|r| [r, r * r / (2.0 * radius)])
+        .collect();
+    let shapes = [
+        Probe::Paraboloid { radius },
+        Probe::PowerLaw {
+            coefficient: 0.5 / radius,
+            exponent: 2.0,
+        },
+        Probe::Profile(Profile::new(&points).expect("convex")),
+    ];
+    let modulus = 1e6 / 0.75;
+    let hertz = |a: f64| [4.0 / 3.0 * modulus * a.powi(3) / radius, a * a / radius];
+    let exact = measured(parts().map(|part| hertz(1e-7 + 3e-6 * part)));
+    let mut ended = 0;
+    for seed in 0..12 {
+        let fits = shapes.each_ref().map(|probe| {
+            let bodies = Bodies::HalfSpace(HalfSpace {
+                probe: probe.clone(),
+                sphere_modulus: f64::INFINITY,
+                solid: solid(1e6, 0.5),
+            });
+            let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
+            let mut imagined = Imagined::lens(Kind::LoadPenetration, 10e-6, 2e-8, &free);
+            imagined.truth.bodies = bodies;
+            imagined.truth.work_of_adhesion = 1e-3;
+            fit_all(&[imagined.measured(&exact, seed)], &imagined.free).expect("sound")
+        });
+        for found in fits {
+            let work = found.estimate(WorkOfAdhesion).expect("free").value;
+            let named = found.warns_of(WarningKind::AtBound);
+            assert!(named || work > 1e-10, "{work:e}: {:?}", found.warnings);
+            assert!(!named || work < 2e-9, "{work:e}: {:?}", found.warnings);
+            ended += usize::from(work < 1e-10);
+        }
+    }
+    assert!(ended >= 9, "{ended}");
 }

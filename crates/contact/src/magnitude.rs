@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use interp::{Probe, System};
+use interp::{Probe, Profile, System};
 
 /// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
 const MODULI: [f64; 2] = [1.0, 2e12];
@@ -14,6 +14,9 @@ const MODULI: [f64; 2] = [1.0, 2e12];
 pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
 /// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.
 pub const LARGEST_WORK: f64 = 20.0;
+
+/// The steepest profile.
+const STEEPEST: f64 = 57.0;
 
 /// A number that a contact experiment does not have, or hardly has.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,12 +88,35 @@ impl Magnitude {
         work_of_adhesion: f64,
     ) -> impl Iterator<Item = Self> {
         let radius = probe.radius();
+        let [end, slope] = match probe {
+            Probe::Profile(profile) => [
+                Self::length("the largest r of the profile", profile.end()),
+                Self::slope(profile),
+            ],
+            _ => [None, None],
+        };
         let found = [
             radius.and_then(|radius| Self::length("the radius of the sphere", radius)),
+            end,
+            slope,
             Self::modulus("the sphere's modulus", sphere_modulus),
             Self::work_of_adhesion("the work of adhesion", work_of_adhesion),
         ];
         found.into_iter().flatten()
+    }
+
+    /// Checks the slope at the end of a measured profile, which is wrong if one of its units is.
+    fn slope(profile: &Profile) -> Option<Self> {
+        let slope = profile.slope(profile.end());
+        (slope > STEEPEST).then(|| Self {
+            what: "the largest slope of the profile".into(),
+            value: slope,
+            unit: "m/m",
+            reason: format!(
+                "is above {STEEPEST}, that of a cone with a half angle of 1 degree: check the units of r and z"
+            )
+            .into(),
+        })
     }
 
     /// Checks a length of a body, m.

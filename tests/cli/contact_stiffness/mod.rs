@@ -203,7 +203,12 @@ fn wrong_first_calls_are_answered() {
         "radius.csv",
         "contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n",
     );
+    workdir.write(
+        "turned.csv",
+        "depth [m],load [N],contact stiffness [N/m]\n-1e-7,1e-3,4e4\n-2e-7,4e-3,8e4\n-3e-7,9e-3,1.2e5\n",
+    );
     let depth = with("fit depth.csv", "--kind stiffness-depth");
+    let turned = with("fit turned.csv", "--kind stiffness-depth");
     let radius = with("fit radius.csv", "");
     let plan = with("simulate --from 50nm --to 200nm --noise 1%", "");
     workdir.refuses(format!(
@@ -223,6 +228,8 @@ fn wrong_first_calls_are_answered() {
         1 | {depth} --between 1um..2um | no point is left; range
         2 | {depth} --reference-modulus 170GPa | --reference
         1 | {depth} --reference radius.csv | radius.csv; penetration
+        1 | {depth} --reference depth.csv --reference-modulus 170GPa | --free film-modulus,tip-rounding
+        1 | {turned} | penetration; --column \"penetration=-
         1 | {plan} --kind stiffness-depth | hardness
         1 | {plan} --kind stiffness-load | --from; a force
         1 | simulate --kind load-radius --from 50um --to 90um --noise 1% | per cent

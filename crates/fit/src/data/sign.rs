@@ -128,6 +128,8 @@ pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
         match kind {
             _ if rises => return None,
             Kind::LoadRadius | Kind::PenetrationRadius if above < 0.0 => return None,
+            // Depths and stiffnesses are positive.
+            kind if kind.is_stiffness() && deepest[0] < 0.0 && deepest[1] > 0.0 => [true, false],
             kind if kind.at_radii() || kind.is_stiffness() => [false, true],
             _ => {
                 let of_load = above > -STRAIGHT * rise;

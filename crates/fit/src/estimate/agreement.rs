@@ -10,6 +10,7 @@ use nalgebra::DVector;
 use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::{Assigned, Problem};
+use super::unequal_noise;
 use crate::statistics::{
     CLIPPED, MEDIAN, clipped, deviations, excess, likeness_of_neighbours, median,
 };
@@ -49,15 +50,16 @@ pub(super) fn add(
     let count = problem.assigned.len() as f64;
     let alike = deviations(1.0 - 2.0 * ALIKE / count).min(BEYOND_CHANCE);
     let mut row = 0;
-    for ((assigned, fitted), local) in problem
-        .assigned
-        .iter()
-        .zip(&fit.experiments)
-        .zip(local_noise)
-    {
+    let experiments = problem.assigned.iter().zip(&fit.experiments);
+    for (e, ((assigned, fitted), local)) in experiments.zip(local_noise).enumerate() {
         let own = residuals.rows(row, assigned.counting());
-        let followed: f64 = leverages[row..row + own.len()].iter().sum();
+        let leverages = &leverages[row..row + own.len()];
+        let followed: f64 = leverages.iter().sum();
         row += own.len();
+        if let Some(predicted) = &problem.predicted {
+            let radii = &predicted[e].radii;
+            unequal_noise::add(warnings, assigned, radii, own.as_slice(), leverages);
+        }
         large_noise(
             warnings,
             assigned,
@@ -188,7 +190,8 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64], 
     let sum = |of: fn(&[f64; 3]) -> f64| found.iter().map(of).sum::<f64>();
     let points = sum(|[_, _, count]| *count);
     let deviations = sum(|[z, _, count]| z * count.sqrt()) / points.sqrt();
-    if deviations <= alike {
+    // NaN where no branch has neighbours that differ.
+    if deviations.is_nan() || deviations <= alike {
         return;
     }
     let factor = factor_of_errors(deviations, points);

@@ -25,7 +25,8 @@ const ROUNDS: usize = 2;
 ///
 /// # Errors
 /// As [`fit`](crate::fit); [`Error::Setting`] without a noise, and for a free quantity such as the work of
-/// adhesion that must be positive and is planned as 0.
+/// adhesion that must be positive and is planned as 0; [`Error::NotApplicable`] for a free stiffness of an
+/// interface that is planned as bonded or sliding.
 pub fn forecast(
     table: &Table,
     experiments: &[Experiment],
@@ -65,6 +66,20 @@ pub fn forecast(
                 name: format!("{parameter} of {}", experiment.measurement.name),
                 value: 0.0,
                 allowed: "positive where it is free: the errors are those at the planned value"
+                    .into(),
+            });
+        }
+        let is_unknown = |parameter: &Parameter| {
+            matches!(*parameter, Parameter::LayerInterfaceStiffness(name) if experiment
+                .layer(name)
+                .is_some_and(|layer| layer.interface_stiffness().is_none()))
+        };
+        if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_unknown) {
+            return Err(Error::NotApplicable {
+                parameter,
+                experiment: experiment.measurement.name.clone(),
+                reason: "its interface is planned as bonded or sliding, and the errors are those at the planned \
+                         value: plan a stiffness, such as the modulus of the layer over its thickness"
                     .into(),
             });
         }

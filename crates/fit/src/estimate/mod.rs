@@ -39,6 +39,7 @@ mod solve;
 mod start;
 mod twice;
 mod uncertainty;
+mod unequal_noise;
 mod valley;
 mod wanted;
 mod warnings;

@@ -1,22 +1,32 @@
 //! The doubt about a work of adhesion that ended at 0.
 
+use std::f64::consts::PI;
+
+use contact::Contact;
+
 use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::range;
 use crate::{Experiment, Kind, Parameter, WarningKind};
 
-/// The work of adhesion times the radius of the sphere, over the range of the loads, below which a
-/// work of adhesion ended at 0: it changes no load by more than one part in ten thousand.
-const NO_ADHESION: f64 = 1e-9;
+/// The load by adhesion over the range of the loads below which a work of adhesion ended at 0.
+const NO_ADHESION: f64 = 1.4e-4;
 
-/// Tells whether a work of adhesion ended at 0.
-pub(super) fn is_none(experiment: &Experiment, work_of_adhesion: f64) -> bool {
-    let Some(radius) = experiment.bodies.probe().radius() else {
-        return false;
-    };
-    !experiment.measurement.kind.is_stiffness()
-        && experiment.measurement.kind != Kind::PenetrationRadius
-        && work_of_adhesion * radius < NO_ADHESION * range(experiment)
+/// Tells whether a work of adhesion ended at 0, from the contact and the largest contact radius `a` of an
+/// experiment: adhesion changes the load there by `sqrt(4 pi w S) a`, with the stiffness `S` of the contact.
+pub(super) fn is_none(
+    experiment: &Experiment,
+    contact: &Contact,
+    a: f64,
+    work_of_adhesion: f64,
+) -> bool {
+    let kind = experiment.measurement.kind;
+    let by_adhesion = |stiffness: f64| a * (4.0 * PI * work_of_adhesion * stiffness).sqrt();
+    !kind.is_stiffness()
+        && kind != Kind::PenetrationRadius
+        && contact
+            .stiffness(a)
+            .is_ok_and(|stiffness| by_adhesion(stiffness) < NO_ADHESION * range(experiment))
 }
 
 /// Warns of works of adhesion that ended at 0, which their logarithms never reach.
@@ -32,7 +42,12 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
         let value = problem.value(i);
         let mut own = (problem.assigned.iter().enumerate())
             .filter(|(e, _)| slot.experiment.is_none_or(|own| own == *e));
-        if own.all(|(_, assigned)| is_none(&assigned.experiment, value)) {
+        let is_none = |e: usize, experiment: &Experiment| {
+            let [_, a] = problem.contact_radii(e)?;
+            let contact = problem.contact(&experiment.bodies, false).ok()?;
+            Some(is_none(experiment, &contact, a, value))
+        };
+        if own.all(|(e, assigned)| is_none(e, &assigned.experiment) == Some(true)) {
             warnings.add(
                 WarningKind::AtBound,
                 format!(

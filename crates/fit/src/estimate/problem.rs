@@ -232,6 +232,17 @@ impl<'a> Problem<'a> {
         experiment.predict_with(&contact_of, branches, order, parameters)
     }
 
+    /// Returns the smallest and the largest fitted contact radius (m) of experiment `e`: infinity and 0
+    /// without contacts.
+    pub fn contact_radii(&self, e: usize) -> Option<[f64; 2]> {
+        let radii = &self.predicted.as_ref()?[e].radii;
+        let counting = self.assigned[e].counting_points().map(|i| radii[i]);
+        let radii = counting.filter(|radius| *radius > 0.0);
+        Some(radii.fold([f64::INFINITY, 0.0], |[l, m]: [f64; 2], a| {
+            [l.min(a), m.max(a)]
+        }))
+    }
+
     /// Returns the contact of bodies, with the derivatives with respect to the slots if they are asked
     /// for. It is a new one only if the bodies are new.
     pub fn contact(&self, bodies: &Bodies, gradient: bool) -> Result<Contact, Error> {

@@ -321,6 +321,8 @@ pub enum WarningKind {
     LargeNoise,
     /// A noise of the ordinates that the data hardly tell beside that of the abscissae.
     NoiseNotSeen,
+    /// An estimated noise that is larger in contact than off contact.
+    UnequalNoise,
     /// A prior far from what the data tell.
     Prior,
     /// Readings at the end of the range of the detector.
@@ -397,6 +399,7 @@ impl WarningKind {
             Self::PoorFit => "poor-fit",
             Self::LargeNoise => "large-noise",
             Self::NoiseNotSeen => "noise-not-seen",
+            Self::UnequalNoise => "unequal-noise",
             Self::Prior => "prior",
             Self::Saturated => "saturated",
             Self::CoarseSteps => "coarse-steps",

@@ -17,9 +17,7 @@ use super::{
     wanted,
 };
 use crate::magnitude::{self, STIFFNESSES};
-use crate::{
-    Bodies, Branch, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind,
-};
+use crate::{Bodies, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind};
 
 /// A contact radius (m) below which there is no continuum.
 const SMALLEST_RADIUS: f64 = 1e-9;
@@ -308,6 +306,12 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 
 /// Warns of points far from the fit.
 fn outliers(warnings: &mut Warnings, fit: &Fit) {
+    // A robust loss takes a long baseline for the rule, and the contact for outliers.
+    let remedy = if warnings.has(WarningKind::UnequalNoise) {
+        ""
+    } else {
+        "; a robust loss gives them less weight"
+    };
     for fitted in &fit.experiments {
         let far = fitted.points.iter().filter(|point| point.outlier);
         let far: Vec<u64> = far.map(|point| point.line).collect();
@@ -318,8 +322,7 @@ fn outliers(warnings: &mut Warnings, fit: &Fit) {
         warnings.add(
             WarningKind::Outliers,
             format!(
-                "{}: {} of {} points are far from the fit, in {}; a robust loss gives them less \
-                 weight",
+                "{}: {} of {} points are far from the fit, in {}{remedy}",
                 fitted.name,
                 far.len(),
                 counting.count(),
@@ -361,20 +364,9 @@ fn geometry(
 ) {
     let experiment = &assigned.experiment;
     let name = &experiment.measurement.name;
-    let Some(predicted) = problem.predicted.as_ref().map(|all| &all[e]) else {
+    let Some([least, a]) = problem.contact_radii(e) else {
         return;
     };
-    let counting = predicted
-        .radii
-        .iter()
-        .zip(&assigned.branches)
-        .filter(|(_, branch)| **branch != Branch::LeftOut);
-    let radii = counting
-        .map(|(radius, _)| *radius)
-        .filter(|radius| *radius > 0.0);
-    let [least, a] = radii.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], radius| {
-        [least.min(radius), most.max(radius)]
-    });
     // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
     if experiment.measurement.kind.is_stiffness() && !experiment.is_elastic_load() {
         return;
@@ -439,7 +431,7 @@ fn geometry(
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;
         };
-        if no_adhesion::is_none(experiment, w) {
+        if no_adhesion::is_none(experiment, &contact, a, w) {
             continue;
         }
         let Ok(range) = contact.zone_size(w, options.interaction_range) else {

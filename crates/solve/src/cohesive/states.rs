@@ -84,8 +84,12 @@ impl Cohesive {
         } else {
             reach
         };
-        let smallest = SMALLEST * self.thickness;
-        Error::check("contact radius", contact_radius, [smallest, reach])?;
+        let range = [SMALLEST * self.thickness, reach * (1.0 + f64::EPSILON)];
+        Error::check(
+            "contact radius (m) with an attraction of finite range",
+            contact_radius,
+            range,
+        )?;
         let radius = contact_radius / self.thickness;
         FixedRadius::new(radius, &self.symbol)
             .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))
@@ -121,6 +125,8 @@ impl Cohesive {
         const GROWTH: f64 = 2.5;
         /// The first growth near a known width.
         const NEAR: f64 = 1.2;
+        /// The square of `tan(phi)` below which a contact fills all that is solved.
+        const NARROWEST: f64 = 1e-12;
         let radius = contact_radius / self.thickness;
         let reach = self.reach();
         // The square of tan(phi), with which the gap grows almost linearly: for a known width, or
@@ -135,6 +141,13 @@ impl Cohesive {
             let long = 2.0 * self.range / (self.curvature * radius * radius);
             (short * long / (short + long) / GROWTH, GROWTH)
         };
+        let beyond = Error::AnnulusReach {
+            contact_radius,
+            reach: reach * self.thickness,
+        };
+        if farthest < NARROWEST {
+            return Err(beyond);
+        }
         let mut low = first.min(farthest);
         let weights = [self.curvature, self.traction];
         let mut excess = |square: f64| {
@@ -160,10 +173,7 @@ impl Cohesive {
                 break high;
             }
             if low >= farthest {
-                return Err(Error::AnnulusReach {
-                    contact_radius,
-                    reach: reach * self.thickness,
-                });
+                return Err(beyond);
             }
             let next = (growth * low).min(farthest);
             growth = GROWTH;

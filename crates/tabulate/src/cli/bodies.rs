@@ -16,7 +16,7 @@ use super::quantity::length;
 use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
 use crate::large_contact::LARGE_CONTACT;
-use solve::cohesive::Cohesive;
+use solve::cohesive::{self, Cohesive};
 
 /// The flags of the bodies. A command that takes them has an argument `table`.
 #[derive(clap::Args)]
@@ -143,11 +143,26 @@ impl Bodies {
         let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
             note(&format!(
-                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. Without friction, --probe sphere takes the \
-                 shape of the sphere, on a film up to 0.55 R.",
+                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. On one bonded film, without friction and \
+                 without --interaction-range, --probe sphere takes the shape of the sphere, up to 0.55 R.",
                 a / self.sphere_radius
             ));
         }
+    }
+
+    /// Returns a contact radius (m) up to which an attraction of finite range is solved: the attraction acts
+    /// farther than the contact.
+    pub fn reach_of_attraction(&self) -> f64 {
+        0.9 * cohesive::REACH * self.top_thickness()
+    }
+
+    /// Returns the thickness of the film, or of the top layer (m).
+    pub fn top_thickness(&self) -> f64 {
+        let top = match &self.stack {
+            Some(layers) => layers.stack().shape().top,
+            None => 1.0,
+        };
+        top * self.system.film_thickness
     }
 
     /// Returns the attraction of a finite `range` (m) between the bodies.
@@ -162,6 +177,16 @@ impl Bodies {
             range != 0.0,
             "interaction range = 0.0: an attraction without range is that of JKR: leave out --interaction-range, or \
              give a distance such as 5nm"
+        );
+        ensure!(
+            work_of_adhesion != 0.0,
+            "work of adhesion = 0.0: without adhesion there is no attraction: leave out --interaction-range, or give a \
+             --work-of-adhesion such as 40mJ/m^2"
+        );
+        ensure!(
+            !(range > sphere_radius),
+            "interaction range = {range:?} m: it must be at most the radius of the sphere, {sphere_radius:?} m, and is \
+             some nanometres in most contacts; check its unit"
         );
         Ok(match stack {
             Some(layers) => Cohesive::on_stack(

@@ -160,7 +160,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 
 impl Arguments {
     /// Returns the smallest and the largest contact radius (m): those asked for, or those of the
-    /// paper's lens, reduced for a smaller sphere and to those that are solved with stick.
+    /// paper's lens, reduced for a smaller sphere and to those that are solved with stick, or with an attraction
+    /// of finite range.
     fn radii(&self, bodies: &Bodies) -> [f64; 2] {
         const USUAL: [f64; 2] = [1e-6, 1.5e-4];
         let most = match bodies.system.probe {
@@ -171,6 +172,8 @@ impl Arguments {
         };
         let most = if self.history.is_stuck() {
             most.min(friction::reach(bodies))
+        } else if self.attracting.interaction_range.is_some() {
+            most.min(bodies.reach_of_attraction())
         } else {
             most
         };

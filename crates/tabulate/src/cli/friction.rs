@@ -280,9 +280,5 @@ pub fn note_size(bodies: &Bodies, a: f64) {
 
 /// Returns the largest contact radius (m) up to which a contact of `bodies` that sticks is solved.
 pub fn reach(bodies: &Bodies) -> f64 {
-    let top = match &bodies.stack {
-        Some(layers) => layers.stack().shape().top,
-        None => 1.0,
-    };
-    MOST_OF_TIP * top * bodies.system.film_thickness
+    MOST_OF_TIP * bodies.top_thickness()
 }

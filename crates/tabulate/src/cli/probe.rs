@@ -20,7 +20,8 @@ pub enum Shape {
     Sphere,
     /// r cot(half angle)
     Cone,
-    /// A cone with a round end of radius --sphere-radius, which it touches without a bend
+    /// A cone with a round end, the paraboloid r^2/(2R) with R = --sphere-radius up to r = R cot(half
+    /// angle). At half angles below 60 degrees a spherical end differs: give it by --profile
     RoundedCone,
     /// A flat cylinder of radius --sphere-radius
     FlatPunch,
@@ -172,12 +173,20 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
 
 /// Returns the size of the unit in the brackets of a heading, in m; 1 without brackets.
 fn unit(heading: &str) -> anyhow::Result<f64> {
+    let length =
+        |symbol: &str| Unit::parse(symbol).filter(|unit| unit.dimension == Dimension::Length);
     let Some((_, rest)) = heading.split_once(['[', '(']) else {
+        if let Some((name, symbol)) = heading.rsplit_once(['_', '/', ' ']) {
+            ensure!(
+                length(symbol).is_none(),
+                "{heading:?}: write the unit in brackets, {:?}; without brackets numbers are in m",
+                format!("{} [{symbol}]", name.trim())
+            );
+        }
         return Ok(1.0);
     };
     let symbol = rest.trim_end_matches([']', ')']);
-    let unit = Unit::parse(symbol).filter(|unit| unit.dimension == Dimension::Length);
-    let unit = unit.with_context(|| {
+    let unit = length(symbol).with_context(|| {
         format!("{heading:?}: {symbol:?} is no unit of length; write m, um or nm, for example")
     })?;
     Ok(unit.size)
@@ -193,5 +202,11 @@ mod tests {
         assert!((unit("z (nm)").expect("a length") - 1e-9).abs() < 1e-22);
         assert!((unit("z").expect("in m") - 1.0).abs() < 1e-15);
         assert!(unit("z [mN]").is_err());
+        for (heading, said) in [("r_um", "r [um]"), ("z/nm", "z [nm]"), ("r um", "r [um]")] {
+            let error = unit(heading)
+                .expect_err("a unit without brackets")
+                .to_string();
+            assert!(error.contains(said), "{error}");
+        }
     }
 }

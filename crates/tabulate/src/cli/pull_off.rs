@@ -12,6 +12,7 @@ use super::print;
 use super::quantity::force_per_length;
 use super::table_name::{self, TableName};
 use solve::cohesive::CohesiveState;
+use solve::stack::MOST_A_OVER_TOP;
 use solve::{A_OVER_T, curve};
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
@@ -179,25 +180,28 @@ fn sticking(
 /// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii
 /// that grows until the pull-off is inside.
 fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::Result<State> {
-    /// The ranges of `a/t` that are solved, one after the other.
-    const RANGES: [[f64; 2]; 3] = [[1e-3, 1e3], [A_OVER_T[0], 1e3], A_OVER_T];
+    /// The ranges of `a/t` that are solved, one after the other, and the contact radius over the thickness of
+    /// the top layer up to which a stack is. Wider contacts take much longer.
+    const RANGES: [([f64; 2], f64); 3] = [
+        ([1e-3, 1e3], 300.0),
+        ([A_OVER_T[0], 1e3], 300.0),
+        (A_OVER_T, MOST_A_OVER_TOP),
+    ];
     /// The relative tolerance, and that where rounding does not let a solve reach it: on confined incompressible films.
     const TOLERANCE: f64 = 1e-9;
     const OF_CONFINED: f64 = 1e-7;
-    /// The contact radius over the thickness of the top layer up to which a stack is solved. Wider
-    /// contacts take much longer.
-    const OVER_TOP: f64 = 300.0;
     /// The smallest radius that is solved, over that of the sphere, from which on a pull-off may be
     /// smaller.
     const THICK: f64 = 1e-2;
     let system = &bodies.system;
     let mut refused = None;
-    for [from, to] in RANGES {
+    for ([from, to], over_top) in RANGES {
         let curve_to = |tolerance| match &bodies.stack {
             Some(layers) => {
                 let stack = layers.stack();
                 let top = stack.top().thickness / stack.thickness();
-                let range = [from.min(OVER_TOP * top * 1e-3), to.min(OVER_TOP * top)];
+                let widest = to.min(over_top * top);
+                let range = [from.min(over_top * top * 1e-3), widest];
                 layers.curve(system.sphere_modulus, range, tolerance)
             }
             None => Ok(curve(&system.material()?, [from, to], tolerance)?),
@@ -225,6 +229,15 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
                     THICK / from
                 ))
             }
+            Err(Error::OutsideRadii {
+                from,
+                to,
+                at_end_of_probe: false,
+                ..
+            }) => Some(anyhow!(
+                "the pull-off has a contact radius outside {from:.3e} m to {to:.3e} m, which are solved on this film or \
+                 stack; with a smaller sphere or a smaller work of adhesion it is smaller"
+            )),
             Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
             state => return Ok(state?),
         };

@@ -163,8 +163,8 @@ pub fn forget_shape(experiment: &mut Experiment) {
 #[group(skip)]
 pub struct ReferenceArguments {
     /// A measurement of the same indenter on a bare sample of known modulus, of the same kind and
-    /// with the same columns: it determines the tip rounding and the compliance of the frame, which are
-    /// common to all files
+    /// with the same columns: it determines what is common to all files and free, the tip rounding or the
+    /// compliance of the frame: --free film-modulus,tip-rounding
     #[arg(long, help_heading = HEADING, value_name = "DATA", value_hint = ValueHint::FilePath)]
     pub reference: Option<PathBuf>,
     /// Young's modulus of the reference sample, Pa [default: that of the substrate]
@@ -176,6 +176,21 @@ pub struct ReferenceArguments {
 }
 
 impl ReferenceArguments {
+    /// Refuses a reference sample that tells nothing.
+    pub fn check(&self, free: &[Parameter]) -> anyhow::Result<()> {
+        const OF_INDENTER: [Parameter; 3] = [
+            Parameter::TipRounding,
+            Parameter::FrameCompliance,
+            Parameter::SphereModulus,
+        ];
+        ensure!(
+            self.reference.is_none() || free.iter().any(|one| OF_INDENTER.contains(one)),
+            "--reference: nothing that the reference sample tells is free; add tip-rounding or frame-compliance to \
+             --free, such as --free film-modulus,tip-rounding, or leave out the reference"
+        );
+        Ok(())
+    }
+
     /// Returns the experiment on the reference sample, with the indenter of the experiment on the
     /// film.
     pub fn experiment(

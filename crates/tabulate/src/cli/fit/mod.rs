@@ -263,6 +263,11 @@ fn next_steps(fit: &Fit, timed: bool) -> String {
             "the noise of the ordinates: --noise 2uN, or a column of it",
         ),
         (
+            WarningKind::UnequalNoise,
+            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; points off \
+             contact that shall not count: let their lines begin with #",
+        ),
+        (
             WarningKind::Hysteresis,
             "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
              (points without a direction: --segments split)",
@@ -383,6 +388,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let system = &arguments.known.bodies.system;
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    arguments.reference.check(&parameters)?;
     if parameters.contains(&Parameter::BaselineSlope) {
         let is_other = |doubt: &Doubt| !matches!(doubt, Doubt::Tilt { .. });
         let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
