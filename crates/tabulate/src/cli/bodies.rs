@@ -184,7 +184,7 @@ impl Bodies {
              --work-of-adhesion such as 40mJ/m^2"
         );
         ensure!(
-            !(range > sphere_radius),
+            range.is_nan() || range <= sphere_radius,
             "interaction range = {range:?} m: it must be at most the radius of the sphere, {sphere_radius:?} m, and is \
              some nanometres in most contacts; check its unit"
         );
