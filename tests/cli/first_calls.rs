@@ -11,7 +11,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
     let fit = format!("fit {lens} --specimen paper");
     let film = format!("{fit} --film-thickness 30um");
     for (name, headings) in [
-        ("bare", "r_um,z_nm"),
+        ("twice", "r [um],z [nm]\nmeasured,measured"),
         ("steep", "r [um],z"),
         ("wide", "r,z"),
     ] {
@@ -33,8 +33,8 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | curve --interaction-range 5 | 5.0 m; 0.001 m; unit
         1 | curve --interaction-range 5nm --work-of-adhesion 0 | leave out --interaction-range
         1 | curve --interaction-range 5nm --to 120um | 0.00012 m; smaller contact radius
-        1 | pull-off --probe profile --profile bare.csv | r_um; r [um]
-        1 | pull-off --probe profile --profile steep.csv | slope of the profile = 3e8; units of r and z
+        1 | pull-off --probe profile --profile steep.csv | largest z of the profile over its largest r = 1.5e8; units of r and z
+        1 | pull-off --probe profile --profile twice.csv | line 2; not two numbers
         1 | pull-off --probe profile --profile wide.csv | largest r of the profile = 3 m; 3 um
         1 | solve --a-over-t 1 --e1-over-e2 1 --nu1 0.3 --e0-over-e2 1 --sphere-modulus 2MPa | --sphere-modulus; --stack
         1 | simulate --specimen paper --kind force-height --from=-1um --to=1um --noise 1nN --stiffness 0.1 | moves away; the height is smaller
@@ -56,10 +56,10 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {film} --relaxation power-law | load-radius; leave out --relaxation
         "
     ));
-    assert_eq!(workdir.files(), ["bare.csv", "steep.csv", "wide.csv"]);
+    assert_eq!(workdir.files(), ["steep.csv", "twice.csv", "wide.csv"]);
 }
 
-/// The usual radii of a curve end where an attraction of finite range is solved.
+/// The usual radii of a curve end where an attraction of a short range is solved.
 #[test]
 fn a_range_of_the_attraction_needs_no_other_flag() {
     let workdir = workdir!();

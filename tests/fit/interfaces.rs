@@ -166,6 +166,6 @@ fn the_stiffness_of_an_interface_is_planned_where_it_is_free() {
         experiment.measurement = lens.exact();
         experiment.noise = Some(lens.noise);
         let refused = forecast(Table::embedded(), &[experiment], &lens.free);
-        refused.refused("film.interface-stiffness; planned as bonded or sliding; plan a stiffness");
+        refused.refused("film.interface-stiffness; planned as 0 or infinite; plan another one");
     }
 }

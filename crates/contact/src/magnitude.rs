@@ -15,7 +15,8 @@ pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
 /// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.
 pub const LARGEST_WORK: f64 = 20.0;
 
-/// The steepest profile.
+/// The height of a measured profile over its largest radius above which one of their units is probably wrong:
+/// that of a cone with a half angle of 1 degree.
 const STEEPEST: f64 = 57.0;
 
 /// A number that a contact experiment does not have, or hardly has.
@@ -105,11 +106,18 @@ impl Magnitude {
         found.into_iter().flatten()
     }
 
-    /// Checks the slope at the end of a measured profile, which is wrong if one of its units is.
+    /// Checks the height of a measured profile over its largest radius.
     fn slope(profile: &Profile) -> Option<Self> {
-        let slope = profile.slope(profile.end());
+        let end = profile.end();
+        let mut bends = profile.slopes().to_vec();
+        bends.push([end, profile.slope(end)]);
+        let spans = bends.windows(2);
+        let height: f64 = spans
+            .map(|ends| 0.5 * (ends[0][1] + ends[1][1]) * (ends[1][0] - ends[0][0]))
+            .sum();
+        let slope = height / end;
         (slope > STEEPEST).then(|| Self {
-            what: "the largest slope of the profile".into(),
+            what: "the largest z of the profile over its largest r".into(),
             value: slope,
             unit: "m/m",
             reason: format!(

@@ -37,6 +37,16 @@ pub(crate) fn excess(chi_squared: f64, degrees_of_freedom: f64) -> f64 {
     ((chi_squared / degrees_of_freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
 }
 
+/// Returns by how many standard deviations a mean of squares exceeds another one, of the same normal numbers,
+/// with these degrees of freedom each: Wilson and Hilferty's cube root in both (Paulson, Ann. Math. Stat. 13,
+/// 233, 1942).
+pub(crate) fn ratio_of_squares([one, other]: [f64; 2], [of_one, of_other]: [f64; 2]) -> f64 {
+    let [above, below] = [of_one, of_other].map(|freedom| 2.0 / (9.0 * freedom));
+    let [one, other] = [one, other].map(f64::cbrt);
+    let spread = below.mul_add(one * one, above * other * other).sqrt();
+    ((1.0 - below) * one - (1.0 - above) * other) / spread
+}
+
 /// The square from which on residuals count alike in [`clipped`].
 const CLIP: f64 = 4.0;
 /// The mean and the standard deviation of the smaller of `r^2` and 4, for a normal `r`.

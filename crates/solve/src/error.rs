@@ -154,8 +154,8 @@ pub enum Error {
     #[error(
         "a sphere with stick is solved only where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5 under a rigid sphere \
          or one of Poisson ratio 0.5, or sphere and film of one material. Here beta = {beta:.4} (nu1 = {nu1:?}, nu2 = {nu2:?}). A flat \
-         punch with stick is solved for every beta. Without friction, an effect is neglected by which a flat punch on a half-space is stiffer by the factor \
-         artanh(beta)/beta = {factor:.4}"
+         punch with stick is solved for every beta. A sphere without friction is solved, too; a flat punch that sticks is stiffer on a half-space than one without \
+         friction by the factor artanh(beta)/beta = {factor:.4}"
     )]
     Coupled {
         /// Dundurs' beta.

@@ -229,6 +229,7 @@ fn wrong_first_calls_are_answered() {
         2 | {depth} --reference-modulus 170GPa | --reference
         1 | {depth} --reference radius.csv | radius.csv; penetration
         1 | {depth} --reference depth.csv --reference-modulus 170GPa | --free film-modulus,tip-rounding
+        1 | {depth} --reference depth.csv --free film-modulus,tip-rounding --own tip-rounding | --free film-modulus,tip-rounding
         1 | {turned} | penetration; --column \"penetration=-
         1 | {plan} --kind stiffness-depth | hardness
         1 | {plan} --kind stiffness-load | --from; a force

@@ -31,13 +31,14 @@ const SMALLER: f64 = 0.8;
 const FAR: f64 = 3.0;
 
 /// Adds the doubts about noise and agreement, from the residuals, the share of each that the fit
-/// follows, and the noise of neighbouring ordinates of each experiment.
+/// follows, and the noise of neighbouring ordinates of each experiment. Returns of each whether its noise
+/// is not the same in contact and off contact.
 pub(super) fn add(
     warnings: &mut Warnings,
     fit: &Fit,
     problem: &Problem<'_>,
     (residuals, leverages, local_noise): (&DVector<f64>, &[f64], &[Option<f64>]),
-) {
+) -> Vec<bool> {
     let freedom = fit.degrees_of_freedom as f64;
     if let Some(reduced) = fit.reduced_chi_squared {
         poor(
@@ -50,16 +51,13 @@ pub(super) fn add(
     let count = problem.assigned.len() as f64;
     let alike = deviations(1.0 - 2.0 * ALIKE / count).min(BEYOND_CHANCE);
     let mut row = 0;
+    let mut unequal = vec![false; problem.assigned.len()];
     let experiments = problem.assigned.iter().zip(&fit.experiments);
     for (e, ((assigned, fitted), local)) in experiments.zip(local_noise).enumerate() {
         let own = residuals.rows(row, assigned.counting());
         let leverages = &leverages[row..row + own.len()];
         let followed: f64 = leverages.iter().sum();
         row += own.len();
-        if let Some(predicted) = &problem.predicted {
-            let radii = &predicted[e].radii;
-            unequal_noise::add(warnings, assigned, radii, own.as_slice(), leverages);
-        }
         large_noise(
             warnings,
             assigned,
@@ -70,8 +68,16 @@ pub(super) fn add(
         if detector::add(warnings, fitted, assigned, local.unwrap_or(0.0)) {
             continue;
         }
-        beside_neighbours(warnings, assigned, own.as_slice(), alike);
+        // A wrong model scatters in contact, too.
+        if beside_neighbours(warnings, assigned, own.as_slice(), alike) {
+            continue;
+        }
+        if let Some(predicted) = &problem.predicted {
+            let radii = &predicted[e].radii;
+            unequal[e] = unequal_noise::add(warnings, assigned, radii, own.as_slice(), leverages);
+        }
     }
+    unequal
 }
 
 /// Warns if the residuals exceed a noise that is given by more than chance: their squares, or under a
@@ -144,8 +150,14 @@ fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, f
 }
 
 /// Warns if residuals whose noise is not given exceed the noise that neighbouring ones show, or else if
-/// neighbouring residuals of an experiment are alike by more than `alike` standard deviations.
-fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64], alike: f64) {
+/// neighbouring residuals of an experiment are alike by more than `alike` standard deviations. Returns
+/// whether it warns.
+fn beside_neighbours(
+    warnings: &mut Warnings,
+    assigned: &Assigned,
+    own: &[f64],
+    alike: f64,
+) -> bool {
     let name = &assigned.experiment.measurement.name;
     // Neighbours are of one direction: noise that is not independent is so in time.
     let branches = [Branch::Advancing, Branch::Receding, Branch::Baseline];
@@ -176,7 +188,7 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64], 
                 factor_of_errors(*z, *count)
             ),
         );
-        return;
+        return true;
     }
     let scale = median(own.iter().map(|r| r.abs()).collect()) / MEDIAN;
     let far = if scale > 0.0 {
@@ -190,9 +202,9 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64], 
     let sum = |of: fn(&[f64; 3]) -> f64| found.iter().map(of).sum::<f64>();
     let points = sum(|[_, _, count]| *count);
     let deviations = sum(|[z, _, count]| z * count.sqrt()) / points.sqrt();
-    // NaN where no branch has neighbours that differ.
+    // NaN where no branch has three points with a residual.
     if deviations.is_nan() || deviations <= alike {
-        return;
+        return false;
     }
     let factor = factor_of_errors(deviations, points);
     warnings.add(
@@ -204,6 +216,7 @@ fn beside_neighbours(warnings: &mut Warnings, assigned: &Assigned, own: &[f64], 
              {factor:.1}"
         ),
     );
+    true
 }
 
 /// Returns the factor by which noise that is not independent makes the error of a mean larger, from how

@@ -15,11 +15,6 @@ impl Warnings {
         self.0.push(Warning { kind, text });
     }
 
-    /// Returns whether there is a doubt of this kind.
-    pub fn has(&self, kind: WarningKind) -> bool {
-        self.0.iter().any(|warning| warning.kind == kind)
-    }
-
     /// Returns the doubts in the order in which they were added.
     pub fn into_list(self) -> Vec<Warning> {
         self.0

@@ -25,8 +25,8 @@ const ROUNDS: usize = 2;
 ///
 /// # Errors
 /// As [`fit`](crate::fit); [`Error::Setting`] without a noise, and for a free quantity such as the work of
-/// adhesion that must be positive and is planned as 0; [`Error::NotApplicable`] for a free stiffness of an
-/// interface that is planned as bonded or sliding.
+/// adhesion that must be positive and is planned as 0; [`Error::NotApplicable`] for a free tangential stiffness
+/// of an interface that is planned as 0 or infinite.
 pub fn forecast(
     table: &Table,
     experiments: &[Experiment],
@@ -78,8 +78,8 @@ pub fn forecast(
             return Err(Error::NotApplicable {
                 parameter,
                 experiment: experiment.measurement.name.clone(),
-                reason: "its interface is planned as bonded or sliding, and the errors are those at the planned \
-                         value: plan a stiffness, such as the modulus of the layer over its thickness"
+                reason: "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
+                         value: plan another one, such as the modulus of the layer over its thickness"
                     .into(),
             });
         }

@@ -9,11 +9,12 @@ use super::problem::Problem;
 use super::search::range;
 use crate::{Experiment, Kind, Parameter, WarningKind};
 
-/// The load by adhesion over the range of the loads below which a work of adhesion ended at 0.
+/// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
 const NO_ADHESION: f64 = 1.4e-4;
 
 /// Tells whether a work of adhesion ended at 0, from the contact and the largest contact radius `a` of an
-/// experiment: adhesion changes the load there by `sqrt(4 pi w S) a`, with the stiffness `S` of the contact.
+/// experiment: at this radius adhesion changes the load by about `sqrt(4 pi w S) a`, with the stiffness `S` of the
+/// contact. That is JKR's change on a half-space, and more than the change on a film that is thin beside `a`.
 pub(super) fn is_none(
     experiment: &Experiment,
     contact: &Contact,

@@ -7,48 +7,59 @@
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Assigned;
 use crate::WarningKind;
-use crate::statistics::{MEDIAN, median};
+use crate::statistics::{MEDIAN, median, ratio_of_squares};
 
-/// The residual over the robust standard deviation of its part, from which on it counts as if it were this
-/// one: an outlier would stand for the scatter of all.
+/// The residual over the robust standard deviation of those in contact, from which on it counts as if it
+/// were this one: an outlier would stand for the scatter of all.
 const FAR: f64 = 3.0;
 /// The fewest degrees of freedom that tell the scatter of a part.
-const FEWEST: f64 = 8.0;
+const FEWEST: f64 = 10.0;
 
 /// Warns if the residuals of an experiment, in units of its estimated noise, are larger in contact than off
-/// contact by more than chance makes them. `radii` are the fitted contact radii of all points.
+/// contact by more than chance makes them, and returns whether it does. `radii` are the fitted contact radii of
+/// all points; the leverage of a point is the part of its noise that the fit follows.
 pub(super) fn add(
     warnings: &mut Warnings,
     assigned: &Assigned,
     radii: &[f64],
     residuals: &[f64],
     leverages: &[f64],
-) {
+) -> bool {
     let experiment = &assigned.experiment;
     if experiment.usual_noise().is_some() || !assigned.abscissa_parts.is_empty() {
-        return;
+        return false;
     }
-    let part = |in_contact: bool| {
-        let points = assigned
-            .counting_points()
-            .zip(residuals.iter().zip(leverages));
-        let own = points.filter(|(i, _)| (radii[*i] > 0.0) == in_contact);
-        let own = own.map(|(_, (residual, leverage))| (residual.abs(), 1.0 - leverage));
-        let (sizes, free): (Vec<f64>, Vec<f64>) = own.unzip();
-        Scatter::new(&sizes, free.iter().sum())
-    };
-    let [contact, apart] = [true, false].map(part);
-    if contact.freedom.min(apart.freedom) < FEWEST {
-        return;
+    let points = assigned.counting_points();
+    let points = points.zip(residuals.iter().zip(leverages));
+    let points =
+        points.map(|(i, (residual, leverage))| (radii[i] > 0.0, [residual.abs(), *leverage]));
+    let (contact, apart): (Vec<_>, Vec<_>) = points.partition(|(in_contact, _)| *in_contact);
+    let [contact, apart] = [contact, apart].map(|part| part.into_iter().map(|(_, point)| point));
+    let (contact, apart): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (contact.collect(), apart.collect());
+    let [of_contact, of_apart] = [&contact, &apart].map(|part| freedom(part));
+    if of_contact.min(of_apart) < FEWEST {
+        return false;
     }
-    let spread = (2.0 / contact.freedom + 2.0 / apart.freedom).sqrt();
-    let ratio = contact.mean_square / apart.mean_square;
-    // An estimated noise is what all residuals make of it: smaller ones are rounding.
-    if contact.mean_square <= 1.0 || ratio.ln() <= BEYOND_CHANCE * spread {
-        return;
+    let far = FAR * median(contact.iter().map(|[size, _]| *size).collect()) / MEDIAN;
+    let squares = contact.iter().map(|[size, _]| size.min(far).powi(2));
+    let in_contact = squares.sum::<f64>() / of_contact;
+    let off_contact = apart.iter().map(|[size, _]| size * size).sum::<f64>() / of_apart;
+    // Outliers may make the estimated noise larger than the scatter of the others: no error is too small.
+    if in_contact <= 1.0
+        || ratio_of_squares([in_contact, off_contact], [of_contact, of_apart]) <= BEYOND_CHANCE
+    {
+        return false;
     }
-    let beside = if ratio.is_finite() {
-        format!("{:.1} times as much as those off contact", ratio.sqrt())
+    // The variance of what the points tell, over that with the estimated noise.
+    let free = |leverage: f64| (1.0 - leverage).max(f64::EPSILON);
+    let told = contact.iter().map(|[_, leverage]| *leverage).sum::<f64>();
+    let own = contact
+        .iter()
+        .map(|[size, leverage]| leverage * size * size / free(*leverage));
+    let factor = (own.sum::<f64>() / told).sqrt();
+    let beside = if off_contact > 0.0 {
+        let ratio = (in_contact / off_contact).sqrt();
+        format!("{ratio:.1} times as much as those off contact")
     } else {
         "and those off contact do not".into()
     };
@@ -56,31 +67,16 @@ pub(super) fn add(
     warnings.add(
         WarningKind::UnequalNoise,
         format!(
-            "{}: points in contact scatter {beside}, and the noise of the \
-             {ordinate} is estimated from both: the standard errors of what contacts tell are too small, by a \
-             factor of up to {:.1}. Errors of the {abscissa} have this effect: give their size, or leave out \
-             points off contact",
-            experiment.measurement.name,
-            contact.mean_square.sqrt()
+            "{}: points in contact scatter {beside}, and the noise of the {ordinate} is estimated from both: the \
+             standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
+             right, errors of the {abscissa} are the reason: give their size",
+            experiment.measurement.name
         ),
     );
+    true
 }
 
-/// How much the residuals of a part scatter.
-struct Scatter {
-    mean_square: f64,
-    freedom: f64,
-}
-
-impl Scatter {
-    /// Returns the scatter of residuals of these `sizes`, which have a `freedom` of their own.
-    fn new(sizes: &[f64], freedom: f64) -> Self {
-        let far = FAR * median(sizes.to_vec()) / MEDIAN;
-        let far = if far > 0.0 { far } else { f64::INFINITY };
-        let squares = sizes.iter().map(|size| size.min(far).powi(2));
-        Self {
-            mean_square: squares.sum::<f64>() / freedom,
-            freedom,
-        }
-    }
+/// Returns the degrees of freedom of points with their leverages.
+fn freedom(points: &[[f64; 2]]) -> f64 {
+    points.iter().map(|[_, leverage]| 1.0 - leverage).sum()
 }

@@ -66,10 +66,10 @@ pub(super) fn warnings(
                 &uncertainty.leverages[..],
                 &data.local_noise[..],
             );
-            agreement::add(&mut warnings, fit, problem, beside);
+            let unequal = agreement::add(&mut warnings, fit, problem, beside);
             prior::add(&mut warnings, problem, uncertainty, &residuals);
             noise::add(&mut warnings, problem, uncertainty);
-            outliers(&mut warnings, fit);
+            outliers(&mut warnings, fit, &unequal);
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
@@ -304,15 +304,15 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
     }
 }
 
-/// Warns of points far from the fit.
-fn outliers(warnings: &mut Warnings, fit: &Fit) {
-    // A robust loss takes a long baseline for the rule, and the contact for outliers.
-    let remedy = if warnings.has(WarningKind::UnequalNoise) {
-        ""
-    } else {
-        "; a robust loss gives them less weight"
-    };
-    for fitted in &fit.experiments {
+/// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in
+/// contact than off contact: a robust loss would take the baseline for the rule, and the contact for outliers.
+fn outliers(warnings: &mut Warnings, fit: &Fit, unequal: &[bool]) {
+    for (fitted, unequal) in fit.experiments.iter().zip(unequal) {
+        let remedy = if *unequal {
+            ""
+        } else {
+            "; a robust loss gives them less weight"
+        };
         let far = fitted.points.iter().filter(|point| point.outlier);
         let far: Vec<u64> = far.map(|point| point.line).collect();
         if far.is_empty() {

@@ -150,8 +150,8 @@ impl Bodies {
         }
     }
 
-    /// Returns a contact radius (m) up to which an attraction of finite range is solved: the attraction acts
-    /// farther than the contact.
+    /// Returns a contact radius (m) up to which an attraction of finite range is solved, if the range is short: the
+    /// attraction acts somewhat farther than the contact.
     pub fn reach_of_attraction(&self) -> f64 {
         0.9 * cohesive::REACH * self.top_thickness()
     }

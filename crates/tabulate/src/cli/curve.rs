@@ -68,7 +68,7 @@ pub struct Arguments {
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
     /// small beside R: above 0.3 R there is a warning [default: the smallest of 1.5e-4, 0.3 R and, with
-    /// --friction stick, 30 times the thickness of the film or top layer]
+    /// --friction stick, 30 times the thickness of the film or top layer, with --interaction-range 108 times]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Number of contact radii, equally spaced

@@ -21,7 +21,8 @@ pub enum Shape {
     /// r cot(half angle)
     Cone,
     /// A cone with a round end, the paraboloid r^2/(2R) with R = --sphere-radius up to r = R cot(half
-    /// angle). At half angles below 60 degrees a spherical end differs: give it by --profile
+    /// angle). A spherical end differs from it, clearly at half angles
+    /// below 60 degrees: give it by --profile
     RoundedCone,
     /// A flat cylinder of radius --sphere-radius
     FlatPunch,
@@ -51,7 +52,7 @@ pub struct ProbeArguments {
     #[arg(long, value_name = "C", value_parser = number, allow_hyphen_values = true)]
     pub coefficient: Option<f64>,
     /// CSV of a measured shape: distance r from the axis and height z above the lowest point, in
-    /// the units of the headings, such as `r [um],z [nm]`, or in m
+    /// the units of the headings, such as `r [um],z [nm]` or `r_um,z_nm`, or in m
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub profile: Option<PathBuf>,
 }
@@ -139,7 +140,7 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
     };
     let is_data = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
     let lines = text.lines().enumerate().filter(|(_, line)| is_data(line));
-    let mut units = [1.0; 2];
+    let mut units: Option<[f64; 2]> = None;
     let mut points = Vec::new();
     let mut numbers = Vec::new();
     for (i, line) in lines {
@@ -153,11 +154,12 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
         };
         match (r.parse::<f64>(), z.parse::<f64>()) {
             (Ok(r), Ok(z)) => {
+                let units = units.unwrap_or([1.0; 2]);
                 points.push([r * units[0], z * units[1]]);
                 numbers.push(i + 1);
             }
-            _ if points.is_empty() && numbers.is_empty() => {
-                units = [unit(r)?, unit(z)?];
+            _ if units.is_none() && points.is_empty() => {
+                units = Some([unit(r)?, unit(z)?]);
             }
             _ => bail!("line {}: {line:?} is not two numbers", i + 1),
         }
@@ -171,25 +173,20 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
     })
 }
 
-/// Returns the size of the unit in the brackets of a heading, in m; 1 without brackets.
+/// Returns the size of the unit in a heading, in m: in brackets, or its last word, as in `r_nm`; 1 without one.
 fn unit(heading: &str) -> anyhow::Result<f64> {
-    let length =
-        |symbol: &str| Unit::parse(symbol).filter(|unit| unit.dimension == Dimension::Length);
+    let length = |symbol: &str| {
+        let unit = Unit::parse(symbol).filter(|unit| unit.dimension == Dimension::Length);
+        unit.map(|unit| unit.size)
+    };
     let Some((_, rest)) = heading.split_once(['[', '(']) else {
-        if let Some((name, symbol)) = heading.rsplit_once(['_', '/', ' ']) {
-            ensure!(
-                length(symbol).is_none(),
-                "{heading:?}: write the unit in brackets, {:?}; without brackets numbers are in m",
-                format!("{} [{symbol}]", name.trim())
-            );
-        }
-        return Ok(1.0);
+        let last = heading.rsplit(['_', '/', ' ', '-', ':']).next();
+        return Ok(last.and_then(length).unwrap_or(1.0));
     };
     let symbol = rest.trim_end_matches([']', ')']);
-    let unit = length(symbol).with_context(|| {
+    length(symbol).with_context(|| {
         format!("{heading:?}: {symbol:?} is no unit of length; write m, um or nm, for example")
-    })?;
-    Ok(unit.size)
+    })
 }
 
 #[cfg(test)]
@@ -202,11 +199,9 @@ mod tests {
         assert!((unit("z (nm)").expect("a length") - 1e-9).abs() < 1e-22);
         assert!((unit("z").expect("in m") - 1.0).abs() < 1e-15);
         assert!(unit("z [mN]").is_err());
-        for (heading, said) in [("r_um", "r [um]"), ("z/nm", "z [nm]"), ("r um", "r [um]")] {
-            let error = unit(heading)
-                .expect_err("a unit without brackets")
-                .to_string();
-            assert!(error.contains(said), "{error}");
+        for (heading, size) in [("r_um", 1e-6), ("z/nm", 1e-9), ("r um", 1e-6), ("r_m", 1.0)] {
+            let found = unit(heading).expect("a length");
+            assert!((found / size - 1.0).abs() < 1e-12, "{heading}");
         }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ::fit::{
     AreaFunction, Bodies, ContactDepth, DirectSolver, Experiment, Free, Indentation, Kind, Layered,
-    Measurement, Parameter, Reach,
+    Measurement, Parameter, Reach, Scope,
 };
 use anyhow::{Context, ensure};
 use clap::ValueHint;
@@ -176,17 +176,25 @@ pub struct ReferenceArguments {
 }
 
 impl ReferenceArguments {
-    /// Refuses a reference sample that tells nothing.
-    pub fn check(&self, free: &[Parameter]) -> anyhow::Result<()> {
-        const OF_INDENTER: [Parameter; 3] = [
-            Parameter::TipRounding,
-            Parameter::FrameCompliance,
-            Parameter::SphereModulus,
-        ];
+    /// Refuses a reference sample that tells nothing: it has no film, and its own values are of no use.
+    pub fn check(&self, free: &[Free]) -> anyhow::Result<()> {
+        let is_common = |one: &Free| {
+            let of_film = matches!(
+                one.parameter,
+                Parameter::FilmModulus
+                    | Parameter::FilmPoissonRatio
+                    | Parameter::FilmThickness
+                    | Parameter::LayerModulus(_)
+                    | Parameter::LayerThickness(_)
+                    | Parameter::LayerInterfaceStiffness(_)
+            );
+            one.scope == Scope::Shared && !of_film
+        };
         ensure!(
-            self.reference.is_none() || free.iter().any(|one| OF_INDENTER.contains(one)),
-            "--reference: nothing that the reference sample tells is free; add tip-rounding or frame-compliance to \
-             --free, such as --free film-modulus,tip-rounding, or leave out the reference"
+            self.reference.is_none() || free.iter().any(is_common),
+            "--reference: the reference sample tells nothing, as no free parameter has one value for it and the other \
+             files; add tip-rounding, frame-compliance or sphere-modulus, such as --free film-modulus,tip-rounding, or \
+             leave out the reference"
         );
         Ok(())
     }

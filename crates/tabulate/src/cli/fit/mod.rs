@@ -264,8 +264,7 @@ fn next_steps(fit: &Fit, timed: bool) -> String {
         ),
         (
             WarningKind::UnequalNoise,
-            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; points off \
-             contact that shall not count: let their lines begin with #",
+            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it",
         ),
         (
             WarningKind::Hysteresis,
@@ -388,7 +387,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let system = &arguments.known.bodies.system;
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
-    arguments.reference.check(&parameters)?;
+    arguments.reference.check(&free)?;
     if parameters.contains(&Parameter::BaselineSlope) {
         let is_other = |doubt: &Doubt| !matches!(doubt, Doubt::Tilt { .. });
         let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
