@@ -171,6 +171,22 @@ fn upper_tail(z: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// One ratio in a thousand is larger than these, of tables of Fisher's distribution; 3.090 standard deviations.
+    #[test]
+    fn ratios_of_squares_are_those_of_fishers_distribution() {
+        for (freedom, ratio) in [
+            ([10.0, 10.0], 8.754),
+            ([10.0, 20.0], 5.075),
+            ([20.0, 10.0], 7.804),
+            ([20.0, 20.0], 4.290),
+            ([10.0, 120.0], 3.237),
+            ([120.0, 10.0], 6.944),
+        ] {
+            let found = ratio_of_squares([ratio, 1.0], freedom);
+            assert!((3.0..3.1).contains(&found), "{freedom:?}: {found}");
+        }
+    }
+
     #[test]
     fn medians_are_in_the_middle() {
         assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);

@@ -29,13 +29,14 @@ pub(super) fn add(
     if experiment.usual_noise().is_some() || !assigned.abscissa_parts.is_empty() {
         return false;
     }
-    let points = assigned.counting_points();
-    let points = points.zip(residuals.iter().zip(leverages));
-    let points =
-        points.map(|(i, (residual, leverage))| (radii[i] > 0.0, [residual.abs(), *leverage]));
-    let (contact, apart): (Vec<_>, Vec<_>) = points.partition(|(in_contact, _)| *in_contact);
-    let [contact, apart] = [contact, apart].map(|part| part.into_iter().map(|(_, point)| point));
-    let (contact, apart): (Vec<[f64; 2]>, Vec<[f64; 2]>) = (contact.collect(), apart.collect());
+    let part = |in_contact: bool| -> Vec<[f64; 2]> {
+        let points = assigned.counting_points();
+        let points = points.zip(residuals.iter().zip(leverages));
+        let own = points.filter(|(i, _)| (radii[*i] > 0.0) == in_contact);
+        own.map(|(_, (residual, leverage))| [residual.abs(), *leverage])
+            .collect()
+    };
+    let [contact, apart] = [true, false].map(part);
     let [of_contact, of_apart] = [&contact, &apart].map(|part| freedom(part));
     if of_contact.min(of_apart) < FEWEST {
         return false;
@@ -44,15 +45,16 @@ pub(super) fn add(
     let squares = contact.iter().map(|[size, _]| size.min(far).powi(2));
     let in_contact = squares.sum::<f64>() / of_contact;
     let off_contact = apart.iter().map(|[size, _]| size * size).sum::<f64>() / of_apart;
+    let told = contact.iter().map(|[_, leverage]| *leverage).sum::<f64>();
     // Outliers may make the estimated noise larger than the scatter of the others: no error is too small.
     if in_contact <= 1.0
+        || told == 0.0
         || ratio_of_squares([in_contact, off_contact], [of_contact, of_apart]) <= BEYOND_CHANCE
     {
         return false;
     }
     // The variance of what the points tell, over that with the estimated noise.
     let free = |leverage: f64| (1.0 - leverage).max(f64::EPSILON);
-    let told = contact.iter().map(|[_, leverage]| *leverage).sum::<f64>();
     let own = contact
         .iter()
         .map(|[size, leverage]| leverage * size * size / free(*leverage));
