@@ -85,11 +85,7 @@ impl Cohesive {
             reach
         };
         let range = [SMALLEST * self.thickness, reach * (1.0 + f64::EPSILON)];
-        Error::check(
-            "contact radius (m) with an attraction of finite range",
-            contact_radius,
-            range,
-        )?;
+        Error::check("contact radius", contact_radius, range)?;
         let radius = contact_radius / self.thickness;
         FixedRadius::new(radius, &self.symbol)
             .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))
