@@ -7,7 +7,7 @@ use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
 
 use crate::imagined::Imagined;
-use crate::layers::{fit_of, layer, named, on_layers, recover};
+use crate::layers::{fit_of, layer, named, on_layers, recover, with_reach};
 
 const INFINITY: f64 = f64::INFINITY;
 
@@ -160,12 +160,16 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
 /// The errors of a plan are those at the planned value, and a bonded or sliding film has none.
 #[test]
 fn the_stiffness_of_an_interface_is_planned_where_it_is_free() {
-    for interface in [Interface::Bonded, Interface::Sliding] {
+    let planned = |interface| {
         let lens = lens(interface, &[modulus(), stiffness()]);
         let mut experiment = lens.truth.clone();
         experiment.measurement = lens.exact();
         experiment.noise = Some(lens.noise);
-        let refused = forecast(Table::embedded(), &[experiment], &lens.free);
-        refused.refused("film.interface-stiffness; planned as 0 or infinite; plan another one");
+        forecast(Table::embedded(), &[with_reach(experiment)], &lens.free)
+    };
+    planned(springs(2e11, INFINITY)).expect("a stiffness is planned");
+    for interface in [Interface::Bonded, Interface::Sliding] {
+        planned(interface)
+            .refused("film.interface-stiffness; planned as 0 or infinite; plan another one");
     }
 }

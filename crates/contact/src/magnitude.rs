@@ -89,17 +89,17 @@ impl Magnitude {
         work_of_adhesion: f64,
     ) -> impl Iterator<Item = Self> {
         let radius = probe.radius();
-        let [end, slope] = match probe {
+        let [width, height] = match probe {
             Probe::Profile(profile) => [
                 Self::length("the largest r of the profile", profile.end()),
-                Self::slope(profile),
+                Self::height(profile),
             ],
             _ => [None, None],
         };
         let found = [
             radius.and_then(|radius| Self::length("the radius of the sphere", radius)),
-            end,
-            slope,
+            width,
+            height,
             Self::modulus("the sphere's modulus", sphere_modulus),
             Self::work_of_adhesion("the work of adhesion", work_of_adhesion),
         ];
@@ -107,7 +107,7 @@ impl Magnitude {
     }
 
     /// Checks the height of a measured profile over its largest radius.
-    fn slope(profile: &Profile) -> Option<Self> {
+    fn height(profile: &Profile) -> Option<Self> {
         let end = profile.end();
         let mut bends = profile.slopes().to_vec();
         bends.push([end, profile.slope(end)]);
@@ -115,10 +115,10 @@ impl Magnitude {
         let height: f64 = spans
             .map(|ends| 0.5 * (ends[0][1] + ends[1][1]) * (ends[1][0] - ends[0][0]))
             .sum();
-        let slope = height / end;
-        (slope > STEEPEST).then(|| Self {
+        let ratio = height / end;
+        (ratio > STEEPEST).then(|| Self {
             what: "the largest z of the profile over its largest r".into(),
-            value: slope,
+            value: ratio,
             unit: "m/m",
             reason: format!(
                 "is above {STEEPEST}, that of a cone with a half angle of 1 degree: check the units of r and z"
@@ -201,5 +201,29 @@ fn short(value: f64) -> String {
         format!("{value}")
     } else {
         format!("{value:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A hemisphere by half degrees, whose last slope is that of a wall, and a paraboloid with z in um for nm.
+    #[test]
+    fn profiles_are_judged_by_their_height() {
+        let found = |points: &[[f64; 2]]| {
+            let profile = Profile::new(points).expect("convex");
+            Magnitude::of_probe(&Probe::Profile(profile), 1e6, 0.04).count()
+        };
+        let hemisphere: Vec<[f64; 2]> = (0..=180)
+            .map(|i| (0.5 * f64::from(i)).to_radians())
+            .map(|angle| [1e-6 * angle.sin(), 1e-6 * (1.0 - angle.cos())])
+            .collect();
+        assert_eq!(found(&hemisphere), 0);
+        let paraboloid = |unit: f64| -> Vec<[f64; 2]> {
+            let radii = (0..=30).map(|i| 1e-7 * f64::from(i));
+            radii.map(|r| [r, unit * r * r / 2e-5]).collect()
+        };
+        assert_eq!([1.0, 1e3].map(|unit| found(&paraboloid(unit))), [0, 1]);
     }
 }

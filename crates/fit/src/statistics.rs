@@ -37,6 +37,19 @@ pub(crate) fn excess(chi_squared: f64, degrees_of_freedom: f64) -> f64 {
     ((chi_squared / degrees_of_freedom).cbrt() - (1.0 - spread)) / spread.sqrt()
 }
 
+/// The residual over the robust standard deviation of all from which on it is far.
+const FAR: f64 = 3.0;
+
+/// Returns the size from which on residuals of these `sizes` are far from the others; infinity where most are 0.
+pub(crate) fn far(sizes: impl Iterator<Item = f64>) -> f64 {
+    let scale = median(sizes.collect()) / MEDIAN;
+    if scale > 0.0 {
+        FAR * scale
+    } else {
+        f64::INFINITY
+    }
+}
+
 /// Returns by how many standard deviations a mean of squares exceeds another one, of the same normal numbers,
 /// with these degrees of freedom each: Wilson and Hilferty's cube root in both (Paulson, Ann. Math. Stat. 13,
 /// 233, 1942).

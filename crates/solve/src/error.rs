@@ -105,7 +105,7 @@ pub enum Error {
     },
     /// An attraction that reaches farther than is solved.
     #[error(
-        "at the contact radius {contact_radius:?} m the attraction acts beyond the radius {reach:?} m, up to which it is solved; take a smaller contact radius or a shorter interaction range"
+        "at the contact radius {contact_radius:?} m the attraction acts beyond the radius {reach:.3e} m, up to which it is solved; take a smaller contact radius or a shorter interaction range"
     )]
     AnnulusReach {
         /// The contact radius, m.
@@ -154,8 +154,8 @@ pub enum Error {
     #[error(
         "a sphere with stick is solved only where Dundurs' beta of sphere and film is 0: a film of Poisson ratio 0.5 under a rigid sphere \
          or one of Poisson ratio 0.5, or sphere and film of one material. Here beta = {beta:.4} (nu1 = {nu1:?}, nu2 = {nu2:?}). A flat \
-         punch with stick is solved for every beta. A sphere without friction is solved, too; a flat punch that sticks is stiffer on a half-space than one without \
-         friction by the factor artanh(beta)/beta = {factor:.4}"
+         punch with stick is solved for every beta. A sphere without friction is solved, too: how large the difference is, a flat punch \
+         tells, which on a half-space is stiffer with stick by the factor artanh(beta)/beta = {factor:.4}"
     )]
     Coupled {
         /// Dundurs' beta.

@@ -11,9 +11,7 @@ use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::{Assigned, Problem};
 use super::unequal_noise;
-use crate::statistics::{
-    CLIPPED, MEDIAN, clipped, deviations, excess, likeness_of_neighbours, median,
-};
+use crate::statistics::{CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours};
 use crate::{Branch, Direction, Fit, Loss, WarningKind};
 
 /// The excess of squares over those of one outlier in ten points, in standard deviations, from which
@@ -26,9 +24,6 @@ const BEYOND_OUTLIERS: f64 = 3.0;
 const ALIKE: f64 = 1e-3;
 /// The ratio of the scatter to the given noise above which nothing is said.
 const SMALLER: f64 = 0.8;
-/// The residual over the robust standard deviation of all, from which on neighbours are compared as
-/// if it were this one: an outlier would hide the others.
-const FAR: f64 = 3.0;
 
 /// Adds the doubts about noise and agreement, from the residuals, the share of each that the fit
 /// follows, and the noise of neighbouring ordinates of each experiment. Returns of each whether its noise
@@ -190,12 +185,8 @@ fn beside_neighbours(
         );
         return true;
     }
-    let scale = median(own.iter().map(|r| r.abs()).collect()) / MEDIAN;
-    let far = if scale > 0.0 {
-        FAR * scale
-    } else {
-        f64::INFINITY
-    };
+    // An outlier would hide the others.
+    let far = far(own.iter().map(|r| r.abs()));
     let near: Vec<f64> = own.iter().map(|r| r.clamp(-far, far)).collect();
     // All branches together, each by the number of its points.
     let found = of_branches(&near);

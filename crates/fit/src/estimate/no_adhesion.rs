@@ -43,12 +43,12 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
         let value = problem.value(i);
         let mut own = (problem.assigned.iter().enumerate())
             .filter(|(e, _)| slot.experiment.is_none_or(|own| own == *e));
-        let is_none = |e: usize, experiment: &Experiment| {
+        let ended = |e: usize, experiment: &Experiment| {
             let [_, a] = problem.contact_radii(e)?;
             let contact = problem.contact(&experiment.bodies, false).ok()?;
             Some(is_none(experiment, &contact, a, value))
         };
-        if own.all(|(e, assigned)| is_none(e, &assigned.experiment) == Some(true)) {
+        if own.all(|(e, assigned)| ended(e, &assigned.experiment) == Some(true)) {
             warnings.add(
                 WarningKind::AtBound,
                 format!(

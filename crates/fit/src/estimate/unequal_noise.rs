@@ -7,11 +7,8 @@
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Assigned;
 use crate::WarningKind;
-use crate::statistics::{MEDIAN, median, ratio_of_squares};
+use crate::statistics::{far, ratio_of_squares};
 
-/// The residual over the robust standard deviation of those in contact, from which on it counts as if it
-/// were this one: an outlier would stand for the scatter of all.
-const FAR: f64 = 3.0;
 /// The fewest degrees of freedom that tell the scatter of a part.
 const FEWEST: f64 = 10.0;
 
@@ -41,7 +38,8 @@ pub(super) fn add(
     if of_contact.min(of_apart) < FEWEST {
         return false;
     }
-    let far = FAR * median(contact.iter().map(|[size, _]| *size).collect()) / MEDIAN;
+    // An outlier would stand for the scatter of all.
+    let far = far(contact.iter().map(|[size, _]| *size));
     let squares = contact.iter().map(|[size, _]| size.min(far).powi(2));
     let in_contact = squares.sum::<f64>() / of_contact;
     let off_contact = apart.iter().map(|[size, _]| size * size).sum::<f64>() / of_apart;

@@ -4,7 +4,7 @@ use crate::Error;
 use crate::cohesive::annulus::Annulus;
 use crate::cohesive::checks::Solution;
 use crate::cohesive::fixed_radius::{FixedRadius, Part};
-use crate::cohesive::{Cohesive, CohesiveState, REACH, SMALLEST, search};
+use crate::cohesive::{Cohesive, CohesiveState, SMALLEST, search};
 
 impl Cohesive {
     /// Returns the state at the contact radius `a`, m.
@@ -12,8 +12,8 @@ impl Cohesive {
     /// Of several outer radii at which the gap is `z0`, it is the smallest.
     ///
     /// # Errors
-    /// [`Error::Domain`] for a radius below [`SMALLEST`] or beyond [`REACH`];
-    /// [`Error::AnnulusReach`] for one whose annulus is beyond it;
+    /// [`Error::Domain`] for a radius below [`SMALLEST`] or beyond that of the sphere;
+    /// [`Error::AnnulusReach`] for one beyond [`REACH`](crate::cohesive::REACH), or whose annulus is;
     /// [`Error::NotAContact`] where the contact would open inside, or the gap in the annulus is not
     /// between 0 and `z0`.
     pub fn state(&self, contact_radius: f64) -> Result<CohesiveState, Error> {
@@ -78,17 +78,23 @@ impl Cohesive {
 
     /// Prepares a contact radius, m.
     fn fixed(&self, contact_radius: f64) -> Result<FixedRadius<'_>, Error> {
-        let reach = (REACH * self.thickness).min(self.sphere_radius);
-        let reach = if self.symbol.contrast() == 0.0 {
-            self.sphere_radius
-        } else {
-            reach
-        };
-        let range = [SMALLEST * self.thickness, reach * (1.0 + f64::EPSILON)];
+        let range = [SMALLEST * self.thickness, self.sphere_radius];
         Error::check("contact radius", contact_radius, range)?;
+        // A radius that differs from the reach by rounding has no annulus.
+        if contact_radius >= (1.0 - 1e-12) * self.reach() * self.thickness {
+            return Err(self.beyond_reach(contact_radius));
+        }
         let radius = contact_radius / self.thickness;
         FixedRadius::new(radius, &self.symbol)
             .ok_or_else(|| self.no_contact(radius, "rounding has left no digits"))
+    }
+
+    /// The error of a contact radius (m) at which the attraction acts farther than is solved.
+    fn beyond_reach(&self, contact_radius: f64) -> Error {
+        Error::AnnulusReach {
+            contact_radius,
+            reach: self.reach() * self.thickness,
+        }
     }
 
     /// Solves a contact radius, m, with an annulus near a `width` if one is given.
@@ -121,8 +127,6 @@ impl Cohesive {
         const GROWTH: f64 = 2.5;
         /// The first growth near a known width.
         const NEAR: f64 = 1.2;
-        /// The square of `tan(phi)` below which a contact fills all that is solved.
-        const NARROWEST: f64 = 1e-12;
         let radius = contact_radius / self.thickness;
         let reach = self.reach();
         // The square of tan(phi), with which the gap grows almost linearly: for a known width, or
@@ -137,13 +141,6 @@ impl Cohesive {
             let long = 2.0 * self.range / (self.curvature * radius * radius);
             (short * long / (short + long) / GROWTH, GROWTH)
         };
-        let beyond = Error::AnnulusReach {
-            contact_radius,
-            reach: reach * self.thickness,
-        };
-        if farthest < NARROWEST {
-            return Err(beyond);
-        }
         let mut low = first.min(farthest);
         let weights = [self.curvature, self.traction];
         let mut excess = |square: f64| {
@@ -169,7 +166,7 @@ impl Cohesive {
                 break high;
             }
             if low >= farthest {
-                return Err(beyond);
+                return Err(self.beyond_reach(contact_radius));
             }
             let next = (growth * low).min(farthest);
             growth = GROWTH;

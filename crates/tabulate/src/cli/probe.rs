@@ -21,8 +21,8 @@ pub enum Shape {
     /// r cot(half angle)
     Cone,
     /// A cone with a round end, the paraboloid r^2/(2R) with R = --sphere-radius up to r = R cot(half
-    /// angle). A spherical end differs from it, clearly at half angles
-    /// below 60 degrees: give it by --profile
+    /// angle). A spherical end differs from it, clearly at half angles below 60 degrees: give it by
+    /// --profile
     RoundedCone,
     /// A flat cylinder of radius --sphere-radius
     FlatPunch,
