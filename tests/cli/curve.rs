@@ -144,14 +144,59 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
         let run = workdir.run(format!("{paper} --to {to}"));
         assert_eq!(run.status, 0);
         assert_eq!(
-            run.stderr.lines().count(),
+            run.stderr.matches(LARGE_CONTACT).count(),
             usize::from(warned.is_some()),
-            "{run:?}"
+            "{}",
+            run.stderr
         );
         if let Some(part) = warned {
             assert_names(&run.stderr, &[LARGE_CONTACT, part, "--probe sphere"]);
         }
         assert_eq!(Data::parse("curve", &run.stdout).cases().count(), 150);
+    }
+}
+
+/// Between rigid bodies the compression is the whole penetration.
+#[test]
+fn a_film_that_is_compressed_too_much_is_told_of() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --film-thickness 300nm --film-modulus 5kPa --film-poisson-ratio 0.3 \
+                  --sphere-radius 2.5um --sphere-modulus inf --substrate-modulus inf";
+    for options in [
+        "--work-of-adhesion 0J/m^2",
+        "--work-of-adhesion 1uJ/m^2",
+        "embedded --work-of-adhesion 1uJ/m^2",
+    ] {
+        let call = format!("curve {options} {bodies} --from 0.1um --points 2");
+        for (to, told) in [("0.34um", false), ("0.7um", true)] {
+            let run = workdir.run(format!("{call} --to {to}"));
+            assert_eq!(
+                (run.status, run.stderr.contains("compress")),
+                (0, told),
+                "{run:?}"
+            );
+        }
+        let without = workdir.run(format!("{call} --to 0.7um").replace("1uJ", "0J"));
+        let rows = Data::parse("curve", &without.stdout);
+        let last = rows.cases().last().expect("a row");
+        let percent = 1e2 * last.get("penetration") / 3e-7;
+        let run = workdir.run(format!("{call} --to 0.7um"));
+        assert_names(&run.stderr, &[&format!("the film by {percent:.0} %")]);
+    }
+}
+
+#[test]
+fn a_steep_probe_is_told_of() {
+    let workdir = workdir!();
+    for (half_angle, slope) in [("50", None), ("20", Some("the slope is 2.75"))] {
+        let call = "curve embedded --specimen paper --probe cone --points 2";
+        let run = workdir.run(format!("{call} --half-angle {half_angle} --to 1e-7"));
+        assert_eq!(
+            (run.status, run.stderr.contains("slope")),
+            (0, slope.is_some()),
+            "{run:?}"
+        );
+        slope.map(|slope| assert_names(&run.stderr, &[slope, "from the axis"]));
     }
 }
 

@@ -354,6 +354,15 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
             && !film.is_confined()
     );
     assert_eq!(half_space().validity(5e-5).expect("physical").film, None);
+    // Between rigid bodies the film has all of the penetration, that of an elastic foundation.
+    let system = System {
+        sphere_modulus: f64::INFINITY,
+        substrate: solid(f64::INFINITY, 0.3),
+        ..system
+    };
+    let film = looked_up(&system).validity(5e-4).expect("physical").film;
+    let of_foundation = 5e-4 * 5e-4 / (2.0 * 1e-3) / 1e-5;
+    assert!((film.expect("coated").strain / of_foundation - 1.0).abs() < 0.05);
 
     let (w, z0): (f64, f64) = (0.04, 3e-10);
     let range = contact.zone_size(w, z0).expect("physical");

@@ -221,6 +221,17 @@ fn contacts_outside_the_model_are_warned_of() {
     let found = probe.fit(1);
     assert_warns(&found, WarningKind::LargeContact, "a/R reaches 0.45; 0.3");
     assert_warns(&found, WarningKind::LargeStrain, "of its thickness");
+    let Bodies::Coated(system) = &mut probe.truth.bodies else {
+        panic!("a film")
+    };
+    let half_angle = 20_f64.to_radians();
+    system.probe = Probe::Cone { half_angle };
+    probe.radii[1] = 6e-6;
+    assert_warns(
+        &probe.fit(1),
+        WarningKind::LargeContact,
+        "reaches 2.75; half angle 20 degrees",
+    );
     // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
     let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
     hard.truth.bodies = Bodies::Coated(rigid_probe(

@@ -58,9 +58,11 @@ pub struct FilmValidity {
     /// NaN if a layer slides on what lies below, or is joined to it by springs: such layers yield
     /// sideways without being confined.
     pub compressibility: f64,
-    /// The penetration without adhesion over the thickness of the film, `delta0/t`: the size of its
-    /// strain. The model is linear. Where the curve does not cover `a/t`, the penetration is that
-    /// on a half-space.
+    /// The compression of the film over its thickness, `(delta0/t) (1 - S/S0)`: the part of the
+    /// penetration without adhesion that the bare substrate, of stiffness `S0`, would not have at the
+    /// same load. It is the size of the strain of the film, and the model is linear. Negative where
+    /// the substrate is softer than the film. Where the curve does not cover `a/t`, it is `delta0/t`
+    /// with the penetration on a half-space.
     pub strain: f64,
     /// Whether `a/t` is between the first and the last node of the table or curve. Beyond them an
     /// expansion is used, or there is an error.
@@ -74,6 +76,10 @@ impl Validity {
     /// The `a/R` above which the command line and the page of a table warn: the paraboloid changes
     /// the penetration by 3 % there.
     pub const WARNING_A_OVER_R: f64 = 0.3;
+
+    /// The slope at the edge above which the command line and a fit warn of any other shape, that of a
+    /// cone of half angle 45 degrees. The model takes slopes to be small.
+    pub const WARNING_SLOPE: f64 = 1.0;
 
     /// The share of the probe in the compliance, and the strain of the film, that count as small: a
     /// judgement, not a measured limit.
@@ -210,6 +216,10 @@ impl Contact {
         let a_over_r = self.probe().slope(a);
         // Where the curve does not cover `a/t`, the size is that of a paraboloid on a half-space.
         let without = self.adhesionless_penetration(a).unwrap_or(a * a_over_r);
+        let bare = 2.0 * a * self.mechanics().sphere_substrate_modulus();
+        let of_film = self
+            .stiffness(a)
+            .map_or(1.0, |stiffness| 1.0 - stiffness / bare);
         let film = match self.system().zip(self.curve()) {
             Some((system, curve)) => {
                 let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
@@ -223,7 +233,7 @@ impl Contact {
                 } else {
                     finite_result(a, factor * a_over_t * a_over_t)?
                 };
-                let strain = finite_result(a, without / system.film_thickness)?;
+                let strain = finite_result(a, without * of_film / system.film_thickness)?;
                 let [from, to] = curve.range();
                 let in_range = (from..=to).contains(&a_over_t);
                 Some(FilmValidity {

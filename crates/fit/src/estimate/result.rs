@@ -343,7 +343,7 @@ pub enum WarningKind {
     Outliers,
     /// Points that the fit leaves out.
     LeftOut,
-    /// A contact that is large beside the sphere.
+    /// A contact that is large beside the sphere, or at whose edge the probe is steep.
     LargeContact,
     /// An attraction whose range is not small: Tabor's parameter is below 5.
     LongRange,

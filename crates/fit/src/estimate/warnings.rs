@@ -23,8 +23,6 @@ use crate::{Bodies, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, W
 const SMALLEST_RADIUS: f64 = 1e-9;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
-/// The largest strain of the film that counts as small.
-const SMALL_STRAIN: f64 = 0.1;
 
 /// Lists the doubts about a fit.
 pub(super) fn warnings(
@@ -402,7 +400,18 @@ fn geometry(
             ),
         );
     }
-    if let Some(strain) = strain(&contact, &experiment.bodies, a).filter(|s| *s > SMALL_STRAIN) {
+    if !paraboloid && validity.a_over_r > Validity::WARNING_SLOPE {
+        warnings.add(
+            WarningKind::LargeContact,
+            format!(
+                "{name}: the slope of the probe reaches {:.2} at the edge of the contact, as of a cone of half angle \
+                 {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
+                validity.a_over_r,
+                validity.a_over_r.recip().atan().to_degrees()
+            ),
+        );
+    }
+    if let Some(film) = validity.film.filter(|film| film.strain > Validity::SMALL) {
         let what = match experiment.bodies {
             Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
             _ => "film",
@@ -412,8 +421,8 @@ fn geometry(
             format!(
                 "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
                  its elasticity is not linear",
-                1e2 * strain,
-                1e2 * SMALL_STRAIN
+                1e2 * film.strain,
+                1e2 * Validity::SMALL
             ),
         );
     }
@@ -467,14 +476,4 @@ fn error_of_jkr(range: &ZoneSize<'_>) -> String {
         }
         Err(error) => format!("By how much the model is wrong is not known: {error}"),
     }
-}
-
-/// Estimates the compression of the film over its thickness at contact radius `a`: the part of the
-/// adhesionless penetration that the bare substrate would not have at the same load.
-fn strain(contact: &contact::Contact, bodies: &Bodies, a: f64) -> Option<f64> {
-    let thickness = bodies.thickness()?;
-    let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
-    let bare = 2.0 * a * contact.mechanics().sphere_substrate_modulus();
-    let share = 1.0 - contact.stiffness(a).ok()? / bare;
-    Some(penetration * share / thickness)
 }

@@ -51,8 +51,9 @@ class Validity(OneLine):
         thin film deforms by a change of its volume; below 1 it behaves as incompressible. Of a
         stack it is that of all layers together. None on a half-space.
     strain : float, numpy.ndarray or None
-        The penetration without adhesion over the film thickness: the size of the strain of the
-        film. The model is linear. None on a half-space.
+        The compression of the film over its thickness, the size of its strain: the part of the
+        penetration without adhesion that the bare substrate would not have at the same load. The
+        model is linear. Negative where the substrate is softer than the film; None on a half-space.
     in_range : bool, numpy.ndarray or None
         Whether a/t is between the nodes of the table or curve. Beyond them an expansion is used, or
         there is an error. None on a half-space.

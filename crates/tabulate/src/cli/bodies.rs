@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::ensure;
 use clap::ValueHint;
-use contact::Validity;
 use contact::magnitude::Magnitude;
-use interp::{Probe, System};
+use contact::{Contact, Validity};
+use interp::{Probe, System, Table};
 
 use super::allow::{self, Allowed};
 use super::interface::InterfaceArguments;
@@ -138,7 +138,7 @@ impl BodiesArguments {
 
 impl Bodies {
     /// Notes on standard error that a contact radius (m) is too large for a paraboloid to stand for a
-    /// sphere.
+    /// sphere, or that another probe is steep there.
     pub fn note_large_contact(&self, a: f64) {
         let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
@@ -146,6 +146,37 @@ impl Bodies {
                 "{LARGE_CONTACT} The largest contact radius here is {:.3} R. On one bonded film, without friction and \
                  without --interaction-range, --probe sphere takes the shape of the sphere, up to 0.55 R.",
                 a / self.sphere_radius
+            ));
+        }
+        let slope = self.system.probe.slope(a);
+        if !paraboloid && slope > Validity::WARNING_SLOPE {
+            note(&format!(
+                "The model takes the slopes of the probe to be small; at the edge of a contact of radius {a:.3e} m the slope is \
+                 {slope:.2}, as of a cone of half angle {:.0} degrees. Half angles count from the axis.",
+                slope.recip().atan().to_degrees()
+            ));
+        }
+    }
+
+    /// Notes on standard error that the film is compressed by more than is a small strain in a contact of radius `a`
+    /// (m). Without a `contact`, one film is looked up in the embedded table, and of a stack nothing is known.
+    pub fn note_compression(&self, contact: Option<&Contact>, a: f64) {
+        let looked_up = match contact {
+            None if self.stack.is_none() => Contact::in_table(Table::embedded(), &self.system).ok(),
+            _ => None,
+        };
+        let validity = contact
+            .or(looked_up.as_ref())
+            .map(|contact| contact.validity(a));
+        if let Some(Ok(Validity {
+            film: Some(film), ..
+        })) = validity
+            && film.strain > Validity::SMALL
+        {
+            note(&format!(
+                "The model is linear: its error is of the size of the strain. Without adhesion, a contact of radius {a:.3e} m \
+                 would compress the film by {:.0} % of its thickness.",
+                1e2 * film.strain
             ));
         }
     }

@@ -47,7 +47,7 @@ use solve::{A_OVER_T, curve as adaptive, solve};
 #[command(after_help = super::examples!(
     "tabulate curve --specimen paper",
     "tabulate curve --specimen paper --film-thickness 10um --points 20 | cut -d, -f1-3",
-    "tabulate curve --specimen paper --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.4",
+    "tabulate curve --specimen paper --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.4 --to 10um",
     "tabulate curve embedded --specimen paper --work-of-adhesion 100mJ/m^2 -o curve.csv",
     "tabulate curve --specimen paper --stack tables/stacks/primer.toml --from 10um --to 90um --points 9",
     "tabulate curve --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
@@ -136,6 +136,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     given.name_example();
     bodies.note_large_contact(to);
+    if !punch {
+        let contact = match &states.source {
+            Source::Curve(contact) => Some(&**contact),
+            _ => None,
+        };
+        bodies.note_compression(contact, to);
+    }
     if arguments.history.sticks()?.is_none() {
         friction::note_size(&bodies, if punch { bodies.sphere_radius } else { to });
     }
