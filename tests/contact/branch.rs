@@ -7,20 +7,7 @@ use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
 use interp::{HalfSpace, Probe, System, Table};
 
-const NONE: Derivatives = Derivatives {
-    load: 0.0,
-    penetration: 0.0,
-};
 const SPRING: Control = Control::Spring { stiffness: 40.0 };
-
-/// Returns the imposed value of a load and a penetration.
-fn imposed(control: Control, load: f64, penetration: f64) -> f64 {
-    match control {
-        Control::Load => load,
-        Control::Displacement => penetration,
-        Control::Spring { stiffness } => penetration + load / stiffness,
-    }
-}
 
 /// Returns systems of soft and rigid spheres on films from thin to thick.
 fn systems() -> Vec<System> {
@@ -54,8 +41,8 @@ fn a_branch_holds_the_states_found_one_by_one() {
             let equilibria = contact.equilibria(w, control).expect("a table to 0");
             let end = equilibria.pull_off().expect("in range");
             let (load, penetration) = contact.load_and_penetration(6e-4, w).expect("inside");
-            let most = imposed(control, load, penetration);
-            let least = imposed(control, end.load, end.penetration);
+            let most = control.imposed(load, penetration);
+            let least = control.imposed(end.load, end.penetration);
             for branch in [Branch::Loading, Branch::Unloading] {
                 let from = if branch == Branch::Loading {
                     0.0
@@ -68,9 +55,8 @@ fn a_branch_holds_the_states_found_one_by_one() {
                 let in_no_order: Vec<f64> = (0..300).map(|_| random.uniform(from, most)).collect();
                 for values in [even.collect(), descending, in_no_order] {
                     let mut states = vec![State::ORIGIN; values.len()];
-                    equilibria
-                        .branch(&values, branch, &mut states)
-                        .expect("in range");
+                    let found = equilibria.branch(&values, branch, &mut states);
+                    found.expect("in range");
                     for (&value, state) in values.iter().zip(&states) {
                         let expected = match branch {
                             Branch::Loading => equilibria.loading(value),
@@ -79,12 +65,10 @@ fn a_branch_holds_the_states_found_one_by_one() {
                         .expect("in range");
                         let off = state.contact_radius / expected.contact_radius - 1.0;
                         assert!(off.abs() < 1e-11, "{control:?} {value}: {off:e}");
-                        let reached = imposed(control, state.load, state.penetration);
+                        let reached = control.imposed(state.load, state.penetration);
                         let size = value.abs().max(1e-3 * most);
-                        assert!(
-                            (reached - value).abs() < 1e-12 * size,
-                            "{reached} for {value}"
-                        );
+                        let off = (reached - value).abs();
+                        assert!(off < 1e-12 * size, "{reached} for {value}");
                     }
                 }
             }
@@ -105,15 +89,10 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     let values: Vec<f64> = (0..50).map(|i| -1e-6 + 2e-7 * f64::from(i)).collect();
     let inputs = [Input::SphereModulus, Input::WorkOfAdhesion];
     let mut states = vec![State::ORIGIN; values.len()];
-    let mut derivatives = vec![NONE; 3 * values.len()];
+    let mut derivatives = vec![Derivatives::ZERO; 3 * values.len()];
+    let unloading = Branch::Unloading;
     equilibria
-        .branch_with_gradient(
-            &values,
-            Branch::Unloading,
-            &inputs,
-            &mut states,
-            &mut derivatives,
-        )
+        .branch_with_gradient(&values, unloading, &inputs, &mut states, &mut derivatives)
         .expect("JKR");
     for (state, rows) in states.iter().zip(derivatives.chunks(3)) {
         // Johnson, Kendall and Roberts (1971): F and delta as functions of a.
@@ -170,19 +149,14 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
                 .iter()
                 .map(|&a| {
                     let (load, penetration) = contact.load_and_penetration(a, w).expect("inside");
-                    imposed(control, load, penetration)
+                    control.imposed(load, penetration)
                 })
                 .collect();
             let mut states = vec![State::ORIGIN; 3];
-            let mut derivatives = vec![NONE; 12];
+            let mut derivatives = vec![Derivatives::ZERO; 12];
+            let unloading = Branch::Unloading;
             equilibria
-                .branch_with_gradient(
-                    &values,
-                    Branch::Unloading,
-                    &inputs,
-                    &mut states,
-                    &mut derivatives,
-                )
+                .branch_with_gradient(&values, unloading, &inputs, &mut states, &mut derivatives)
                 .expect("in range");
             for (k, input) in inputs.into_iter().enumerate() {
                 let changed = |factor: f64| {
@@ -233,11 +207,10 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
 #[test]
 fn values_without_a_contact_and_wrong_lengths_are_refused() {
     let system = paper_system(1e-5);
-    let contact =
-        Contact::in_table_with_gradient(Table::embedded(), &system).expect("in the table");
-    let equilibria = contact
-        .equilibria(0.04, Control::Displacement)
-        .expect("in range");
+    let contact = Contact::in_table_with_gradient(Table::embedded(), &system);
+    let contact = contact.expect("in the table");
+    let equilibria = contact.equilibria(0.04, Control::Displacement);
+    let equilibria = equilibria.expect("in range");
     let mut states = [State::ORIGIN; 2];
     let error = equilibria.branch(&[1e-6, -1e-5], Branch::Unloading, &mut states);
     assert!(matches!(error, Err(Error::NoContact { .. })), "{error:?}");
@@ -246,24 +219,14 @@ fn values_without_a_contact_and_wrong_lengths_are_refused() {
     assert!(matches!(error, Err(Error::NoContact { .. })), "{error:?}");
     let error = equilibria.branch(&[1e-6], Branch::Loading, &mut states);
     assert_names(&error.expect_err("a length").to_string(), &["2", "1"]);
-    let mut derivatives = [NONE; 3];
-    let inputs = [Input::FilmModulus];
-    let error = equilibria.branch_with_gradient(
-        &[1e-6, 2e-6],
-        Branch::Loading,
-        &inputs,
-        &mut states,
-        &mut derivatives,
-    );
-    assert_names(
-        &error.expect_err("a length").to_string(),
-        "number of derivatives; 3",
-    );
+    let mut derivatives = [Derivatives::ZERO; 3];
+    let (values, inputs, loading) = ([1e-6, 2e-6], [Input::FilmModulus], Branch::Loading);
+    let error = equilibria
+        .branch_with_gradient(&values, loading, &inputs, &mut states, &mut derivatives)
+        .expect_err("a length");
+    assert_names(&error.to_string(), "number of derivatives; 3");
     for value in [f64::NAN, f64::INFINITY] {
-        assert!(
-            equilibria
-                .branch(&[value], Branch::Unloading, &mut states[1..])
-                .is_err()
-        );
+        let refused = equilibria.branch(&[value], Branch::Unloading, &mut states[1..]);
+        assert!(refused.is_err());
     }
 }

@@ -9,6 +9,8 @@ use contact::{Contact, JkrFit, JkrPoint};
 use interp::{HalfSpace, Material, Mechanics, Probe, System, Table};
 use solve::solve;
 
+use crate::half_space::relative;
+
 pub fn bare() -> HalfSpace {
     paper_system(1e-6).without_film()
 }
@@ -32,13 +34,10 @@ fn load_and_penetration_of_direct_solves_give_radius_and_energy_release_rate_bac
             contacts.log_uniform(1e-2, 1.0),
             contacts.log_uniform(2e-5, 2e-4),
         );
-        let (mechanics, material) = (
-            Mechanics::new(&system).expect("physical"),
-            system.material().expect("physical"),
-        );
-        let solution = solve(a / t, &material, 1e-11)
-            .expect("converges")
-            .quantities;
+        let mechanics = Mechanics::new(&system).expect("physical");
+        let material = system.material().expect("physical");
+        let solved = solve(a / t, &material, 1e-11).expect("converges");
+        let solution = solved.quantities;
         let edge = mechanics.edge_singularity(a, w).expect("physical");
         let (load, penetration) = mechanics.load_and_penetration(a, edge, &solution);
         let (radius, g) = coated(t)
@@ -48,18 +47,16 @@ fn load_and_penetration_of_direct_solves_give_radius_and_energy_release_rate_bac
         // energy release rate of the whole to a part of the error.
         let (_, adhesionless) = mechanics.load_and_penetration(a, 0.0, &solution);
         let part = (adhesionless - penetration) / adhesionless;
-        for (error, found) in errors
-            .iter_mut()
-            .zip([(radius / a - 1.0).abs(), (g / w - 1.0).abs()])
-        {
-            *error = larger(*error, found * part.min(1.0) / tolerance);
+        let misses = [relative(radius, a), relative(g, w)];
+        for (error, miss) in errors.iter_mut().zip(misses) {
+            *error = larger(*error, miss * part.min(1.0) / tolerance);
         }
         for found in [
             coated(t).energy_release_rate_at_load(a, load),
             coated(t).energy_release_rate_at_penetration(a, penetration),
         ] {
             let found = found.expect("in range");
-            let error = (found / w - 1.0).abs() * part.min(1.0) / tolerance;
+            let error = relative(found, w) * part.min(1.0) / tolerance;
             errors[2] = larger(errors[2], error);
             assert!(error <= 10.0, "{found}, not {w}");
         }
@@ -85,8 +82,8 @@ fn on_a_half_space_radius_and_energy_release_rate_come_back_to_rounding() {
             .radius_and_energy_release_rate(load, penetration)
             .expect("any radius");
         let part = (a * a / 1e-3 - penetration) / (a * a / 1e-3);
-        worst = larger(worst, (radius / a - 1.0).abs() * part.min(1.0));
-        worst = larger(worst, (g / w - 1.0).abs() * (part * part).min(1.0));
+        worst = larger(worst, relative(radius, a) * part.min(1.0));
+        worst = larger(worst, relative(g, w) * (part * part).min(1.0));
     }
     println!("on a half-space: {worst:.1e}");
     // Measured: 5.1e-15.
@@ -130,12 +127,9 @@ fn a_load_that_no_adhesive_contact_bears_has_no_energy_release_rate() {
         .radius_and_energy_release_rate(-1e-20, -1e-9)
         .expect("far below the nodes");
     let (load, penetration) = contact.load_and_penetration(a, g).expect("below the nodes");
-    assert!(
-        a < 1e-17
-            && (load / -1e-20 - 1.0).abs() < 1e-12
-            && (penetration / -1e-9 - 1.0).abs() < 1e-12,
-        "{a}: {load}, {penetration}"
-    );
+    let misses = [relative(load, -1e-20), relative(penetration, -1e-9)];
+    let found = a < 1e-17 && misses.iter().all(|&miss| miss < 1e-12);
+    assert!(found, "{a}: {load}, {penetration}");
 }
 
 #[test]
@@ -156,23 +150,14 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
     let points =
         [9e-5, 5e-5, 7e-5].map(|a| JkrPoint::new(a, contact.load(a, w).expect("any radius"), 1e-3));
     let fit = JkrFit::through(&points).expect("three points");
-    assert!(
-        (fit.modulus / e - 1.0).abs() <= 1e-13 && (fit.work_of_adhesion() / w - 1.0).abs() <= 1e-13
-    );
+    assert!(relative(fit.modulus, e) <= 1e-13 && relative(fit.work_of_adhesion(), w) <= 1e-13);
     // Loads above Hertz are no adhesion.
     let repelled = points.map(|point| JkrPoint {
         ordinate: point.ordinate - 2.0 * fit.intercept,
         ..point
     });
-    assert!(
-        (JkrFit::through(&repelled)
-            .expect("three points")
-            .work_of_adhesion()
-            / -w
-            - 1.0)
-            .abs()
-            <= 1e-12
-    );
+    let repelled = JkrFit::through(&repelled).expect("three points");
+    assert!(relative(repelled.work_of_adhesion(), -w) <= 1e-12);
     for points in [
         &[][..],
         &points[..1],
@@ -294,12 +279,8 @@ fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
         let flowing = 3.0 * PI * shear * a.powi(4) / (8.0 * system.film_thickness.powi(3));
         let curve =
             interp::Curve::through(&[(x, material.thick_film_limit())], material).expect("a node");
-        let film = Contact::new(&system, curve)
-            .expect("its own")
-            .validity(a)
-            .expect("physical")
-            .film
-            .expect("coated");
+        let contact = Contact::new(&system, curve).expect("its own");
+        let film = contact.validity(a).expect("physical").film.expect("coated");
         assert!((film.a_over_t / x - 1.0).abs() < 1e-14);
         let expected = if film.compressibility == 0.0 {
             flowing
@@ -331,28 +312,17 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     let wide = looked_up(&wide);
     let validity = wide.validity(0.011).expect("physical");
     assert!(validity.is_large_contact() && !validity.film.expect("coated").in_range);
-    assert!(
-        !contact
-            .validity(0.9e-5)
-            .expect("physical")
-            .film
-            .expect("coated")
-            .is_confined()
-    );
+    let thick = contact.validity(0.9e-5).expect("physical").film;
+    assert!(!thick.expect("coated").is_confined());
     let system = System {
         film: solid(3.5e6, 0.3),
         ..paper_system(1e-5)
     };
     let compressible = looked_up(&system);
-    let film = compressible
-        .validity(1e-4)
-        .expect("physical")
-        .film
-        .expect("coated");
-    assert!(
-        (film.compressibility / (3.0 / 16.0 * 0.4 / 0.7 * 100.0) - 1.0).abs() < 1e-13
-            && !film.is_confined()
-    );
+    let film = compressible.validity(1e-4).expect("physical").film;
+    let film = film.expect("coated");
+    assert!(relative(film.compressibility, 3.0 / 16.0 * 0.4 / 0.7 * 100.0) < 1e-13);
+    assert!(!film.is_confined());
     assert_eq!(half_space().validity(5e-5).expect("physical").film, None);
     // Between rigid bodies the film has all of the penetration, that of an elastic foundation.
     let system = System {
@@ -380,9 +350,8 @@ fn many_loads_are_those_of_one_after_the_other() {
     let contact = looked_up(&paper_system(1e-5));
     let radii: Vec<f64> = (1..=100).map(|i| 1e-6 * f64::from(i)).collect();
     let mut loads = vec![0.0; radii.len()];
-    contact
-        .load_at_all(&radii, 0.04, &mut loads)
-        .expect("inside");
+    let written = contact.load_at_all(&radii, 0.04, &mut loads);
+    written.expect("inside");
     for (&a, load) in radii.iter().zip(&loads) {
         assert_eq!(*load, contact.load(a, 0.04).expect("inside"));
     }

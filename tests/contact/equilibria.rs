@@ -9,6 +9,8 @@ use contact::Error;
 use contact::{Contact, Control, ForceDisplacement, State};
 use interp::{Curve, Probe, Quantities, System, Table};
 
+use crate::half_space::relative;
+
 pub const CONTROLS: [Control; 3] = [
     Control::Load,
     Control::Displacement,
@@ -17,11 +19,7 @@ pub const CONTROLS: [Control; 3] = [
 
 /// Returns the imposed value of a control in a state: load, penetration, or position of the spring.
 pub fn imposed(control: Control, state: &State) -> f64 {
-    match control {
-        Control::Load => state.load,
-        Control::Displacement => state.penetration,
-        Control::Spring { stiffness } => state.penetration + state.load / stiffness,
-    }
+    control.imposed(state.load, state.penetration)
 }
 
 /// Draws `count` random coated contacts of the embedded table, each with a work of adhesion whose
@@ -140,22 +138,15 @@ fn a_film_of_the_substrates_material_is_jkr_within_the_tables_error() {
         for control in CONTROLS {
             let [found, expected] =
                 [&coated, &bare].map(|contact| contact.pull_off(w, control).expect("in range"));
-            forces = larger(
-                forces,
-                (imposed(control, &found) / imposed(control, &expected) - 1.0).abs(),
-            );
+            let error = relative(imposed(control, &found), imposed(control, &expected));
+            forces = larger(forces, error);
             radii = larger(
                 radii,
-                (found.contact_radius / expected.contact_radius - 1.0).abs(),
+                relative(found.contact_radius, expected.contact_radius),
             );
         }
-        radii = larger(
-            radii,
-            (coated.zero_load(w).expect("in range").contact_radius
-                / bare.zero_load(w).expect("there").contact_radius
-                - 1.0)
-                .abs(),
-        );
+        let [coated, bare] = [&coated, &bare].map(|contact| contact.zero_load(w).expect("there"));
+        radii = larger(radii, relative(coated.contact_radius, bare.contact_radius));
     }
     println!(
         "film = substrate, certified {certified:.1e}: terms {terms:.1e}, pull-off {forces:.1e}, radii {radii:.1e}"
@@ -179,16 +170,17 @@ fn no_equilibrium_is_missed() {
             let equilibria = contact.equilibria(w, control).expect("physical");
             // Below 1e-15 m there are only values closer to 0 than those asked for.
             let [least, to] = contact.contact_radius_range();
-            let states: Vec<State> = geometric([least.max(1e-15), to], 4000)
-                .map(|a| {
-                    let (load, penetration) = contact.load_and_penetration(a, w).expect("in range");
-                    State {
-                        contact_radius: a,
-                        load,
-                        penetration,
-                    }
-                })
-                .collect();
+            let state = |contact_radius: f64| {
+                let at = contact.load_and_penetration(contact_radius, w);
+                let (load, penetration) = at.expect("in range");
+                State {
+                    contact_radius,
+                    load,
+                    penetration,
+                }
+            };
+            let radii = geometric([least.max(1e-15), to], 4000);
+            let states: Vec<State> = radii.map(state).collect();
             let values: Vec<f64> = states.iter().map(|state| imposed(control, state)).collect();
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let pull_off = equilibria.pull_off().expect("in range");
@@ -211,29 +203,19 @@ fn no_equilibrium_is_missed() {
                 most = most.max(found.len());
                 for (equilibrium, i) in found.iter().zip(expected) {
                     let state = &equilibrium.state;
-                    assert!(
-                        (states[i].contact_radius..=states[i + 1].contact_radius)
-                            .contains(&state.contact_radius)
-                    );
-                    assert!(
-                        (imposed(control, state) - value).abs()
-                            <= 1e-12 * (least.abs() + value.abs())
-                    );
-                    assert_eq!(
-                        equilibrium.stable,
-                        values[i] < value,
-                        "stable where the imposed value grows"
-                    );
+                    let [from, to] = [i, i + 1].map(|i| states[i].contact_radius);
+                    assert!((from..=to).contains(&state.contact_radius));
+                    let miss = (imposed(control, state) - value).abs();
+                    assert!(miss <= 1e-12 * (least.abs() + value.abs()));
+                    // Stable where the imposed value grows.
+                    assert_eq!(equilibrium.stable, values[i] < value);
                 }
                 // The largest radius is what unloading reaches; loading begins at 0.
                 let last = found[found.len() - 1].state;
                 assert_eq!(equilibria.unloading(value).expect("in contact"), last);
                 if value >= 0.0 {
-                    let first = found
-                        .iter()
-                        .find(|equilibrium| equilibrium.stable)
-                        .expect("in contact")
-                        .state;
+                    let first = found.iter().find(|equilibrium| equilibrium.stable);
+                    let first = first.expect("in contact").state;
                     assert_eq!(equilibria.loading(value).expect("in contact"), first);
                 }
             }
@@ -261,24 +243,17 @@ fn force_displacement_curves_hold_together() {
             };
             let size = most;
             let same = |one: f64, other: f64| {
-                assert!(
-                    (one - other).abs() <= 1e-11 * size,
-                    "{one} and {other} of {size}"
-                )
+                let miss = (one - other).abs();
+                assert!(miss <= 1e-11 * size, "{one} and {other} of {size}")
             };
             let value = |state: &State| imposed(control, state);
             for (branches, sign) in [(&curve.loading, 1.0), (&curve.unloading, -1.0)] {
                 let states: Vec<&State> = branches.iter().flatten().collect();
                 assert_eq!(states.len(), 30 * branches.len());
                 for pair in states.windows(2) {
-                    assert!(
-                        sign * (value(pair[1]) - value(pair[0])) >= -1e-11 * size,
-                        "{pair:?}"
-                    );
-                    assert!(
-                        sign * (pair[1].contact_radius - pair[0].contact_radius) >= 0.0,
-                        "{pair:?}"
-                    );
+                    let rise = sign * (value(pair[1]) - value(pair[0]));
+                    let growth = sign * (pair[1].contact_radius - pair[0].contact_radius);
+                    assert!(rise >= -1e-11 * size && growth >= 0.0, "{pair:?}");
                 }
                 for state in states {
                     let (load, penetration) = contact
@@ -307,11 +282,8 @@ fn force_displacement_curves_hold_together() {
             }
             same(value(&loading[loading.len() - 1][29]), most);
             same(value(&unloading[0][0]), most);
-            assert!(
-                (unloading[unloading.len() - 1][29].contact_radius / pull_off.contact_radius - 1.0)
-                    .abs()
-                    <= 1e-12
-            );
+            let last = unloading[unloading.len() - 1][29];
+            assert!(relative(last.contact_radius, pull_off.contact_radius) <= 1e-12);
             jumps[0] += loading.len() - 1;
             jumps[1] += unloading.len() - 1;
         }
@@ -338,11 +310,8 @@ fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
         )
     };
     let nodes: Vec<_> = (0..=4000).map(node).collect();
-    let contact = Contact::new(
-        &system,
-        Curve::through(&nodes, material).expect("sound samples"),
-    )
-    .expect("its own curve");
+    let curve = Curve::through(&nodes, material).expect("sound samples");
+    let contact = Contact::new(&system, curve).expect("its own curve");
     let equilibria = contact.equilibria(0.0, Control::Load).expect("physical");
     // With z = x^3, F = z/(1 + z^2) + c z in units of E* t^3/(2R) is stationary where c z^4 + (2c -
     // 1) z^2 + 1 + c = 0.
@@ -354,25 +323,15 @@ fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
     // h = F/(2c).
     let landing = |z: f64| load(z) / (c * z * z);
     let mut worst = 0.0;
-    let curve = equilibria
-        .force_displacement(10.0 * load(top) * unit, 50)
-        .expect("in range");
-    assert_eq!(
-        (
-            curve.loading.len(),
-            curve.unloading.len(),
-            curve.jumps.len()
-        ),
-        (2, 2, 2)
-    );
+    let curve = equilibria.force_displacement(10.0 * load(top) * unit, 50);
+    let curve = curve.expect("in range");
+    let [loading, unloading] = [&curve.loading, &curve.unloading].map(Vec::len);
+    assert_eq!([loading, unloading, curve.jumps.len()], [2; 3]);
     for (jump, z) in curve.jumps.iter().zip([top, bottom]) {
         let to = jump.to.expect("another contact");
         for (state, z) in [(&jump.from, z), (&to, landing(z))] {
-            worst = larger(
-                worst,
-                (state.contact_radius / (1e-6 * z.cbrt()) - 1.0).abs(),
-            );
-            worst = larger(worst, (state.load / (unit * load(z)) - 1.0).abs());
+            worst = larger(worst, relative(state.contact_radius, 1e-6 * z.cbrt()));
+            worst = larger(worst, relative(state.load, unit * load(z)));
         }
     }
     println!("jumps between two branches: {worst:.1e}");
@@ -381,21 +340,11 @@ fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
     // Between the two, three equilibria, and which of the stable ones is there depends on the way.
     let between = 0.5 * (load(top) + load(bottom)) * unit;
     let found = equilibria.at(between).expect("in range");
-    assert_eq!(
-        found
-            .iter()
-            .map(|equilibrium| equilibrium.stable)
-            .collect::<Vec<_>>(),
-        [true, false, true]
-    );
-    assert_eq!(
-        equilibria.loading(between).expect("in contact"),
-        found[0].state
-    );
-    assert_eq!(
-        equilibria.unloading(between).expect("in contact"),
-        found[2].state
-    );
+    let stability = found.iter().map(|equilibrium| equilibrium.stable);
+    assert!(stability.eq([true, false, true]), "{found:?}");
+    let [up, down] = [equilibria.loading(between), equilibria.unloading(between)];
+    assert_eq!(up.expect("in contact"), found[0].state);
+    assert_eq!(down.expect("in contact"), found[2].state);
 }
 
 /// Compares contacts below the nodes of the table with direct solves.
@@ -410,14 +359,10 @@ fn on_thick_films_states_are_those_of_direct_solves() {
         for control in CONTROLS {
             let [found, truth] =
                 [&contact, &direct].map(|contact| contact.pull_off(w, control).expect("in range"));
-            worst_radius = larger(
-                worst_radius,
-                (found.contact_radius / truth.contact_radius - 1.0).abs(),
-            );
-            worst = larger(
-                worst,
-                (imposed(control, &found) / imposed(control, &truth) - 1.0).abs(),
-            );
+            let error = relative(found.contact_radius, truth.contact_radius);
+            worst_radius = larger(worst_radius, error);
+            let error = relative(imposed(control, &found), imposed(control, &truth));
+            worst = larger(worst, error);
             // The states of every branch.
             let [found, truth] = [&contact, &direct].map(|contact| {
                 let equilibria = contact.equilibria(w, control).expect("physical");
@@ -429,10 +374,7 @@ fn on_thick_films_states_are_those_of_direct_solves() {
             let (found, truth) = (states(&found), states(&truth));
             assert_eq!(found.len(), truth.len());
             for (found, truth) in found.iter().zip(&truth) {
-                worst = larger(
-                    worst,
-                    (found.contact_radius / truth.contact_radius - 1.0).abs(),
-                );
+                worst = larger(worst, relative(found.contact_radius, truth.contact_radius));
             }
         }
     }

@@ -74,7 +74,7 @@ fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
     })
 }
 
-fn relative(found: f64, expected: f64) -> f64 {
+pub fn relative(found: f64, expected: f64) -> f64 {
     (found / expected - 1.0).abs()
 }
 
@@ -92,26 +92,18 @@ fn load_penetration_stiffness_and_stress_intensity_are_those_of_jkr() {
             }
             let (hertz, _) = contact.load_and_penetration(a, 0.0).expect("no adhesion");
             worst = larger(worst, relative(hertz, jkr.terms(a)[0][0]));
-            worst = larger(
-                worst,
-                relative(contact.stiffness(a).expect("any radius"), 2.0 * jkr.e * a),
-            );
+            let stiffness = contact.stiffness(a).expect("any radius");
+            worst = larger(worst, relative(stiffness, 2.0 * jkr.e * a));
             let k = contact.stress_intensity(a, jkr.w).expect("any radius");
-            let edge = contact
-                .mechanics()
-                .edge_singularity(a, jkr.w)
-                .expect("any radius");
-            worst = larger(
-                worst,
-                relative(contact.mechanics().energy_release_rate(a, edge), jkr.w),
-            );
+            let mechanics = contact.mechanics();
+            let edge = mechanics.edge_singularity(a, jkr.w).expect("any radius");
+            let released = mechanics.energy_release_rate(a, edge);
+            worst = larger(worst, relative(released, jkr.w));
             // Irwin's relation between two solids, and Maugis' K_I = F1/(2 a sqrt(pi a)) of the
             // flat-punch load F1 that adhesion takes away.
             worst = larger(worst, relative(k * k / (2.0 * jkr.e), jkr.w));
-            worst = larger(
-                worst,
-                relative(k, jkr.terms(a)[0][1] / (2.0 * a * (PI * a).sqrt())),
-            );
+            let of_load = jkr.terms(a)[0][1] / (2.0 * a * (PI * a).sqrt());
+            worst = larger(worst, relative(k, of_load));
         }
     }
     println!("JKR: forward {worst:.1e}");
@@ -149,35 +141,17 @@ fn radii_at_a_load_are_the_two_of_jkr_with_their_stability() {
         ] {
             let found = equilibria.at(load).expect("all radii are in range");
             let [stable, unstable] = jkr.radii(load);
-            worst = larger(
-                worst,
-                relative(
-                    equilibria
-                        .unloading(load)
-                        .expect("in contact")
-                        .contact_radius,
-                    stable,
-                ),
-            );
+            let unloaded = equilibria.unloading(load).expect("in contact");
+            worst = larger(worst, relative(unloaded.contact_radius, stable));
             if load < 0.0 {
-                assert_eq!(
-                    found
-                        .iter()
-                        .map(|equilibrium| equilibrium.stable)
-                        .collect::<Vec<_>>(),
-                    [false, true]
-                );
+                let stability = found.iter().map(|equilibrium| equilibrium.stable);
+                assert!(stability.eq([false, true]), "{found:?}");
                 worst = larger(worst, relative(found[0].state.contact_radius, unstable));
                 worst = larger(worst, relative(found[1].state.contact_radius, stable));
             } else {
                 assert!(found.len() == 1 && found[0].stable, "{found:?}");
-                worst = larger(
-                    worst,
-                    relative(
-                        equilibria.loading(load).expect("in contact").contact_radius,
-                        stable,
-                    ),
-                );
+                let loaded = equilibria.loading(load).expect("in contact");
+                worst = larger(worst, relative(loaded.contact_radius, stable));
             }
             let off = |state: &State| {
                 (state.load - load).abs()
@@ -191,17 +165,10 @@ fn radii_at_a_load_are_the_two_of_jkr_with_their_stability() {
                 .fold(worst, larger);
         }
         let zero_load = contact.zero_load(jkr.w).expect("in contact").contact_radius;
-        worst = larger(
-            worst,
-            relative(
-                zero_load,
-                (9.0 * PI * jkr.w * jkr.r * jkr.r / (2.0 * jkr.e)).cbrt(),
-            ),
-        );
-        assert_eq!(
-            equilibria.at(-1.51 * unit).expect("none is out of range"),
-            []
-        );
+        let expected = (9.0 * PI * jkr.w * jkr.r * jkr.r / (2.0 * jkr.e)).cbrt();
+        worst = larger(worst, relative(zero_load, expected));
+        let apart = equilibria.at(-1.51 * unit);
+        assert_eq!(apart.expect("none is out of range"), []);
     }
     println!("JKR: radii at a load {worst:.1e}");
     // Measured: 8.2e-15.
@@ -267,11 +234,7 @@ fn pull_off_under_load_displacement_and_springs_is_that_of_jkr() {
             let spring = Control::Spring {
                 stiffness: stiffness * 2.0 * jkr.e * least,
             };
-            let found = contact
-                .pull_off(jkr.w, spring)
-                .expect("all radii are in range")
-                .load
-                / unit;
+            let found = contact.pull_off(jkr.w, spring).expect("in range").load / unit;
             assert!(
                 (found - load).abs() <= 1e-9,
                 "{found} pi w R with a spring of {stiffness:e} times the contact's stiffness"
@@ -295,22 +258,13 @@ fn without_adhesion_it_is_hertz() {
             assert!(found.len() == 1 && found[0].stable, "{found:?}");
             worst = larger(worst, relative(found[0].state.contact_radius, a));
             assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
-            assert_eq!(
-                equilibria.at(0.0).expect("the origin")[0].state,
-                State::ORIGIN
-            );
+            let at_rest = equilibria.at(0.0).expect("the origin");
+            assert_eq!(at_rest[0].state, State::ORIGIN);
             assert_eq!(equilibria.at(-imposed).expect("nothing"), []);
-            let curve = equilibria
-                .force_displacement(imposed, 10)
-                .expect("physical");
-            assert_eq!(
-                (
-                    curve.loading.len(),
-                    curve.unloading.len(),
-                    curve.jumps.len()
-                ),
-                (1, 1, 0)
-            );
+            let curve = equilibria.force_displacement(imposed, 10);
+            let curve = curve.expect("physical");
+            let [loading, unloading] = [&curve.loading, &curve.unloading].map(Vec::len);
+            assert_eq!([loading, unloading, curve.jumps.len()], [1, 1, 0]);
             let backwards: Vec<State> = curve.unloading[0].iter().rev().copied().collect();
             for (up, down) in curve.loading[0].iter().zip(backwards) {
                 assert!(
@@ -366,24 +320,18 @@ fn the_force_displacement_curve_is_that_of_jkr() {
             match control {
                 Control::Load => assert_eq!(out.to, None),
                 Control::Displacement => {
-                    assert_eq!(
-                        out.to,
-                        Some(State {
-                            contact_radius: 0.0,
-                            load: 0.0,
-                            penetration: out.from.penetration
-                        })
-                    );
+                    let penetration = out.from.penetration;
+                    let apart = State {
+                        penetration,
+                        ..State::ORIGIN
+                    };
+                    assert_eq!(out.to, Some(apart));
                 }
                 Control::Spring { stiffness } => {
                     let to = out.to.expect("the spring takes it away");
                     assert_eq!((to.contact_radius, to.load), (0.0, 0.0));
-                    assert!(
-                        relative(
-                            to.penetration,
-                            out.from.penetration + out.from.load / stiffness
-                        ) <= EXACT
-                    );
+                    let base = out.from.penetration + out.from.load / stiffness;
+                    assert!(relative(to.penetration, base) <= EXACT);
                 }
             }
         }

@@ -15,3 +15,4 @@ mod rings;
 mod shapes;
 mod sphere_radius;
 mod stacks;
+mod stiff_films;

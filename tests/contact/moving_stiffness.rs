@@ -3,7 +3,9 @@
 use acceptance::{Contacts, larger, looked_up, paper_system, solid};
 use contact::Error;
 use contact::{Contact, Control};
-use interp::{HalfSpace, Probe, Profile, System};
+use interp::{HalfSpace, Probe, System};
+
+use crate::shapes::shapes;
 
 /// Returns `dF/d delta` along the force curve, by differences of fourth order.
 fn by_differences(contact: &Contact, a: f64, w: f64) -> f64 {
@@ -76,34 +78,8 @@ fn the_sphere_of_the_paper_has_the_slopes_of_independent_curves() {
 
 #[test]
 fn every_shape_has_the_slope_of_its_force_curve() {
-    let points: Vec<[f64; 2]> = (0..30)
-        .map(|i| 1e-6 * f64::from(i))
-        .map(|r| [r, r * r / 2e-5 + r.powi(4) * 1e12])
-        .collect();
-    let shapes = [
-        Probe::Paraboloid { radius: 4e-5 },
-        Probe::Sphere { radius: 4e-5 },
-        Probe::PowerLaw {
-            coefficient: 1e13,
-            exponent: 4.0,
-        },
-        Probe::PowerLaw {
-            coefficient: 1e6,
-            exponent: 2.5,
-        },
-        Probe::Cone { half_angle: 1.2 },
-        Probe::RoundedCone {
-            radius: 1e-5,
-            half_angle: 1.2,
-        },
-        Probe::FlatEndedCone {
-            radius: 3e-6,
-            half_angle: 1.2,
-        },
-        Probe::Profile(Profile::new(&points).expect("convex")),
-    ];
     let mut worst: f64 = 0.0;
-    for probe in shapes {
+    for probe in shapes() {
         let system = System {
             probe: probe.clone(),
             sphere_modulus: 5e7,

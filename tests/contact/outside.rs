@@ -5,7 +5,8 @@ use contact::Error;
 use contact::{Contact, Control, State};
 use interp::{Probe, System, Table};
 
-use crate::equilibria::{CONTROLS, imposed};
+use crate::equilibria::CONTROLS;
+use crate::half_space::relative;
 
 /// Returns a table that begins at an `a/t` of 1.
 pub fn thin_films() -> Table {
@@ -47,10 +48,7 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
                 },
             ) => {
                 assert_eq!([least, most], [smallest, to]);
-                acceptance::assert_names(
-                    &error.to_string(),
-                    &[&format!("{smallest:?}"), &format!("{to:?}")],
-                );
+                acceptance::assert_names(&error.to_string(), &format!("{smallest:?}; {to:?}"));
             }
             other => panic!("{other:?}"),
         };
@@ -61,10 +59,8 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
             assert_outside(equilibria.loading(0.0));
             assert_outside(equilibria.unloading(-1e-6));
             assert_outside(equilibria.at(1e30).map(|found| found[0].state));
-            assert!(matches!(
-                equilibria.force_displacement(1e-6, 3),
-                Err(Error::OutsideRadii { .. })
-            ));
+            let curve = equilibria.force_displacement(1e-6, 3);
+            assert!(matches!(curve, Err(Error::OutsideRadii { .. })));
         }
     }
     let contact = contact_on(1e-5);
@@ -81,18 +77,10 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
         panic!("apart")
     };
     assert_eq!(found, least);
-    acceptance::assert_names(
-        &error.to_string(),
-        &[
-            "load",
-            &format!("{:?}", 1.01 * least),
-            &format!("{least:?}"),
-        ],
-    );
-    assert!(matches!(
-        equilibria.loading(-1e-9),
-        Err(Error::NoContact { least: 0.0, .. })
-    ));
+    let words = format!("load; {:?}; {least:?}", 1.01 * least);
+    acceptance::assert_names(&error.to_string(), &words);
+    let apart = equilibria.loading(-1e-9);
+    assert!(matches!(apart, Err(Error::NoContact { least: 0.0, .. })));
     for points in [0, 1, 1_000_001, usize::MAX] {
         assert!(matches!(
             equilibria.force_displacement(1e-4, points),
@@ -122,21 +110,11 @@ fn without_adhesion_a_table_needs_no_stiffness() {
     let mut worst = 0.0;
     for control in CONTROLS {
         let (load, penetration) = embedded.load_and_penetration(2e-5, 0.0).expect("in range");
-        let at = imposed(
-            control,
-            &State {
-                contact_radius: 2e-5,
-                load,
-                penetration,
-            },
-        );
-        let equilibria = contact
-            .equilibria(0.0, control)
-            .expect("nothing else is needed");
-        worst = larger(
-            worst,
-            (equilibria.unloading(at).expect("in range").contact_radius / 2e-5 - 1.0).abs(),
-        );
+        let at = control.imposed(load, penetration);
+        let equilibria = contact.equilibria(0.0, control);
+        let equilibria = equilibria.expect("nothing else is needed");
+        let found = equilibria.unloading(at).expect("in range");
+        worst = larger(worst, relative(found.contact_radius, 2e-5));
         assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
         assert!(matches!(
             contact.equilibria(0.04, control),
@@ -145,14 +123,10 @@ fn without_adhesion_a_table_needs_no_stiffness() {
             )))
         ));
         // Before the curve begins.
-        assert!(matches!(
-            equilibria.unloading(1e-6 * at),
-            Err(Error::OutsideRadii { .. })
-        ));
-        assert!(matches!(
-            equilibria.unloading(-at),
-            Err(Error::NoContact { least: 0.0, .. })
-        ));
+        let before = equilibria.unloading(1e-6 * at);
+        assert!(matches!(before, Err(Error::OutsideRadii { .. })));
+        let apart = equilibria.unloading(-at);
+        assert!(matches!(apart, Err(Error::NoContact { least: 0.0, .. })));
     }
     println!("radii without adhesion: {worst:.1e}");
     // Measured: 1.6e-6.

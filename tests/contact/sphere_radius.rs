@@ -7,6 +7,7 @@ use contact::Error;
 use contact::{Contact, Control, State};
 use interp::{HalfSpace, Probe, System, Table};
 
+use crate::contact::half_space;
 use crate::equilibria::CONTROLS;
 use crate::outside::thin_films;
 
@@ -17,10 +18,6 @@ fn coated() -> Contact {
     // The nodes reach 10 R.
     let contact = Contact::in_table_with_gradient(Table::embedded(), &paper_system(1e-5));
     contact.expect("in the table")
-}
-
-fn half_space() -> Contact {
-    Contact::half_space(&paper_system(1e-6).without_film()).expect("physical")
 }
 
 #[test]
@@ -105,14 +102,12 @@ fn searches_find_every_radius_up_to_the_spheres_and_say_where_they_end() {
         let last = |branches: Vec<Vec<State>>| *branches[0].last().expect("a state");
         let curve = hertz.force_displacement(load, 3);
         results.push(curve.map(|curve| last(curve.loading)));
-        results.push(
-            contact
-                .radius_and_energy_release_rate(0.9 * load, a * a / R)
-                .map(|(a, _)| State {
-                    contact_radius: a,
-                    ..State::ORIGIN
-                }),
-        );
+        let state = |(contact_radius, _)| State {
+            contact_radius,
+            ..State::ORIGIN
+        };
+        let measured = contact.radius_and_energy_release_rate(0.9 * load, a * a / R);
+        results.push(measured.map(state));
         let by_energy = results.len() - 1;
         for (i, result) in results.into_iter().enumerate() {
             if part > 1.0 {
@@ -148,11 +143,7 @@ fn the_range_on_a_film_ends_at_the_sphere_or_at_the_last_node() {
         let equilibria = contact.equilibria(0.04, control).expect("physical");
         let widest = contact.load_and_penetration((1.0 - 1e-9) * R, 0.04);
         let (load, penetration) = widest.expect("below the sphere's radius");
-        let imposed = match control {
-            Control::Load => load,
-            Control::Displacement => penetration,
-            Control::Spring { stiffness } => penetration + load / stiffness,
-        };
+        let imposed = control.imposed(load, penetration);
         let found = equilibria.unloading(imposed).expect("in range");
         assert!((found.contact_radius / R - 1.0).abs() <= 2e-9, "{found:?}");
         let beyond = equilibria.unloading(1.01 * imposed);

@@ -1,7 +1,8 @@
 //! Measures of error, and comparison bit by bit.
 
 use interp::{Material, Quantities, Quantity, Table};
-use solve::solve;
+
+use crate::solved;
 
 /// The tolerance of the direct solves that tables are compared with.
 pub const TRUTH: f64 = 1e-11;
@@ -34,9 +35,7 @@ pub fn relative_error(quantities: &Quantities, truth: &Quantities) -> f64 {
 /// Returns the largest relative error of the quantities that `table` holds, at `x = a/t` and
 /// `material`, against a solve to [`TRUTH`].
 pub fn error_at(table: &Table, x: f64, material: &Material) -> f64 {
-    let truth = solve(x, material, TRUTH)
-        .expect("moderate contrasts converge")
-        .quantities;
+    let truth = solved(x, material, TRUTH);
     let curve = table.curve(material).expect("a material inside the box");
     let error = |quantity| {
         let value = curve

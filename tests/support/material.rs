@@ -1,7 +1,7 @@
 //! Materials, systems and contacts that many tests use.
 
 use contact::Contact;
-use interp::{Elastic, Material, Probe, System, Table};
+use interp::{Elastic, Material, Probe, Quantities, System, Table};
 
 use crate::solid;
 
@@ -35,6 +35,13 @@ pub const fn rigid_probe(
         film_thickness,
         substrate,
     }
+}
+
+/// Solves a contact at `x = a/t` to a `tolerance`.
+#[track_caller]
+pub fn solved(x: f64, material: &Material, tolerance: f64) -> Quantities {
+    let solution = solve::solve(x, material, tolerance);
+    solution.unwrap_or_else(|e| panic!("{e}")).quantities
 }
 
 /// Looks up the contact of a system in the embedded table.

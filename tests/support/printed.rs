@@ -33,6 +33,16 @@ pub fn estimate(fit: &Value, name: &str) -> [f64; 2] {
     ["value", "stderr"].map(|key| number(fit, &format!("parameters/{name}/{key}")))
 }
 
+/// Asserts that a fit finds a parameter within 4 standard errors, which are each less than `largest`.
+#[track_caller]
+pub fn assert_estimate(fit: &Value, name: &str, truth: f64, largest: f64) {
+    let [value, error] = estimate(fit, name);
+    assert!(
+        (value - truth).abs() < 4.0 * error && error < largest,
+        "{name}: {value} +- {error}, not {truth}: {fit}"
+    );
+}
+
 /// Returns the kinds of the warnings of a fit.
 #[track_caller]
 pub fn kinds(fit: &Value) -> Vec<&str> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 
-use interp::{Certificate, Description, Parameter, Table};
+use interp::{Parameter, Table};
 use tabulate::table::{Plan, Scene, archive, certify, sweep};
 
 use crate::nothing_starts;
@@ -45,15 +45,8 @@ fn make(scene: &str) -> Table {
         .expect("the tests' scenes are within reach")
         .axes();
     let values = sweep(&scene, &axes, &|_| {}).expect("the tests' scenes are within reach");
-    let description = Description {
-        title: scene.title,
-        scene: scene.text,
-        nu0: scene.nu0,
-        tolerance: scene.tolerance,
-        created_by: "acceptance tests".into(),
-        certificate: Certificate::UNMEASURED,
-    };
-    let mut table = Table::new(description, axes, values).expect("a sweep makes a whole table");
+    let mut table =
+        Table::new(scene.description(), axes, values).expect("a sweep makes a whole table");
     table.set_certificate(
         certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"),
     );

@@ -128,6 +128,12 @@ impl Workdir {
         path
     }
 
+    /// Writes `points.csv`: rows of `a/t`, `E1/E2*`, the film's Poisson ratio and `E0/E2*`.
+    pub fn write_points(&self, rows: &str) {
+        let columns = "a_over_t,e1_over_e2,nu1,e0_over_e2";
+        self.write("points.csv", format!("{columns}\n{rows}"));
+    }
+
     /// Returns the bytes of the file `name`.
     pub fn read(&self, name: &str) -> Vec<u8> {
         fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))

@@ -129,11 +129,7 @@ fn lookup(criterion: &mut Criterion) {
         Input::FilmModulus,
         Input::WorkOfAdhesion,
     ];
-    let none = Derivatives {
-        load: 0.0,
-        penetration: 0.0,
-    };
-    let mut derivatives = [none; 1200];
+    let mut derivatives = [Derivatives::ZERO; 1200];
     criterion.bench_function("300 states on a branch with four derivatives each", |b| {
         b.iter(|| {
             equilibria.branch_with_gradient(

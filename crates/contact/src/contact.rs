@@ -226,16 +226,11 @@ impl Contact {
     /// As [`Contact::load`], and [`interp::Error::MissingQuantity`] without `delta0`.
     pub fn load_and_penetration(&self, a: f64, w: f64) -> Result<(f64, f64), Error> {
         let edge = self.mechanics.edge_singularity(a, w)?;
-        let (load, penetration) = if w == 0.0 {
-            let without = self.adhesionless(a)?;
-            (without.load, without.penetration)
+        let LoadAndPenetration { load, penetration } = if w == 0.0 {
+            self.adhesionless(a)?
         } else {
             let (without, q) = self.adhesionless_and_quantities(a)?;
-            let lowered = self.mechanics.lowered_by(a, edge, q.eeq, q.gamma);
-            (
-                without.load - lowered.load,
-                without.penetration - lowered.penetration,
-            )
+            without.minus(self.mechanics.lowered_by(a, edge, q.eeq, q.gamma))
         };
         Ok((finite_result(a, load)?, finite_result(a, penetration)?))
     }
@@ -344,15 +339,9 @@ impl Contact {
         }
         let (without, slopes, values, relative) = self.everything_and_slopes(a)?;
         let [lowered, by_radius] = self.lowered_and_slopes(a, energy, &values, &relative)?;
-        let state = LoadAndPenetration {
-            load: without.load - lowered.load,
-            penetration: without.penetration - lowered.penetration,
-        };
-        let slopes = [
-            slopes.load - by_radius.load,
-            slopes.penetration - by_radius.penetration,
-        ];
-        Ok((Self::finite_state(a, state)?, slopes))
+        let state = Self::finite_state(a, without.minus(lowered))?;
+        let slopes = slopes.minus(by_radius);
+        Ok((state, [slopes.load, slopes.penetration]))
     }
 
     /// Returns by how much the energy of the contact line lowers load (N) and penetration (m) at

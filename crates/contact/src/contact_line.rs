@@ -113,8 +113,8 @@ impl Contact {
             / control.imposed(load_of_edge, penetration_of_edge);
         let state = State {
             contact_radius: a,
-            load: load - edge * load_of_edge,
-            penetration: penetration - edge * penetration_of_edge,
+            load: finite_result(a, load - edge * load_of_edge)?,
+            penetration: finite_result(a, penetration - edge * penetration_of_edge)?,
         };
         Ok((
             state,

@@ -2,7 +2,7 @@
 //! simplest of them.
 
 use crate::Error;
-use interp::check::finite_input;
+use interp::check::{finite_input, positive};
 
 /// A law for the motion of the contact line at an energy release rate `G`.
 ///
@@ -130,14 +130,9 @@ impl<L: CrackTip> RateDependent<L> {
     /// `slow` are in order, the receding one positive.
     pub fn new(slow: L, v0: f64, n: f64) -> Result<Self, Error> {
         let [_, receding] = energies_in_order(slow.at_rest())?;
-        interp::Error::unless(
-            receding > 0.0,
-            "receding energy",
-            receding,
-            "> 0 and finite",
-        )?;
-        interp::Error::unless(v0 > 0.0 && v0.is_finite(), "v0", v0, "> 0 and finite")?;
-        interp::Error::unless(n > 0.0 && n.is_finite(), "exponent n", n, "> 0 and finite")?;
+        positive("receding energy", receding)?;
+        positive("v0", v0)?;
+        positive("exponent n", n)?;
         Ok(Self { slow, v0, n })
     }
 

@@ -10,7 +10,7 @@
 use super::implicit_step::{ORDER, step};
 use crate::Error;
 use crate::{Contact, ContactLine, Control, CrackTip, State};
-use interp::check::finite_input;
+use interp::check::{finite_input, positive};
 
 /// A point of the motion: radius over `a1`, and time over `T`.
 type Point = [f64; 2];
@@ -60,10 +60,9 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// below the smallest of [`Contact::contact_radius_range`], and `G` rises as it shrinks.
     ///
     /// ```
-    /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), contact::Error> {
     /// use interp::{Elastic, Probe, System, Table};
-    /// use contact::{Control, RateDependent};
+    /// use contact::{Contact, Control, RateDependent};
     ///
     /// let film = Elastic::new(3.5e6, 0.5)?;
     /// let substrate = Elastic::new(2e11, 0.25)?;
@@ -76,8 +75,6 @@ impl<L: CrackTip> ContactLine<'_, L> {
     /// let pull_off = unloading.last().expect("a state").state;
     /// assert!(pull_off.load < -0.19e-3); // at more than 1.5 pi w R
     /// # Ok(()) }
-    /// # #[cfg(not(feature = "embedded"))]
-    /// # fn main() {}
     /// ```
     ///
     /// # Errors
@@ -96,12 +93,7 @@ impl<L: CrackTip> ContactLine<'_, L> {
     ) -> Result<Vec<TimedState>, Error> {
         control.check()?;
         finite_input(control.name(), value)?;
-        interp::Error::unless(
-            duration > 0.0 && duration.is_finite(),
-            "duration",
-            duration,
-            "> 0 and finite",
-        )?;
+        positive("duration", duration)?;
         interp::Error::argument(
             (1e-10..=1e-2).contains(&tolerance),
             "tolerance",
@@ -175,16 +167,12 @@ impl<L: CrackTip> Motion<'_, L> {
             point = next;
             let a = point[RADIUS] * self.a1;
             if a > self.range[1] {
-                return Err(self
-                    .contact
-                    .outside(self.control.name(), self.imposed_at(&point)));
+                return Err(self.outside(&point));
             }
             if a < self.range[0] {
                 point = self.separation(&point)?;
                 if !self.shrinks_further(&point)? {
-                    return Err(self
-                        .contact
-                        .outside(self.control.name(), self.imposed_at(&point)));
+                    return Err(self.outside(&point));
                 }
                 states.push(self.timed_state(&point)?);
                 return Ok((states, true));
@@ -282,6 +270,12 @@ impl<L: CrackTip> Motion<'_, L> {
             state,
             energy_release_rate,
         })
+    }
+
+    /// Makes the error of a line that leaves the range at a point.
+    fn outside(&self, point: &Point) -> Error {
+        let imposed = self.imposed_at(point);
+        self.contact.outside(self.control.name(), imposed)
     }
 
     /// Returns the imposed value at a point.

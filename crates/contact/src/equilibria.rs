@@ -108,10 +108,9 @@ impl Contact {
     /// Each function of the result then takes a few evaluations of the curve.
     ///
     /// ```
-    /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), contact::Error> {
     /// # use interp::{Elastic, Probe, System, Table};
-    /// # use contact::Control;
+    /// # use contact::{Contact, Control};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-5, substrate };
     /// let contact = Contact::in_table(Table::embedded(), &system)?;
@@ -122,8 +121,6 @@ impl Contact {
     ///     println!("{} m, stable: {}", equilibrium.state.contact_radius, equilibrium.stable);
     /// }
     /// # Ok(()) }
-    /// # #[cfg(not(feature = "embedded"))]
-    /// # fn main() {}
     /// ```
     ///
     /// # Errors

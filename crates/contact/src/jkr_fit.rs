@@ -163,8 +163,8 @@ impl Contact {
     /// `w` of 0, or a `w` or a modulus so small that an error relative to it overflows an f64.
     ///
     /// ```
-    /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), contact::Error> {
+    /// # use contact::Contact;
     /// # use interp::{Elastic, Probe, System, Table};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     /// let bias = |film_thickness| {
@@ -174,8 +174,6 @@ impl Contact {
     /// assert!(!bias(1e-6)?.exceeds(0.03)); // a film of 1 um makes less than 3 %
     /// assert!(bias(1e-4)?.exceeds(0.2)); // one of 100 um more than 20 %
     /// # Ok(()) }
-    /// # #[cfg(not(feature = "embedded"))]
-    /// # fn main() {}
     /// ```
     pub fn film_bias(&self, w: f64, radii: [f64; 2], points: usize) -> Result<FilmBias, Error> {
         work_of_adhesion(w)?;

@@ -9,7 +9,7 @@ use std::fmt;
 use interp::{Probe, Profile, System};
 
 /// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
-const MODULI: [f64; 2] = [1.0, 2e12];
+pub const MODULI: [f64; 2] = [1.0, 2e12];
 /// The lengths of the bodies of a contact, m: from an atom to the largest lens.
 pub const LENGTHS: [f64; 2] = [1e-10, 0.1];
 /// The largest work of adhesion (J/m^2): twice the surface energy of diamond is 12 J/m^2.

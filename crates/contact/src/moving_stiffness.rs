@@ -35,11 +35,8 @@ impl Contact {
         if self.curve().and_then(Curve::stick).is_some() {
             let energy = LineEnergy::of_jkr(w);
             let [_, by_radius] = self.lowered_and_slopes(a, energy, &values, &relative)?;
-            let load = slopes.load - by_radius.load;
-            return Ok(finite_result(
-                a,
-                load / (slopes.penetration - by_radius.penetration),
-            )?);
+            let slopes = slopes.minus(by_radius);
+            return Ok(finite_result(a, slopes.load / slopes.penetration)?);
         }
         let pinned = self.mechanics().stiffness(a, values.eeq);
         if w == 0.0 {

@@ -135,6 +135,8 @@ impl Contact {
         /// The points after a bend, over the distance to the next point. There the slope changes like
         /// the root of the distance, or after a flat end like its inverse.
         const AFTER: [f64; 6] = [1e-3, 4e-3, 1.6e-2, 0.0625, 0.25, 0.5625];
+        /// The largest rounding of a logarithm of a radius.
+        const ROUNDING: f64 = 1e-12;
         let [smallest, largest] = self.search_range()?;
         let bends = self.bends();
         let before = bends.first().map_or(largest, |bend| BEFORE * bend);
@@ -159,11 +161,13 @@ impl Contact {
         let inside = |u: &&f64| **u > smallest.ln() && **u < largest.ln();
         grid.extend(bends.iter().filter(inside));
         grid.sort_by(f64::total_cmp);
-        grid.dedup();
+        // Two points that differ by rounding alone have no points between them.
+        let is_same = |one: f64, other: f64| (one - other).abs() <= ROUNDING;
+        grid.dedup_by(|next, before| is_same(*next, *before));
         let mut graded = Vec::with_capacity(grid.len() + AFTER.len() * bends.len());
         for pair in grid.windows(2) {
             graded.push(pair[0]);
-            if bends.contains(&pair[0]) {
+            if bends.iter().any(|bend| is_same(*bend, pair[0])) {
                 graded.extend(AFTER.map(|part| pair[0] + part * (pair[1] - pair[0])));
             }
         }
@@ -358,7 +362,7 @@ mod tests {
                 for nu in [0.0, 0.3, 0.45, 0.499, 0.5] {
                     let system = System {
                         probe: probe.clone(),
-                        sphere_modulus: 1e6,
+                        sphere_modulus: f64::INFINITY,
                         film: Elastic::new(film_modulus, nu)?,
                         film_thickness: 1e-6,
                         substrate: Elastic::new(substrate, 0.3)?,
@@ -367,7 +371,8 @@ mod tests {
                     for u in contact.search_grid()?.into_iter().step_by(4) {
                         let a = contact.radius_at(u);
                         let Some(bound) = contact.least_slopes(a)? else {
-                            unreachable!("all these shapes have bounds")
+                            assert!(system.film.reduced() > system.substrate.reduced());
+                            continue;
                         };
                         let (_, own) = contact.adhesionless_and_slopes(a)?;
                         if bound.penetration > 0.0 {

@@ -137,9 +137,9 @@ pub enum Error {
     #[error(
         "the sphere is {}, and the table is made for {} spheres, in units of {table}: use the embedded table, \
          which holds both, or a table with {} in its scene",
-        sphere(query),
-        sphere(table),
-        scene_of(query)
+        sphere(query)[0],
+        sphere(table)[0],
+        sphere(query)[1]
     )]
     Normalisation {
         /// The modulus that normalises the table.
@@ -284,21 +284,12 @@ fn extent(from: f64, to: f64) -> String {
     }
 }
 
-/// Returns the kind of a sphere whose contact is normalised by this modulus.
-fn sphere(normalisation: &str) -> &'static str {
-    if normalisation == "E1*" {
-        "rigid"
-    } else {
-        "compliant"
-    }
-}
-
-/// Returns the `e1_over_e2` of a scene whose table is normalised by this modulus.
-fn scene_of(normalisation: &str) -> &'static str {
-    if normalisation == "E1*" {
-        "e1_over_e2 = 0"
-    } else {
-        "e1_over_e2 > 0"
+/// Returns the kind of a sphere whose contact is normalised by this modulus, and the `e1_over_e2` of a
+/// scene for it.
+fn sphere(normalisation: &str) -> [&'static str; 2] {
+    match normalisation {
+        "E1*" => ["rigid", "e1_over_e2 = 0"],
+        _ => ["compliant", "e1_over_e2 > 0"],
     }
 }
 

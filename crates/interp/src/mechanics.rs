@@ -38,6 +38,15 @@ impl LoadAndPenetration {
             penetration: self.penetration + other.penetration,
         }
     }
+
+    /// Returns the differences from another pair.
+    #[must_use]
+    pub const fn minus(self, other: Self) -> Self {
+        Self {
+            load: self.load - other.load,
+            penetration: self.penetration - other.penetration,
+        }
+    }
 }
 
 /// The arithmetic of eqs. 2 to 9 for one system, from given values of the four quantities at the
@@ -243,11 +252,8 @@ impl Mechanics {
     /// `delta = a^2 Delta0 / R - 2 g / (E* Gamma)`.
     pub fn load_and_penetration(&self, a: f64, edge: f64, q: &Quantities) -> (f64, f64) {
         let without = self.adhesionless(a, self.sphere_radius, q.pi0, q.delta0);
-        let lowered = self.lowered_by(a, edge, q.eeq, q.gamma);
-        (
-            without.load - lowered.load,
-            without.penetration - lowered.penetration,
-        )
+        let of = without.minus(self.lowered_by(a, edge, q.eeq, q.gamma));
+        (of.load, of.penetration)
     }
 
     /// Returns the adhesionless load `F0 = a^3 E* Pi0 / (2R)` (N), eq. 4, under a paraboloid of

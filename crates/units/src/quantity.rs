@@ -77,20 +77,19 @@ impl FromStr for Quantity {
         if text.len() > LONGEST {
             return Err(not_a_number());
         }
-        let ends = (1..=text.len())
+        let of = |value: f64, dimension: Option<Dimension>| Self {
+            text: text.to_owned(),
+            value,
+            dimension,
+        };
+        let (value, end) = (1..=text.len())
             .rev()
-            .filter(|&end| text.is_char_boundary(end));
-        let (value, end) = ends
-            .filter_map(|end| Some((text[..end].parse::<f64>().ok()?, end)))
-            .next()
+            .filter(|&end| text.is_char_boundary(end))
+            .find_map(|end| Some((text[..end].parse::<f64>().ok()?, end)))
             .ok_or_else(not_a_number)?;
         let (number, unit) = (&text[..end], text[end..].trim());
         if unit.is_empty() {
-            return Ok(Self {
-                text: text.to_owned(),
-                value,
-                dimension: None,
-            });
+            return Ok(of(value, None));
         }
         if unit.starts_with(',') {
             return Err(not_a_number());
@@ -100,22 +99,15 @@ impl FromStr for Quantity {
             size,
         }) = Unit::parse(unit)
         {
-            return Ok(Self {
-                text: text.to_owned(),
-                value: value * size,
-                dimension: Some(Dimension::Time),
-            });
+            return Ok(of(value * size, Some(Dimension::Time)));
         }
         let (dimension, exponent) =
             power_of_ten(unit).ok_or_else(|| QuantityError::UnknownUnit {
                 text: text.to_owned(),
                 unit: unit.to_owned(),
             })?;
-        Ok(Self {
-            text: text.to_owned(),
-            value: times_power_of_ten(number, exponent).unwrap_or(value),
-            dimension: Some(dimension),
-        })
+        let value = times_power_of_ten(number, exponent).unwrap_or(value);
+        Ok(of(value, Some(dimension)))
     }
 }
 

@@ -126,54 +126,32 @@ impl Unit {
     /// Reads a symbol, `mN`, a name, `micrometres`, or a quotient of symbols, `mJ/m^2`. Symbols must
     /// have the case of the SI: `mN` and `MN` differ.
     pub fn parse(text: &str) -> Option<Self> {
-        if let Some(size) = angle(text) {
-            let dimension = Dimension::Angle;
-            return Some(Self { dimension, size });
-        }
-        if let Some(size) = time(text) {
-            let dimension = Dimension::Time;
-            return Some(Self { dimension, size });
-        }
-        if let Some(size) = weight(text) {
-            let dimension = Dimension::Force;
-            return Some(Self { dimension, size });
-        }
-        let (dimension, exponent) = power_of_ten(text)?;
-        let size = power(exponent);
-        Some(Self { dimension, size })
+        special(text).or_else(|| {
+            let (dimension, exponent) = power_of_ten(text)?;
+            let size = power(exponent);
+            Some(Self { dimension, size })
+        })
     }
 }
 
-/// Returns the size of an angle in radians.
-fn angle(text: &str) -> Option<f64> {
-    Some(match text.trim() {
-        "rad" => 1.0,
-        "mrad" => 1e-3,
-        "deg" | "degree" | "degrees" | "\u{b0}" => std::f64::consts::PI / 180.0,
+/// Returns an angle, a time, or the force of a mass under standard gravity, which a balance shows. Other
+/// prefixes of a time would make units of the ends of words.
+fn special(text: &str) -> Option<Unit> {
+    let (dimension, size) = match text.trim() {
+        "rad" => (Dimension::Angle, 1.0),
+        "mrad" => (Dimension::Angle, 1e-3),
+        "deg" | "degree" | "degrees" | "\u{b0}" => (Dimension::Angle, std::f64::consts::PI / 180.0),
+        "s" | "sec" | "second" | "seconds" => (Dimension::Time, 1.0),
+        "ms" | "msec" | "milliseconds" => (Dimension::Time, 1e-3),
+        "us" | "\u{b5}s" | "\u{3bc}s" | "microseconds" => (Dimension::Time, 1e-6),
+        "min" | "minute" | "minutes" => (Dimension::Time, 60.0),
+        "h" | "hour" | "hours" => (Dimension::Time, 3600.0),
+        "g" | "gf" => (Dimension::Force, 9.80665e-3),
+        "mg" | "mgf" => (Dimension::Force, 9.80665e-6),
+        "kg" | "kgf" => (Dimension::Force, 9.80665),
         _ => return None,
-    })
-}
-
-/// Returns the size of a time in seconds. Other prefixes would make units of the ends of words.
-fn time(text: &str) -> Option<f64> {
-    Some(match text.trim() {
-        "s" | "sec" | "second" | "seconds" => 1.0,
-        "ms" | "msec" | "milliseconds" => 1e-3,
-        "us" | "\u{b5}s" | "\u{3bc}s" | "microseconds" => 1e-6,
-        "min" | "minute" | "minutes" => 60.0,
-        "h" | "hour" | "hours" => 3600.0,
-        _ => return None,
-    })
-}
-
-/// Returns the force in newtons of a mass under standard gravity: what a balance shows.
-fn weight(text: &str) -> Option<f64> {
-    Some(match text.trim() {
-        "g" | "gf" => 9.80665e-3,
-        "mg" | "mgf" => 9.80665e-6,
-        "kg" | "kgf" => 9.80665,
-        _ => return None,
-    })
+    };
+    Some(Unit { dimension, size })
 }
 
 /// Returns the dimension of a unit, and the power of ten that it is in the SI unit.
@@ -236,18 +214,13 @@ fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
 
 /// Returns a symbol without its power of 2, if it has this power.
 fn without_square(symbol: &str) -> Option<&str> {
-    let squares = ["^2", "\u{b2}", "2"].into_iter();
-    squares
-        .filter_map(|square| symbol.strip_suffix(square))
-        .next()
+    let mut squares = ["^2", "\u{b2}", "2"].into_iter();
+    squares.find_map(|square| symbol.strip_suffix(square))
 }
 
 /// Returns the size of a prefix of the SI, by its symbol; 1 of none.
 pub fn prefix(symbol: &str) -> Option<f64> {
-    PREFIXES
-        .iter()
-        .find(|(known, ..)| *known == symbol)
-        .map(|(_, _, exponent)| power(*exponent))
+    prefixed(symbol, "").map(power)
 }
 
 /// Returns a power of ten, correctly rounded, which `powi` is not.

@@ -1,25 +1,13 @@
-//! A half-space, and JKR in closed form.
+//! JKR in closed form.
 
 use std::f64::consts::PI;
 
-use acceptance::solid;
 use contact::{Contact, State};
-use interp::{HalfSpace, Probe};
 
 /// Work of adhesion, J/m^2.
 pub const W: f64 = 0.04;
 /// Radius of the sphere, m.
 pub const R: f64 = 1e-3;
-
-pub fn half_space() -> Contact {
-    let solid = solid(2e11, 0.25);
-    Contact::half_space(&HalfSpace {
-        probe: Probe::Paraboloid { radius: R },
-        sphere_modulus: 2e6,
-        solid,
-    })
-    .expect("physical")
-}
 
 /// JKR in closed form.
 pub struct Jkr {

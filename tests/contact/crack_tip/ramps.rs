@@ -4,12 +4,11 @@
 use contact::Error;
 use contact::{Contact, Control, Hysteresis, RateDependent, State, TimedState};
 use interp::{Probe, System, Table};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64Mcg;
 
-use acceptance::{cases, larger, looked_up, paper_system};
+use acceptance::{Contacts, cases, larger, looked_up, paper_system};
 
 use super::{W, film, impose, rate_dependent};
+use crate::half_space::relative;
 
 /// Checks what holds for every ramp.
 fn check(states: &[TimedState], a1: f64, duration: f64) {
@@ -63,8 +62,8 @@ fn times_rise_at_every_tolerance() {
 /// leaves the table or the sphere.
 #[test]
 fn every_ramp_ends() {
-    let mut random = Pcg64Mcg::seed_from_u64(31);
-    let mut log_uniform = |from: f64, to: f64| random.random_range(from.ln()..to.ln()).exp();
+    let mut contacts = Contacts::new(31);
+    let mut log_uniform = |from: f64, to: f64| contacts.log_uniform(from, to);
     let table = Table::embedded();
     let (mut ended, mut outside) = (0, 0);
     for i in 0..cases(600) as usize {
@@ -135,21 +134,16 @@ fn the_slowest_ramps_are_the_slow_motion() {
                 (Control::Displacement, 3e-6),
             ] {
                 for tolerance in [1e-4, 1e-8] {
-                    let mut line = contact
-                        .line(rate_dependent(1.0, n), 65e-6)
-                        .expect("physical");
+                    let line = contact.line(rate_dependent(1.0, n), 65e-6);
+                    let mut line = line.expect("physical");
                     let mut slow = contact.line(W, 65e-6).expect("physical");
-                    let states = line
-                        .ramp(control, to, duration, tolerance)
-                        .expect("followed");
-                    check(&states, 65e-6, duration);
-                    let [a, expected]: [State; 2] = [
-                        line.state().expect("in contact"),
-                        impose(&mut slow, control, to),
-                    ];
+                    let states = line.ramp(control, to, duration, tolerance);
+                    check(&states.expect("followed"), 65e-6, duration);
+                    let found = line.state().expect("in contact");
+                    let expected = impose(&mut slow, control, to);
                     // `(v/v0)^n` of a speed of 65 um in the duration, and the rounding of G.
                     let excess = (65e-6 / duration).powf(n);
-                    let apart = (a.contact_radius / expected.contact_radius - 1.0).abs();
+                    let apart = relative(found.contact_radius, expected.contact_radius);
                     worst = larger(worst, apart / (excess + 1e-9));
                     assert!(
                         apart < 2.0 * excess + 1e-9,

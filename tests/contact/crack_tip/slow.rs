@@ -5,8 +5,10 @@ use std::f64::consts::PI;
 use acceptance::larger;
 use contact::{Control, Hysteresis};
 
-use crate::crack_tip::jkr::{Jkr, R, W, half_space};
+use crate::contact::half_space;
+use crate::crack_tip::jkr::{Jkr, R, W};
 use crate::crack_tip::{film, impose, integral, steps};
+use crate::half_space::relative;
 
 #[test]
 fn a_constant_work_of_adhesion_is_jkr() {
@@ -21,25 +23,17 @@ fn a_constant_work_of_adhesion_is_jkr() {
         let state = impose(&mut line, Control::Load, load);
         // The radius has the root of rounding at pull-off, where it has a vertical tangent.
         let condition = (1.0 - load / pull_off).sqrt();
-        worst = larger(
-            worst,
-            condition * (state.contact_radius / jkr.radius(load, W) - 1.0).abs(),
-        );
-        worst = larger(worst, (state.load - load).abs() / load.abs());
+        let miss = relative(state.contact_radius, jkr.radius(load, W));
+        worst = larger(worst, condition * miss);
+        worst = larger(worst, relative(state.load, load));
     }
     println!("loads to radii: {worst:.1e}");
     assert!(worst <= EXACT, "{worst:e}");
-    assert_eq!(
-        line.impose(Control::Load, pull_off * (1.0 + 1e-9))
-            .expect("finite"),
-        None
-    );
+    let apart = line.impose(Control::Load, pull_off * (1.0 + 1e-9));
+    assert_eq!(apart.expect("finite"), None);
     assert_eq!(line.state(), None);
-    assert_eq!(
-        line.impose(Control::Load, 1.0).expect("finite"),
-        None,
-        "for good"
-    );
+    let again = line.impose(Control::Load, 1.0);
+    assert_eq!(again.expect("finite"), None, "for good");
 
     let (_, apart) = jkr.pull_off(W);
     let mut line = contact.line(W, 60e-6).expect("physical");
@@ -53,27 +47,20 @@ fn a_constant_work_of_adhesion_is_jkr() {
     }
     let last = line.state().expect("in contact").load / (PI * W * R);
     assert!((last + 5.0 / 6.0).abs() < 1e-4, "{last}");
-    assert_eq!(
-        line.impose(Control::Displacement, apart * (1.0 + 1e-9))
-            .expect("finite"),
-        None
-    );
+    let parted = line.impose(Control::Displacement, apart * (1.0 + 1e-9));
+    assert_eq!(parted.expect("finite"), None);
 }
 
 #[test]
 fn equal_energies_are_no_hysteresis() {
     let contact = film(10e-6);
     let mut constant = contact.line(W, 60e-6).expect("physical");
-    let mut equal = contact
-        .line(Hysteresis::new(W, W).expect("in order"), 60e-6)
-        .expect("physical");
+    let equal = contact.line(Hysteresis::new(W, W).expect("in order"), 60e-6);
+    let mut equal = equal.expect("physical");
     for load in steps(0.0, 1e-3, 20).chain(steps(1e-3, -1e-3, 50)) {
-        let states = [
-            constant.impose(Control::Load, load),
-            equal.impose(Control::Load, load),
-        ]
-        .map(|state| state.expect("in range"));
-        assert_eq!(states[0], states[1]);
+        let one = constant.impose(Control::Load, load).expect("in range");
+        let other = equal.impose(Control::Load, load).expect("in range");
+        assert_eq!(one, other);
     }
     assert_eq!(constant.state(), None);
 }
@@ -83,15 +70,11 @@ fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
     let contact = half_space();
     let jkr = Jkr::of(&contact);
     let (advancing, receding) = (0.02, 0.07);
-    let mut line = contact
-        .line(
-            Hysteresis::new(advancing, receding).expect("in order"),
-            60e-6,
-        )
-        .expect("physical");
+    let law = Hysteresis::new(advancing, receding).expect("in order");
+    let mut line = contact.line(law, 60e-6).expect("physical");
     let grown = impose(&mut line, Control::Displacement, 8e-6);
     let a = grown.contact_radius;
-    assert!((jkr.penetration(a, advancing) / 8e-6 - 1.0).abs() < 1e-14);
+    assert!(relative(jkr.penetration(a, advancing), 8e-6) < 1e-14);
     let leaves = jkr.penetration(a, receding);
     for penetration in steps(8e-6, leaves + 1e-15, 30) {
         let state = impose(&mut line, Control::Displacement, penetration);
@@ -105,14 +88,11 @@ fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
     }
     let state = impose(&mut line, Control::Displacement, leaves - 1e-12);
     assert!(state.contact_radius < a);
-    assert!(
-        (jkr.penetration(state.contact_radius, receding) / (leaves - 1e-12) - 1.0).abs() < 1e-13
-    );
+    let penetration = jkr.penetration(state.contact_radius, receding);
+    assert!(relative(penetration, leaves - 1e-12) < 1e-13);
     // And pinned again on the way back.
-    assert_eq!(
-        impose(&mut line, Control::Displacement, leaves).contact_radius,
-        state.contact_radius
-    );
+    let back = impose(&mut line, Control::Displacement, leaves);
+    assert_eq!(back.contact_radius, state.contact_radius);
 }
 
 /// On a closed cycle without jumps the work of the machine is `w_rec` times the uncovered area less
@@ -122,18 +102,14 @@ fn the_work_of_a_cycle_is_the_energy_left_at_the_line() {
     /// The error of the trapezium rule. Measured: 1.9e-7 at most.
     const CLOSE: f64 = 1e-6;
     let (advancing, receding) = (0.03, 0.05);
+    let law = Hysteresis::new(advancing, receding).expect("in order");
     for contact in [half_space(), film(1e-6), film(100e-6)] {
         for (control, high, low) in [
             (Control::Displacement, 1e-5, 1e-6),
             (Control::Load, 2e-3, 1e-4),
             (Control::Spring { stiffness: 100.0 }, 2e-5, 1e-6),
         ] {
-            let mut line = contact
-                .line(
-                    Hysteresis::new(advancing, receding).expect("in order"),
-                    60e-6,
-                )
-                .expect("physical");
+            let mut line = contact.line(law, 60e-6).expect("physical");
             impose(&mut line, control, high);
             let start = impose(&mut line, control, low);
             let way = steps(low, high, 4000).chain(steps(high, low, 4000));
@@ -155,8 +131,8 @@ fn the_work_of_a_cycle_is_the_energy_left_at_the_line() {
 
 #[test]
 fn slow_motion_does_not_depend_on_its_steps() {
-    let contacts = [half_space(), film(1e-6), film(30e-6)];
-    for contact in &contacts {
+    let law = Hysteresis::new(0.035, 0.045).expect("in order");
+    for contact in [half_space(), film(1e-6), film(30e-6)] {
         for (control, turns) in [
             (Control::Load, [2e-3, 3e-4, 1e-3, -1.2e-4]),
             (Control::Displacement, [1e-5, 3e-6, 8e-6, -5e-7]),
@@ -165,22 +141,15 @@ fn slow_motion_does_not_depend_on_its_steps() {
                 [3e-5, 1e-5, 2e-5, -2e-6],
             ),
         ] {
-            let lines = || {
-                contact
-                    .line(Hysteresis::new(0.035, 0.045).expect("in order"), 60e-6)
-                    .expect("physical")
-            };
-            let (mut once, mut often) = (lines(), lines());
+            let mut once = contact.line(law, 60e-6).expect("physical");
+            let mut often = once.clone();
             let mut from = 0.0;
             for turn in turns {
-                let [at_once, in_steps] = [
-                    impose(&mut once, control, turn),
-                    steps(from, turn, 300)
-                        .map(|value| impose(&mut often, control, value))
-                        .last()
-                        .expect("steps"),
-                ];
-                let apart = (at_once.contact_radius / in_steps.contact_radius - 1.0).abs();
+                let at_once = impose(&mut once, control, turn);
+                let steps = steps(from, turn, 300);
+                let in_steps = steps.map(|value| impose(&mut often, control, value)).last();
+                let in_steps = in_steps.expect("steps").contact_radius;
+                let apart = relative(at_once.contact_radius, in_steps);
                 assert!(apart <= 1e-12, "{control:?} to {turn}: {apart:e}");
                 from = turn;
             }
@@ -201,25 +170,15 @@ fn films_are_pulled_off_where_they_should() {
         let contact = film(t);
         let mut line = contact.line(W, 60e-6).expect("physical");
         impose(&mut line, Control::Load, (dead_weight + 1e-4) * UNIT);
-        assert_eq!(
-            line.impose(Control::Load, (dead_weight - 1e-4) * UNIT)
-                .expect("finite"),
-            None,
-            "{t}"
-        );
+        let below = line.impose(Control::Load, (dead_weight - 1e-4) * UNIT);
+        assert_eq!(below.expect("finite"), None, "{t}");
         let mut line = contact.line(W, 60e-6).expect("physical");
-        let apart = contact
-            .pull_off(W, Control::Displacement)
-            .expect("in range")
-            .penetration;
+        let apart = contact.pull_off(W, Control::Displacement);
+        let apart = apart.expect("in range").penetration;
         // Towards the pull-off the load has a vertical tangent.
         let last = impose(&mut line, Control::Displacement, apart * (1.0 - 1e-10)).load / UNIT;
         assert!((last - rigid).abs() <= 1e-4, "{last}, not {rigid}, for {t}");
-        assert_eq!(
-            line.impose(Control::Displacement, apart * (1.0 + 1e-10))
-                .expect("finite"),
-            None,
-            "{t}"
-        );
+        let beyond = line.impose(Control::Displacement, apart * (1.0 + 1e-10));
+        assert_eq!(beyond.expect("finite"), None, "{t}");
     }
 }

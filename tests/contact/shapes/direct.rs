@@ -13,12 +13,6 @@ use solve::solve_power_laws;
 fn power_laws_are_those_of_the_reference_to_the_accuracy_of_the_table() {
     let table = Table::embedded();
     let data = Data::read("shapes");
-    let kappa = |n: f64| match n as u32 {
-        1 => 0.5 * PI,
-        3 => 0.75 * PI,
-        4 => 8.0 / 3.0,
-        _ => 3.2,
-    };
     let (t, unit) = (1e-6, 1e6);
     let mut worst: f64 = 0.0;
     for case in data.cases() {

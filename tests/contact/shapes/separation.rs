@@ -185,12 +185,8 @@ fn pull_off_of_the_sphere_is_that_of_maugis() {
 #[test]
 fn pull_off_of_the_cone_is_that_of_the_closed_form() {
     let material = solid(1e6, 0.3);
-    let bare = half_space(
-        Probe::Cone {
-            half_angle: HALF_ANGLE,
-        },
-        material,
-    );
+    let half_angle = HALF_ANGLE;
+    let bare = half_space(Probe::Cone { half_angle }, material);
     let found = bare.pull_off(W, Control::Load).expect("in range").load;
     let expected = -54.0 * W * W * HALF_ANGLE.tan().powi(3) / (PI * material.reduced());
     assert!((found / expected - 1.0).abs() < 1e-12, "{found}");
@@ -245,25 +241,14 @@ fn a_flat_punch_has_one_contact_radius() {
         }
     }
     // On the half-space the stiffness is 2 E* a, and its derivatives are known in closed form.
-    let equilibria = bare
-        .equilibria(W, Control::Displacement)
-        .expect("one radius");
-    let (mut states, zero) = (
-        [State::ORIGIN; 2],
-        Derivatives {
-            load: 0.0,
-            penetration: 0.0,
-        },
-    );
-    let mut derivatives = [zero; 6];
+    let equilibria = bare.equilibria(W, Control::Displacement);
+    let equilibria = equilibria.expect("one radius");
+    let mut states = [State::ORIGIN; 2];
+    let mut derivatives = [Derivatives::ZERO; 6];
+    let (values, inputs) = ([1e-8, 2e-8], [Input::SubstrateModulus, Input::SphereRadius]);
+    let unloading = Branch::Unloading;
     equilibria
-        .branch_with_gradient(
-            &[1e-8, 2e-8],
-            Branch::Unloading,
-            &[Input::SubstrateModulus, Input::SphereRadius],
-            &mut states,
-            &mut derivatives,
-        )
+        .branch_with_gradient(&values, unloading, &inputs, &mut states, &mut derivatives)
         .expect("in range");
     let stiffness = 2.0 * film.reduced() * radius;
     assert!((derivatives[0].load / stiffness - 1.0).abs() < 1e-12);

@@ -53,11 +53,11 @@ pub(super) fn of_coated(
     let rigid = system.sphere_modulus == f64::INFINITY;
     Some(match (input, rigid) {
         (Input::SphereModulus, false) => {
-            let others = by(0)?.plus(by(2)?).times(-1.0);
-            by_modulus.plus(others).times(1.0 / system.sphere_modulus)
+            let others = by(0)?.plus(by(2)?);
+            by_modulus.minus(others).times(1.0 / system.sphere_modulus)
         }
         (Input::FilmModulus, false) => by(0)?.times(1.0 / film),
-        (Input::FilmModulus, true) => by_modulus.plus(by(2)?.times(-1.0)).times(1.0 / film),
+        (Input::FilmModulus, true) => by_modulus.minus(by(2)?).times(1.0 / film),
         (Input::FilmPoisson, false) => by(1)?,
         (Input::FilmPoisson, true) => {
             let own = by_modulus.times(logarithmic_slope(system.film.poisson()));

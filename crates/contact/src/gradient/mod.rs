@@ -11,6 +11,7 @@ pub(crate) use elastic::parameters_of;
 use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
+use interp::LoadAndPenetration;
 use interp::check::finite_result;
 
 /// An input on which the load and the penetration of a contact depend, in SI units.
@@ -67,15 +68,9 @@ impl Input {
     }
 }
 
-/// The derivatives of load and penetration with respect to one [`Input`] at fixed other inputs, in
-/// N and m per unit of the input.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Derivatives {
-    /// The derivative of the load `F`.
-    pub load: f64,
-    /// The derivative of the penetration `delta`.
-    pub penetration: f64,
-}
+/// The derivatives of the load `F` and the penetration `delta` with respect to one [`Input`] at fixed
+/// other inputs, in N and m per unit of the input.
+pub type Derivatives = LoadAndPenetration;
 
 /// Load and penetration at one contact radius and work of adhesion, with their derivatives.
 #[derive(Clone, Copy, Debug)]
@@ -84,14 +79,6 @@ pub struct ContactGradient {
     penetration: f64,
     /// The derivatives in the order of [`Input::ALL`]; `None` where one is not known.
     derivatives: [Option<Derivatives>; 9],
-}
-
-impl Derivatives {
-    /// Both are 0.
-    pub const ZERO: Self = Self {
-        load: 0.0,
-        penetration: 0.0,
-    };
 }
 
 impl ContactGradient {
@@ -129,10 +116,9 @@ impl Contact {
     /// by the chain rule through eqs. 2 and 4 to 8 and from the derivatives of the table's splines.
     ///
     /// ```
-    /// # #[cfg(feature = "embedded")]
     /// # fn main() -> Result<(), contact::Error> {
     /// # use interp::{Elastic, Probe, System, Table};
-    /// # use contact::Input;
+    /// # use contact::{Contact, Input};
     /// # let (film, substrate) = (Elastic::new(3.5e6, 0.5)?, Elastic::new(2e11, 0.25)?);
     /// # let system = System { probe: Probe::Paraboloid { radius: 1e-3 }, sphere_modulus: 2e6, film, film_thickness: 1e-6, substrate };
     /// let contact = Contact::in_table_with_gradient(Table::embedded(), &system)?;
@@ -142,8 +128,6 @@ impl Contact {
     /// });
     /// assert!(film?.abs() < 0.05 * sphere?.abs()); // a thin film is hardly seen
     /// # Ok(()) }
-    /// # #[cfg(not(feature = "embedded"))]
-    /// # fn main() {}
     /// ```
     ///
     /// # Errors

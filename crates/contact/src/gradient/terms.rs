@@ -75,7 +75,7 @@ impl Terms<'_> {
     /// Returns the derivatives with respect to one input; `None` if they are not known.
     #[inline(always)]
     pub(crate) fn by(&self, input: Input) -> Option<Derivatives> {
-        let LoadAndPenetration { load, penetration } = match input {
+        match input {
             Input::ContactRadius if self.contact.is_punch() => None,
             Input::ContactRadius | Input::FilmThickness if self.has_no_slopes() => None,
             Input::SphereRadius if self.contact.is_punch() && self.has_no_slopes() => None,
@@ -97,8 +97,7 @@ impl Terms<'_> {
                     self.by_parameter(parameter)
                 })
             }
-        }?;
-        Some(Derivatives { load, penetration })
+        }
     }
 
     /// Returns what [`Self::by`] does. Loops over inputs call it: in a loop `by` would compute what any

@@ -15,7 +15,7 @@ pub(super) struct Place {
 }
 
 /// A point of the approach.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Passed {
     pub time: f64,
     pub penetration: f64,
@@ -76,9 +76,7 @@ impl<'a> Approach<'a> {
             passed: vec![Passed {
                 time: first.time,
                 penetration: first.value,
-                load: 0.0,
-                stiffness: 0.0,
-                bend: 0.0,
+                ..Passed::default()
             }],
             loads: zeros(m),
             lengths: zeros(m),

@@ -13,7 +13,7 @@ use crate::{Contact, root};
 use interp::check::finite_result;
 
 /// A contact radius with its elastic state.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Node {
     /// Contact radius, m.
     pub radius: f64,
@@ -90,31 +90,13 @@ impl ElasticCurve {
             return Err(contact.outside("penetration", last.penetration).into());
         }
         let [least, _] = contact.search_range()?;
-        let flat = has_flat_end(contact)?;
-        let first = if flat {
-            let stiffness = contact.stiffness(least)?;
-            Node {
-                radius: least,
-                penetration: 0.0,
-                load: 0.0,
-                stiffness,
-                slope: f64::INFINITY,
-            }
-        } else {
-            Node {
-                radius: 0.0,
-                penetration: 0.0,
-                load: 0.0,
-                stiffness: 0.0,
-                slope: 0.0,
-            }
-        };
+        let touch = first_touch(contact)?;
         let mut own = Self {
-            nodes: vec![first],
+            nodes: vec![touch],
             inverted: Vec::new(),
             first_error: 0.0,
         };
-        if !flat {
+        if touch.radius == 0.0 {
             let mut second = last;
             let part = FIRST * tolerance * FINER.powi(halvings as i32);
             while BEND * second.load > part * last.load && second.radius > least {
@@ -310,6 +292,24 @@ pub(super) fn radius_of(
     Ok(u.exp().clamp(from, to))
 }
 
+/// Returns the radius (m) of the largest contact that a spring can make whose base is imposed, from the largest load (N) and
+/// the largest penetration (m). Both bound the contact radius, and one may be out of range where the other is not.
+pub(super) fn radius_on_spring(
+    contact: &Contact,
+    load: f64,
+    penetration: f64,
+) -> Result<f64, HistoryError> {
+    let by_load = radius_of(contact, "load", load, |node| node.load);
+    let by_depth = radius_of(contact, "position of the spring", penetration, |node| {
+        node.penetration
+    });
+    match (by_load, by_depth) {
+        (Ok(a), Ok(b)) => Ok(a.min(b)),
+        (Ok(a), Err(_)) => Ok(a),
+        (Err(_), by_depth) => by_depth,
+    }
+}
+
 /// Returns whether the probe has a flat end.
 ///
 /// # Errors
@@ -322,25 +322,31 @@ fn has_flat_end(contact: &Contact) -> Result<bool, HistoryError> {
     Ok(flat)
 }
 
+/// Returns the first touch: that of a flat end has the radius of the end.
+fn first_touch(contact: &Contact) -> Result<Node, HistoryError> {
+    let [radius, _] = contact.search_range()?;
+    if !has_flat_end(contact)? {
+        return Ok(Node::default());
+    }
+    Ok(Node {
+        radius,
+        stiffness: contact.stiffness(radius)?,
+        slope: f64::INFINITY,
+        ..Node::default()
+    })
+}
+
 /// Returns the elastic states at equally spaced radii from the first touch up to `most` (m).
 pub(super) fn evenly(
     contact: &Contact,
     most: f64,
     intervals: usize,
 ) -> Result<Vec<Node>, HistoryError> {
-    let [least, _] = contact.search_range()?;
-    let flat = has_flat_end(contact)?;
-    let begin = if flat { least } else { 0.0 };
+    let [smallest, _] = contact.search_range()?;
+    let touch = first_touch(contact)?;
+    let begin = touch.radius;
     let mut nodes = Vec::with_capacity(intervals + 1);
-    let stiffness = if flat { contact.stiffness(least)? } else { 0.0 };
-    nodes.push(Node {
-        radius: begin,
-        penetration: 0.0,
-        load: 0.0,
-        stiffness,
-        slope: 0.0,
-    });
-    let smallest = if flat { begin } else { least };
+    nodes.push(touch);
     for i in 1..=intervals {
         let radius = begin + (most - begin) * (i as f64 / intervals as f64);
         if radius >= smallest {

@@ -278,7 +278,7 @@ mod tests {
                 .states;
             let largest =
                 |of: fn(&State) -> f64| exact.iter().map(|at| of(&at.state)).fold(0.0, f64::max);
-            let program = Program::new(&points, &times).expect("a program");
+            let program = Program::new(control.name(), &points, &times).expect("a program");
             let sum = Exponentials::new(&law, [0.1, 3.0], 1e-10);
             let errors = [1, 2, 4, 8].map(|refined| {
                 let most = 1.1 * largest(|state| state.contact_radius);

@@ -10,7 +10,7 @@ use crate::root;
 
 /// `constant + sum weight exp(-rate t) + impulse delta(t)` in place of `phi(t)`, for times in a
 /// range.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Exponentials {
     pub constant: f64,
     pub weights: Vec<f64>,
@@ -69,9 +69,7 @@ impl Exponentials {
             constant: relaxed,
             weights: terms.iter().map(|[weight, _]| *weight).collect(),
             rates: terms.iter().map(|[_, time]| 1.0 / time).collect(),
-            impulse: 0.0,
-            second_impulse: 0.0,
-            error: 0.0,
+            ..Self::default()
         }
     }
 

@@ -117,13 +117,7 @@ impl History<'_> {
             Control::Spring { stiffness } => 1.0 / stiffness,
             Control::Load => return Err(HistoryError::MeasuredLoad),
         };
-        let program = Program::new(points, &[])?;
-        if program.values[0] > 0.0 {
-            return Err(HistoryError::BeginsInContact {
-                name: control.name(),
-                value: program.values[0],
-            });
-        }
+        let program = Program::new(control.name(), points, &[])?;
         let width = inputs.map_or(0, |inputs| 2 + inputs.contact.len() + inputs.law.len());
         let inputs = inputs.unwrap_or_default();
         let mut found = MeasuredHistory {
@@ -175,22 +169,12 @@ impl History<'_> {
         law: &Exponentials,
         duration: f64,
     ) -> Result<ElasticCurve, HistoryError> {
-        let by_depth = elastic::radius_of(self.contact, control.name(), largest, |node| {
-            node.penetration
-        });
-        let radius = match control {
-            Control::Spring { stiffness } => {
-                // No elastic load is larger than that of the largest load held all the time.
-                let most = largest * stiffness * law.creep().value(duration);
-                let by_load = elastic::radius_of(self.contact, "load", most, |node| node.load);
-                match (by_load, by_depth) {
-                    (Ok(a), Ok(b)) => a.min(b),
-                    (Ok(a), Err(_)) => a,
-                    (Err(_), by_depth) => by_depth?,
-                }
-            }
-            _ => by_depth?,
+        let Control::Spring { stiffness } = control else {
+            return ElasticCurve::to_penetration(self.contact, largest, ELASTIC, 0);
         };
+        // No elastic load is larger than that of the largest load held all the time.
+        let most = largest * stiffness * law.creep().value(duration);
+        let radius = elastic::radius_on_spring(self.contact, most, largest)?;
         ElasticCurve::up_to(self.contact, radius, ELASTIC, 0)
     }
 }

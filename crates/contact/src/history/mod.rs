@@ -274,13 +274,7 @@ impl<'a, L: CrackTip> History<'a, L> {
                 before: times[i],
             });
         }
-        let program = Program::new(program, times)?;
-        if program.values[0] > 0.0 {
-            return Err(HistoryError::BeginsInContact {
-                name: control.name(),
-                value: program.values[0],
-            });
-        }
+        let program = Program::new(control.name(), program, times)?;
         let origin = program.origin;
         let asked: Vec<f64> = times.iter().map(|time| time - origin).collect();
         // Errors are parts of the largest values of the program, whatever is asked for.
@@ -298,17 +292,21 @@ impl<'a, L: CrackTip> History<'a, L> {
             asked: &asked,
             tolerance,
         };
-        let mut course = run.course().map_err(|error| error.later_by(origin))?;
-        if let Some(rigid) = self.rigid {
-            course.unlike_bodies = self.unlike(rigid, control, &course.states)?;
-        }
-        let mut states = course.states.into_iter().peekable();
+        let (states, error) = run.course().map_err(|error| error.later_by(origin))?;
+        let unlike_bodies = match self.rigid {
+            Some(rigid) => self.unlike(rigid, control, &states)?,
+            None => 0.0,
+        };
+        let mut states = states.into_iter().peekable();
         let asked = asked.iter().zip(times).map(|(&from_origin, &time)| {
             while states.next_if(|at| at.time < from_origin).is_some() {}
             let at = *states.peek().expect("the program holds all times");
             TimedContact { time, ..at }
         });
-        course.states = asked.collect();
-        Ok(course)
+        Ok(Course {
+            states: asked.collect(),
+            error,
+            unlike_bodies,
+        })
     }
 }

@@ -18,9 +18,13 @@ pub(super) struct Program {
 }
 
 impl Program {
-    /// Takes points whose times rise, and holds the last value until the last of the times asked
-    /// for.
-    pub fn new(points: &[(f64, f64)], asked: &[f64]) -> Result<Self, HistoryError> {
+    /// Takes points whose times rise and whose first value, of the quantity `name`, is without a contact, and
+    /// holds the last value until the last of the times asked for.
+    pub fn new(
+        name: &'static str,
+        points: &[(f64, f64)],
+        asked: &[f64],
+    ) -> Result<Self, HistoryError> {
         if points.len() < 2 {
             return Err(HistoryError::Program {
                 points: points.len(),
@@ -70,6 +74,10 @@ impl Program {
         let value = own.duration();
         if !DURATIONS.contains(&value) {
             return Err(HistoryError::Duration { value });
+        }
+        let value = own.values[0];
+        if value > 0.0 {
+            return Err(HistoryError::BeginsInContact { name, value });
         }
         Ok(own)
     }
@@ -145,8 +153,8 @@ mod tests {
     #[test]
     fn times_asked_for_lie_between_the_points_and_beyond_them() {
         let asked = [0.0, 0.5, 1.0, 1.0, 3.0];
-        let program =
-            Program::new(&[(0.0, 0.0), (1.0, 2.0), (2.0, 1.0)], &asked).expect("a program");
+        let points = [(0.0, 0.0), (1.0, 2.0), (2.0, 1.0)];
+        let program = Program::new("load", &points, &asked).expect("a program");
         let all: Vec<_> = program
             .with(&asked)
             .iter()

@@ -1,11 +1,11 @@
 //! The choice of the method, and its refinement until two refinements agree.
 
 use super::adhesion::Adhesion;
-use super::elastic::{self, ElasticCurve};
+use super::elastic::{self, ElasticCurve, Node};
 use super::elements::Elements;
 use super::exponentials::Exponentials;
 use super::program::Program;
-use super::{Course, History, HistoryError, TimedContact, growing_load, one_turn};
+use super::{History, HistoryError, TimedContact, growing_load, one_turn};
 use crate::{Control, CrackTip, State};
 
 /// The tolerances where none is given: of the integrals, and of elements.
@@ -39,6 +39,9 @@ const MOST_PARTS: usize = 64;
 /// The radius of the last element over that of the largest contact of the first run.
 const WIDER: f64 = 1.05;
 
+/// States, and their error as [`Course::error`](super::Course::error) states it.
+type States = (Vec<TimedContact>, f64);
+
 /// One question about a history.
 pub(super) struct Run<'a, L> {
     pub history: &'a History<'a, L>,
@@ -51,8 +54,8 @@ pub(super) struct Run<'a, L> {
 }
 
 impl<L: CrackTip> Run<'_, L> {
-    /// Returns the states at the times asked for.
-    pub fn course(&self) -> Result<Course, HistoryError> {
+    /// Returns the states at the times asked for, and their error.
+    pub fn course(&self) -> Result<States, HistoryError> {
         let contact = self.history.contact;
         let largest = self.program.largest();
         if largest <= 0.0 {
@@ -64,18 +67,15 @@ impl<L: CrackTip> Run<'_, L> {
                 };
                 TimedContact::separated(time, penetration)
             };
-            return Ok(Course {
-                states: self.times.iter().map(at).collect(),
-                error: 0.0,
-                unlike_bodies: 0.0,
-            });
+            return Ok((self.times.iter().map(at).collect(), 0.0));
         }
         match self.control {
             Control::Displacement => match self.integrals(|run| self.one_turn(run))? {
                 Some(course) => Ok(course),
                 None => {
                     self.refuse_adhesion("here the contact grows again after its first turn")?;
-                    self.elements(self.radius_of_penetration(largest)?)
+                    let depth = |node: &Node| node.penetration;
+                    self.elements(elastic::radius_of(contact, "penetration", largest, depth)?)
                 }
             },
             Control::Load if growing_load::grows(self.program) => {
@@ -94,15 +94,7 @@ impl<L: CrackTip> Run<'_, L> {
                 self.refuse_adhesion("here the position of a spring is imposed")?;
                 let law = self.law_of_elements();
                 let most = largest * stiffness * law.creep().value(self.program.duration());
-                // Both bound the contact radius, and one may be out of range where the other is not.
-                let by_load = elastic::radius_of(contact, "load", most, |node| node.load);
-                let by_depth = self.radius_of_penetration(largest);
-                let radius = match (by_load, by_depth) {
-                    (Ok(a), Ok(b)) => a.min(b),
-                    (Ok(a), Err(_)) => a,
-                    (Err(_), by_depth) => by_depth?,
-                };
-                self.elements(radius)
+                self.elements(elastic::radius_on_spring(contact, most, largest)?)
             }
         }
     }
@@ -114,8 +106,8 @@ impl<L: CrackTip> Run<'_, L> {
     /// may not show.
     fn integrals(
         &self,
-        follow: impl Fn(u32) -> Result<Option<(Vec<TimedContact>, f64)>, HistoryError>,
-    ) -> Result<Option<Course>, HistoryError> {
+        follow: impl Fn(u32) -> Result<Option<States>, HistoryError>,
+    ) -> Result<Option<States>, HistoryError> {
         let mut coarse: Option<Vec<TimedContact>> = None;
         let mut error = f64::INFINITY;
         for run in 0..RUNS {
@@ -126,11 +118,7 @@ impl<L: CrackTip> Run<'_, L> {
                 error = SAFETY * difference(&states, coarse, self.times) + hidden + ROUNDING;
                 let is_last = run + 1 == RUNS && self.tolerance.is_none();
                 if error <= self.digits() || is_last && error <= COARSEST {
-                    return Ok(Some(Course {
-                        states,
-                        error,
-                        unlike_bodies: 0.0,
-                    }));
+                    return Ok(Some((states, error)));
                 }
             }
             coarse = Some(states);
@@ -144,7 +132,7 @@ impl<L: CrackTip> Run<'_, L> {
     }
 
     /// Follows a penetration with at most one turn.
-    fn one_turn(&self, run: u32) -> Result<Option<(Vec<TimedContact>, f64)>, HistoryError> {
+    fn one_turn(&self, run: u32) -> Result<Option<States>, HistoryError> {
         let contact = self.history.contact;
         let relaxation = &self.history.relaxation;
         let tolerance = PART * self.digits();
@@ -169,7 +157,7 @@ impl<L: CrackTip> Run<'_, L> {
     }
 
     /// Follows a load that grows or is held.
-    fn growing_load(&self, run: u32) -> Result<(Vec<TimedContact>, f64), HistoryError> {
+    fn growing_load(&self, run: u32) -> Result<States, HistoryError> {
         let law = self.exponentials(PART * self.digits() * FINER.powi(run as i32));
         let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
         let (states, error) =
@@ -183,12 +171,6 @@ impl<L: CrackTip> Run<'_, L> {
         let largest = self.program.largest();
         let turn = values.iter().position(|&value| value == largest);
         times[turn.expect("it is one of the values")] - times[0]
-    }
-
-    /// Returns the radius (m) of the elastic contact at a penetration (m).
-    fn radius_of_penetration(&self, penetration: f64) -> Result<f64, HistoryError> {
-        let (contact, name) = (self.history.contact, self.control.name());
-        elastic::radius_of(contact, name, penetration, |node| node.penetration)
     }
 
     fn value_at(&self, time: f64) -> f64 {
@@ -228,7 +210,7 @@ impl<L: CrackTip> Run<'_, L> {
     }
 
     /// Follows the program by elements up to a contact radius (m).
-    fn elements(&self, most: f64) -> Result<Course, HistoryError> {
+    fn elements(&self, most: f64) -> Result<States, HistoryError> {
         let contact = self.history.contact;
         let law = self.law_of_elements().without_negligible();
         let tolerance = self.tolerance.unwrap_or(BY_ELEMENTS);
@@ -287,11 +269,7 @@ impl<L: CrackTip> Run<'_, L> {
             }
         }
         match extrapolated {
-            Some(states) if reached <= self.tolerance.unwrap_or(COARSEST) => Ok(Course {
-                states,
-                error: reached,
-                unlike_bodies: 0.0,
-            }),
+            Some(states) if reached <= self.tolerance.unwrap_or(COARSEST) => Ok((states, reached)),
             _ => Err(unreached(tolerance, reached / (1.0 - PART))),
         }
     }

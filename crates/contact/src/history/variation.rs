@@ -11,7 +11,7 @@ use super::exponentials::Exponentials;
 use super::{LawParameter, Relaxation};
 
 /// The derivative of a law with respect to one of its numbers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Variation {
     pub constant: f64,
     pub weights: Vec<f64>,
@@ -59,10 +59,8 @@ fn of_terms(
     }
     let variation = |parameter: &LawParameter| {
         let mut own = Variation {
-            constant: 0.0,
             weights: vec![0.0; rates.len()],
-            impulse: 0.0,
-            second_impulse: 0.0,
+            ..Variation::default()
         };
         let first = place(1.0 / terms[0][1]);
         match *parameter {

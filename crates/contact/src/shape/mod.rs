@@ -257,12 +257,16 @@ impl Contact {
     }
 
     /// Returns lower bounds of the derivatives of load and penetration without adhesion with respect
-    /// to `ln a` at contact radius `a` (m); `None` unless they take less time than the derivatives.
+    /// to `ln a` at contact radius `a` (m); `None` unless they take less time than the derivatives, and
+    /// for a film that is stiffer than its substrate, under which the bounds do not hold.
     pub(super) fn least_slopes(&self, a: f64) -> Result<Option<LoadAndPenetration>, Error> {
         let (Shape::Solved(solved), Bodies::Coated { system, .. }) = (&self.shape, &self.bodies)
         else {
             return Ok(None);
         };
+        if system.film.reduced() > system.substrate.reduced() {
+            return Ok(None);
+        }
         let penetration = a * solved.least_slope(a / system.film_thickness)?;
         let load = self
             .mechanics

@@ -140,7 +140,7 @@ impl Expanded {
 }
 
 /// What a shape has at a contact radius without a film: `b`, `b'` and `int b`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Bare {
     value: f64,
     slope: f64,
@@ -230,7 +230,8 @@ impl Solved {
         })
     }
 
-    /// Returns a lower bound of the derivative of the penetration at a contact radius.
+    /// Returns a lower bound of the derivative of the penetration at a contact radius, on a film that is
+    /// not stiffer than its substrate. On a stiffer one a flat punch pulls in the middle.
     ///
     /// In `delta0' = (1/S') int_0^a 2 pi r p (f'' + f'/r) dr` with the surface `f` and the pressure
     /// `p` of the flat punch of unit penetration, whose load is `S`, let `f''` count for nothing, `f'`
@@ -323,12 +324,7 @@ impl Solved {
         let own = self.own.integrals(x, None)?;
         let by_own = derivative.integrals(x, Some(&self.own))?;
         let [penetration, moment] = self.pair(bare, gamma, own);
-        let none = Bare {
-            value: 0.0,
-            slope: 0.0,
-            integral: 0.0,
-        };
-        let [by_penetration, by_moment] = self.pair(none, gamma, by_own);
+        let [by_penetration, by_moment] = self.pair(Bare::default(), gamma, by_own);
         let on_half_space = if field.falls { bare.value } else { 0.0 };
         let by_penetration = by_penetration - ln_gamma * (penetration - on_half_space);
         let by_moment = by_moment + ln_gamma * moment;

@@ -170,12 +170,10 @@ pub fn loads(contact: &Contact, a: f64, w: f64) -> Results {
 /// Returns load, penetration and their known derivatives.
 pub fn gradients(contact: &Contact, a: f64, w: f64) -> Results {
     let gradient = contact.gradient(a, w)?;
-    let by = Input::ALL
+    let known = Input::ALL
         .into_iter()
         .filter_map(|input| gradient.by(input).ok());
-    let derivatives = by.flat_map(|by| [by.load, by.penetration]);
-    Ok([gradient.load(), gradient.penetration()]
-        .into_iter()
-        .chain(derivatives)
-        .collect())
+    let mut numbers = vec![gradient.load(), gradient.penetration()];
+    numbers.extend(known.flat_map(|by| [by.load, by.penetration]));
+    Ok(numbers)
 }

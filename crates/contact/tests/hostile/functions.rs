@@ -5,7 +5,9 @@
 
 use std::array::from_fn;
 
-use contact::{CohesiveZone, Contact, CrackTip, Hysteresis, JkrFit, JkrPoint, RateDependent};
+use contact::{
+    CohesiveZone, Contact, CrackTip, Hysteresis, JkrFit, JkrPoint, RateDependent, TimedState,
+};
 use interp::{
     Certificate, Curve, Elastic, Error, HalfSpace, Material, Mechanics, Parameter, Probe,
     Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
@@ -71,11 +73,8 @@ pub const FUNCTIONS: &[Function] = &[
     ("Curve::error", &[2.0], |x| Ok(vec![curve().error(x[0])?])),
     ("Curve::spline", &[100.0], |x| {
         let spline = curve().spline(Quantity::Pi0, x[0] as usize)?;
-        Ok(spline
-            .keys()
-            .iter()
-            .flat_map(|key| [key.t, key.value])
-            .collect())
+        let keys = spline.keys().iter();
+        Ok(keys.flat_map(|key| [key.t, key.value]).collect())
     }),
     ("Curve::gradient", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
         let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
@@ -211,14 +210,9 @@ pub const FUNCTIONS: &[Function] = &[
                     let equilibria = attraction.equilibria(control, x[3]).unwrap_or_default();
                     found.extend(equilibria.iter().map(|found| found.state));
                 }
-                let values = found.iter().flat_map(|state| {
-                    [
-                        state.contact_radius,
-                        state.outer_radius,
-                        state.load,
-                        state.penetration,
-                    ]
-                });
+                let values = found
+                    .iter()
+                    .flat_map(|at| [at.contact_radius, at.outer_radius, at.load, at.penetration]);
                 Ok(values.chain([attraction.zone()]).collect())
             })
         },
@@ -247,29 +241,14 @@ pub const FUNCTIONS: &[Function] = &[
             let mut found = Vec::new();
             for control in controls(x[2]) {
                 let equilibria = contact.equilibria(x[0], control)?;
-                found.extend(
-                    equilibria
-                        .at(x[1])
-                        .unwrap_or_default()
-                        .iter()
-                        .map(|equilibrium| equilibrium.state),
-                );
-                found.extend(
-                    [
-                        equilibria.unloading(x[1]),
-                        equilibria.loading(x[1]),
-                        equilibria.pull_off(),
-                    ]
-                    .into_iter()
-                    .flatten(),
-                );
-                let whole = equilibria.force_displacement(x[1], 3).ok();
-                found.extend(
-                    whole
-                        .iter()
-                        .flat_map(|whole| whole.loading.iter().chain(&whole.unloading))
-                        .flatten(),
-                );
+                let all = equilibria.at(x[1]).unwrap_or_default();
+                found.extend(all.iter().map(|equilibrium| equilibrium.state));
+                found.extend(equilibria.unloading(x[1]));
+                found.extend(equilibria.loading(x[1]));
+                found.extend(equilibria.pull_off());
+                if let Ok(whole) = equilibria.force_displacement(x[1], 3) {
+                    found.extend(whole.loading.iter().chain(&whole.unloading).flatten());
+                }
             }
             Ok(found.into_iter().flat_map(numbers).collect())
         })
@@ -278,12 +257,8 @@ pub const FUNCTIONS: &[Function] = &[
         each(x, |contact| {
             let apart = controls(x[1]).map(|control| contact.pull_off(x[0], control));
             let at_rest = contact.zero_load(x[0])?;
-            Ok(apart
-                .into_iter()
-                .flatten()
-                .chain([at_rest])
-                .flat_map(numbers)
-                .collect())
+            let all = apart.into_iter().flatten().chain([at_rest]);
+            Ok(all.flat_map(numbers).collect())
         })
     }),
     (
@@ -298,12 +273,8 @@ pub const FUNCTIONS: &[Function] = &[
                 });
                 let [load, penetration, spring] = states;
                 let others = [penetration, spring].into_iter().flatten();
-                Ok([load?]
-                    .into_iter()
-                    .chain(others)
-                    .flatten()
-                    .flat_map(numbers)
-                    .collect())
+                let all = others.chain([load?]).flatten();
+                Ok(all.flat_map(numbers).collect())
             })
         },
     ),
@@ -318,11 +289,9 @@ pub const FUNCTIONS: &[Function] = &[
                     x[4],
                 )?;
                 let control = controls(x[9])[x[8].abs() as usize % 3];
-                let states = line.ramp(control, x[5], x[6], x[7])?;
-                Ok(states
-                    .into_iter()
-                    .flat_map(|at| [vec![at.time], numbers(at.state).to_vec()].concat())
-                    .collect())
+                let states = line.ramp(control, x[5], x[6], x[7])?.into_iter();
+                let of = |at: TimedState| [vec![at.time], numbers(at.state).to_vec()].concat();
+                Ok(states.flat_map(of).collect())
             })
         },
     ),

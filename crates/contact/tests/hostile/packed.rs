@@ -3,7 +3,7 @@
 
 use allocation_counter::measure;
 use contact::Contact;
-use interp::{Elastic, Error, Probe, Quantity, System, Table, Tile};
+use interp::{Error, Quantity, System, Table, Tile};
 
 use crate::tables::{self, PREFIX, look_up, with_prefix};
 
@@ -399,14 +399,9 @@ fn tiles_that_need_too_much_together_are_refused() {
 /// Fitting code calls these functions in its innermost loop.
 #[test]
 fn evaluating_a_contact_does_not_allocate() {
-    let substrate = Elastic::new(2e11, 0.25).expect("physical");
-    let film = Elastic::new(3.5e6, 0.5).expect("physical");
     let system = System {
-        probe: Probe::Paraboloid { radius: 1e-3 },
-        sphere_modulus: 2e6,
-        film,
         film_thickness: 1e-5,
-        substrate,
+        ..tables::contact().system().expect("on a film").clone()
     };
     let contact = Contact::in_table_with_gradient(Table::embedded(), &system).expect("inside");
     let curve = contact.curve().expect("on a film");

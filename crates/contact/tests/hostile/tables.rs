@@ -106,14 +106,8 @@ pub fn low_rank() -> Table {
 
 /// Makes a low-rank table of `Gamma` in three tiles.
 pub fn low_rank_in_tiles() -> Table {
-    let nodes = |count: u32, from: f64, to: f64| -> Vec<f64> {
-        let part = |i: u32| f64::from(i) / f64::from(count - 1);
-        (0..count)
-            .map(|i| from * (to / from).powf(part(i)))
-            .collect()
-    };
     let mut axes = axes();
-    (axes[1].1, axes[3].1) = (nodes(40, 0.01, 100.0), nodes(10, 1.0, 1e5));
+    (axes[1].1, axes[3].1) = (geometric(40, [0.01, 100.0]), geometric(10, [1.0, 1e5]));
     let tile = |film, substrate, terms| Tile {
         film,
         substrate,
@@ -132,12 +126,18 @@ pub fn material() -> Material {
     Material::new(1.75, 0.3, 300.0, 0.25).expect("physical")
 }
 
+/// Returns `count` nodes, evenly spaced in the logarithm.
+fn geometric(count: usize, [from, to]: [f64; 2]) -> Vec<f64> {
+    let part = |i: usize| i as f64 / (count - 1).max(1) as f64;
+    let node = |i: usize| from * (to / from).powf(part(i));
+    (0..count).map(node).collect()
+}
+
 /// Makes a low-rank table of one material with `count` nodes in `a/t`, of rank 1. It takes few
 /// bytes.
-pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
-    let node = |i: usize| from * (to / from).powf(i as f64 / (count - 1) as f64);
+pub fn of_nodes(count: usize, a_over_t: [f64; 2]) -> Table {
     let axes = [
-        (Parameter::AOverT, (0..count).map(node).collect()),
+        (Parameter::AOverT, geometric(count, a_over_t)),
         (Parameter::E1OverE2, vec![1.75]),
         (Parameter::Nu1, vec![0.3]),
         (Parameter::E0OverE2, vec![300.0]),
@@ -158,18 +158,12 @@ pub fn of_nodes(count: usize, [from, to]: [f64; 2]) -> Table {
 /// Makes a low-rank table with these numbers of terms along the substrate's modulus, the film's,
 /// its Poisson ratio and `a/t`, these ranks, and `n_a` nodes of `a/t`.
 pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Table, Error> {
-    let spread = |count: usize, from: f64, to: f64| -> Vec<f64> {
-        let part = |i: usize| i as f64 / (count - 1).max(1) as f64;
-        (0..count)
-            .map(|i| from * (to / from).powf(part(i)))
-            .collect()
-    };
     let [n_e0, n_e1, n_nu] = [0, 1, 2].map(|core| terms[core].min(2));
     let axes = [
-        (Parameter::AOverT, spread(n_a, 1e-3, 1e3)),
-        (Parameter::E1OverE2, spread(n_e1, 1.75, 100.0)),
-        (Parameter::Nu1, spread(n_nu, 0.3, 0.49)),
-        (Parameter::E0OverE2, spread(n_e0, 300.0, 1e5)),
+        (Parameter::AOverT, geometric(n_a, [1e-3, 1e3])),
+        (Parameter::E1OverE2, geometric(n_e1, [1.75, 100.0])),
+        (Parameter::Nu1, geometric(n_nu, [0.3, 0.49])),
+        (Parameter::E0OverE2, geometric(n_e0, [300.0, 1e5])),
     ];
     // So accurate that no part of a core is negligible, and yet of few bits for an integer.
     let integer = |i: i64| i64::from(i % 4 == 0);

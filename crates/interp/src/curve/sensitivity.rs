@@ -246,12 +246,6 @@ impl QuantityGradient {
         self.scale[parameter]
     }
 
-    /// Returns the material with respect to whose parameters these derivatives are.
-    #[inline]
-    pub const fn material(&self) -> &Material {
-        &self.material
-    }
-
     /// Turns derivatives of logarithms into derivatives.
     fn absolute(&self, relative: [f64; 4]) -> Quantities {
         let values = self.values.to_array();

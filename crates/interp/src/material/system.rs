@@ -2,7 +2,7 @@
 
 use crate::check::positive;
 use crate::material::{one_minus_square, poisson_ratio};
-use crate::{Error, Material, Probe};
+use crate::{Error, Material, Normalisation, Probe};
 
 /// An isotropic elastic solid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +55,28 @@ pub struct System {
 }
 
 impl System {
+    /// Makes a system of a material, the inverse of [`System::material`]: a film of 1 m under a `probe` of
+    /// 1 Pa. Under a rigid probe the film has a Young's modulus of 1 Pa.
+    pub const fn of_material(material: &Material, probe: Probe) -> Self {
+        let (young, sphere_modulus) = match material.normalisation() {
+            Normalisation::Sphere => (material.e1_over_e2(), 1.0),
+            Normalisation::Film => (1.0, f64::INFINITY),
+        };
+        Self {
+            probe,
+            sphere_modulus,
+            film: Elastic {
+                young,
+                poisson: material.nu1(),
+            },
+            film_thickness: 1.0,
+            substrate: Elastic {
+                young: material.e0_over_e2(),
+                poisson: material.nu0(),
+            },
+        }
+    }
+
     /// Returns the dimensionless material of the system.
     ///
     /// # Errors

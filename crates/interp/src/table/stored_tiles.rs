@@ -12,9 +12,7 @@ use crate::{Error, Quantity};
 /// A tile whose integers are in code.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct CodedTile {
-    /// The first and the last node of the film's modulus, and of the substrate's.
-    film: [usize; 2],
-    substrate: [usize; 2],
+    place: Place,
     order: [usize; 3],
     terms: [usize; 4],
     weights: [Vec<i8>; 3],
@@ -37,8 +35,7 @@ impl CodedTile {
     pub(crate) fn new(tile: &Tile) -> Self {
         let form = &tile.form;
         Self {
-            film: tile.film,
-            substrate: tile.substrate,
+            place: tile.place(),
             order: form.order(),
             terms: form.terms(),
             weights: form.exponents().clone(),
@@ -61,18 +58,12 @@ impl CodedTile {
             self.step,
             &self.integers,
         );
+        let Place { film, substrate } = self.place;
         Ok(Tile {
-            film: self.film,
-            substrate: self.substrate,
+            film,
+            substrate,
             form: form.map_err(|Malformed(what)| Error::Malformed(what))?,
         })
-    }
-
-    fn place(&self) -> Place {
-        Place {
-            film: self.film,
-            substrate: self.substrate,
-        }
     }
 
     fn decode_sound(&self, quantities: &[Quantity]) -> Tile {
@@ -126,7 +117,7 @@ impl StoredTiles {
     pub(crate) fn places(&self) -> Vec<Place> {
         match self.decoded.get() {
             Some(tiles) => tiles.iter().map(Tile::place).collect(),
-            None => self.coded.iter().map(CodedTile::place).collect(),
+            None => self.coded.iter().map(|tile| tile.place).collect(),
         }
     }
 }

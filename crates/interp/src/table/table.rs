@@ -48,7 +48,7 @@ impl Table {
     /// `axes` holds the nodes of each of [`Parameter::ALL`], [`Parameter::REDUCED`] or
     /// [`Parameter::STACK`], in their order. `values[quantity]`, in the order of
     /// [`Quantity::ALL`], is row-major over the four axes, `a_over_t` slowest, or `None` if
-    /// the scene does not ask for the quantity. The last entries may be left out.
+    /// the scene does not ask for the quantity.
     ///
     /// # Errors
     /// [`Error::Malformed`]
@@ -59,23 +59,18 @@ impl Table {
     ///   `e0_over_e2 = inf`, must be the only node of its axis; the ratios of reduced moduli may
     ///   end at 0 and infinity; `nu1` and `e0_over_e1`, which may be infinite, have one node in a
     ///   table of one stack;
-    /// * if the number of values is not the product of the numbers of nodes, if all of
-    ///   [`Quantity::ALL`] are `None`, or if there are more than four entries;
+    /// * if the number of values is not the product of the numbers of nodes, or if all of
+    ///   [`Quantity::ALL`] are `None`;
     /// * if the tolerance is not in `(0, 1]`, or the certificate has errors that are negative,
     ///   infinite, not in order, or NaN in other than [`Certificate::UNMEASURED`].
-    pub fn new<const N: usize>(
+    pub fn new(
         description: Description,
         axes: [(Parameter, Vec<f64>); 4],
-        values: [Option<Vec<f64>>; N],
+        values: [Option<Vec<f64>>; 4],
     ) -> Result<Self, Error> {
         let axes = Axes::new(axes)?;
         description.check()?;
         let malformed = |what: String| Err(Error::Malformed(what));
-        if N > Quantity::ALL.len() {
-            return malformed(format!("it has {N} quantities, at most 4 are known"));
-        }
-        let mut values = values.into_iter();
-        let values = Quantity::ALL.map(|_| values.next().flatten());
         let count = axes
             .shape()
             .into_iter()
@@ -242,20 +237,19 @@ impl Table {
     /// Returns the quantities that the curves of this table [answer](Curve::answers), in the order of
     /// [`Quantity::ALL`].
     ///
-    /// They are the quantities held and, in a table of films that holds [`Quantity::Gamma`] alone of
-    /// a sphere and begins at an `a/t` of 0.4 at most, all four of a sphere. A curve whose material
-    /// makes the others begin less accurately than the tolerance answers `Gamma` alone.
+    /// They are the quantities held and, in a table of films that holds [`Quantity::Gamma`] alone and
+    /// begins at an `a/t` of 0.4 at most, all four. A curve whose material makes the others begin less
+    /// accurately than the tolerance answers `Gamma` alone.
     pub fn answers(&self) -> Vec<Quantity> {
         let held = self.quantities();
-        let of_sphere = |quantity: &&Quantity| Quantity::ALL.contains(quantity);
-        let x = self.axis(Parameter::AOverT);
-        let derives = held.iter().filter(of_sphere).eq([&Quantity::Gamma])
+        let derives = held == [Quantity::Gamma]
             && !self.is_of_stack()
-            && Derivation::begins([x[0], x[x.len() - 1]]);
-        let answered = |quantity: &Quantity| {
-            held.contains(quantity) || derives && Quantity::ALL.contains(quantity)
-        };
-        Quantity::ALL.into_iter().filter(answered).collect()
+            && Derivation::begins(self.axes.ends(Parameter::AOverT));
+        if derives {
+            Quantity::ALL.to_vec()
+        } else {
+            held
+        }
     }
 
     /// Returns the values of `quantity` at the nodes, row-major with `a_over_t` slowest.

@@ -4,7 +4,7 @@ use super::weights::Weights;
 
 /// Load and penetration of a shape, or their slopes with respect to `ln a`, in units of the grid:
 /// `F0/(E* es)` and `delta0`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     pub(super) load: f64,
     pub(super) penetration: f64,
@@ -66,10 +66,7 @@ impl Kernel {
     /// Returns load and penetration of a shape.
     pub(super) fn sums(&self, weights: &Weights) -> Sums {
         let stiffness = self.moment(0);
-        let mut sums = Sums {
-            load: 0.0,
-            penetration: 0.0,
-        };
+        let mut sums = Sums::default();
         for (k, beta) in weights.beta.iter().enumerate().take(weights.terms) {
             let n = 2 * k + 2;
             let factor = beta / (n * (n - 1)) as f64;
