@@ -1,7 +1,7 @@
 //! The certificate of a table, the largest error at sampled points: its points and its numbers.
 
 use acceptance::{larger, table};
-use interp::{Description, Parameter, Quantity, Table};
+use interp::{Parameter, Quantity, Table};
 use tabulate::table::{Sample, certificate, measure, sample};
 
 /// Two axes, `a/t` among them, and all quantities.
@@ -141,14 +141,7 @@ fn the_identities_are_broken_by_as_much_as_the_values_are() {
                     .collect(),
             )
         });
-        Table::new(
-            Description {
-                ..sound.description().clone()
-            },
-            sound.axes(),
-            values,
-        )
-        .expect("sound values")
+        Table::new(sound.description().clone(), sound.axes(), values).expect("sound values")
     };
     let broken = |table: &Table| {
         certificate(&measured(table, 200, 4), 4)
@@ -183,35 +176,16 @@ fn the_identities_are_broken_by_as_much_as_the_values_are() {
 
 #[test]
 fn an_identity_that_takes_more_than_is_held_is_not_measured() {
-    for (changes, expected) in [
-        (
-            ("title ", "quantities = ['eeq', 'gamma']\n title "),
-            [true, false, false, false],
-        ),
-        (
-            ("title ", "quantities = ['eeq', 'gamma', 'delta0']\n title "),
-            [true, false, true, false],
-        ),
-        (
-            ("title ", "quantities = ['pi0', 'eeq', 'delta0']\n title "),
-            [false, true, false, false],
-        ),
-        (
-            ("title ", "quantities = ['pi0', 'gamma', 'delta0']\n title "),
-            [false; 4],
-        ),
-        (
-            ("a_over_t   = { from = 0.1, to = 10 }", "a_over_t = 1"),
-            [false; 4],
-        ),
+    let held = |quantities| format!("quantities = [{quantities}]\n{TWO_AXES}");
+    for (scene, expected) in [
+        (held("'eeq', 'gamma'"), [true, false, false, false]),
+        (held("'eeq', 'gamma', 'delta0'"), [true, false, true, false]),
+        (held("'pi0', 'eeq', 'delta0'"), [false, true, false, false]),
+        (held("'pi0', 'gamma', 'delta0'"), [false; 4]),
+        (TWO_AXES.replace("{ from = 0.1, to = 10 }", "1"), [false; 4]),
     ] {
-        let found = table(&TWO_AXES.replace(changes.0, changes.1))
-            .description()
-            .certificate;
-        assert_eq!(
-            found.identity_errors.map(|error| error.is_some()),
-            expected,
-            "{changes:?}"
-        );
+        let found = table(&scene).description().certificate;
+        let measured = found.identity_errors.map(|error| error.is_some());
+        assert_eq!(measured, expected, "{scene}");
     }
 }

@@ -36,16 +36,21 @@ fn read(path: &Path) -> Value {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_table.py");
     let mut python = Command::new("python3");
     python.arg(script).arg(path).env("PYTHONPATH", packages);
-    let output = start(&mut python).wait_with_output().expect("python3 runs");
+    serde_json::from_slice(&output(&mut python)).expect("JSON")
+}
+
+/// Returns the standard output of a command that succeeds.
+pub fn output(command: &mut Command) -> Vec<u8> {
+    let output = start(command).wait_with_output().expect("python3 runs");
     assert!(
         output.status.success(),
         "{}",
         String::from_utf8_lossy(&output.stderr)
     );
-    serde_json::from_slice(&output.stdout).expect("JSON")
+    output.stdout
 }
 
-fn hexadecimal(values: &[f64]) -> Value {
+pub fn hexadecimal(values: &[f64]) -> Value {
     bits(values)
         .iter()
         .map(|word| format!("{word:016x}"))

@@ -382,10 +382,7 @@ fn an_unphysical_solid_or_system_is_an_error_that_names_it() {
 fn the_program_names_the_point_the_axis_and_the_range() {
     let workdir = workdir!();
     workdir.write("table.bin", TABLE.to_packed().expect("a small table"));
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.3,30\n1,1,0.3,300\n",
-    );
+    workdir.write_points("1,1,0.3,30\n1,1,0.3,300\n");
     let message = workdir.fail(1, "query table.bin --points points.csv -o out.csv");
     assert_names(&message, "points.csv, line 3; e0_over_e2; 300; 10; 100");
     assert_eq!(workdir.files(), ["points.csv", "table.bin"]);

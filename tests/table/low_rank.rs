@@ -272,10 +272,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
     // Measured: 97.
     assert!(dense > 80 * sizes[3]);
     // Every command takes it; ten thousand points compare a table with four axes.
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.4,30\n",
-    );
+    workdir.write_points("1,1,0.4,30\n");
     assert_eq!(
         workdir
             .succeed("query table.bin --points points.csv")

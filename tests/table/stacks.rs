@@ -2,11 +2,10 @@
 //! form of the file, and lookups of films are refused.
 
 use acceptance::{
-    Refused, Workdir, assert_cases, assert_names, larger, layer, relative_error, solid, stack,
-    table, with_interfaces, workdir,
+    Refused, Workdir, assert_cases, assert_names, estimate, larger, layer, material,
+    relative_error, solid, solved, stack, table, with_interfaces, workdir,
 };
-use interp::{Error, Material, Parameter, Quantity, Table};
-use serde_json::Value;
+use interp::{Error, Parameter, Quantity, Table};
 use solve::stack::{Interface, Stack};
 use solve::{solve_stack, stack_curve};
 use tabulate::table::{Scene, StackTable, certify};
@@ -116,12 +115,11 @@ fn one_layer_is_the_film() {
     let mut worst = 0.0;
     for [x, sphere] in places(50) {
         let (a_over_t, e1) = (0.03 * 1000_f64.powf(x), 1e-2 * 1e4_f64.powf(sphere));
-        let material = Material::new(e1, 0.4, 50.0 * e1, 0.3).expect("physical");
-        let truth = solve::solve(a_over_t, &material, 1e-11).expect("in reach");
+        let truth = solved(a_over_t, &material([e1, 0.4, 50.0 * e1, 0.3]), 1e-11);
         let table = StackTable::new(&dense).expect("a stack");
         let curve = table.curve(2e6 / e1).expect("inside");
         let found = curve.quantities(a_over_t).expect("inside");
-        worst = larger(worst, relative_error(&found, &truth.quantities));
+        worst = larger(worst, relative_error(&found, &truth));
     }
     println!("one layer: {worst:.1e}");
     assert!(worst <= 1e-6);
@@ -183,7 +181,7 @@ fn rigid_bodies_are_limits() {
 #[test]
 fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
     let dense = table(&scene());
-    let film = Material::new(1.75, 0.49, 1e5, 0.25).expect("physical");
+    let film = material([1.75, 0.49, 1e5, 0.25]);
     assert!(matches!(dense.curve(&film), Err(Error::OfStack)));
     assert!(matches!(
         dense.curve_with_gradient(&film),
@@ -453,11 +451,8 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
     let fit = |file: &str| {
         let free = "sphere-modulus,work-of-adhesion";
         let flags = format!("fit data.csv --json --specimen paper --free {free} --stack {file}");
-        let object: Value = serde_json::from_str(&workdir.succeed(&flags)).expect("JSON");
-        ["sphere_modulus", "work_of_adhesion"].map(|name| {
-            let parameter = &object["parameters"][name];
-            ["value", "stderr"].map(|key| parameter[key].as_f64().expect("a number"))
-        })
+        let object = workdir.json(&flags);
+        ["sphere_modulus", "work_of_adhesion"].map(|name| estimate(&object, name))
     };
     let solved = fit("stack.toml");
     for (found, [truth, stderr]) in fit("scene.h5").into_iter().zip(solved) {

@@ -5,10 +5,11 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use acceptance::{BOX, Contacts, TRUTH, bits, larger, shipped, start, table, write_hdf5};
+use acceptance::{BOX, Contacts, TRUTH, larger, shipped, solved, table, write_hdf5};
 use interp::{Material, Parameter, Quantity, Table};
 use serde_json::{Value, json};
-use solve::solve;
+
+use crate::h5py::{hexadecimal, output};
 
 /// A scene of one axis and two quantities.
 const RIGID: &str = "
@@ -29,17 +30,6 @@ fn python() -> Command {
     let mut python = Command::new("python3");
     python.env("PYTHONPATH", packages);
     python
-}
-
-/// Returns the standard output of a command that succeeds.
-fn output(command: &mut Command) -> Vec<u8> {
-    let output = start(command).wait_with_output().expect("python3 runs");
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    output.stdout
 }
 
 fn readme() -> PathBuf {
@@ -66,13 +56,6 @@ fn read(path: &Path, points: &[(f64, Material)]) -> Value {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("table/read_xarray.py");
     let found = output(python().arg(script).arg(path).arg(readme()).arg(&places));
     serde_json::from_slice(&found).expect("JSON")
-}
-
-fn hexadecimal(values: &[f64]) -> Value {
-    bits(values)
-        .iter()
-        .map(|word| format!("{word:016x}"))
-        .collect()
 }
 
 /// Asserts that every reader finds the axes as coordinates and the quantities over them.
@@ -157,7 +140,7 @@ fn xarray_opens_the_papers_table_and_the_example_interpolates_it_to_its_toleranc
 
     let solved: Vec<_> = points
         .iter()
-        .map(|(x, material)| solve(*x, material, TRUTH).expect("converges").quantities)
+        .map(|(x, material)| solved(*x, material, TRUTH))
         .collect();
     let truth: Vec<_> = Quantity::ALL
         .map(|quantity| {
@@ -196,10 +179,7 @@ fn the_example_prints_the_solved_value() {
     let printed = String::from_utf8(printed).expect("text");
     let found: f64 = printed.trim().parse().expect("one number");
     let material = acceptance::material([1.75, 0.5, 1e5, 0.25]);
-    let truth = solve(65.0, &material, TRUTH)
-        .expect("converges")
-        .quantities
-        .eeq;
+    let truth = solved(65.0, &material, TRUTH).eeq;
     let error = (found / truth - 1.0).abs();
     println!("eeq = {found}, with an error of {error:.1e}");
     assert!(error <= 1e-9, "{found}, not {truth}");

@@ -3,14 +3,13 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Refused, larger, material};
+use acceptance::{Refused, larger, material, solved};
 use cost::approximations::{
     bulk_jkr, dimitriadis, dimitriadis_incompressible, film_jkr, gao, garcia, hay_crawford,
     springs_in_series,
 };
-use interp::{Material, Quantities};
+use interp::Quantities;
 use solve::Compliance;
-use solve::solve;
 
 const MATERIALS: [[f64; 4]; 5] = [
     [1.75, 0.5, 1e5, 0.25],
@@ -19,12 +18,6 @@ const MATERIALS: [[f64; 4]; 5] = [
     [1.0, 0.45, 3.0, 0.2],
     [0.0, 0.3, 2.0, 0.2],
 ];
-
-fn quantities(x: f64, material: &Material, tolerance: f64) -> Quantities {
-    solve(x, material, tolerance)
-        .expect("moderate contrasts converge")
-        .quantities
-}
 
 #[test]
 fn on_a_rigid_substrate_gaos_film_has_no_effect() {
@@ -41,7 +34,7 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
     for material in MATERIALS.map(material) {
         let off = |x: f64, modulus: f64| {
             let [found, jkr] = [
-                quantities(x, &material, 1e-10),
+                solved(x, &material, 1e-10),
                 Quantities::homogeneous(modulus),
             ];
             larger(
@@ -93,11 +86,11 @@ fn gaos_weights_are_exact_to_first_order_in_either_difference_under_any_sphere()
             };
             for [exact, weighted] in [
                 [
-                    derivative(|s| quantities(x, &stiffer(s), 1e-12).eeq),
+                    derivative(|s| solved(x, &stiffer(s), 1e-12).eeq),
                     derivative(|s| gao(x, &stiffer(s)).expect("in the domain")),
                 ],
                 [
-                    derivative(|s| quantities(x, &other(s), 1e-12).eeq),
+                    derivative(|s| solved(x, &other(s), 1e-12).eeq),
                     derivative(|s| gao(x, &other(s)).expect("in the domain")),
                 ],
             ] {
@@ -175,7 +168,7 @@ fn exact_series(nu: f64) -> [f64; 4] {
 /// Returns `sqrt(R delta)/t`, and the load over Hertz's at that penetration, of a layer on a rigid
 /// base at `a/t = x`.
 fn solved_layer(x: f64, nu: f64) -> [f64; 2] {
-    let q = quantities(x, &material([0.0, nu, f64::INFINITY, 0.25]), 1e-13);
+    let q = solved(x, &material([0.0, nu, f64::INFINITY, 0.25]), 1e-13);
     [x * q.delta0.sqrt(), 0.375 * q.pi0 / q.delta0.powf(1.5)]
 }
 

@@ -3,7 +3,7 @@
 
 mod long_ranges;
 
-use acceptance::{Case, Data, Refused, larger, solid, solved_contact};
+use acceptance::{Case, Data, Refused, larger, layer, solid, solved_contact, stack};
 use contact::Control;
 use interp::{Elastic, Probe, System};
 use solve::cohesive::{Cohesive, CohesiveState, REACH};
@@ -13,17 +13,6 @@ use std::f64::consts::PI;
 /// The thickness of the films, m, and the modulus of the sphere, Pa: units of the file.
 pub const THICKNESS: f64 = 1e-6;
 pub const MODULUS: f64 = 1e6;
-
-/// Reads `E:nu`.
-fn read_solid(text: &str) -> Elastic {
-    let (young, poisson) = text.split_once(':').unwrap_or(("inf", "0.25"));
-    let young: f64 = if text == "rigid" {
-        f64::INFINITY
-    } else {
-        young.parse().expect("a modulus")
-    };
-    solid(young * MODULUS, poisson.parse().expect("a Poisson ratio"))
-}
 
 /// The bodies of a row.
 pub struct Bodies {
@@ -38,16 +27,12 @@ pub struct Bodies {
 
 impl Bodies {
     pub fn new(case: &Case<'_>) -> Self {
-        let layers: Vec<Layer> = case
-            .text("layers")
-            .split('|')
-            .map(|layer| {
-                let (body, thickness) = layer.rsplit_once(':').expect("E:nu:h");
-                Layer::bonded(
-                    read_solid(body),
-                    thickness.parse::<f64>().expect("a thickness") * THICKNESS,
-                )
-            })
+        let in_units = case.stack();
+        let scaled = |one: Elastic| solid(one.young() * MODULUS, one.poisson());
+        let layers: Vec<Layer> = in_units
+            .layers()
+            .iter()
+            .map(|one| Layer::bonded(scaled(one.solid), one.thickness * THICKNESS))
             .collect();
         let rigid = case.text("sphere") == "rigid";
         let top = layers.last().expect("a layer").solid;
@@ -55,7 +40,7 @@ impl Bodies {
         let sphere_radius = case.get("r_over_t") * THICKNESS;
         let work_of_adhesion = case.get("w") * unit * THICKNESS;
         Self {
-            stack: Stack::new(read_solid(case.text("base")), layers).expect("physical"),
+            stack: stack(scaled(in_units.base()), &layers),
             sphere_radius,
             sphere_modulus: if rigid { f64::INFINITY } else { MODULUS },
             work_of_adhesion,
@@ -135,9 +120,7 @@ fn states_and_pull_offs_agree_with_reference_values() {
 fn half_space(lambda: f64) -> (Cohesive, f64, f64) {
     const RADIUS: f64 = 1e-3;
     const WORK: f64 = 1e-6 * MODULUS * RADIUS;
-    let solid = solid(MODULUS, 0.0);
-    let layer = Layer::bonded(solid, RADIUS);
-    let stack = Stack::new(solid, [layer]).expect("physical");
+    let stack = stack(solid(MODULUS, 0.0), &[layer(MODULUS, 0.0, RADIUS)]);
     let k = 4.0 / 3.0 * MODULUS;
     let stress = 0.5 * lambda / (RADIUS / (PI * WORK * k * k)).cbrt();
     let cohesive = Cohesive::on_stack(&stack, RADIUS, f64::INFINITY, WORK, WORK / stress);
@@ -193,10 +176,8 @@ fn on_film(lambda: f64, confined: bool) -> (Cohesive, f64, f64) {
     } else {
         (1.75, 1e5, MODULUS)
     };
-    let film = solid(young * MODULUS, 0.5);
-    let base = solid(base * MODULUS, 0.25);
-    let layer = Layer::bonded(film, THICKNESS);
-    let stack = Stack::new(base, [layer]).expect("physical");
+    let film = layer(young * MODULUS, 0.5, THICKNESS);
+    let stack = stack(solid(base * MODULUS, 0.25), &[film]);
     let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
     let cohesive = Cohesive::on_stack(
         &stack,
@@ -342,13 +323,12 @@ fn a_short_range_is_the_limit_of_jkr() {
         println!("half-space: {excess}");
         assert!((excess / 0.1092 - 1.0).abs() < 0.02, "{excess}");
     }
-    let film = solid(1.75 * MODULUS, 0.5);
     let system = System {
         probe: Probe::Paraboloid {
             radius: 100.0 * THICKNESS,
         },
         sphere_modulus: MODULUS,
-        film,
+        film: solid(1.75 * MODULUS, 0.5),
         film_thickness: THICKNESS,
         substrate: solid(1e5 * MODULUS, 0.25),
     };
@@ -403,12 +383,7 @@ fn values_outside_the_domain_are_named() {
     for a in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.001 * radius] {
         cohesive.state(a).refused("contact radius");
     }
-    let stack = |w: f64, range: f64| {
-        let film = solid(MODULUS, 0.5);
-        let layer = Layer::bonded(film, THICKNESS);
-        let stack = Stack::new(film, [layer]).expect("physical");
-        Cohesive::on_stack(&stack, radius, MODULUS, w, range)
-    };
+    let film = stack(solid(MODULUS, 0.5), &[layer(MODULUS, 0.5, THICKNESS)]);
     for (w, range, name) in [
         (0.0, 1e-9, "work of adhesion"),
         (f64::NAN, 1e-9, "work of adhesion"),
@@ -416,17 +391,15 @@ fn values_outside_the_domain_are_named() {
         (0.05, f64::INFINITY, "interaction range"),
         (0.05, 2.0 * radius, "interaction range"),
     ] {
-        stack(w, range).refused(name);
+        Cohesive::on_stack(&film, radius, MODULUS, w, range).refused(name);
     }
 }
 
 /// The attraction before the contact is solved up to the reach; its cost grows with the radius.
 #[test]
 fn an_attraction_beyond_the_reach_is_refused() {
-    let film = solid(MODULUS, 0.5);
-    let base = solid(1e5 * MODULUS, 0.25);
-    let layer = Layer::bonded(film, THICKNESS);
-    let stack = Stack::new(base, [layer]).expect("physical");
+    let film = layer(MODULUS, 0.5, THICKNESS);
+    let stack = stack(solid(1e5 * MODULUS, 0.25), &[film]);
     let reach = REACH * THICKNESS;
     for radius in [1.0, 1e30] {
         // The bodies would touch at sqrt(2 h0 R), 1.4 mm and more.

@@ -1,7 +1,7 @@
 //! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
-use acceptance::{Data, Refused, larger, solid};
+use acceptance::{Data, Refused, larger, solid, stack};
 use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, root};
 use interp::{Elastic, HalfSpace, Probe};
 use solve::cohesive::Cohesive;
@@ -168,17 +168,13 @@ fn short_ranges_agree_with_reference_values() {
 /// adhesion, in units of the thickness and of `MODULUS`.
 fn systems() -> [(&'static str, Stack, f64, f64, f64); 5] {
     let solid = |young: f64, poisson| solid(young * MODULUS, poisson);
-    let stack = |base, layers: &[(Elastic, f64)]| {
-        let layer =
-            |&(solid, thickness): &(Elastic, f64)| Layer::bonded(solid, thickness * THICKNESS);
-        Stack::new(base, layers.iter().map(layer).collect::<Vec<_>>()).expect("physical")
-    };
+    let layer = |solid: Elastic, thickness: f64| Layer::bonded(solid, thickness * THICKNESS);
     let wafer = solid(1e5, 0.25);
     let (elastomer, primer) = (solid(1.75, 0.5), solid(0.5, 0.5));
-    let confined = stack(solid(f64::INFINITY, 0.25), &[(solid(0.75, 0.5), 1.0)]);
-    let stiff = stack(solid(0.0455, 0.3), &[(solid(0.91, 0.3), 1.0)]);
-    let paper = stack(wafer, &[(elastomer, 1.0)]);
-    let primed = stack(wafer, &[(primer, 0.25), (elastomer, 0.75)]);
+    let confined = stack(solid(f64::INFINITY, 0.25), &[layer(solid(0.75, 0.5), 1.0)]);
+    let stiff = stack(solid(0.0455, 0.3), &[layer(solid(0.91, 0.3), 1.0)]);
+    let paper = stack(wafer, &[layer(elastomer, 1.0)]);
+    let primed = stack(wafer, &[layer(primer, 0.25), layer(elastomer, 0.75)]);
     let inf = f64::INFINITY;
     [
         ("paper's film, R/t = 10", paper.clone(), 10.0, 1.0, 2e-4),

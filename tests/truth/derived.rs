@@ -1,6 +1,8 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
-use acceptance::{Data, geometric, larger, material, paper_system, relative_error, solid, table};
+use acceptance::{
+    Data, geometric, larger, material, paper_system, relative_error, solid, solved, table,
+};
 use contact::Contact;
 use interp::{Curve, Description, Error, Parameter, Quantity, System, Table};
 use solve::solve;
@@ -58,10 +60,10 @@ fn they_are_those_of_direct_solves() {
         let curve = curve_of(&table_of(name, TOLERANCE, [1e-3, 1e3]));
         let mut errors = [0.0; 4];
         for x in geometric(curve.range(), 150) {
-            let solved = solve(x, curve.material(), 1e-9).expect("it converges");
+            let solved = solved(x, curve.material(), 1e-9);
             for quantity in Quantity::ALL {
                 let found = curve.quantity(quantity, x).expect("in range");
-                let error = (found / solved.quantities.get(quantity) - 1.0).abs();
+                let error = (found / solved.get(quantity) - 1.0).abs();
                 errors[quantity as usize] = larger(errors[quantity as usize], error);
             }
         }
@@ -179,8 +181,7 @@ fn a_table_that_begins_too_late_says_so_with_an_estimate_that_holds() {
             // Asked for a little more than that, it answers.
             let curve = curve_of(&changed(&table, 1.01 * estimate, |_, _| 1.0));
             let found = curve.quantities(from).expect("it begins early enough");
-            let solved = solve(from, curve.material(), 1e-11).expect("it converges");
-            let error = relative_error(&found, &solved.quantities);
+            let error = relative_error(&found, &solved(from, curve.material(), 1e-11));
             println!("{name:?} from {from}: {error:.1e}, estimated {estimate:.1e}");
             assert!(
                 error <= estimate + TOLERANCE,
@@ -216,8 +217,7 @@ fn they_go_on_beyond_the_nodes() {
             let Ok(found) = curve.quantities(x) else {
                 continue;
             };
-            let solved = solve(x, curve.material(), 1e-10).expect("it converges");
-            let error = relative_error(&found, &solved.quantities);
+            let error = relative_error(&found, &solved(x, curve.material(), 1e-10));
             let estimate = curve.error(x).expect("it has an estimate");
             assert!(
                 error <= estimate.max(1e-9),

@@ -6,7 +6,9 @@ use acceptance::{Contacts, Data, geometric, larger, material, relative_error};
 use interp::{Material, Quantities};
 use solve::Compliance;
 use solve::Error;
-use solve::{A_OVER_T, Solution, solve};
+use solve::{A_OVER_T, solve};
+
+use crate::domain::finite_and_positive;
 
 const INF: f64 = f64::INFINITY;
 /// A Poisson ratio just below 0.5.
@@ -55,14 +57,6 @@ fn short(number: f64) -> String {
         _ if number == 0.0 || (0.01..1000.0).contains(&number.abs()) => number.to_string(),
         _ => format!("{number:e}"),
     }
-}
-
-fn finite_and_positive(solution: &Solution) -> bool {
-    solution
-        .quantities
-        .to_array()
-        .iter()
-        .all(|quantity| quantity.is_finite() && *quantity > 0.0)
 }
 
 #[test]

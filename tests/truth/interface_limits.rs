@@ -26,7 +26,7 @@ fn compliance(stack: &Stack) -> impl Fn(f64) -> f64 + use<> {
     move |k| compliance.x(k * top)
 }
 
-fn wave_numbers() -> impl Iterator<Item = f64> {
+pub fn wave_numbers() -> impl Iterator<Item = f64> {
     (0..=60).map(|i| 10_f64.powf(-7.0 + 0.15 * f64::from(i)))
 }
 

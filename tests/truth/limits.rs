@@ -4,10 +4,11 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, material, relative_error, relative_errors};
+use acceptance::{Contacts, larger, material, relative_error, relative_errors, solved};
 use interp::{Material, Quantities};
 use solve::Compliance;
-use solve::solve;
+
+use crate::domain::in_units_of_the_film;
 
 /// The film and the substrate of Barthel's figures.
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];
@@ -21,12 +22,6 @@ const MODERATE: [[f64; 4]; 6] = [
     [0.5, -0.4, f64::INFINITY, 0.25],
     [0.0, 0.3, 0.5, 0.25],
 ];
-
-fn quantities(x: f64, material: &Material, tolerance: f64) -> Quantities {
-    solve(x, material, tolerance)
-        .expect("moderate contrasts converge")
-        .quantities
-}
 
 /// Integrates `f` by Simpson's rule with `2 n` intervals.
 fn simpson(f: impl Fn(f64) -> f64, from: f64, to: f64, n: u32) -> f64 {
@@ -58,7 +53,7 @@ fn thick_film(x: f64, material: &Material) -> Quantities {
 fn thick_films_approach_the_half_space_of_film_like_the_constant_kernel() {
     let [mut worst, mut distance, mut power] = [0.0; 3];
     for material in MODERATE.map(material) {
-        let at = |x: f64| quantities(x, &material, 1e-13);
+        let at = |x: f64| solved(x, &material, 1e-13);
         let [far, near] = [1e-2, 2e-3].map(|x| relative_errors(&at(x), &thick_film(x, &material)));
         for (far, near) in far.into_iter().zip(near) {
             power = larger(power, (far / near / 125.0 - 1.0).abs());
@@ -121,7 +116,7 @@ fn thin_films_approach_the_bare_substrate_like_the_first_order_expansion() {
     {
         let limit = material.thin_film_limit();
         let [near, far] = [1000.0, 100.0].map(|x| {
-            let quantities = quantities(x, &material, 1e-11);
+            let quantities = solved(x, &material, 1e-11);
             (
                 relative_errors(&quantities, &thin_film(x, &material).0),
                 relative_errors(&quantities, &limit),
@@ -158,7 +153,7 @@ fn thin_films_approach_the_bare_substrate_to_second_order_up_to_the_end_of_the_d
     for parameters in [PAPER, [10.0, 0.0, 1.0, 0.5], [1.0, 0.3, 10.0, 0.0]] {
         let material = material(parameters);
         let misses = [1e4, 1e5, 1e6].map(|x: f64| {
-            let miss = relative_error(&quantities(x, &material, 1e-12), &thin_film(x, &material).0);
+            let miss = relative_error(&solved(x, &material, 1e-12), &thin_film(x, &material).0);
             let of_second_order = miss / (x.ln() / x).powi(2);
             println!(
                 "{parameters:?} at x = {x:e}: {miss:.1e}, {of_second_order:.1e} of (ln x/x)^2"
@@ -179,18 +174,14 @@ fn a_film_of_the_substrates_own_material_makes_no_difference() {
         let (e, nu) = (contacts.log_uniform(1e-6, 1e8), contacts.poisson_ratio());
         let material = material([e, nu, e, nu]);
         let x = contacts.log_uniform(1e-6, 1e4);
-        let solution = solve(x, &material, 1e-13).expect("Hertz");
         assert_eq!(
-            solution.quantities,
+            solved(x, &material, 1e-13),
             Quantities::homogeneous(material.sphere_film_modulus()),
             "{material:?} at {x}"
         );
     }
     let rigid = material([0.0, 0.2, 1.0, 0.2]);
-    assert_eq!(
-        solve(3.0, &rigid, 1e-13).expect("Hertz").quantities,
-        Quantities::homogeneous(1.0)
-    );
+    assert_eq!(solved(3.0, &rigid, 1e-13), Quantities::homogeneous(1.0));
 }
 
 #[test]
@@ -201,7 +192,7 @@ fn nearly_equal_film_and_substrate_differ_by_their_difference() {
             let distance = |factor: f64| {
                 let material = material([e, nu, e * factor, nu]);
                 relative_error(
-                    &quantities(x, &material, 1e-12),
+                    &solved(x, &material, 1e-12),
                     &Quantities::homogeneous(material.sphere_film_modulus()),
                 )
             };
@@ -263,7 +254,7 @@ fn a_very_stiff_substrate_is_a_rigid_one() {
     let mut approach = Approach::default();
     for (e1, nu1) in [(0.1, 0.3), (1.0, 0.5), (100.0, 0.0)] {
         for x in [0.1, 1.0, 30.0] {
-            let at = |e0: f64| quantities(x, &material([e1, nu1, e0, 0.25]), 1e-12);
+            let at = |e0: f64| solved(x, &material([e1, nu1, e0, 0.25]), 1e-12);
             approach.add(
                 1e-7,
                 1e-12,
@@ -286,27 +277,14 @@ fn a_very_soft_film_makes_the_sphere_rigid() {
         (0.5, f64::INFINITY),
     ] {
         for x in [0.1, 1.0, 10.0] {
-            // In units of E1*: times E2*/E1*, except for Delta0.
             let soft = |e1: f64| {
                 let material = material([e1, nu1, e0_over_e1 * e1, 0.25]);
-                let Quantities {
-                    pi0,
-                    eeq,
-                    gamma,
-                    delta0,
-                } = quantities(x, &material, 1e-11);
-                let unit = material.film_modulus();
-                Quantities {
-                    pi0: pi0 / unit,
-                    eeq: eeq / unit,
-                    gamma: gamma / unit,
-                    delta0,
-                }
+                in_units_of_the_film(&solved(x, &material, 1e-11), &material)
             };
             approach.add(
                 1e-5,
                 1e-8,
-                quantities(x, &material([0.0, nu1, e0_over_e1, 0.25]), 1e-11),
+                solved(x, &material([0.0, nu1, e0_over_e1, 0.25]), 1e-11),
                 soft,
             );
         }
@@ -321,7 +299,7 @@ fn a_nearly_incompressible_film_is_an_incompressible_one() {
     let mut approach = Approach::default();
     for (e1, e0) in [(0.1, 1e6), (1.0, f64::INFINITY), (100.0, 1.0)] {
         for x in [0.1, 1.0, 30.0] {
-            let film = |defect: f64| quantities(x, &material([e1, 0.5 - defect, e0, 0.25]), 1e-12);
+            let film = |defect: f64| solved(x, &material([e1, 0.5 - defect, e0, 0.25]), 1e-12);
             approach.add(1e-7, 1e-12, film(0.0), film);
         }
     }

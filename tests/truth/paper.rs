@@ -3,10 +3,9 @@
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use acceptance::{Contacts, larger, paper_system, shipped, solid};
+use acceptance::{Contacts, larger, paper_system, shipped, solid, solved};
 use contact::{Contact, Control, JkrPoint};
 use interp::{Elastic, Mechanics, Probe, Quantities, System, Table};
-use solve::solve;
 
 /// Work of adhesion of the paper's Table 1, J/m^2.
 const W: f64 = 0.04;
@@ -162,12 +161,8 @@ fn the_pull_off_loads_of_the_papers_system() {
         let (system, contact) = (paper_system(t), contact(t));
         let (material, mechanics) = (system.material().expect("physical"), contact.mechanics());
         let direct = |a: f64| {
-            let solution = solve(a / t, &material, 1e-10).expect("a benign contact");
-            mechanics.load_and_penetration(
-                a,
-                mechanics.edge_singularity(a, W).expect("physical"),
-                &solution.quantities,
-            )
+            let edge = mechanics.edge_singularity(a, W).expect("physical");
+            mechanics.load_and_penetration(a, edge, &solved(a / t, &material, 1e-10))
         };
         let solved = pull_off(66e-6, direct);
         for (i, control) in [Control::Load, Control::Displacement]

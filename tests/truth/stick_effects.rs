@@ -3,11 +3,11 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{material, paper_system, rigid_probe, solid};
+use acceptance::{material, paper_system, rigid_probe, solid, solved};
 use contact::{Contact, Control};
 use interp::{Curve, Material, Probe, System};
+use solve::Error;
 use solve::stick::{StickCurves, Sticking};
-use solve::{Error, solve};
 
 use crate::stick::confined;
 
@@ -87,8 +87,8 @@ fn the_size_of_friction_agrees() {
         let ratio = film.stiffening(x, 1e-6).expect("converges");
         assert!((ratio / of_punch - 1.0).abs() < 5e-4, "{x}: {ratio}");
         // The contact without friction that is as deep.
-        let at = curves.at(x);
-        let without = |x: f64| solve(x, &of, 1e-9).expect("converges").quantities;
+        let at = curves.at(x).expect("inside");
+        let without = |x: f64| solved(x, &of, 1e-9);
         let (mut low, mut high) = (0.8 * x, 2.0 * x);
         for _ in 0..50 {
             let middle = 0.5 * (low + high);
@@ -117,7 +117,7 @@ fn full_friction_does_not_explain_the_deviations_of_the_paper() {
     let of = material([1.75, 0.5, 1e5, 0.25]);
     let film = Sticking::on_film(&of, 0.5).expect("physical");
     for [x, of_stiffness, of_load] in PAPER {
-        let known = solve(x, &of, 1e-9).expect("converges").quantities;
+        let known = solved(x, &of, 1e-9);
         let (tip, _) = film.tip(x, 2.0, 1e-8).expect("converges");
         let stiffness = 1e2 * (tip.eeq_s / known.eeq - 1.0);
         let load = 1e2 * (tip.pi_s / known.pi0 - 1.0);

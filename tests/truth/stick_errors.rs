@@ -3,9 +3,10 @@
 use acceptance::{larger, material, solid};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use solve::stack::{Interface, Layer, Stack};
+use solve::stack::Interface;
 use solve::stick::Sticking;
 
+use crate::interface_limits::film;
 use crate::stick::relative;
 
 /// Draws a system of any contrast, sphere included; every other one without coupling at the edge.
@@ -114,12 +115,7 @@ fn stiff_films_on_soft_bases_are_solved() {
         (6.5, 1.7e-4, Interface::Bonded, 4.238_309_037e-4),
         (3.0, 1e-4, Interface::Bonded, 5.203_626_850_63e-4),
     ] {
-        let film = Layer {
-            solid: solid(1.0, 0.5),
-            thickness: 1.0,
-            interface,
-        };
-        let stack = Stack::new(solid(e0, 0.3), [film]).expect("physical");
+        let stack = film(solid(e0, 0.3), (1.0, 0.5), interface);
         let sticking = Sticking::on_stack(&stack, f64::INFINITY, 0.5).expect("physical");
         for tolerance in [1e-2, 1e-4, 1e-6, 3e-8] {
             let (tip, stated) = sticking.tip(x, 2.0, tolerance).expect("converges");

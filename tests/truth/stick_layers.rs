@@ -1,33 +1,25 @@
 //! Layers that stick on top: films cut into layers, the shift of Dundurs, and films on springs or that
 //! slide below.
 
-use acceptance::{larger, material, solid};
-use interp::Elastic;
+use acceptance::{larger, layer, material, solid, springs, stack};
 use solve::solve_stack;
-use solve::stack::{Interface, Layer, Stack};
+use solve::stack::Interface;
 use solve::stick::Sticking;
 
+use crate::interface_limits::film;
 use crate::stick::relative;
 
 /// A film cut into layers, and the shift of Dundurs: with all `b_i/E_i*` shifted by one constant,
 /// that of the sphere included, nothing changes.
 #[test]
 fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
-    let solid = |young: f64, nu: f64| solid(young, nu);
-    let (base, film) = (solid(20.0, 0.3), solid(2.0, 0.5));
-    let layer = |solid: Elastic, thickness: f64| Layer {
-        solid,
-        thickness,
-        interface: Interface::Bonded,
-    };
-    let layers = [0.2, 0.5, 0.3].map(|thickness| layer(film, thickness));
-    let two = [layer(base, 0.4), layer(film, 0.6)];
+    let layers = [0.2, 0.5, 0.3].map(|thickness| layer(2.0, 0.5, thickness));
+    let two = [layer(20.0, 0.3, 0.4), layer(2.0, 0.5, 0.6)];
     let of_film = Sticking::on_film(&material([2.0, 0.5, 20.0, 0.3]), 0.5).expect("physical");
-    let stack = |layers: &[Layer]| {
-        let stack = Stack::new(base, layers).expect("within limits");
+    let [cut, above] = [&layers[..], &two].map(|layers| {
+        let stack = stack(solid(20.0, 0.3), layers);
         Sticking::on_stack(&stack, 1.0, 0.5).expect("physical")
-    };
-    let [cut, above] = [stack(&layers), stack(&two)];
+    });
     for x in [0.3, 2.0] {
         let expected = of_film.tip(x, 2.0, 1e-9).expect("converges").0;
         // The layer of the base's material is part of it.
@@ -67,26 +59,11 @@ fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
 /// stiffer; springs that are stiff enough bond it.
 #[test]
 fn films_on_springs_may_stick_on_top() {
-    let solid = |young: f64, nu: f64| solid(young, nu);
-    let stack = |interface: Interface| {
-        let film = Layer {
-            solid: solid(2.0, 0.5),
-            thickness: 1.0,
-            interface,
-        };
-        Stack::new(solid(40.0, 0.3), [film]).expect("within limits")
-    };
+    let stack = |interface: Interface| film(solid(40.0, 0.3), (2.0, 0.5), interface);
     let on =
         |interface: Interface| Sticking::on_stack(&stack(interface), 1.0, 0.5).expect("physical");
     let bonded = Sticking::on_film(&material([2.0, 0.5, 40.0, 0.3]), 0.5).expect("physical");
-    let stiff = Interface::Springs {
-        tangential: 1e8,
-        normal: f64::INFINITY,
-    };
-    let soft = Interface::Springs {
-        tangential: 1.0,
-        normal: 50.0,
-    };
+    let (stiff, soft) = (springs(1e8, f64::INFINITY), springs(1.0, 50.0));
     for x in [0.5, 3.0] {
         let punch = on(soft).punch(x, 1e-10).expect("converges");
         let slides = on(soft).without_friction();
@@ -105,22 +82,13 @@ fn films_on_springs_may_stick_on_top() {
 /// resolve. Measured: 1.1e-7 at a tangential stiffness of 1e-9 `E1*/t`.
 #[test]
 fn films_that_slide_below_may_stick_on_top() {
-    let solid = |young: f64, nu: f64| solid(young, nu);
     let mut worst = 0.0;
     for (nu, base) in [(0.5, f64::INFINITY), (0.3, f64::INFINITY), (0.5, 40.0)] {
         let on = |interface: Interface| {
-            let film = Layer {
-                solid: solid(0.75, nu),
-                thickness: 1.0,
-                interface,
-            };
-            let stack = Stack::new(solid(base, 0.2), [film]).expect("within limits");
+            let stack = film(solid(base, 0.2), (0.75, nu), interface);
             Sticking::on_stack(&stack, f64::INFINITY, 0.5).expect("physical")
         };
-        let weak = on(Interface::Springs {
-            tangential: 1e-9,
-            normal: f64::INFINITY,
-        });
+        let weak = on(springs(1e-9, f64::INFINITY));
         let slides = on(Interface::Sliding);
         for x in [0.1, 1.0, 5.0, 20.0] {
             let [found, known] =

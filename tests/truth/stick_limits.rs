@@ -80,12 +80,13 @@ fn growing_contacts_obey_their_identities() {
                     })
                     .sum()
             };
-            let at = grown.at(x);
-            let left = 3.0 * at.pi_s + x * slope(&|x| grown.at(x).pi_s);
-            let right = 4.0 * at.eeq_s * (2.0 * at.delta_s + x * slope(&|x| grown.at(x).delta_s));
+            let grown = |x: f64| grown.at(x).expect("inside");
+            let at = grown(x);
+            let left = 3.0 * at.pi_s + x * slope(&|x| grown(x).pi_s);
+            let right = 4.0 * at.eeq_s * (2.0 * at.delta_s + x * slope(&|x| grown(x).delta_s));
             worst[0] = larger(worst[0], relative(left, right));
-            let u = |x: f64| x.sqrt() / grown.at(x).gamma_g;
-            let left = slope(&|x| x * grown.at(x).eeq_g * u(x));
+            let u = |x: f64| x.sqrt() / grown(x).gamma_g;
+            let left = slope(&|x| x * grown(x).eeq_g * u(x));
             let right = x * at.eeq_s * slope(&u) + at.gamma_s / es * x.sqrt();
             worst[1] = larger(worst[1], relative(left, right));
         }

@@ -9,7 +9,7 @@ mod refused;
 use std::f64::consts::PI;
 
 use acceptance::{Case, Data, rigid_probe, solid, solved_contact};
-use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation};
+use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation, TimedContact};
 use interp::{HalfSpace, Probe, System};
 
 /// Returns a law as the file writes it.
@@ -116,16 +116,14 @@ fn follow(rows: &[Case<'_>], tolerance: Option<f64>) -> Course {
     let (control, program) = program(first.text("program"), times[times.len() - 1]);
     let history = contact.history(&law(first.text("law"))).expect("a law");
     let work = first.get("receding_work");
-    if work > 0.0 {
+    let course = if work > 0.0 {
         let law = Hysteresis::new(0.0, work).expect("a law");
         let history = history.receding(law).expect("no growing adhesion");
-        return history
-            .at(control, &program, &times, tolerance)
-            .expect("a course");
-    }
-    history
-        .at(control, &program, &times, tolerance)
-        .expect("a course")
+        history.at(control, &program, &times, tolerance)
+    } else {
+        history.at(control, &program, &times, tolerance)
+    };
+    course.expect("a course")
 }
 
 /// Returns the largest errors of loads, radii and penetrations, each over the largest of the column.
@@ -211,6 +209,19 @@ fn half_space(probe: Probe) -> Contact {
 
 const PARABOLOID: Probe = Probe::Paraboloid { radius: 1.0 };
 
+/// Follows a program by a law, and returns the states at `times`.
+fn states(
+    (contact, law): (&Contact, &Relaxation),
+    control: Control,
+    program: &[(f64, f64)],
+    times: &[f64],
+    tolerance: f64,
+) -> Vec<TimedContact> {
+    let history = contact.history(law).expect("a law");
+    let course = history.at(control, program, times, Some(tolerance));
+    course.expect("a course").states
+}
+
 /// Returns the integral of a smooth function from 0 to `end`, to rounding, for factors
 /// `x^p (end-x)^q` at its ends: the double exponential rule.
 fn integral(f: impl Fn(f64, f64) -> f64, end: f64) -> f64 {
@@ -245,6 +256,7 @@ fn approach_and_retract_at_constant_speeds() {
                 exponent: alpha,
                 time: 0.5,
             };
+            let relaxing = (&contact, &law);
             let q = (1.0_f64 + ratio).powf(1.0 / (1.0 - alpha));
             let separation = q / (q - 1.0);
             let (speed, end) = (1e-2, 1.0 + 1.0 / ratio);
@@ -253,10 +265,7 @@ fn approach_and_retract_at_constant_speeds() {
             times.extend([0.01, 0.1, 0.5, 0.9, 0.99].map(|x| 1.0 + x * (separation - 1.0)));
             times.push(separation + 1e-6);
             times.retain(|&time| time <= end);
-            let history = contact.history(&law).expect("a law");
-            let course = history
-                .at(Control::Displacement, &program, &times, Some(1e-9))
-                .expect("a course");
+            let states = states(relaxing, Control::Displacement, &program, &times, 1e-9);
             let exact = |t: f64| {
                 let t1 = if t <= 1.0 { t } else { t - q * (t - 1.0) };
                 if t1 <= 0.0 {
@@ -271,7 +280,7 @@ fn approach_and_retract_at_constant_speeds() {
                 unit * integral(f, t1)
             };
             let largest = exact(1.0);
-            for at in &course.states {
+            for at in &states {
                 let error = (at.state.load - exact(at.time)).abs() / largest;
                 assert!(error < 2e-9, "{alpha} {ratio} at {}: {error:.1e}", at.time);
                 assert_eq!(
@@ -292,11 +301,8 @@ fn a_hold_relaxes_by_the_law() {
     let law = solid_law();
     let program = [(0.0, 0.0), (1.0, 1e-2)];
     let times = [0.3, 1.0, 1.5, 4.0, 50.0];
-    let history = contact.history(&law).expect("a law");
-    let course = history
-        .at(Control::Displacement, &program, &times, Some(1e-10))
-        .expect("a course");
-    for at in &course.states {
+    let relaxing = (&contact, &law);
+    for at in &states(relaxing, Control::Displacement, &program, &times, 1e-10) {
         let t1 = at.time.min(1.0);
         let f = |x: f64, rest: f64| {
             law.modulus(at.time - t1 + rest).expect("a time") * 2.0 * (1e-2 * x).sqrt() * 1e-2
@@ -317,19 +323,12 @@ fn creep_under_a_load() {
             relaxed: 0.0,
             terms: vec![[0.6, 0.1], [0.4, 3.0]],
         },
-        Relaxation::PowerLaw {
-            exponent: 0.3,
-            time: 1.0,
-        },
+        power_law(0.3),
     ];
     for law in laws {
         let program = [(0.0, 0.0), (0.5, 1e-4)];
         let times = [0.1, 0.5, 0.6, 3.0, 20.0];
-        let history = contact.history(&law).expect("a law");
-        let course = history
-            .at(Control::Load, &program, &times, Some(1e-10))
-            .expect("a course");
-        for at in &course.states {
+        for at in &states((&contact, &law), Control::Load, &program, &times, 1e-10) {
             let t1 = at.time.min(0.5);
             let f = |_: f64, rest: f64| law.creep(at.time - t1 + rest).expect("a time") * 2e-4;
             let a = (0.75 * integral(f, t1)).cbrt();
@@ -361,7 +360,6 @@ const fn power_law(exponent: f64) -> Relaxation {
 fn heights_of_a_cantilever() {
     let contact = half_space(PARABOLOID);
     let law = solid_law();
-    let history = contact.history(&law).expect("a law");
     let program = [(0.0, -1e-3), (1.0, 1e-2), (2.0, 1e-2), (3.0, -5e-3)];
     let times = [0.05, 0.5, 1.0, 1.7, 2.2, 2.9];
     let value = |t: f64| {
@@ -372,34 +370,19 @@ fn heights_of_a_cantilever() {
         let [(t0, v0), (t1, v1)] = [program[end - 1], program[end]];
         v0 + (v1 - v0) * (t - t0) / (t1 - t0)
     };
-    let soft = 0.1;
-    let course = history
-        .at(
-            Control::Spring { stiffness: soft },
-            &program,
-            &times,
-            Some(1e-5),
-        )
-        .expect("a course");
-    for at in &course.states {
-        let balance = at.state.penetration + at.state.load / soft - value(at.time);
+    let of =
+        |control, tolerance: f64| states((&contact, &law), control, &program, &times, tolerance);
+    let soft = of(Control::Spring { stiffness: 0.1 }, 1e-5);
+    for at in &soft {
+        let balance = at.state.penetration + at.state.load / 0.1 - value(at.time);
         assert!(balance.abs() < 2e-7, "{at:?}: {balance:e}");
     }
     // In a hold of the base the penetration goes on.
-    assert!(course.states[3].state.penetration > 1.01 * course.states[2].state.penetration);
-    let stiff = history
-        .at(
-            Control::Spring { stiffness: 1e7 },
-            &program,
-            &times,
-            Some(1e-5),
-        )
-        .expect("a course");
-    let fixed = history
-        .at(Control::Displacement, &program, &times, Some(1e-9))
-        .expect("a course");
-    let largest = fixed.states[2].state.load;
-    for (stiff, fixed) in stiff.states.iter().zip(&fixed.states) {
+    assert!(soft[3].state.penetration > 1.01 * soft[2].state.penetration);
+    let stiff = of(Control::Spring { stiffness: 1e7 }, 1e-5);
+    let fixed = of(Control::Displacement, 1e-9);
+    let largest = fixed[2].state.load;
+    for (stiff, fixed) in stiff.iter().zip(&fixed) {
         assert!(
             (stiff.state.load - fixed.state.load).abs() < 1e-5 * largest,
             "{stiff:?} {fixed:?}"
@@ -412,26 +395,18 @@ fn heights_of_a_cantilever() {
 fn a_load_that_falls() {
     let contact = half_space(PARABOLOID);
     let law = solid_law();
-    let history = contact.history(&law).expect("a law");
+    let relaxing = (&contact, &law);
     let loads = [(0.0, 0.0), (1.0, 1e-3), (2.0, 0.0)];
     let times = [0.5, 1.0, 1.3, 1.6, 1.9];
-    let own = history
-        .at(Control::Load, &loads, &times, Some(1e-5))
-        .expect("a course");
+    let own = states(relaxing, Control::Load, &loads, &times, 1e-5);
     // The same penetrations, imposed, need the same loads.
     let fine: Vec<f64> = (0..=380).map(|i| 0.005 * f64::from(i)).collect();
-    let path = history
-        .at(Control::Load, &loads, &fine, Some(1e-5))
-        .expect("a course");
-    let path: Vec<_> = path
-        .states
+    let path: Vec<_> = states(relaxing, Control::Load, &loads, &fine, 1e-5)
         .iter()
         .map(|at| (at.time, at.state.penetration))
         .collect();
-    let back = history
-        .at(Control::Displacement, &path, &times, Some(1e-4))
-        .expect("a course");
-    for (own, back) in own.states.iter().zip(&back.states) {
+    let back = states(relaxing, Control::Displacement, &path, &times, 1e-4);
+    for (own, back) in own.iter().zip(&back) {
         assert!(
             (own.state.load - back.state.load).abs() < 1e-4 * 1e-3,
             "{own:?} {back:?}"
@@ -444,26 +419,18 @@ fn a_load_that_falls() {
 fn a_thick_film() {
     let film = solid(0.75, 0.5);
     let substrate = solid(f64::INFINITY, 0.25);
-    let law = Relaxation::PowerLaw {
-        exponent: 0.3,
-        time: 1.0,
-    };
+    let law = power_law(0.3);
     let program = [(0.0, 0.0), (1.0, 1e-4), (2.0, 0.0)];
     let times = [0.5, 1.0, 1.1];
     let of = |contact: &Contact| {
-        let course =
-            contact
-                .history(&law)
-                .expect("a law")
-                .at(Control::Displacement, &program, &times, None);
+        let history = contact.history(&law).expect("a law");
+        let course = history.at(Control::Displacement, &program, &times, None);
         course.expect("a course").states
     };
     let bare = of(&half_space(PARABOLOID));
     for thickness in [1e1, 1e2] {
         let system = rigid_probe(PARABOLOID, film, thickness, substrate);
-        let curve = solve::curve(&system.material().expect("a material"), [1e-6, 1e-2], 1e-10)
-            .expect("a curve");
-        let film = of(&Contact::new(&system, curve).expect("a contact"));
+        let film = of(&solved_contact(&system, [1e-6, 1e-2], 1e-10));
         for (film, bare) in film.iter().zip(&bare) {
             let error = film.state.load / bare.state.load - 1.0;
             // The first effect of the substrate is of the order of a/t.

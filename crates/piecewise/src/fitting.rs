@@ -60,13 +60,9 @@ impl Allowance {
 
     /// Takes a number from one of the two. Returns whether so many were left.
     fn take(left: &mut usize, number: usize) -> bool {
-        match left.checked_sub(number) {
-            Some(rest) => {
-                *left = rest;
-                true
-            }
-            None => false,
-        }
+        let rest = left.checked_sub(number);
+        *left = rest.unwrap_or(*left);
+        rest.is_some()
     }
 }
 

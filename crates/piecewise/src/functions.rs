@@ -110,7 +110,8 @@ impl<const N: usize> Piecewise<N> {
     /// Returns the values of all four functions at a position on the grid.
     #[inline(always)]
     pub fn values_at(&self, position: Position) -> [f64; 4] {
-        evaluate_all(&self.pieces[position.piece], position)
+        let piece = &self.pieces[position.piece];
+        std::array::from_fn(|function| evaluate(piece, position, function))
     }
 
     /// Returns the values of all four functions at `x`, and their logarithmic slopes `x df/dx`.
@@ -218,12 +219,6 @@ fn evaluate_fused<S: Simd, const N: usize>(
         sum = sum.mul_add(square, pair(2 * k));
     }
     sum[0]
-}
-
-/// Evaluates the polynomials of all four functions.
-#[inline(always)]
-fn evaluate_all<const N: usize>(piece: &Polynomials<N>, position: Position) -> [f64; 4] {
-    std::array::from_fn(|function| evaluate(piece, position, function))
 }
 
 /// Returns whether the sizes of the coefficients prove that all functions stay within `range`.

@@ -220,6 +220,7 @@ fn start(z: f64) -> usize {
 mod tests {
     use super::*;
     use crate::estimate::larger;
+    use crate::quadrature::legendre;
 
     fn fill(modes: usize, z: Group) -> Vec<f64> {
         let mut values = vec![f64::NAN; modes * LANES];
@@ -240,7 +241,7 @@ mod tests {
                     let cosine: f64 = (0..modes)
                         .map(|n| {
                             values[n * LANES + l]
-                                * legendre(2 * n, rho)
+                                * legendre(2 * n, rho).0
                                 * ((4 * n + 1) as f64).sqrt()
                         })
                         .sum();
@@ -250,16 +251,6 @@ mod tests {
         }
         println!("cos(z rho) to {worst:.1e}");
         assert!(worst < 3e-14, "{worst:e}");
-    }
-
-    fn legendre(n: usize, x: f64) -> f64 {
-        let step = |(before, now): (f64, f64), k: usize| {
-            (
-                now,
-                ((2 * k + 1) as f64 * x * now - k as f64 * before) / (k + 1) as f64,
-            )
-        };
-        (0..n).fold((0.0, 1.0), step).1
     }
 
     /// The first three orders in closed form, where those do not cancel, in both directions of

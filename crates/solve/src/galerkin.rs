@@ -75,18 +75,10 @@ pub fn solve<C: SurfaceCompliance>(
             continue;
         };
         let error = solved.error();
-        if error <= tolerance {
-            return Estimate {
-                quantities: solved.quantities,
-                power_laws: solved.power_laws,
-                error,
-                modes: count,
-            };
-        }
         // Refines the larger source of the error, or one without which it would be small enough,
         // unless that is rounding.
         let large = (0.5 * error).min(error - tolerance);
-        if solved.truncation >= large && count < MOST_MODES {
+        if error > tolerance && solved.truncation >= large && count < MOST_MODES {
             truncation_tolerance *= AIM * tolerance / solved.truncation;
             // A profile with a kink converges slowly.
             let least = if exponents.is_empty() {
@@ -95,7 +87,7 @@ pub fn solve<C: SurfaceCompliance>(
                 2 + count / 4
             };
             count = modes(x, truncation_tolerance).clamp(count + least, 2 * count + least);
-        } else if solved.quadrature >= large && quadrature_tolerance > FINEST {
+        } else if error > tolerance && solved.quadrature >= large && quadrature_tolerance > FINEST {
             quadrature_tolerance *= 0.01;
             panels = Panels::new(
                 x,

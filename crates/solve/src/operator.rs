@@ -181,20 +181,7 @@ impl<'a> Operator<'a> {
                 .for_each(|(target, kernel)| *target = film * kernel);
             target[0] += 1.0;
         }
-        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
-            n,
-            Par::Seq,
-            Spec::default(),
-        ));
-        let stack = MemStack::new(&mut memory);
-        cholesky_in_place(
-            factor.as_mut(),
-            LltRegularization::default(),
-            Par::Seq,
-            stack,
-            Spec::default(),
-        )
-        .ok()?;
+        factorise(&mut factor)?;
 
         // The first mode, the paraboloid, then the other profiles.
         let mut solutions = Mat::zeros(n, 2 + exponents.len());
@@ -281,6 +268,24 @@ impl<'a> Operator<'a> {
             rounding: self.rounding * size,
         })
     }
+}
+
+/// Replaces the lower triangle of a matrix by Cholesky's factor. Returns `None` where the matrix is
+/// not positive definite.
+pub fn factorise(matrix: &mut Mat<f64>) -> Option<()> {
+    let (rows, parallel) = (matrix.nrows(), Par::Seq);
+    let scratch = cholesky_in_place_scratch::<f64>(rows, parallel, Spec::default());
+    let (mut memory, regularization) = (MemBuffer::new(scratch), LltRegularization::default());
+    let stack = MemStack::new(&mut memory);
+    cholesky_in_place(
+        matrix.as_mut(),
+        regularization,
+        parallel,
+        stack,
+        Spec::default(),
+    )
+    .ok()
+    .map(|_| ())
 }
 
 /// What forward substitution gives of one profile.

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::tabulate;
-use crate::workspace;
+use crate::workspace::{self, read};
 
 /// The measurements of `tabulate cost`.
 const COSTS: [&str; 5] = ["solve", "table", "lookup", "effects", "history"];
@@ -132,8 +132,7 @@ const TOLERANCE: Difference = Difference {
 
 /// Measures, draws and quotes everything anew.
 pub fn figures() -> Result<(), String> {
-    let folder = folder();
-    make_folder(&folder)?;
+    let folder = workspace::make(&folder())?;
     let table = default_table(&made()?)?;
     for cost in COSTS {
         measure(
@@ -241,13 +240,7 @@ fn folder() -> PathBuf {
 
 /// Returns the folder of what is made to be compared, or on the way.
 fn made() -> Result<PathBuf, String> {
-    let folder = workspace::target()?.join("figures");
-    make_folder(&folder)?;
-    Ok(folder)
-}
-
-fn make_folder(folder: &Path) -> Result<(), String> {
-    fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))
+    workspace::make(&workspace::target()?.join("figures"))
 }
 
 /// Makes the table that `tabulate` takes for [`OF_DEFAULT_TABLE`] where none is named, to the tolerances of
@@ -266,10 +259,6 @@ fn name(folder: &Path, stem: &str, ending: &str) -> String {
         .join(format!("{stem}.{ending}"))
         .display()
         .to_string()
-}
-
-fn read(path: &Path) -> Result<String, String> {
-    fs::read_to_string(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
 }
 
 fn measure(cost: &str, table: &str, arguments: &[&str], tightest: &str) -> Result<String, String> {

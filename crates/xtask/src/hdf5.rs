@@ -83,7 +83,8 @@ fn cmake_version(cmake: &Path) -> Option<(u32, u32)> {
     Some((numbers.next()?.parse().ok()?, numbers.next()?.parse().ok()?))
 }
 
-fn runs(command: &mut Command) -> bool {
+/// Returns whether a command succeeds; its output is not shown.
+pub fn runs(command: &mut Command) -> bool {
     let silent = command.stdout(Stdio::null()).stderr(Stdio::null());
     silent.status().is_ok_and(|status| status.success())
 }

@@ -16,7 +16,8 @@ pub fn package(name: &str, range: &str) -> Result<PathBuf, String> {
 /// Returns the folder (for `PYTHONPATH`) of packages, each with its versions as pip takes them. The
 /// first call fetches them with pip.
 pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
-    fetched(&requirements.join(" "), |folder| {
+    let all = requirements.join(" ");
+    fetched(&plain(&all), &all, |folder| {
         run(install(Path::new("python3"))
             .arg("--target")
             .arg(folder)
@@ -28,7 +29,8 @@ pub fn packages(requirements: &[&str]) -> Result<PathBuf, String> {
 /// The first call fetches it with pip.
 pub fn source(name: &str, version: &str) -> Result<PathBuf, String> {
     let release = format!("{name}-{version}");
-    let folder = fetched(&format!("source of {release}"), |folder| {
+    let what = format!("source of {release}");
+    let folder = fetched(&plain(&what), &what, |folder| {
         let requirement = format!("{name}=={version}");
         run(pip(Path::new("python3"), "download")
             .args(["--no-deps", "--no-binary", name, &requirement, "--dest"])
@@ -44,13 +46,19 @@ pub fn source(name: &str, version: &str) -> Result<PathBuf, String> {
     Ok(folder.join(release))
 }
 
-/// Returns the folder of `what`, in the tools of the target directory. The first call lets `fill`
-/// fill it.
-fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result<PathBuf, String> {
-    // Each set of packages and versions has a folder of its own.
-    let folder = workspace::target()?
-        .join("tools")
-        .join(what.replace(|c: char| !c.is_ascii_alphanumeric(), "-"));
+/// Returns the name of the folder of `what`: each set of packages and versions has its own.
+fn plain(what: &str) -> String {
+    what.replace(|c: char| !c.is_ascii_alphanumeric(), "-")
+}
+
+/// Returns the folder `name` of `what`, in the tools of the target directory. The first call lets
+/// `fill` fill it.
+pub fn fetched(
+    name: &str,
+    what: &str,
+    fill: impl FnOnce(&Path) -> Result<(), String>,
+) -> Result<PathBuf, String> {
+    let folder = workspace::target()?.join("tools").join(name);
     if folder.exists() {
         return Ok(folder);
     }
@@ -63,15 +71,10 @@ fn fetched(what: &str, fill: impl FnOnce(&Path) -> Result<(), String>) -> Result
         let _ = fs::remove_dir_all(&unfinished);
         return Err(message);
     }
-    complete(&unfinished, &folder)?;
-    Ok(folder)
-}
-
-/// Gives a folder that is complete its name. Another program may have done so meanwhile.
-pub fn complete(unfinished: &Path, folder: &Path) -> Result<(), String> {
-    match fs::rename(unfinished, folder) {
+    // Another program may have renamed its own meanwhile.
+    match fs::rename(&unfinished, &folder) {
         Err(e) if !folder.exists() => Err(format!("cannot rename {}: {e}", unfinished.display())),
-        _ => Ok(()),
+        _ => Ok(folder),
     }
 }
 

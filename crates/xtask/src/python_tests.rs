@@ -48,10 +48,7 @@ pub fn package() -> Result<PathBuf, String> {
     ])?)?;
     let folder = workspace::target()?.join("python");
     let package = folder.join("coated_contact");
-    if package.exists() {
-        fs::remove_dir_all(&package)
-            .map_err(|e| format!("cannot remove {}: {e}", package.display()))?;
-    }
+    workspace::clear(&package)?;
     copy(&sources().join("python/coated_contact"), &package)?;
     let module = workspace::target()?.join("release/lib_core.so");
     copy(&module, &package.join("_core.abi3.so"))?;

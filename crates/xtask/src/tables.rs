@@ -67,9 +67,10 @@ fn scene_names(scenes: &Path, folder: &str) -> Result<Vec<String>, String> {
             continue;
         };
         let path = path.join(&file);
-        let text = fs::read_to_string(&path)
-            .map_err(|e| format!("cannot read {}: {e}", path.display()))?;
-        if text.lines().any(|line| line.starts_with("a_over_t")) {
+        if workspace::read(&path)?
+            .lines()
+            .any(|line| line.starts_with("a_over_t"))
+        {
             names.push(format!("{folder}{name}"));
         }
     }
@@ -92,7 +93,7 @@ fn row(name: &str, scenes: &Path, made: &Path) -> Result<String, String> {
     };
     let (scene, file, packed) = (path(scenes, "toml"), path(made, "h5"), path(made, "bin"));
     if let Some(folder) = Path::new(&file).parent() {
-        fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+        workspace::make(folder)?;
     }
     let table = Object(tabulate::json(&["generate", &scene, "-o", &file])?);
     let tolerance = table.number("/tolerance")?.to_string();

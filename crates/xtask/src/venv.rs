@@ -2,9 +2,9 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
-use crate::{python, succeed, workspace};
+use crate::{hdf5, python, succeed};
 
 /// The packages that build and test the Python package.
 const PACKAGES: [&str; 13] = [
@@ -35,12 +35,7 @@ const PEERS: [&str; 4] = [
 /// made.
 pub fn can_be_made() -> bool {
     let needs = "import sys, venv, ensurepip; assert sys.version_info >= (3, 11)";
-    let mut command = Command::new("python3");
-    command
-        .args(["-c", needs])
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
-    command.status().is_ok_and(|status| status.success())
+    hdf5::runs(Command::new("python3").args(["-c", needs]))
 }
 
 /// Returns the interpreter of a virtual environment with [`PACKAGES`]. The first call makes it.
@@ -48,35 +43,21 @@ pub fn interpreter() -> Result<PathBuf, String> {
     let mut hasher = DefaultHasher::new();
     (PACKAGES, PEERS).hash(&mut hasher);
     let name = format!("venv-{:016x}", hasher.finish());
-    let folder = workspace::target()?.join("tools").join(name);
-    let interpreter = folder.join("bin/python");
-    if folder.exists() {
-        return Ok(interpreter);
-    }
-    eprintln!(
-        "xtask: fetching {} from PyPI into {}",
-        PACKAGES.join(" "),
-        folder.display()
-    );
-    // The folder is renamed when it is complete: an interrupted download is not used later.
-    let unfinished = folder.with_extension(format!("partial-{}", std::process::id()));
-    succeed(
-        Command::new("python3")
-            .args(["-m", "venv"])
-            .arg(&unfinished),
-    )?;
-    let python_of_unfinished = unfinished.join("bin/python");
-    succeed(python::install(&python_of_unfinished).args(PACKAGES))?;
-    for peer in PEERS {
-        let fetched = python::install(&python_of_unfinished)
-            .arg(peer)
-            // Lest the peer replaces a version.
-            .args(PACKAGES)
-            .status();
-        if !fetched.is_ok_and(|status| status.success()) {
-            eprintln!("xtask: {peer} cannot be fetched: the tests that need it are skipped");
+    let folder = python::fetched(&name, &PACKAGES.join(" "), |folder| {
+        succeed(Command::new("python3").args(["-m", "venv"]).arg(folder))?;
+        let interpreter = folder.join("bin/python");
+        succeed(python::install(&interpreter).args(PACKAGES))?;
+        for peer in PEERS {
+            let fetched = python::install(&interpreter)
+                .arg(peer)
+                // Lest the peer replaces a version.
+                .args(PACKAGES)
+                .status();
+            if !fetched.is_ok_and(|status| status.success()) {
+                eprintln!("xtask: {peer} cannot be fetched: the tests that need it are skipped");
+            }
         }
-    }
-    python::complete(&unfinished, &folder)?;
-    Ok(interpreter)
+        Ok(())
+    })?;
+    Ok(folder.join("bin/python"))
 }

@@ -47,10 +47,7 @@ pub fn installed() -> Result<PathBuf, String> {
 fn wheel(python: &Path, options: &[&str], zig: Option<&Path>) -> Result<PathBuf, String> {
     let folder = folder()?;
     // An older wheel would be taken for the new one.
-    if folder.exists() {
-        fs::remove_dir_all(&folder)
-            .map_err(|e| format!("cannot remove {}: {e}", folder.display()))?;
-    }
+    workspace::clear(&folder)?;
     succeed(
         maturin(python, "build")?
             .args(["--release", "--locked", "--out"])

@@ -1,7 +1,8 @@
 //! The folders of the workspace and of its build products.
 
 use std::env;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::Value;
@@ -23,6 +24,26 @@ pub fn target() -> Result<PathBuf, String> {
     let current = env::current_dir().map_err(|e| format!("no current folder: {e}"))?;
     Ok(env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root().join("target"), |dir| current.join(dir)))
+}
+
+/// Returns the text of a file.
+pub fn read(path: &Path) -> Result<String, String> {
+    fs::read_to_string(path).map_err(|e| format!("cannot read {}: {e}", path.display()))
+}
+
+/// Makes a folder, and returns it.
+pub fn make(folder: &Path) -> Result<PathBuf, String> {
+    fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    Ok(folder.to_owned())
+}
+
+/// Removes a folder if it is there.
+pub fn clear(folder: &Path) -> Result<(), String> {
+    if folder.exists() {
+        fs::remove_dir_all(folder)
+            .map_err(|e| format!("cannot remove {}: {e}", folder.display()))?;
+    }
+    Ok(())
 }
 
 /// Returns what `cargo metadata` tells of each member of the workspace.

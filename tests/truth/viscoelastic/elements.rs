@@ -4,7 +4,7 @@ use acceptance::{rigid_probe, solid, solved_contact};
 use contact::{Contact, Control, Relaxation};
 use interp::{HalfSpace, Probe};
 
-use super::{CYCLES, PARABOLOID, half_space, power_law, solid_law};
+use super::{CYCLES, PARABOLOID, half_space, power_law, solid_law, states};
 
 /// Elements and the integrals agree for one turn, where the elements are asked for by a second turn
 /// after the last time.
@@ -29,19 +29,17 @@ fn elements_agree_with_the_integrals() {
         },
     ];
     for law in laws {
-        let history = contact.history(&law).expect("a law");
+        let relaxing = (&contact, &law);
         let once = [(0.0, 0.0), (1.0, 1e-2), (1.5, 8e-3), (2.5, 0.0)];
         let again = [once[0], once[1], once[2], once[3], (4.0, 1e-3)];
         // The first two after the turn are steps in which hardly an element is released.
         let times = [0.4, 1.0, 1.001, 1.002, 1.1, 1.3, 1.8, 2.2];
-        let of = |program: &[(f64, f64)], tolerance| {
-            history
-                .at(Control::Displacement, program, &times, Some(tolerance))
-                .expect("a course")
+        let of = |program: &[(f64, f64)], tolerance: f64| {
+            states(relaxing, Control::Displacement, program, &times, tolerance)
         };
         let (exact, own) = (of(&once, 1e-9), of(&again, 1e-5));
-        let largest = exact.states[1].state;
-        for (exact, own) in exact.states.iter().zip(&own.states) {
+        let largest = exact[1].state;
+        for (exact, own) in exact.iter().zip(&own) {
             let load = (own.state.load - exact.state.load).abs() / largest.load;
             let radius = (own.state.contact_radius - exact.state.contact_radius).abs()
                 / largest.contact_radius;
@@ -75,10 +73,8 @@ fn an_element_that_touches_within_a_step_is_no_ring() {
         solid(f64::INFINITY, 0.25),
     );
     let contact = solved_contact(&system, [1e-4, 8.0], 1e-8);
-    let law = Relaxation::PowerLaw {
-        exponent: 0.8712366898122368,
-        time: 1.0,
-    };
+    let law = power_law(0.8712366898122368);
+    let relaxing = (&contact, &law);
     let program = [
         (0.0, 0.0),
         (0.07753188060455914, -3.302387599303665e-07),
@@ -90,12 +86,9 @@ fn an_element_that_touches_within_a_step_is_no_ring() {
         (2.895347899462901, 7.111341715619417e-07),
         (2.913901690908775, 6.801921414092479e-07),
     ];
-    let history = contact.history(&law).expect("a law");
     let times: Vec<f64> = program[1..].iter().map(|(time, _)| *time).collect();
-    let of = |program: &[(f64, f64)]| {
-        let course = history.at(Control::Displacement, program, &times, Some(1e-2));
-        course.expect("one disc").states
-    };
+    let of =
+        |program: &[(f64, f64)]| states(relaxing, Control::Displacement, program, &times, 1e-2);
     let (whole, parts) = (of(&program), of(&cut(&program)));
     let largest = whole.iter().map(|at| at.state.load).fold(0.0, f64::max);
     assert!(largest > 0.0);
@@ -118,13 +111,9 @@ fn a_history_cut_in_two() {
         (&power_law(0.5), twice, 1e-5, 2e-5),
         (&power_law(0.7), twice, 1e-5, 2e-5),
     ] {
-        let history = contact.history(law).expect("a law");
-        let cut = cut(program);
+        let (relaxing, cut) = ((&contact, law), cut(program));
         let of = |program: &[(f64, f64)]| {
-            history
-                .at(Control::Displacement, program, &times, Some(tolerance))
-                .expect("a course")
-                .states
+            states(relaxing, Control::Displacement, program, &times, tolerance)
         };
         let (whole, cut) = (of(program), of(&cut));
         let largest = whole.iter().map(|at| at.state.load).fold(0.0, f64::max);

@@ -169,27 +169,26 @@ fn compare(programs: &Programs) {
     );
 }
 
+/// Those of one turn, and those under a load that grows.
+const INTEGRALS: Programs = Programs {
+    count: 200,
+    control: Some(Control::Displacement),
+    again: false,
+    powers: [-8.0, -2.0],
+    finer: 0.01,
+    too_small: 0.01,
+};
+
 #[test]
 fn errors_of_one_turn() {
-    compare(&Programs {
-        count: 200,
-        control: Some(Control::Displacement),
-        again: false,
-        powers: [-8.0, -2.0],
-        finer: 0.01,
-        too_small: 0.01,
-    });
+    compare(&INTEGRALS);
 }
 
 #[test]
 fn errors_under_a_load_that_grows() {
     compare(&Programs {
-        count: 200,
         control: Some(Control::Load),
-        again: false,
-        powers: [-8.0, -2.0],
-        finer: 0.01,
-        too_small: 0.01,
+        ..INTEGRALS
     });
 }
 

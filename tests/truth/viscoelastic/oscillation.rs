@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use contact::Relaxation;
 
-use super::{PARABOLOID, half_space, solid_law};
+use super::{PARABOLOID, half_space, power_law, solid_law};
 
 /// A small oscillation sees the stiffness times the complex modulus; that of a power law has the
 /// loss tangent `tan(pi alpha/2)` at every frequency.
@@ -13,30 +13,22 @@ fn complex_stiffness() {
     let contact = half_space(PARABOLOID);
     let stiffness = contact.stiffness(0.1).expect("a stiffness");
     for omega in [1e-2, 1.0, 1e4] {
-        let law = Relaxation::PowerLaw {
-            exponent: 0.3,
-            time: 1.0,
+        let complex = |law| {
+            let complex = contact.complex_stiffness(0.1, &law, omega);
+            complex.expect("a stiffness")
         };
-        let [storage, loss] = contact
-            .complex_stiffness(0.1, &law, omega)
-            .expect("a stiffness");
+        let [storage, loss] = complex(power_law(0.3));
         assert!((loss / storage - (0.15 * PI).tan()).abs() < 1e-13);
-        let law = solid_law();
-        let [storage, loss] = contact
-            .complex_stiffness(0.1, &law, omega)
-            .expect("a stiffness");
+        let [storage, loss] = complex(solid_law());
         let x = omega * 0.6;
         assert!((storage / stiffness - (0.3 + 0.7 * x * x / (1.0 + x * x))).abs() < 1e-14);
         assert!((loss / stiffness - 0.7 * x / (1.0 + x * x)).abs() < 1e-14);
         // Both laws tend to the Debye form, Gamma-weighted: the modified law with a large time is constant.
-        let law = Relaxation::ModifiedPowerLaw {
+        let [storage, loss] = complex(Relaxation::ModifiedPowerLaw {
             relaxed: 0.0,
             exponent: 0.5,
             time: 1e12,
-        };
-        let [storage, loss] = contact
-            .complex_stiffness(0.1, &law, omega)
-            .expect("a stiffness");
+        });
         assert!(
             (storage / stiffness - 1.0).abs() < 1e-6 && loss < 1e-6 * stiffness,
             "{storage} {loss}"

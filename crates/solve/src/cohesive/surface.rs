@@ -18,6 +18,13 @@ impl Surface {
     pub fn excesses(&self, q: &[f64]) -> Vec<f64> {
         self.sample_all(q).excess
     }
+
+    fn get(&self) -> &dyn SurfaceCompliance {
+        match self {
+            Self::Film(film) => film,
+            Self::Layers(layers) => layers,
+        }
+    }
 }
 
 impl SurfaceCompliance for Surface {
@@ -27,30 +34,18 @@ impl SurfaceCompliance for Surface {
     }
 
     fn sample(&self, q: f64) -> Sample {
-        match self {
-            Self::Film(film) => film.sample(q),
-            Self::Layers(layers) => layers.sample(q),
-        }
+        self.get().sample(q)
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {
-        match self {
-            Self::Film(film) => film.sample_all(q),
-            Self::Layers(layers) => layers.sample_all(q),
-        }
+        self.get().sample_all(q)
     }
 
     fn smallest_scale(&self) -> f64 {
-        match self {
-            Self::Film(film) => film.smallest_scale(),
-            Self::Layers(layers) => layers.smallest_scale(),
-        }
+        self.get().smallest_scale()
     }
 
     fn largest_excess(&self) -> f64 {
-        match self {
-            Self::Film(film) => film.largest_excess(),
-            Self::Layers(layers) => layers.largest_excess(),
-        }
+        self.get().largest_excess()
     }
 }

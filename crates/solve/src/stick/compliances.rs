@@ -28,6 +28,7 @@ use crate::exponential::exponential;
 use crate::layered::LayeredCompliance;
 use crate::minors::Minors;
 use crate::slab::{SWITCH, Slab};
+use crate::surface::filled;
 
 /// `X11 - 1`, `X12 - b` and `X22 - 1`, or their slopes `q d/dq`, in this order.
 pub type Three<T> = [T; 3];
@@ -58,10 +59,7 @@ pub fn sample_all(surface: &LayeredCompliance, q: &[f64]) -> Samples {
 #[inline(always)]
 fn extend<S: Simd>(simd: S, surface: &LayeredCompliance, q: &[f64], samples: &mut Samples) {
     for group in q.chunks(S::f64s::LEN) {
-        // The last group is filled up with its last wave number.
-        let mut wave_numbers = S::f64s::splat(simd, group[group.len() - 1]);
-        wave_numbers.as_mut_slice()[..group.len()].copy_from_slice(group);
-        let wave_numbers = wave_numbers + surface.least();
+        let wave_numbers = filled(simd, group) + surface.least();
         let [y, z] = surface.below_top(simd, wave_numbers);
         let [excess, whole, slope] = at_top(simd, surface.top(), wave_numbers, y, z);
         for (values, i) in samples.whole.iter_mut().zip([0, 2]) {

@@ -123,8 +123,11 @@ impl StickCurves {
         Ok(curve.with_stick(pressed))
     }
 
-    /// Returns the numbers of the contact at one `a/t`.
-    pub fn at(&self, a_over_t: f64) -> Grown {
+    /// Returns the numbers of the contact at one `a/t`, up to the last of the curves.
+    ///
+    /// # Errors
+    /// As [`GrownContact::at`].
+    pub fn at(&self, a_over_t: f64) -> Result<Grown, Error> {
         self.grown.at(a_over_t)
     }
 
@@ -145,7 +148,7 @@ fn splines<const N: usize>(
     let length = (to / from).ln();
     let at = |share: f64| (from * (length * share).exp()).clamp(from, to);
     let quantities = |x: f64| {
-        let grown = grown.at(x);
+        let grown = grown.evaluate(x);
         ratios.map(|ratio| grown.receding(ratio))
     };
     // Six nodes at least, so that the spline is quintic.

@@ -19,19 +19,15 @@
 
 use std::f64::consts::PI;
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{
-    LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
-};
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::{Mat, Par, Spec};
+use faer::{Mat, Par};
 
 use crate::abscissae::Abscissae;
 
 use crate::estimate::larger;
-use crate::operator::{ROUNDING, TRUNCATION_SAFETY, quadrature_errors};
+use crate::operator::{ROUNDING, TRUNCATION_SAFETY, factorise, quadrature_errors};
 use crate::quadrature::Panels;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
@@ -204,20 +200,7 @@ impl<'a> Waves<'a> {
             })
             .collect();
         // In the order of the modes, the tail of the forward substitution is that of `Eeq_s`.
-        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
-            modes,
-            Par::Seq,
-            Spec::default(),
-        ));
-        let stack = MemStack::new(&mut memory);
-        cholesky_in_place(
-            matrix.as_mut(),
-            LltRegularization::default(),
-            Par::Seq,
-            stack,
-            Spec::default(),
-        )
-        .ok()?;
+        factorise(&mut matrix)?;
 
         let c0 = self.bodies.c0();
         let mut solutions = Mat::<f64>::zeros(modes, if uncoupled { 3 } else { 1 });

@@ -227,7 +227,7 @@ impl Sticking {
     /// As [`Sticking::grown`].
     pub fn tip(&self, a_over_t: f64, exponent: f64, tolerance: f64) -> Result<(Grown, f64), Error> {
         let grown = self.grown(a_over_t, exponent, tolerance)?;
-        Ok((grown.at(a_over_t), grown.error()))
+        Ok((grown.evaluate(a_over_t), grown.error()))
     }
 
     /// Solves the growing contact of a probe with the profile `r^exponent` from 0 to `a_over_t`.
@@ -286,6 +286,7 @@ impl Sticking {
             let error = larger(extrapolated, LEAST_SHARE * change) + fine.error_of_punches;
             if error <= tolerance {
                 return Ok(GrownContact {
+                    largest: a_over_t,
                     growth: fine,
                     thickness_over_top: self.thickness_over_top,
                     factors: self.factors,
@@ -317,6 +318,7 @@ impl Sticking {
 
 /// A contact that has grown with stick from 0 to some radius.
 pub struct GrownContact {
+    largest: f64,
     growth: Growth,
     thickness_over_top: f64,
     factors: Quantities,
@@ -325,7 +327,16 @@ pub struct GrownContact {
 
 impl GrownContact {
     /// Returns the numbers at a radius up to the largest.
-    pub fn at(&self, a_over_t: f64) -> Grown {
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for an `a_over_t` that is not positive, or above the largest.
+    pub fn at(&self, a_over_t: f64) -> Result<Grown, Error> {
+        Error::check("a_over_t", a_over_t, [f64::MIN_POSITIVE, self.largest])?;
+        Ok(self.evaluate(a_over_t))
+    }
+
+    /// Returns the numbers at a radius, which is not checked.
+    pub(super) fn evaluate(&self, a_over_t: f64) -> Grown {
         let of_top = self.growth.at(a_over_t * self.thickness_over_top);
         let Quantities {
             pi0, eeq, gamma, ..

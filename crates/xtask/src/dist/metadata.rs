@@ -7,6 +7,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use super::{VERSION, at, here};
+use crate::workspace::read;
 use crate::{python, succeed};
 
 /// The program that checks and converts `CITATION.cff`, and that which reads conda recipes.
@@ -30,13 +31,9 @@ pub fn check() -> Result<(), String> {
     let citation = here("CITATION.cff").display().to_string();
     cffconvert(&["--validate", "-i", &citation])?;
     let converted = cffconvert(&["-f", "zenodo", "-i", &citation])?;
-    let path = here(".zenodo.json");
-    let stored = fs::read(&path).map_err(|e| at(&path, &e))?;
-    let parse = |text: &[u8]| serde_json::from_slice(text).map_err(|e| e.to_string());
-    agree(&parse(converted.as_bytes())?, &parse(&stored)?)?;
-    let changes = here("CHANGELOG.md");
-    let text = fs::read_to_string(&changes).map_err(|e| at(&changes, &e))?;
-    if !text
+    let parse = |text: &str| serde_json::from_str(text).map_err(|e| e.to_string());
+    agree(&parse(&converted)?, &parse(&read(&here(".zenodo.json"))?)?)?;
+    if !read(&here("CHANGELOG.md"))?
         .lines()
         .any(|line| line.starts_with("## ") && line.contains(VERSION))
     {
@@ -74,8 +71,7 @@ fn agree(citation: &Value, stored: &Value) -> Result<(), String> {
 
 /// Writes the recipe of a source distribution: with its checksum.
 pub fn recipe_of(source: &Path, to: &Path) -> Result<(), String> {
-    let template = here(RECIPE);
-    let recipe = fs::read_to_string(&template).map_err(|e| at(&template, &e))?;
+    let recipe = read(&here(RECIPE))?;
     let output = Command::new("sha256sum").arg(source).output();
     let output = output.map_err(|e| format!("cannot run sha256sum: {e}"))?;
     let printed = String::from_utf8_lossy(&output.stdout);

@@ -39,10 +39,8 @@ pub fn check() -> Result<(), String> {
 pub fn dist() -> Result<(), String> {
     metadata::check()?;
     let folder = workspace::target()?.join("dist");
-    if folder.exists() {
-        fs::remove_dir_all(&folder).map_err(|e| at(&folder, &e))?;
-    }
-    make(&folder)?;
+    workspace::clear(&folder)?;
+    workspace::make(&folder)?;
     let zig = zig::Zig::fetch()?;
 
     let [wheel, source] = wheel::release(zig.folder())?;
@@ -89,12 +87,10 @@ pub fn dist() -> Result<(), String> {
 /// archive.
 fn archive(folder: &Path, name: &str, files: &[(PathBuf, &str)]) -> Result<PathBuf, String> {
     let staging = workspace::target()?.join("tools").join(name);
-    if staging.exists() {
-        fs::remove_dir_all(&staging).map_err(|e| at(&staging, &e))?;
-    }
+    workspace::clear(&staging)?;
     let licences = ["LICENSE-MIT", "LICENSE-APACHE"].map(|name| (here(name), ""));
     for (file, within) in files.iter().chain(&licences) {
-        put(file, &make(&staging.join(within))?)?;
+        put(file, &workspace::make(&staging.join(within))?)?;
     }
     let path = folder.join(format!("{name}.tar.gz"));
     // The bytes depend on the content alone.
@@ -106,14 +102,8 @@ fn archive(folder: &Path, name: &str, files: &[(PathBuf, &str)]) -> Result<PathB
             .arg(staging.parent().expect("a folder in the tools"))
             .arg(name),
     )?;
-    fs::remove_dir_all(&staging).map_err(|e| at(&staging, &e))?;
+    workspace::clear(&staging)?;
     Ok(path)
-}
-
-/// Makes a folder, and returns it.
-fn make(folder: &Path) -> Result<PathBuf, String> {
-    fs::create_dir_all(folder).map_err(|e| at(folder, &e))?;
-    Ok(folder.to_owned())
 }
 
 /// Copies a file into a folder, and returns its new path.

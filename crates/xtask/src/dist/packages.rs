@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{VERSION, make, put};
+use super::{VERSION, put};
 use crate::{hdf5, succeed, workspace};
 
 /// Returns the names of the published packages, each after those that it depends on.
@@ -46,7 +46,7 @@ pub fn pack(folder: &Path) -> Result<(), String> {
         &[&["package", "--locked"], &selected[..]].concat(),
     )?)?;
     let packed = workspace::target()?.join("package");
-    let folder = make(&folder.join("crates"))?;
+    let folder = workspace::make(&folder.join("crates"))?;
     for (i, name) in names.iter().enumerate() {
         let path = put(&packed.join(format!("{name}-{VERSION}.crate")), &folder)?;
         let numbered = folder.join(format!("{:02}-{name}-{VERSION}.crate", i + 1));

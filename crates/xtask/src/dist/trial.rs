@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-use super::{at, make};
+use super::at;
 use crate::{python, succeed, workspace};
 
 /// The first force curve, in Python.
@@ -28,15 +28,13 @@ assert min(branch.load.min() for branch in curve.unloading) <= last < 0, last
 /// library of C.
 pub fn all(wheel: &Path, source: &Path, program: &Path, library: &Path) -> Result<(), String> {
     let folder = workspace::target()?.join("tools/trial");
-    if folder.exists() {
-        fs::remove_dir_all(&folder).map_err(|e| at(&folder, &e))?;
-    }
-    make(&folder)?;
+    workspace::clear(&folder)?;
+    workspace::make(&folder)?;
     installed(wheel, &folder.join("wheel"))?;
     run_program(&unpacked(program, &folder)?, &folder)?;
     compile_example(&unpacked(library, &folder)?)?;
     installed(source, &folder.join("source"))?;
-    fs::remove_dir_all(&folder).map_err(|e| at(&folder, &e))
+    workspace::clear(&folder)
 }
 
 /// Installs a distribution into a new virtual environment, and computes a force curve there.
