@@ -4,20 +4,17 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, Refused, assert_names, solid};
 use fit::data::{Format, read_from};
-use fit::{Bodies, Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
-use interp::{HalfSpace, Probe, Table};
+use fit::{Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
+use interp::Table;
 
-use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with, text};
+use crate::imagined::{
+    Course, Imagined, LENS, assert_no_doubts, assert_silent, fit_all, fit_with, half_space, lens,
+    text,
+};
 use crate::recovery::{SETS, assert_recovers};
 
-const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 /// 0.3 um, which in these loads is more than their own noise.
 const RADIUS_NOISE: f64 = 3e-7;
-
-/// The lens of the paper on a film of 10 um; the noise of its loads is 5 uN.
-fn lens() -> Imagined {
-    Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS)
-}
 
 /// Returns an experiment whose abscissae are off by normal numbers times `noise(i)`.
 fn blurred(mut experiment: Experiment, noise: impl Fn(usize) -> f64, seed: u64) -> Experiment {
@@ -120,11 +117,7 @@ fn noise_in_the_radius_that_is_not_given_is_a_poor_fit_under_any_loss() {
             let mut given = blur(seed);
             given.abscissa_noise = RADIUS_NOISE;
             let found = fitted(given, &lens, loss);
-            assert!(
-                doubts(&found, &[WarningKind::AssumesBonding]).is_empty(),
-                "{loss:?}: {:?}",
-                found.warnings
-            );
+            assert_no_doubts(&found, &[]);
         }
     }
     // One outlier in ten is what a robust loss is for, and no reason to doubt the model.
@@ -135,11 +128,7 @@ fn noise_in_the_radius_that_is_not_given_is_a_poor_fit_under_any_loss() {
                 point.ordinate += 4e-5;
             }
             let found = fitted(experiment, &lens, loss);
-            assert!(
-                !found.warns_of(WarningKind::PoorFit),
-                "{:?}",
-                found.warnings
-            );
+            assert_silent(&found, WarningKind::PoorFit);
         }
     }
 }
@@ -149,11 +138,7 @@ fn noise_in_the_radius_that_is_not_given_is_a_poor_fit_under_any_loss() {
 fn the_effective_variance_is_that_of_the_slope() {
     let (radius, modulus, w) = (1e-3, 2e6, 0.04);
     let mut lens = Imagined::lens(Kind::LoadRadius, 1e-6, 5e-6, &LENS);
-    lens.truth.bodies = Bodies::HalfSpace(HalfSpace {
-        probe: Probe::Paraboloid { radius },
-        sphere_modulus: modulus,
-        solid: solid(f64::INFINITY, 0.25),
-    });
+    lens.truth.bodies = half_space(radius, modulus, solid(f64::INFINITY, 0.25));
     let mut experiment = lens.measured(&lens.exact(), 1);
     experiment.abscissa_noise = RADIUS_NOISE;
     let found = fitted(experiment, &lens, Loss::Squares);
@@ -259,11 +244,7 @@ fn noise_in_the_height_that_is_not_given_is_seen_beside_the_baseline() {
         for loss in [Loss::Squares, Loss::HUBER] {
             for sound in [&plain, &given] {
                 let found = fitted(sound.clone(), &probe, loss);
-                assert!(
-                    !found.warns_of(WarningKind::UnequalNoise),
-                    "{:?}",
-                    found.warnings
-                );
+                assert_silent(&found, WarningKind::UnequalNoise);
             }
             let found = fitted(experiment.clone(), &probe, loss);
             // Points that scatter most at the end may also look like those of a wrong model.

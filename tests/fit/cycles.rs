@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, assert_names, solid};
-use fit::{Bodies, Direction, Experiment, Fit, Kind, Measurement, Parameter, Point, WarningKind};
-use interp::{HalfSpace, Probe};
+use fit::{Direction, Experiment, Fit, Kind, Measurement, Parameter, Point, WarningKind};
 
-use crate::imagined::{Course, Imagined, doubts, fit_with, free_of, measurement, text};
+use crate::imagined::{
+    Course, Imagined, assert_silent, doubts, fit_with, free_of, half_space, measurement, text,
+};
 
 const RADIUS: f64 = 10e-6;
 
@@ -55,12 +56,7 @@ fn pressed(
         }
     }
     let measured: Measurement = measurement(Kind::LoadPenetration, points);
-    let bodies = Bodies::HalfSpace(HalfSpace {
-        probe: Probe::Paraboloid { radius: RADIUS },
-        sphere_modulus: f64::INFINITY,
-        solid: solid(1e4, 0.5),
-    });
-    Experiment::new(measured, bodies)
+    Experiment::new(measured, half_space(RADIUS, f64::INFINITY, solid(1e4, 0.5)))
 }
 
 /// Hertz's load on a half-space of a reduced modulus.
@@ -103,11 +99,7 @@ fn the_loop_of_a_lens_is_the_difference_of_its_works_of_adhesion_over_the_area()
         // Two works of adhesion make this loop: there is nothing left to name.
         let both = [free[0], free[1], Parameter::WorkOfAdhesionReceding];
         let found = fitted(&experiment, &both);
-        assert!(
-            !found.warns_of(WarningKind::Hysteresis),
-            "{:?}",
-            found.warnings
-        );
+        assert_silent(&found, WarningKind::Hysteresis);
         // One way has no loop.
         let points = &mut experiment.measurement.points;
         points.retain(|point| point.direction == Some(Direction::Retract));
@@ -129,16 +121,8 @@ fn an_elastic_cycle_has_no_loop_to_be_named_though_its_ends_jump() {
         let mut probe = Imagined::probe(Course::Cycle, 1e-4, &free);
         probe.noise_is_known = seed % 2 == 0;
         let found = probe.fit(seed);
-        assert!(
-            !found.warns_of(WarningKind::Hysteresis),
-            "{:?}",
-            found.warnings
-        );
-        assert!(
-            !found.warns_of(WarningKind::Plasticity),
-            "{:?}",
-            found.warnings
-        );
+        assert_silent(&found, WarningKind::Hysteresis);
+        assert_silent(&found, WarningKind::Plasticity);
     }
 }
 
@@ -233,11 +217,7 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
     let unloading = |x: f64| hertz(modulus, x - remains);
     for seed in 0..10 {
         let mut experiment = pressed(loading, unloading, [deepest, 1e-3 * most], seed);
-        experiment.bodies = Bodies::HalfSpace(HalfSpace {
-            probe: Probe::Paraboloid { radius: RADIUS },
-            sphere_modulus: f64::INFINITY,
-            solid: solid(1e10, 0.3),
-        });
+        experiment.bodies = half_space(RADIUS, f64::INFINITY, solid(1e10, 0.3));
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
         let warning = &text(&found, WarningKind::Plasticity);
         assert_names(

@@ -4,7 +4,7 @@ use acceptance::Contacts;
 use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
 
 use crate::contact_stiffness::{at_radii, noisy, oxide};
-use crate::imagined::{Course, Imagined, assert_no_doubts, fit_with, free_of, text};
+use crate::imagined::{Course, Imagined, assert_no_doubts, assert_silent, fit_with, free_of, text};
 
 /// Returns a force curve on a gel with adhesion, its work of adhesion free.
 fn probe() -> Imagined {
@@ -66,11 +66,7 @@ fn coarse_steps_are_doubted() {
             said.contains("values of the force, in steps of 7.500e-10 N"),
             "{said}"
         );
-        assert!(
-            !found.warns_of(WarningKind::Saturated),
-            "{:?}",
-            found.warnings
-        );
+        assert_silent(&found, WarningKind::Saturated);
         // Rounding makes neighbours alike, which is no other reason for doubts.
         let kinds = [WarningKind::StructuredResiduals, WarningKind::PoorFit];
         let alike = kinds.map(|kind| text(&found, kind).contains("neighbour"));

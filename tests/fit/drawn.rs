@@ -5,8 +5,10 @@ use contact::Contact;
 use std::f64::consts::PI;
 
 use acceptance::Contacts;
-use fit::{Bodies, Direction, Experiment, Free, Kind, Measurement, Parameter, Point, simulate};
+use fit::{Bodies, Direction, Experiment, Free, Kind, Parameter, Point, simulate};
 use interp::{Elastic, Probe, System, Table};
+
+use crate::imagined::measurement;
 
 /// A random experiment.
 pub struct Drawn {
@@ -67,14 +69,7 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     };
     let (load, penetration) = contact.load_and_penetration(largest, w).ok()?;
     let stiffness = load.abs() / penetration.abs() * random.log_uniform(0.1, 10.0);
-    let mut truth = Experiment::new(
-        Measurement {
-            name: "drawn.csv".into(),
-            kind,
-            points: Vec::new(),
-        },
-        bodies,
-    );
+    let mut truth = Experiment::new(measurement(kind, Vec::new()), bodies);
     truth.work_of_adhesion = w;
     if kind == Kind::ForceHeight {
         truth.stiffness = Some(stiffness);

@@ -6,10 +6,9 @@ use fit::{Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Para
 use interp::Table;
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, fit_with};
+use crate::imagined::{Course, Imagined, LENS, fit_with};
 use crate::recovery::{SETS, assert_coverage};
 
-const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 
 /// Every name that a message or a result shows is one that `--known` and `Known` take.

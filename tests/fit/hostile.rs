@@ -7,9 +7,7 @@ use fit::{Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Options, 
 use fit::{Scope, fit, simulate};
 use interp::Table;
 
-use crate::imagined::{Course, Imagined, fit_all, fit_with, gel, measurement};
-
-const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+use crate::imagined::{Course, Imagined, LENS, fit_all, fit_with, gel, measurement};
 
 /// Fits the lens on a film of 10 um to points that are changed first.
 fn with(edit: impl Fn(&mut Vec<Point>)) -> Result<Fit, Error> {

@@ -5,14 +5,17 @@ use std::f64::consts::PI;
 use std::path::Path;
 use std::slice;
 
-use acceptance::{Contacts, paper_system, rigid_probe, solid};
+use acceptance::{Contacts, paper_system, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::data::Format;
 use fit::{
     Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter,
     Point, Warning, WarningKind,
 };
-use interp::{HalfSpace, Probe, System, Table};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
+
+/// The parameters of a JKR test.
+pub const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
 
 /// How an imagined experiment brings sphere and sample together.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +60,17 @@ pub fn measurement(kind: Kind, points: Vec<Point>) -> Measurement {
     }
 }
 
+/// Makes a measurement whose ordinates are to be predicted.
+pub fn measurement_at(kind: Kind, abscissae: impl IntoIterator<Item = f64>) -> Measurement {
+    let point = |(line, abscissa)| Point {
+        line,
+        abscissa,
+        ordinate: 0.0,
+        direction: None,
+    };
+    measurement(kind, (1..).zip(abscissae).map(point).collect())
+}
+
 /// Returns the warnings of a fit but those of the `expected` kinds. Where the film is well determined,
 /// a fit says that it takes the film as bonded and its contact as frictionless, which is the truth of
 /// imagined data: tests name these kinds.
@@ -74,6 +88,12 @@ pub fn assert_no_doubts(found: &Fit, expected: &[WarningKind]) {
     let expected = [expected, &[WarningKind::AssumesBonding]].concat();
     let doubts = doubts(found, &expected);
     assert!(doubts.is_empty(), "{doubts:?}");
+}
+
+/// Asserts that a fit has no warning of a kind.
+#[track_caller]
+pub fn assert_silent(found: &Fit, kind: WarningKind) {
+    assert!(!found.warns_of(kind), "{:?}", found.warnings);
 }
 
 /// Reads an experiment from a file of the crate of fits.
@@ -113,9 +133,28 @@ pub fn fit_with(
     )
 }
 
+/// Fits an experiment that is sound, by default options.
+pub fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
+    fit_with(experiment, free, |_| ()).expect("sound")
+}
+
 /// Fits experiments together with the embedded table, by default options.
 pub fn fit_all(experiments: &[Experiment], free: &[Free]) -> Result<Fit, Error> {
     fit::fit(Table::embedded(), experiments, free, &Options::default())
+}
+
+/// A sphere on a half-space.
+pub fn half_space(radius: f64, sphere_modulus: f64, solid: Elastic) -> Bodies {
+    Bodies::HalfSpace(HalfSpace {
+        probe: Probe::Paraboloid { radius },
+        sphere_modulus,
+        solid,
+    })
+}
+
+/// The lens of the paper on a film of 10 um; the noise of its loads is 5 uN.
+pub fn lens() -> Imagined {
+    Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS)
 }
 
 /// A rigid colloidal probe of 20 um on a gel of 20 kPa and 10 um thickness, on glass.
@@ -172,11 +211,9 @@ impl Imagined {
     fn contact(&self) -> Box<dyn Fn(f64, f64) -> (f64, f64)> {
         match self.truth.bodies.clone() {
             Bodies::Coated(system) => {
-                let range = self.radii.map(|radius| radius / system.film_thickness);
-                let material = system.material().expect("physical");
-                let range = [0.3 * range[0], 1.1 * range[1]];
-                let curve = solve::curve(&material, range, 1e-9).expect("within reach");
-                let contact = Contact::new(&system, curve).expect("its own curve");
+                let [from, to] = self.radii.map(|radius| radius / system.film_thickness);
+                // The integrals of a cone reach beyond the contact.
+                let contact = solved_contact(&system, [0.3 * from, 1.5 * to], 1e-9);
                 Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
             }
             Bodies::Layered(layered) => {
@@ -238,13 +275,15 @@ impl Imagined {
             (0..count).map(|i| from + step * i as f64).collect()
         };
         let mut points: Vec<Point> = Vec::new();
-        let mut add = |abscissa: f64, ordinate: f64, direction| {
-            points.push(Point {
-                line: points.len() as u64 + 2,
-                abscissa,
-                ordinate,
-                direction,
-            });
+        let mut add = |reading: &dyn Fn(f64) -> [f64; 2], values: Vec<f64>, direction| {
+            for [abscissa, ordinate] in values.into_iter().map(reading) {
+                points.push(Point {
+                    line: points.len() as u64 + 2,
+                    abscissa,
+                    ordinate,
+                    direction,
+                });
+            }
         };
         let abscissa_at = |value: f64| match kind {
             Kind::ForceHeight => truth.contact_point - value,
@@ -258,58 +297,45 @@ impl Imagined {
         let reading = |a: f64, w: f64| {
             let (load, penetration) = contact(a, w);
             match kind {
-                Kind::LoadRadius => (a, load + truth.load_offset),
-                Kind::PenetrationRadius => (a, penetration + truth.contact_point),
+                Kind::LoadRadius => [a, load + truth.load_offset],
+                Kind::PenetrationRadius => [a, penetration + truth.contact_point],
                 _ => {
                     let abscissa = abscissa_at(penetration + load / stiffness);
-                    (abscissa, load + baseline(abscissa))
+                    [abscissa, load + baseline(abscissa)]
                 }
             }
         };
-        let span = imposed(largest, advancing);
-        let free_of = |value: f64, add: &mut dyn FnMut(f64, f64, Option<Direction>), direction| {
+        let [advance, recede] = [advancing, receding].map(|w| move |a: f64| reading(a, w));
+        let off = |value: f64| {
             let abscissa = abscissa_at(value);
-            add(abscissa, baseline(abscissa), Some(direction));
+            [abscissa, baseline(abscissa)]
         };
+        let span = imposed(largest, advancing);
+        let [approach, retract] = Direction::ALL.map(Some);
         if matches!(self.course, Course::Radii) {
-            for a in even(smallest, largest, contacts) {
-                let (abscissa, ordinate) = reading(a, advancing);
-                add(abscissa, ordinate, None);
-            }
+            add(&advance, even(smallest, largest, contacts), None);
         }
         if matches!(self.course, Course::Approach | Course::Cycle) {
             if !at_radii {
-                for value in even(-0.6 * span, -0.01 * span, apart) {
-                    free_of(value, &mut add, Direction::Approach);
-                }
+                add(&off, even(-0.6 * span, -0.01 * span, apart), approach);
             }
-            for a in even(touches, largest, contacts) {
-                let (abscissa, ordinate) = reading(a, advancing);
-                add(abscissa, ordinate, Some(Direction::Approach));
-            }
+            add(&advance, even(touches, largest, contacts), approach);
         }
         if matches!(self.course, Course::Retract | Course::Cycle) {
             if receding > advancing && matches!(self.course, Course::Cycle) {
                 // The line does not move until its energy release rate is that of a receding one.
-                for w in even(advancing, receding, contacts / 6) {
-                    let (abscissa, ordinate) = reading(largest, w);
-                    add(abscissa, ordinate, Some(Direction::Retract));
-                }
+                let pinned = |w: f64| reading(largest, w);
+                add(&pinned, even(advancing, receding, contacts / 6), retract);
             }
             let ends = if at_radii {
                 smallest
             } else {
                 smallest.max(1.01 * pull_off)
             };
-            for a in even(largest, ends, contacts) {
-                let (abscissa, ordinate) = reading(a, receding);
-                add(abscissa, ordinate, Some(Direction::Retract));
-            }
+            add(&recede, even(largest, ends, contacts), retract);
             if !at_radii {
-                let apart_from = imposed(pull_off, receding) - 0.01 * span;
-                for value in even(apart_from, apart_from - 0.6 * span, apart) {
-                    free_of(value, &mut add, Direction::Retract);
-                }
+                let from = imposed(pull_off, receding) - 0.01 * span;
+                add(&off, even(from, from - 0.6 * span, apart), retract);
             }
         }
         measurement(kind, points)
@@ -342,9 +368,22 @@ impl Imagined {
         experiment
     }
 
+    /// Returns the experiment with the true values and its noise, at the points to be measured.
+    pub fn planned(&self) -> Experiment {
+        Experiment {
+            measurement: self.exact(),
+            noise: Some(self.noise),
+            ..self.truth.clone()
+        }
+    }
+
+    /// Fits an experiment.
+    pub fn fit_of(&self, experiment: &Experiment) -> Fit {
+        fit_with(experiment, &self.free, |options| options.loss = self.loss).expect("sound")
+    }
+
     /// Fits data that belong to `seed`.
     pub fn fit(&self, seed: u64) -> Fit {
-        let experiment = self.measured(&self.exact(), seed);
-        fit_with(&experiment, &self.free, |options| options.loss = self.loss).expect("sound")
+        self.fit_of(&self.measured(&self.exact(), seed))
     }
 }

@@ -162,10 +162,7 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
 fn the_stiffness_of_an_interface_is_planned_where_it_is_free() {
     let planned = |interface| {
         let lens = lens(interface, &[modulus(), stiffness()]);
-        let mut experiment = lens.truth.clone();
-        experiment.measurement = lens.exact();
-        experiment.noise = Some(lens.noise);
-        forecast(Table::embedded(), &[with_reach(experiment)], &lens.free)
+        forecast(Table::embedded(), &[with_reach(lens.planned())], &lens.free)
     };
     planned(springs(2e11, INFINITY)).expect("a stiffness is planned");
     for interface in [Interface::Bonded, Interface::Sliding] {

@@ -1,30 +1,23 @@
 //! The reduced JKR plot of a fit.
 
+use acceptance::{Refused, solid};
 use fit::report::jkr_plot;
-use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point, fit, simulate};
-use interp::{Elastic, HalfSpace, Probe, Table};
+use fit::{Bodies, Experiment, Free, Kind, Parameter, simulate};
+use interp::{HalfSpace, Probe, Table};
+
+use crate::imagined::{fit_all, measurement_at};
 
 fn experiment(kind: Kind, probe: Probe) -> Experiment {
-    let point = |i: u64| Point {
-        line: i + 1,
-        abscissa: 4e-5 + 2e-6 * i as f64,
-        ordinate: 0.0,
-        direction: None,
-    };
-    let measurement = Measurement {
-        name: "lens".into(),
-        kind,
-        points: (0..30).map(point).collect(),
-    };
+    let radii = (0..30).map(|i| 4e-5 + 2e-6 * f64::from(i));
     let bodies = Bodies::HalfSpace(HalfSpace {
         probe,
         sphere_modulus: f64::INFINITY,
-        solid: Elastic::new(1.5e6, 0.5).expect("a solid"),
+        solid: solid(1.5e6, 0.5),
     });
     Experiment {
         work_of_adhesion: 0.04,
         load_offset: 3e-5,
-        ..Experiment::new(measurement, bodies)
+        ..Experiment::new(measurement_at(kind, radii), bodies)
     }
 }
 
@@ -46,7 +39,7 @@ fn a_half_space_is_the_straight_line_of_jkr_whatever_the_offset() {
     ]
     .map(Free::new);
     let experiments = [measured];
-    let found = fit(Table::embedded(), &experiments, &free, &Options::default()).expect("fitted");
+    let found = fit_all(&experiments, &free).expect("fitted");
     let points = jkr_plot(&found, &experiments[0], 0).expect("a JKR plot");
     let (modulus, w) = (2e6_f64, 0.04);
     for point in points {
@@ -63,27 +56,13 @@ fn a_half_space_is_the_straight_line_of_jkr_whatever_the_offset() {
 fn other_measurements_and_probes_are_refused_with_the_reason() {
     let paraboloid = Probe::Paraboloid { radius: 1e-3 };
     let cone = Probe::Cone { half_angle: 1.5 };
-    let one = fit(
-        Table::embedded(),
-        &[Experiment {
-            measurement: simulate(
-                Table::embedded(),
-                &experiment(Kind::LoadRadius, paraboloid.clone()),
-                1e-6,
-                0,
-            )
-            .expect("simulated"),
-            ..experiment(Kind::LoadRadius, paraboloid.clone())
-        }],
-        &[Free::new(Parameter::FilmModulus)],
-        &Options::default(),
-    )
-    .expect("fitted");
+    let mut lens = experiment(Kind::LoadRadius, paraboloid.clone());
+    lens.measurement = simulate(Table::embedded(), &lens, 1e-6, 0).expect("simulated");
+    let one = fit_all(&[lens], &[Free::new(Parameter::FilmModulus)]).expect("fitted");
     for (kind, probe, word) in [
         (Kind::PenetrationRadius, paraboloid, "contact radii"),
         (Kind::LoadRadius, cone, "radius of curvature"),
     ] {
-        let refused = jkr_plot(&one, &experiment(kind, probe), 0).expect_err("refused");
-        assert!(refused.to_string().contains(word), "{refused}");
+        jkr_plot(&one, &experiment(kind, probe), 0).refused(word);
     }
 }

@@ -10,7 +10,7 @@ use fit::{
 use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
 
-use crate::imagined::{Course, Imagined, fit_all, fit_with, measurement};
+use crate::imagined::{Course, Imagined, fit_all, measurement_at};
 use crate::recovery::assert_recovers;
 
 pub fn named(name: &str) -> LayerName {
@@ -72,11 +72,7 @@ pub fn with_reach(mut experiment: Experiment) -> Experiment {
 }
 
 pub fn fit_of(experiment: Experiment, imagined: &Imagined) -> Fit {
-    let experiment = with_reach(experiment);
-    fit_with(&experiment, &imagined.free, |options| {
-        options.loss = imagined.loss
-    })
-    .expect("sound data")
+    imagined.fit_of(&with_reach(experiment))
 }
 
 /// Fits 50 data sets.
@@ -231,10 +227,8 @@ fn differences_are_the_derivatives_of_the_film() {
     let imagined = Imagined::probe(Course::Retract, 2e-4, &parameters);
     let layered = as_one_layer(&imagined);
     let prediction = |imagined: &Imagined| {
-        let mut experiment = imagined.truth.clone();
-        experiment.measurement = imagined.exact();
         let free: Vec<Parameter> = imagined.free.iter().map(|one| one.parameter).collect();
-        let experiment = with_reach(experiment);
+        let experiment = with_reach(imagined.planned());
         experiment
             .predictions(Table::embedded(), None, &free)
             .expect("in range")
@@ -272,10 +266,7 @@ fn a_planned_experiment_on_layers_has_the_errors_of_its_fit() {
         Parameter::WorkOfAdhesion,
     ];
     let lens = lens(&free);
-    let mut experiment = lens.truth.clone();
-    experiment.measurement = lens.exact();
-    experiment.noise = Some(lens.noise);
-    let experiment = with_reach(experiment);
+    let experiment = with_reach(lens.planned());
     let expected = fit::forecast(Table::embedded(), &[experiment], &lens.free).expect("sound");
     let found = fit_of(lens.measured(&lens.exact(), 3), &lens);
     for (expected, found) in expected.estimates.iter().zip(&found.estimates) {
@@ -335,15 +326,8 @@ fn bounds_priors_and_robust_losses_hold_for_layers() {
 #[test]
 fn contacts_are_made_as_far_as_the_data_need_them() {
     let probe = Probe::Paraboloid { radius: 1e-3 };
-    let point = |abscissa: f64| fit::Point {
-        line: 1,
-        abscissa,
-        ordinate: 0.0,
-        direction: None,
-    };
     let of = |kind, abscissae: &[f64]| {
-        let points = abscissae.iter().copied().map(point).collect();
-        Reach::of(&measurement(kind, points), &probe)
+        Reach::of(&measurement_at(kind, abscissae.iter().copied()), &probe)
     };
     let radii = of(Kind::LoadRadius, &[1e-5, 1e-4]);
     assert_eq!((radii.needed, radii.expected), (1.2e-4, 1.2e-4));
@@ -359,15 +343,8 @@ fn a_punch_on_one_layer_has_the_loads_on_the_film() {
     let mut film = crate::imagined::gel();
     film.probe = Probe::FlatPunch { radius: 8e-6 };
     let gel = layer("gel", film.film, film.film_thickness);
-    let point = |abscissa: f64| fit::Point {
-        line: 1,
-        abscissa,
-        ordinate: 0.0,
-        direction: None,
-    };
-    let points = [1e-7, 1.5e-6].map(point).to_vec();
     let predicted = |bodies: Bodies| {
-        let measurement = measurement(Kind::LoadPenetration, points.clone());
+        let measurement = measurement_at(Kind::LoadPenetration, [1e-7, 1.5e-6]);
         let experiment = with_reach(Experiment::new(measurement, bodies));
         let predicted = experiment.predictions(Table::embedded(), None, &[]);
         predicted.expect("in range").ordinates

@@ -9,7 +9,7 @@ use fit::{
 use interp::{Probe, System, Table};
 
 use crate::imagined::{
-    Course, Imagined, fit_all, fit_with, free_of, gel, measurement, of_file, text,
+    Course, Imagined, fit_all, fit_with, free_of, gel, measurement, measurement_at, of_file, text,
 };
 
 /// Fits an experiment; most of its points may be left out if `allow`.
@@ -178,14 +178,8 @@ fn a_start_that_leads_nowhere_does_not_leave_out_all_points() {
 /// Loads without adhesion, whose noise asks for less than none in half of the cases.
 #[test]
 fn a_work_of_adhesion_that_ends_at_0_is_told() {
-    let radius = |i: u32| 4e-5 + 2e-6 * f64::from(i);
-    let point = |i: u32| Point {
-        line: u64::from(i) + 2,
-        abscissa: radius(i),
-        ordinate: 0.0,
-        direction: None,
-    };
-    let measurement = measurement(Kind::LoadRadius, (0..40).map(point).collect());
+    let radii = (0..40).map(|i| 4e-5 + 2e-6 * f64::from(i));
+    let measurement = measurement_at(Kind::LoadRadius, radii);
     let mut plan = Experiment::new(measurement, Bodies::Coated(paper_system(3e-5)));
     plan.work_of_adhesion = 0.0;
     let noise = 1e-5;

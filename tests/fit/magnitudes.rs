@@ -2,11 +2,9 @@
 
 use acceptance::{Refused, assert_names, solid};
 use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
-use interp::{HalfSpace, Probe, System};
+use interp::{Probe, System};
 
-use crate::imagined::{Course, Imagined, fit_all};
-
-const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+use crate::imagined::{Course, Imagined, LENS, fit_all, half_space};
 
 /// Makes a mistake in a lens of 1 mm on a film of 10 um. Returns as an error what is said of it: of the
 /// experiment, else of the fit.
@@ -71,11 +69,7 @@ fn a_result_that_no_solid_has_is_named_and_warned_of() {
     // A rigid probe on a half-space of 20 kPa, with forces that are far too large.
     const FACTOR: f64 = 5e9;
     let mut gel = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
-    gel.truth.bodies = Bodies::HalfSpace(HalfSpace {
-        probe: Probe::Paraboloid { radius: 20e-6 },
-        sphere_modulus: f64::INFINITY,
-        solid: solid(2e4, 0.45),
-    });
+    gel.truth.bodies = half_space(20e-6, f64::INFINITY, solid(2e4, 0.45));
     let mut experiment = gel.measured(&gel.exact(), 1);
     scale(&mut experiment, [1.0, FACTOR]);
     experiment.noise = experiment.noise.map(|noise| noise * FACTOR);

@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod abscissa_noise;
+mod baseline;
 mod contact_stiffness;
 mod cycles;
 mod detector;

@@ -5,15 +5,13 @@ use std::f64::consts::PI;
 
 use acceptance::{assert_names, paper_system, solid};
 use fit::{
-    Bodies, Direction, Experiment, Fit, Free, Kind, Measurement, Parameter, Point, WarningKind,
-    simulate,
+    Bodies, Direction, Experiment, Fit, Free, Kind, Parameter, Point, WarningKind, simulate,
 };
 use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-
-use crate::imagined::{fit_all, text};
+use crate::imagined::{fit_all, measurement, text};
 
 /// The probability of a normal number beyond 5 standard deviations.
 const CHANCE: f64 = 5.733e-7;
@@ -24,24 +22,20 @@ const HARD: [u64; 22] = [
     3645, 3707, 4043, 4075, 4157, 4871,
 ];
 
-/// Tells whether a warning is a doubt about the minimum or its errors.
-fn is_doubt(kind: WarningKind) -> bool {
-    use WarningKind::{
-        AtBound, EndOfTable, LeftOut, NonlinearError, NotConverged, PoorFit, SeveralMinima,
-        StructuredResiduals, Undetermined,
-    };
-    [
-        AtBound,
-        EndOfTable,
-        LeftOut,
-        NonlinearError,
-        NotConverged,
-        PoorFit,
-        SeveralMinima,
-        StructuredResiduals,
-        Undetermined,
-    ]
-    .contains(&kind)
+/// Tells whether a fit has a doubt about the minimum or its errors.
+fn is_doubted(found: &Fit) -> bool {
+    let kinds = [
+        WarningKind::AtBound,
+        WarningKind::EndOfTable,
+        WarningKind::LeftOut,
+        WarningKind::NonlinearError,
+        WarningKind::NotConverged,
+        WarningKind::PoorFit,
+        WarningKind::SeveralMinima,
+        WarningKind::StructuredResiduals,
+        WarningKind::Undetermined,
+    ];
+    kinds.into_iter().any(|kind| found.warns_of(kind))
 }
 
 fn fit_of(drawn: &Drawn, free: &[Free]) -> Result<Fit, fit::Error> {
@@ -137,7 +131,7 @@ fn count(seeds: impl IntoParallelIterator<Item = u64>) -> Count {
             return count;
         };
         let is_missed = worst(&drawn, &found) > limit(&drawn, &found);
-        let is_doubted = found.warnings.iter().any(|warning| is_doubt(warning.kind));
+        let is_doubted = is_doubted(&found);
         count.fits = 1;
         count.values = found.estimates.len();
         count.doubted = usize::from(is_doubted);
@@ -225,10 +219,8 @@ fn starts_do_not_decide() {
             let same = pairs
                 .into_iter()
                 .all(|(one, other)| (one.value - other.value).abs() < 0.1 * one.standard_error);
-            let doubted = [&found, &other]
-                .map(|fit| fit.warnings.iter().any(|warning| is_doubt(warning.kind)));
             assert!(
-                same || doubted == [true; 2],
+                same || is_doubted(&found) && is_doubted(&other),
                 "{seed}, {factor}: {:?} {:?}, {:?} {:?}",
                 found.estimates,
                 found.warnings,
@@ -262,11 +254,7 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
         ordinate: 0.0,
         direction: Some(Direction::Retract),
     };
-    let measurement = Measurement {
-        name: "thin.csv".into(),
-        kind: Kind::ForceHeight,
-        points: (0..300).map(point).collect(),
-    };
+    let measurement = measurement(Kind::ForceHeight, (0..300).map(point).collect());
     let planned = Experiment {
         work_of_adhesion: 0.04,
         contact_point: 4e-6,

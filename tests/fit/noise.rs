@@ -2,20 +2,9 @@
 //! priors that the data contradict.
 
 use acceptance::{Contacts, assert_names};
-use fit::{Experiment, Fit, Free, Kind, Loss, Parameter, Scope, WarningKind};
+use fit::{Experiment, Free, Loss, Parameter, Scope, WarningKind};
 
-use crate::imagined::{Imagined, fit_all, fit_with, text};
-
-const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
-
-/// The lens of the paper on a film of 10 um; the noise of its loads is 5 uN.
-fn lens() -> Imagined {
-    Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS)
-}
-
-fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
-    fit_with(experiment, free, |_| ()).expect("sound")
-}
+use crate::imagined::{Imagined, LENS, assert_silent, fit_all, fit_with, fitted, lens, text};
 
 #[test]
 fn a_noise_that_is_given_too_large_is_doubted() {
@@ -200,7 +189,7 @@ fn a_prior_that_the_data_contradict_is_named_with_its_distance() {
             );
             lens.free[0] = Free::new(LENS[0]).with_prior(2.02e6, 1e4);
             let found = fitted(&experiment, &lens.free);
-            assert!(!found.warns_of(WarningKind::Prior), "{:?}", found.warnings);
+            assert_silent(&found, WarningKind::Prior);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Synthetic data, and what an experiment would tell.
 
 use acceptance::Refused;
-use fit::{Direction, Experiment, Free, Kind, Parameter, forecast, simulate};
+use fit::{Direction, Free, Kind, Parameter, forecast, simulate};
 use interp::Table;
 
 use crate::imagined::{Course, Imagined};
@@ -33,17 +33,10 @@ fn imagined() -> Vec<Imagined> {
     ]
 }
 
-/// Returns the experiment whose points say where to measure.
-fn planned(imagined: &Imagined) -> Experiment {
-    let mut experiment = imagined.truth.clone();
-    experiment.measurement = imagined.exact();
-    experiment
-}
-
 #[test]
 fn simulated_data_are_those_of_direct_solves() {
     for imagined in imagined() {
-        let experiment = planned(&imagined);
+        let experiment = imagined.planned();
         let exact = &experiment.measurement;
         let made = simulate(Table::embedded(), &experiment, 0.0, 1).expect("in the table");
         let readings = exact.points.iter().map(|point| point.ordinate.abs());
@@ -64,7 +57,7 @@ fn simulated_data_are_those_of_direct_solves() {
 
 #[test]
 fn noise_is_normal_and_belongs_to_its_seed() {
-    let experiment = planned(&imagined()[0]);
+    let experiment = imagined()[0].planned();
     let data = |noise, seed| simulate(Table::embedded(), &experiment, noise, seed).expect("inside");
     assert_eq!(data(1e-6, 3), data(1e-6, 3));
     assert_ne!(data(1e-6, 3), data(1e-6, 4));
@@ -101,9 +94,8 @@ fn a_forecast_tells_the_errors_of_the_fit() {
             Kind::ForceHeight => imagined.radii[0] = 2.2e-6,
             _ => imagined.radii[0] = 42e-6,
         }
-        let mut experiment = planned(&imagined);
-        experiment.noise = Some(imagined.noise);
-        let expected = forecast(Table::embedded(), &[experiment], &imagined.free).expect("sound");
+        let planned = imagined.planned();
+        let expected = forecast(Table::embedded(), &[planned], &imagined.free).expect("sound");
         let found = imagined.fit(5);
         for (one, other) in expected.estimates.iter().zip(&found.estimates) {
             let ratio = one.standard_error / other.standard_error;
@@ -122,8 +114,7 @@ fn a_forecast_tells_the_errors_of_the_fit() {
         Parameter::FilmModulus,
     ];
     let lens = Imagined::lens(Kind::LoadRadius, 1e-6, 5e-6, &free);
-    let mut experiment = planned(&lens);
-    experiment.noise = Some(lens.noise);
+    let mut experiment = lens.planned();
     let one = std::slice::from_ref(&experiment);
     let expected = forecast(Table::embedded(), one, &lens.free).expect("sound");
     assert!(
@@ -162,9 +153,7 @@ fn the_errors_of_many_fits_are_those_of_a_forecast() {
     ];
     // Noise so small that the model is linear over the errors.
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-7, &free);
-    let mut experiment = planned(&lens);
-    experiment.noise = Some(lens.noise);
-    let expected = forecast(Table::embedded(), &[experiment], &lens.free).expect("sound");
+    let expected = forecast(Table::embedded(), &[lens.planned()], &lens.free).expect("sound");
     let mut squares = [0.0; 3];
     for seed in 0..FITS {
         let found = lens.fit(seed.into());

@@ -4,10 +4,14 @@ use std::ops::Range;
 
 use acceptance::{assert_names, rigid_probe, solid};
 use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Parameter, WarningKind};
-use interp::{HalfSpace, Probe};
+use interp::Probe;
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, doubts, fit_all, fit_with, of_file};
+use crate::imagined::{Course, Imagined, doubts, fit_all, half_space, of_file};
+use Parameter::{
+    Baseline, BaselineSlope, ContactPoint, FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion,
+    WorkOfAdhesionReceding,
+};
 
 /// The number of data sets of each kind.
 pub const SETS: u64 = 200;
@@ -87,20 +91,13 @@ pub fn assert_recovers(
 /// Fits the data sets with the seeds from `200 seed` on.
 fn recover(name: &str, imagined: &Imagined, seed: u64, expected: &[WarningKind]) {
     let exact = imagined.exact();
-    let fit_of = |seed: u64| {
-        let experiment = imagined.measured(&exact, seed);
-        fit_with(&experiment, &imagined.free, |options| {
-            options.loss = imagined.loss
-        })
-        .expect("sound data")
-    };
+    let fit_of = |seed| imagined.fit_of(&imagined.measured(&exact, seed));
     let seeds = SETS * seed..SETS * (seed + 1);
     assert_recovers(name, &imagined.truth, seeds, fit_of, expected);
 }
 
 #[test]
 fn a_lens_on_a_film() {
-    use Parameter::{FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion};
     let kind = Kind::LoadRadius;
     let thin = Imagined::lens(kind, 10e-6, 5e-6, &[SphereModulus, WorkOfAdhesion]);
     recover("lens", &thin, 1, &[]);
@@ -123,7 +120,6 @@ fn a_lens_on_a_film() {
 
 #[test]
 fn a_lens_with_adhesion_hysteresis() {
-    use Parameter::{SphereModulus, WorkOfAdhesion, WorkOfAdhesionReceding};
     let free = [SphereModulus, WorkOfAdhesion, WorkOfAdhesionReceding];
     let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free);
     lens.course = Course::Cycle;
@@ -135,7 +131,6 @@ fn a_lens_with_adhesion_hysteresis() {
 
 #[test]
 fn penetrations_at_contact_radii() {
-    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
     let free = [WorkOfAdhesion, FilmModulus, ContactPoint];
     let mut lens = Imagined::lens(Kind::PenetrationRadius, 100e-6, 5e-9, &free);
     lens.truth.contact_point = -3e-7;
@@ -145,7 +140,6 @@ fn penetrations_at_contact_radii() {
 
 #[test]
 fn a_lens_at_penetrations() {
-    use Parameter::{ContactPoint, LoadOffset, SphereModulus, WorkOfAdhesion};
     let free = [SphereModulus, WorkOfAdhesion, ContactPoint];
     let mut lens = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &free);
     lens.truth.contact_point = 2e-7;
@@ -160,7 +154,6 @@ fn a_lens_at_penetrations() {
 
 #[test]
 fn a_probe_on_a_gel() {
-    use Parameter::{Baseline, ContactPoint, FilmModulus, WorkOfAdhesion};
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
     let strain = [WarningKind::LargeStrain];
     let probe = Imagined::probe(Course::Retract, 1e-4, &free);
@@ -181,9 +174,6 @@ fn a_probe_on_a_gel() {
 
 #[test]
 fn a_probe_with_adhesion_hysteresis() {
-    use Parameter::{
-        Baseline, BaselineSlope, ContactPoint, FilmModulus, WorkOfAdhesion, WorkOfAdhesionReceding,
-    };
     let free = [
         FilmModulus,
         WorkOfAdhesion,
@@ -200,20 +190,14 @@ fn a_probe_with_adhesion_hysteresis() {
 
 #[test]
 fn a_probe_on_a_half_space() {
-    use Parameter::{Baseline, ContactPoint, FilmModulus, WorkOfAdhesion};
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
     let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
-    probe.truth.bodies = Bodies::HalfSpace(HalfSpace {
-        probe: Probe::Paraboloid { radius: 20e-6 },
-        sphere_modulus: f64::INFINITY,
-        solid: solid(2e4, 0.5),
-    });
+    probe.truth.bodies = half_space(20e-6, f64::INFINITY, solid(2e4, 0.5));
     recover("probe, half-space", &probe, 13, &[]);
 }
 
 #[test]
 fn a_hard_probe_on_a_hard_coating() {
-    use Parameter::{ContactPoint, FilmModulus};
     let free = [FilmModulus, ContactPoint];
     let mut probe = Imagined::lens(Kind::LoadPenetration, 2e-6, 1e-4, &free);
     probe.truth.bodies = Bodies::Coated(rigid_probe(
@@ -231,7 +215,6 @@ fn a_hard_probe_on_a_hard_coating() {
 
 #[test]
 fn five_percent_of_outliers() {
-    use Parameter::{Baseline, ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
     let outliers = [WarningKind::Outliers, WarningKind::LargeStrain];
     let mut lens = Imagined::lens(
         Kind::LoadRadius,
@@ -254,7 +237,6 @@ fn five_percent_of_outliers() {
 
 #[test]
 fn films_of_three_thicknesses_share_their_modulus() {
-    use Parameter::{FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion};
     let free = [SphereModulus, FilmModulus, WorkOfAdhesion, LoadOffset];
     let lenses: Vec<Imagined> = [(20e-6, 1e-5), (60e-6, -2e-5), (150e-6, 3e-5)]
         .into_iter()
@@ -305,7 +287,6 @@ fn the_data_of_the_example_are_made_as_they_say() {
 
 #[test]
 fn wrong_starts_lead_to_the_truth_or_are_doubted() {
-    use Parameter::{ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
     let lens = [SphereModulus, WorkOfAdhesion, FilmModulus];
     let experiments = [
         Imagined::lens(Kind::LoadRadius, 100e-6, 5e-7, &lens),

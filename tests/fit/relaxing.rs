@@ -3,8 +3,8 @@
 use acceptance::{Refused, assert_names, rigid_probe, solid};
 use contact::Relaxation;
 use fit::{
-    Bodies, Direction, Error, Experiment, Free, Kind, Measurement, Parameter, Point, Relaxing,
-    WarningKind, simulate,
+    Bodies, Direction, Error, Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind,
+    simulate,
 };
 use interp::{Probe, Table};
 use rand::{RngExt, SeedableRng};
@@ -16,7 +16,7 @@ use Parameter::{
     Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
 };
 
-use crate::imagined::{fit_all, fit_with, free_of, text};
+use crate::imagined::{fit_all, fit_with, free_of, measurement, text};
 
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
@@ -49,11 +49,7 @@ fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Experimen
             Direction::Retract
         }),
     };
-    let measurement = Measurement {
-        name: "gel.csv".into(),
-        kind,
-        points: (1..).zip(&times).map(point).collect(),
-    };
+    let measurement = measurement(kind, (1..).zip(&times).map(point).collect());
     let mut planned = Experiment::new(measurement, gel(thickness));
     planned.times = times;
     planned.contact_point = 3e-7;

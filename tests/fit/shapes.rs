@@ -8,6 +8,7 @@ use interp::{HalfSpace, Probe, Profile, System};
 use solve::{PowerLaw, solve_power_laws};
 
 use crate::imagined::{Imagined, fit_all, measurement};
+use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
 
 /// The true work of adhesion, J/m^2.
 const ADHESION: f64 = 0.04;
@@ -182,7 +183,6 @@ fn recover(
 
 #[test]
 fn a_sphere_on_a_film_whose_contact_is_not_small() {
-    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
     let radius = 2e-5;
     let system = on_film(Probe::Sphere { radius });
     // a/R from 0.2 to 0.5.
@@ -196,7 +196,6 @@ fn a_sphere_on_a_film_whose_contact_is_not_small() {
 
 #[test]
 fn a_cone_on_a_film() {
-    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
     let half_angle = 1.2;
     let system = on_film(Probe::Cone { half_angle });
     let exact = measured(parts().map(|part| cone(&system, half_angle, 1e-6 + 9e-6 * part)));
@@ -211,7 +210,6 @@ fn a_cone_on_a_film() {
 
 #[test]
 fn a_flat_punch_on_a_film() {
-    use Parameter::{ContactPoint, FilmModulus};
     let radius = 1e-5;
     let system = on_film(Probe::FlatPunch { radius });
     let solved = Solved::new(&system, radius, &[]);
@@ -231,7 +229,6 @@ fn a_flat_punch_on_a_film() {
 
 #[test]
 fn a_sphere_on_a_half_space() {
-    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
     let radius = 2e-5;
     let half_space = HalfSpace {
         probe: Probe::Sphere { radius },
@@ -257,7 +254,6 @@ fn a_sphere_on_a_half_space() {
 /// Hertz's contact under one shape in three forms: where the work of adhesion ends at 0, each says so.
 #[test]
 fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
-    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
     let radius = 1e-5;
     let points: Vec<[f64; 2]> = (0..=60)
         .map(|i| 1e-7 * f64::from(i))

@@ -2,9 +2,7 @@
 
 use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
 
-use crate::imagined::{Course, Imagined, fit_with};
-
-const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+use crate::imagined::{Course, Imagined, LENS, fit_with};
 
 fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
     // A zero of the instrument that is wrong puts points beyond the end of their branch.

@@ -3,28 +3,15 @@
 
 use std::error::Error;
 
-use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
+use fit::data::{Format, read_from};
+use fit::{Bodies, Experiment, Free, Options, Parameter};
 use interp::{Elastic, Probe, System, Table};
 
 /// Contact radii and loads in SI units, below two comments and a header.
 const DATA: &str = include_str!("synthetic-10um.csv");
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let mut points = Vec::new();
-    for (line, text) in (1..).zip(DATA.lines()).skip(3) {
-        let (radius, load) = text.split_once(',').ok_or("two columns")?;
-        points.push(Point {
-            line,
-            abscissa: radius.parse()?,
-            ordinate: load.parse()?,
-            direction: None,
-        });
-    }
-    let measurement = Measurement {
-        name: "synthetic-10um.csv".into(),
-        kind: Kind::LoadRadius,
-        points,
-    };
+    let reading = read_from(DATA.as_bytes(), "synthetic-10um.csv", &Format::default())?;
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-3 },
         sphere_modulus: 1e6, // fitted; the start follows from the data
@@ -32,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         film_thickness: 1e-5,
         substrate: Elastic::new(2e11, 0.25)?,
     };
-    let mut experiment = Experiment::new(measurement, Bodies::Coated(system));
+    let mut experiment = Experiment::new(reading.measurement, Bodies::Coated(system));
     experiment.noise = Some(5e-6);
     let mut free = vec![
         Free::new(Parameter::SphereModulus),

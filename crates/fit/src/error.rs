@@ -13,6 +13,13 @@ pub enum Error {
     /// There is no experiment, or no parameter to be found.
     #[error("there is no {0}: give at least one")]
     Nothing(&'static str),
+    /// Points at which the model has no derivatives with respect to the free parameters.
+    #[error(
+        "the model has no derivatives with respect to the free parameters at these points: the table must \
+         hold a range of each of them, and the points must be away from the end of a branch and of the \
+         table"
+    )]
+    NoDerivatives,
     /// A measured point that cannot be.
     #[error("{measurement}, line {line}: {name} = {value:?} must be {allowed}")]
     Point {
@@ -209,6 +216,17 @@ pub enum Error {
     /// A contact that cannot be computed.
     #[error(transparent)]
     Contact(#[from] contact::Error),
+}
+
+impl Error {
+    /// The error of a setting whose value is not allowed.
+    pub(crate) fn setting(name: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
+        Self::Setting {
+            name: name.into(),
+            value,
+            allowed: allowed.into(),
+        }
+    }
 }
 
 impl From<interp::Error> for Error {

@@ -5,6 +5,7 @@
 use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
+use crate::statistics::extremes;
 use crate::{Bodies, Estimate, Experiment, Fit, Kind, Parameter};
 
 /// The stiffnesses of cantilevers and load cells, N/m.
@@ -82,9 +83,7 @@ impl Experiment {
         // A number that is not finite is refused by its point.
         let range = |value: fn(&crate::Point) -> f64| {
             let ends = points.iter().map(value).filter(|value| value.is_finite());
-            let [least, most] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
-                [l.min(x), m.max(x)]
-            });
+            let [least, most] = extremes(ends);
             most - least
         };
         let abscissae = range(|point| point.abscissa);
@@ -237,9 +236,7 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
     };
     Some(Magnitude {
         reason: reason.into(),
-        what: found.what,
-        value: found.value,
-        unit: found.unit,
+        ..found
     })
 }
 

@@ -18,6 +18,13 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     0.5 * (lower + upper)
 }
 
+/// Returns the least and the largest of numbers; infinity and negative infinity of none.
+pub(crate) fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+        [least.min(x), most.max(x)]
+    })
+}
+
 /// Returns the value from which on half of the weights are, of values with their weights; 0 of none.
 pub(crate) fn weighted_median(values: &mut [[f64; 2]]) -> f64 {
     values.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
@@ -106,6 +113,24 @@ pub(crate) fn likeness_of_neighbours(residuals: &[f64]) -> Option<[f64; 2]> {
     let deviations = (1.0 - halves / squares) * ((n * n - 1.0) / (n - 2.0)).sqrt();
     (n >= 3.0 && squares > 0.0).then_some([deviations, (squares / n) / (halves / (n - 1.0))])
 }
+
+/// Returns by how many standard deviations the means of runs of `length` residuals of each way scatter
+/// more than those of independent residuals do, and the ratio of both variances; `None` for fewer than
+/// [`FEWEST_RUNS`] runs. A slow wave below the noise is seen here, and not between neighbours.
+pub(crate) fn likeness_of_runs(ways: &[Vec<f64>], length: usize) -> Option<[f64; 2]> {
+    let (mut squares, mut count) = (0.0, 0.0);
+    for way in ways {
+        let variance = way.iter().map(|r| r * r).sum::<f64>() / way.len() as f64;
+        for run in way.chunks_exact(length).filter(|_| variance > 0.0) {
+            squares += run.iter().sum::<f64>().powi(2) / (length as f64 * variance);
+            count += 1.0;
+        }
+    }
+    (count >= FEWEST_RUNS).then(|| [excess(squares, count), squares / count])
+}
+
+/// The runs from which on their means tell something.
+const FEWEST_RUNS: f64 = 8.0;
 
 /// Returns the normal number that is exceeded as often as `t` by Student's distribution with
 /// `freedom` degrees of freedom (Wallace, Ann. Math. Stat. 30, 1124, 1959).

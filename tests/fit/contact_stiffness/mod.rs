@@ -4,18 +4,17 @@ mod loss;
 mod refused;
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use acceptance::{Contacts, assert_names, larger, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::{
-    AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Layered,
-    NamedLayer, Parameter, Point, PointErrors, Reach, WarningKind, simulate_experiment,
+    AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Parameter,
+    Point, PointErrors, WarningKind, simulate_experiment,
 };
-use interp::{Elastic, HalfSpace, Probe, System, Table};
-use solve::stack::Layer;
+use interp::{Probe, System, Table};
 
-use crate::imagined::{fit_all, free_of, measurement, text};
+use crate::imagined::{fit_all, free_of, half_space, measurement, measurement_at, text};
+use crate::layers::{layer, named, on_layers};
 use crate::recovery::{SETS, assert_recovers};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
@@ -233,8 +232,7 @@ fn stiffness_at_depths_with_a_reference_sample() {
         1e10,
     );
     let bare = Contact::half_space(&system.without_film()).expect("physical");
-    let reference = Bodies::Layered(layered(&system, Vec::new()));
-    let reference = at_depths(reference, &bare, &known, 1.2e10);
+    let reference = at_depths(on_layers(&system, &[]), &bare, &known, 1.2e10);
     let definition = [WarningKind::ContactDepth];
     recover(
         "stiffness, depth",
@@ -254,68 +252,30 @@ fn stiffness_at_depths_with_a_reference_sample() {
     );
 }
 
-/// Layers under a diamond, solved directly.
-fn layered(system: &System, layers: Vec<NamedLayer>) -> Layered {
-    Layered {
-        probe: system.probe.clone(),
-        sphere_modulus: system.sphere_modulus,
-        base: system.substrate,
-        layers,
-        reach: Reach {
-            needed: 0.0,
-            expected: 0.0,
-        },
-        solver: Arc::new(fit::DirectSolver),
-    }
-}
-
-fn layer(name: &str, solid: Elastic, thickness: f64) -> NamedLayer {
-    NamedLayer {
-        name: Some(name.parse().expect("a name")),
-        layer: Layer::bonded(solid, thickness),
-    }
-}
-
 /// A stack of one layer gives the fit of the film, for each kind.
 #[test]
 fn a_stack_of_one_layer_is_a_film() {
     let system = oxide();
-    let one = || {
-        layered(
-            &system,
-            vec![layer("oxide", system.film, system.film_thickness)],
-        )
-    };
-    let name = Parameter::LayerModulus("oxide".parse().expect("a name"));
+    let one = layer("oxide", system.film, system.film_thickness);
+    let name = Parameter::LayerModulus(named("oxide"));
     for kind in [
         Kind::StiffnessRadius,
         Kind::StiffnessLoad,
         Kind::StiffnessDepth,
     ] {
-        let mut plan = experiment(kind, Bodies::Coated(system.clone()), Vec::new());
+        let (range, thinning) = match kind {
+            Kind::StiffnessRadius => ([1e-7, 1e-6], 0.0),
+            Kind::StiffnessLoad => ([3e-4, 2e-2], 0.0),
+            _ => ([5e-8, 3e-7], 0.3),
+        };
+        let abscissae = measurement_at(kind, evenly(range, 12));
+        let mut plan = Experiment::new(abscissae, Bodies::Coated(system.clone()));
         plan.indentation.hardness = Some(1e10);
-        plan.indentation.thinning = if kind == Kind::StiffnessDepth {
-            0.3
-        } else {
-            0.0
-        };
-        let range = match kind {
-            Kind::StiffnessRadius => [1e-7, 1e-6],
-            Kind::StiffnessLoad => [3e-4, 2e-2],
-            _ => [5e-8, 3e-7],
-        };
-        plan.measurement.points = evenly(range, 12)
-            .map(|abscissa| Point {
-                line: 1,
-                abscissa,
-                ordinate: 0.0,
-                direction: None,
-            })
-            .collect();
+        plan.indentation.thinning = thinning;
         let table = Table::embedded();
         let made = simulate_experiment(table, &plan, 0.01, 5).expect("a contact");
         let mut stack = made.clone();
-        stack.bodies = Bodies::Layered(one());
+        stack.bodies = on_layers(&system, &[one]);
         let fitted = |experiment: &Experiment, parameter| {
             let found = fitted(experiment.clone(), [parameter]);
             found.expect("sound data").estimates.remove(0)
@@ -337,7 +297,7 @@ fn a_thinned_top_layer_is_the_stack_of_that_thickness() {
     let stack = |top: f64| {
         let titanium = layer("titanium", solid(1.2e11, 0.34), 3e-7);
         let gold = layer("gold", solid(8e10, 0.42), top);
-        Bodies::Layered(layered(&system, vec![titanium, gold]))
+        on_layers(&system, &[titanium, gold])
     };
     let thickness = 2e-7;
     let known = Indentation {
@@ -345,23 +305,16 @@ fn a_thinned_top_layer_is_the_stack_of_that_thickness() {
         hardness: Some(2e9),
         ..Indentation::NEW
     };
-    let mut plan = experiment(Kind::StiffnessDepth, stack(thickness), Vec::new());
+    let depths = measurement_at(Kind::StiffnessDepth, evenly([2e-8, 2e-7], 6));
+    let mut plan = Experiment::new(depths, stack(thickness));
     plan.indentation = known;
-    plan.measurement.points = evenly([2e-8, 2e-7], 6)
-        .map(|abscissa| Point {
-            line: 1,
-            abscissa,
-            ordinate: 0.0,
-            direction: None,
-        })
-        .collect();
     let made = simulate_experiment(Table::embedded(), &plan, 0.0, 0).expect("a contact");
     let mut worst: f64 = 0.0;
     for (point, load) in made.measurement.points.iter().zip(&made.indentation.loads) {
         let contact_depth = point.abscissa - 0.75 * load / point.ordinate;
         let a = contact_depth * (24.56 / PI).sqrt();
         let alone = stack(thickness - 0.5 * contact_depth);
-        let alone = experiment(Kind::StiffnessRadius, alone, vec![[a, 0.0]]);
+        let alone = Experiment::new(measurement_at(Kind::StiffnessRadius, [a]), alone);
         let direct = simulate_experiment(Table::embedded(), &alone, 0.0, 0).expect("a contact");
         let direct = direct.measurement.points[0].ordinate;
         worst = larger(worst, (point.ordinate / direct - 1.0).abs());
@@ -385,15 +338,8 @@ fn doubts_of_metals_are_named() {
     assert_names(&text(&found, WarningKind::ContactDepth), words);
     assert!(!found.warns_of(WarningKind::DeepContact));
     // Twice as deep as the film's half.
-    let bodies = metal.bodies.clone();
     let mut thin = metal;
-    thin.bodies = match bodies {
-        Bodies::Coated(system) => Bodies::Coated(System {
-            film_thickness: 1e-7,
-            ..system
-        }),
-        other => other,
-    };
+    thin.set(Parameter::FilmThickness, 1e-7).expect("a film");
     let found = fitted(thin, [Parameter::FilmModulus]).expect("sound data");
     assert!(found.warns_of(WarningKind::DeepContact));
 }
@@ -432,12 +378,8 @@ fn standard_deviations_of_points_are_in_newtons_per_metre() {
 /// keeps its modulus under either where the data were made by it.
 #[test]
 fn loubets_depth_is_found_from_data_made_by_it() {
-    let bodies = Bodies::HalfSpace(HalfSpace {
-        probe: Probe::Paraboloid { radius: 0.1 },
-        sphere_modulus: 1.1466e12,
-        solid: solid(1.7e11, 0.28),
-    });
-    let mut plan = experiment(Kind::StiffnessDepth, bodies, Vec::new());
+    let depths = measurement_at(Kind::StiffnessDepth, evenly([3e-8, 5e-7], 20));
+    let mut plan = Experiment::new(depths, half_space(0.1, 1.1466e12, solid(1.7e11, 0.28)));
     plan.indentation = Indentation {
         contact_depth: ContactDepth::Loubet,
         hardness: Some(1e10),
@@ -446,14 +388,6 @@ fn loubets_depth_is_found_from_data_made_by_it() {
         area: AreaFunction::new(&[24.5, 300.0, 50.0]).expect("allowed"),
         ..Indentation::NEW
     };
-    plan.measurement.points = evenly([3e-8, 5e-7], 20)
-        .map(|abscissa| Point {
-            line: 1,
-            abscissa,
-            ordinate: 0.0,
-            direction: None,
-        })
-        .collect();
     let made = simulate_experiment(Table::embedded(), &plan, 0.0, 1).expect("a contact");
     let free = [Parameter::FilmModulus, Parameter::TipRounding];
     let found = fitted(made, free).expect("sound data");

@@ -1,8 +1,8 @@
 //! Columns of standard deviations.
 
-use super::failure::{Failure, Problem};
+use super::failure::Failure;
 use super::heading::Heading;
-use super::source::{Columns, Source};
+use super::source::{Columns, Source, unique};
 use crate::Direction;
 use units::Unit;
 
@@ -54,14 +54,8 @@ impl Columns<'_> {
                 // Of several, that of this direction.
                 let own = |index: &&usize| self.headings[**index].direction == direction;
                 let own: Vec<usize> = found.iter().filter(own).copied().collect();
-                match (&found[..], &own[..]) {
-                    ([], _) => None,
-                    ([one], _) | (_, [one]) => Some((*one, self.headings[*one].unit)),
-                    ([first, second, ..], _) => {
-                        let numbers = [first + 1, second + 1];
-                        return Err(Problem::Duplicate { role, numbers }.into());
-                    }
-                }
+                let found = if own.len() == 1 { own } else { found };
+                unique(role, &found)?.map(|index| (index, self.headings[index].unit))
             }
         };
         let Some((index, unit)) = found else {

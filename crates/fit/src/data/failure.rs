@@ -15,7 +15,7 @@ pub const LONGEST: usize = 1 << 16;
 
 /// Data that cannot be read.
 #[derive(Debug, thiserror::Error)]
-#[error("{name}{}: {problem}", Place(self))]
+#[error("{name}{}: {problem}", place(self))]
 pub struct DataError {
     /// The name of the measurement, for instance the path of its file.
     pub name: String,
@@ -27,22 +27,15 @@ pub struct DataError {
     pub problem: Box<Problem>,
 }
 
-/// The line and the column of an error, as text.
-struct Place<'a>(&'a DataError);
-
-impl fmt::Display for Place<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(line) = self.0.line {
-            write!(f, ", line {line}")?;
-        }
-        if let Some((number, heading)) = &self.0.column {
-            write!(f, ", column {number}")?;
-            if !heading.is_empty() {
-                write!(f, " {heading:?}")?;
-            }
-        }
-        Ok(())
-    }
+/// Returns the line and the column of an error, as text.
+fn place(error: &DataError) -> String {
+    let line = error.line.map(|line| format!(", line {line}"));
+    let column = match &error.column {
+        Some((number, heading)) if heading.is_empty() => format!(", column {number}"),
+        Some((number, heading)) => format!(", column {number} {heading:?}"),
+        None => String::new(),
+    };
+    line.unwrap_or_default() + &column
 }
 
 /// A problem with its place.

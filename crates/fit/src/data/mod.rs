@@ -204,33 +204,23 @@ impl Notes {
         let sensitivity =
             needs(|one| one.role == Role::Deflection && one.unit.dimension == Dimension::Voltage);
         let (head, cantilever) = (&self.head, self.cantilever);
-        let values = [
-            (
-                stiffness,
-                "stiffness",
-                "N/m",
-                &head.stiffness,
-                cantilever.stiffness,
-            ),
-            (
-                sensitivity,
-                "sensitivity",
-                "m/V",
-                &head.sensitivity,
-                cantilever.sensitivity,
-            ),
-        ];
-        values
-            .into_iter()
-            .filter_map(|(needed, quantity, unit, named, used)| {
-                Some(FromHead {
-                    quantity,
-                    unit,
-                    named: named.as_ref().filter(|_| needed)?,
-                    used: used?,
-                })
+        let stiffness = || {
+            Some(FromHead {
+                quantity: "stiffness",
+                unit: "N/m",
+                named: head.stiffness.as_ref().filter(|_| stiffness)?,
+                used: cantilever.stiffness?,
             })
-            .collect()
+        };
+        let sensitivity = || {
+            Some(FromHead {
+                quantity: "sensitivity",
+                unit: "m/V",
+                named: head.sensitivity.as_ref().filter(|_| sensitivity)?,
+                used: cantilever.sensitivity?,
+            })
+        };
+        stiffness().into_iter().chain(sensitivity()).collect()
     }
 }
 

@@ -9,7 +9,7 @@ use std::fmt;
 
 use super::assignment::Pair;
 use super::source::Source;
-use crate::statistics::median;
+use crate::statistics::{extremes, median};
 use crate::{Direction, Kind, Point};
 
 /// The part of the range of the abscissa that is taken for an end of the curve.
@@ -76,10 +76,7 @@ pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
     // The direction in which the abscissa grows when the bodies are pressed together.
     let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
     let depth = |point: &Point| inwards * point.abscissa;
-    let [least, most] = points.iter().fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[least, most], point| [least.min(depth(point)), most.max(depth(point))],
-    );
+    let [least, most] = extremes(points.iter().map(depth));
     // Medians bear points far from the curve.
     let end = |of: &dyn Fn(f64) -> bool| {
         let own: Vec<&Point> = points.iter().filter(|point| of(depth(point))).collect();
@@ -90,10 +87,7 @@ pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
     let apart = end(&|depth| depth <= least + reach);
     let deepest = end(&|depth| depth >= most - reach);
     let rise = deepest[1] - apart[1];
-    let loads = points.iter().map(|point| point.ordinate);
-    let [low, high] = loads.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], load| {
-        [low.min(load), high.max(load)]
-    });
+    let [low, high] = extremes(points.iter().map(|point| point.ordinate));
     if rise.abs() < SEEN * (high - low) {
         return None;
     }

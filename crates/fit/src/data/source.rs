@@ -41,14 +41,6 @@ impl Columns<'_> {
         role: Role,
         direction: Option<Direction>,
     ) -> Result<Option<Source>, Failure> {
-        let unique = |indices: &[usize]| match indices {
-            [] => Ok(None),
-            [index] => Ok(Some(*index)),
-            [first, second, ..] => Err(Failure::from(Problem::Duplicate {
-                role,
-                numbers: [first + 1, second + 1],
-            })),
-        };
         let columns = self.format.columns.iter();
         let named: Vec<Named> = columns
             .filter(|column| column.role == role)
@@ -58,14 +50,14 @@ impl Columns<'_> {
             let has = |one: &&Named| role == Role::Segment || one.direction == direction;
             let of: Vec<&Named> = named.iter().filter(has).collect();
             let indices: Vec<usize> = of.iter().map(|one| one.index).collect();
-            return unique(&indices)?
+            return unique(role, &indices)?
                 .map(|index| self.source(role, index, of[0].unit, of[0].negative))
                 .transpose();
         }
         for name in names(role) {
             let matches =
                 |heading: &Heading| heading.direction == direction && is_named(heading, role, name);
-            if let Some(index) = unique(&self.positions(matches))? {
+            if let Some(index) = unique(role, &self.positions(matches))? {
                 let others = |name: &str| self.headings.iter().any(|other| other.name == name);
                 let inverted = role.is_inverted(name.0, others);
                 return self
@@ -87,23 +79,13 @@ impl Columns<'_> {
     /// Returns the column that the user names.
     pub(super) fn named(&self, column: &Column) -> Result<Named, Failure> {
         let wanted = Heading::parse(&column.heading);
-        let index = match self.places(column, &wanted)[..] {
-            [index] => index,
-            [] => {
-                let problem = Problem::UnknownHeading {
-                    role: column.role,
-                    wanted: column.heading.clone(),
-                    columns: self.found(),
-                };
-                return Err(problem.into());
-            }
-            [first, second, ..] => {
-                let problem = Problem::Duplicate {
-                    role: column.role,
-                    numbers: [first + 1, second + 1],
-                };
-                return Err(problem.into());
-            }
+        let Some(index) = unique(column.role, &self.places(column, &wanted))? else {
+            let problem = Problem::UnknownHeading {
+                role: column.role,
+                wanted: column.heading.clone(),
+                columns: self.found(),
+            };
+            return Err(problem.into());
         };
         let heading = &self.headings[index];
         Ok(Named {
@@ -229,6 +211,18 @@ impl Columns<'_> {
                 role: role(column),
             })
             .collect()
+    }
+}
+
+/// Returns the only one of the columns that could be a role, if there is one.
+pub(super) fn unique(role: Role, indices: &[usize]) -> Result<Option<usize>, Failure> {
+    match indices {
+        [] => Ok(None),
+        [index] => Ok(Some(*index)),
+        [first, second, ..] => {
+            let numbers = [first + 1, second + 1];
+            Err(Problem::Duplicate { role, numbers }.into())
+        }
     }
 }
 

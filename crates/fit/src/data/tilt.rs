@@ -1,6 +1,6 @@
 //! A baseline that is tilted: the drift of the instrument, or light that the sample reflects.
 
-use crate::statistics::median;
+use crate::statistics::{extremes, median};
 use crate::{Kind, Point};
 
 /// The number of parts of equal length that the range of the heights has.
@@ -16,9 +16,8 @@ pub fn is_tilted(kind: Kind, points: &[Point]) -> bool {
     if kind != Kind::ForceHeight {
         return false;
     }
-    let heights = || points.iter().map(|point| point.abscissa);
-    let least = heights().fold(f64::INFINITY, f64::min);
-    let range = heights().fold(f64::NEG_INFINITY, f64::max) - least;
+    let [least, most] = extremes(points.iter().map(|point| point.abscissa));
+    let range = most - least;
     let mut parts = vec![Vec::new(); PARTS];
     for point in points {
         let part = (1.0 - (point.abscissa - least) / range) * PARTS as f64;

@@ -1,5 +1,7 @@
 //! How often a list of numbers turns back.
 
+use crate::statistics::extremes;
+
 /// The part of the range by which the numbers go back where they turn.
 const BACK: f64 = 0.5;
 /// The largest mean step between ranks, over their number, of numbers in an order. In no order it is a
@@ -19,8 +21,7 @@ pub fn turns(numbers: &[f64]) -> usize {
         sorted[NEIGHBOURS / 2]
     };
     let numbers: Vec<f64> = numbers.array_windows().map(middle).collect();
-    let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let [least, most] = extremes(numbers.iter().copied());
     let back = BACK * (most - least);
     let mut turns = 0;
     // The least and the largest number since the last turn, and whether the numbers grow.

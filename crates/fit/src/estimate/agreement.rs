@@ -11,7 +11,9 @@ use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::{Assigned, Problem};
 use super::unequal_noise;
-use crate::statistics::{CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours};
+use crate::statistics::{
+    CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours, likeness_of_runs,
+};
 use crate::{Branch, Direction, Fit, Loss, WarningKind};
 
 /// The excess of squares over those of one outlier in ten points, in standard deviations, from which
@@ -22,6 +24,8 @@ const BEYOND_OUTLIERS: f64 = 3.0;
 /// 3.1 in a fit of one experiment. At 4.5, noise with a correlation of 0.5 in 40 points would hardly be
 /// found.
 const ALIKE: f64 = 1e-3;
+/// The number of neighbouring residuals whose means are the first to be compared; twice as many are the next.
+const SHORTEST_RUN: usize = 8;
 /// The ratio of the scatter to the given noise above which nothing is said.
 const SMALLER: f64 = 0.8;
 
@@ -44,7 +48,7 @@ pub(super) fn add(
         );
     }
     let count = problem.assigned.len() as f64;
-    let alike = deviations(1.0 - 2.0 * ALIKE / count).min(BEYOND_CHANCE);
+    let chance = ALIKE / count;
     let mut row = 0;
     let mut unequal = vec![false; problem.assigned.len()];
     let experiments = problem.assigned.iter().zip(&fit.experiments);
@@ -64,7 +68,7 @@ pub(super) fn add(
             continue;
         }
         // A wrong model scatters in contact, too.
-        if beside_neighbours(warnings, assigned, own.as_slice(), alike) {
+        if beside_neighbours(warnings, assigned, own.as_slice(), chance) {
             continue;
         }
         if let Some(predicted) = &problem.predicted {
@@ -145,13 +149,13 @@ fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, f
 }
 
 /// Warns if residuals whose noise is not given exceed the noise that neighbouring ones show, or else if
-/// neighbouring residuals of an experiment are alike by more than `alike` standard deviations. Returns
-/// whether it warns.
+/// neighbouring residuals of an experiment, or means of some of them, are alike by more than one fit in
+/// 1/`chance` has them. Returns whether it warns.
 fn beside_neighbours(
     warnings: &mut Warnings,
     assigned: &Assigned,
     own: &[f64],
-    alike: f64,
+    chance: f64,
 ) -> bool {
     let name = &assigned.experiment.measurement.name;
     // Neighbours are of one direction: noise that is not independent is so in time.
@@ -160,15 +164,19 @@ fn beside_neighbours(
     let ways = branches
         .iter()
         .flat_map(|branch| directions.map(|way| (*branch, way)));
-    let of_branches = |own: &[f64]| {
-        let found = ways.clone().filter_map(|way| {
-            let ordered = in_order(assigned, own, way);
-            let [z, ratio] = likeness_of_neighbours(&ordered)?;
+    let of_ways = |own: &[f64]| -> Vec<Vec<f64>> {
+        ways.clone()
+            .map(|way| in_order(assigned, own, way))
+            .collect()
+    };
+    let of_neighbours = |ways: &[Vec<f64>]| {
+        let found = ways.iter().filter_map(|ordered| {
+            let [z, ratio] = likeness_of_neighbours(ordered)?;
             Some([z, ratio, ordered.len() as f64])
         });
         found.collect::<Vec<[f64; 3]>>()
     };
-    let found = of_branches(own);
+    let found = of_neighbours(&of_ways(own));
     let worst = found
         .iter()
         .max_by(|one, other| one[0].total_cmp(&other[0]));
@@ -188,26 +196,53 @@ fn beside_neighbours(
     // An outlier would hide the others.
     let far = far(own.iter().map(|r| r.abs()));
     let near: Vec<f64> = own.iter().map(|r| r.clamp(-far, far)).collect();
+    let near = of_ways(&near);
     // All branches together, each by the number of its points.
-    let found = of_branches(&near);
+    let found = of_neighbours(&near);
     let sum = |of: fn(&[f64; 3]) -> f64| found.iter().map(of).sum::<f64>();
     let points = sum(|[_, _, count]| *count);
     let deviations = sum(|[z, _, count]| z * count.sqrt()) / points.sqrt();
-    // NaN where no branch has three points with a residual.
-    if deviations.is_nan() || deviations <= alike {
+    let (what, deviations, factor) = if deviations > beyond(chance) {
+        (
+            "neighbouring residuals are alike".to_owned(),
+            deviations,
+            factor_of_errors(deviations, points),
+        )
+    } else if let Some((length, [deviations, ratio])) = slow(&near, chance) {
+        let what = format!("the means of {length} neighbouring residuals are too far from 0");
+        (what, deviations, ratio.sqrt())
+    } else {
         return false;
-    }
-    let factor = factor_of_errors(deviations, points);
+    };
     warnings.add(
         WarningKind::StructuredResiduals,
         format!(
-            "{name}: neighbouring residuals are alike, by {deviations:.1} standard deviations more \
-             than by chance. Either the model or its fixed values do not describe the data, or the \
-             noise is not independent, and then standard errors are too small by a factor of some \
-             {factor:.1}"
+            "{name}: {what}, by {deviations:.1} standard deviations more than by chance. Either the \
+             model or its fixed values do not describe the data, or the noise is not independent, and \
+             then standard errors are too small by a factor of some {factor:.1}"
         ),
     );
     true
+}
+
+/// Returns the length of the runs of residuals whose means scatter the most, if that is beyond what one fit in
+/// 1/`chance` has, with [`likeness_of_runs`].
+fn slow(ways: &[Vec<f64>], chance: f64) -> Option<(usize, [f64; 2])> {
+    let lengths = (0..).map(|i| SHORTEST_RUN << i);
+    let found: Vec<(usize, [f64; 2])> = lengths
+        .map_while(|length| Some((length, likeness_of_runs(ways, length)?)))
+        .collect();
+    let beyond = beyond(chance / found.len() as f64);
+    let doubtful = found
+        .into_iter()
+        .filter(|(_, [deviations, _])| *deviations > beyond);
+    doubtful.max_by(|one, other| one.1[1].total_cmp(&other.1[1]))
+}
+
+/// Returns the standard deviations that a normal number exceeds with a probability, but at most
+/// [`BEYOND_CHANCE`].
+fn beyond(chance: f64) -> f64 {
+    deviations(1.0 - 2.0 * chance).min(BEYOND_CHANCE)
 }
 
 /// Returns the factor by which noise that is not independent makes the error of a mean larger, from how

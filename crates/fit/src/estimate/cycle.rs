@@ -14,7 +14,7 @@ use interp::Probe;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use crate::model::Bodies;
-use crate::statistics::{normal_of_t, scatter_of_differences};
+use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
 use crate::{Branch, Experiment, Kind, Parameter, WarningKind};
 
 /// The part of the largest penetration, or of the largest area of contact, below which curves are
@@ -127,10 +127,7 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let experiment = &assigned.experiment;
     let points = &experiment.measurement.points;
     let contact = problem.contact(&experiment.bodies, false).ok()?;
-    let at_radii = matches!(
-        experiment.measurement.kind,
-        Kind::LoadRadius | Kind::PenetrationRadius
-    );
+    let at_radii = experiment.measurement.kind.at_radii();
     // Points that the fit leaves out are compared, too: all above the contact point.
     let mut branches = vec![Branch::LeftOut; points.len()];
     for (way, branch) in ways.iter().zip([Branch::Advancing, Branch::Receding]) {
@@ -239,14 +236,8 @@ impl Cycle {
             samples.copied().collect()
         };
         let ways = &[in_contact(&all[0]), in_contact(&all[1])];
-        let ends = |pick: fn(&Sample) -> f64| {
-            ways.iter().map(move |way| {
-                let values = way.iter().map(pick);
-                values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
-                    [l.min(v), m.max(v)]
-                })
-            })
-        };
+        let ends =
+            |pick: fn(&Sample) -> f64| ways.iter().map(move |way| extremes(way.iter().map(pick)));
         let largest = ends(|sample| sample.x).map(|[_, most]| most);
         let to = largest.fold(f64::INFINITY, f64::min);
         let smallest = ends(|sample| sample.x).map(|[least, _]| least);
@@ -332,18 +323,10 @@ fn remaining(
     local_noise: Option<f64>,
     ways: &[Vec<Sample>; 2],
 ) -> Option<[f64; 2]> {
-    if !matches!(
-        experiment.measurement.kind,
-        Kind::LoadPenetration | Kind::ForceHeight
-    ) {
+    if experiment.measurement.kind.at_radii() {
         return None;
     }
-    let loads = |way: &[Sample]| {
-        let loads = way.iter().map(|sample| sample.load);
-        loads.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], load| {
-            [l.min(load), m.max(load)]
-        })
-    };
+    let loads = |way: &[Sample]| extremes(way.iter().map(|sample| sample.load));
     let [[least, largest], [tension, most]] = [loads(&ways[0]), loads(&ways[1])];
     let largest = largest.min(most);
     let noise = experiment.usual_noise().or(local_noise).unwrap_or(0.0);

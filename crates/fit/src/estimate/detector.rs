@@ -2,6 +2,7 @@
 
 use super::doubts::{Warnings, lines};
 use super::problem::Assigned;
+use crate::statistics::extremes;
 use crate::{Branch, FittedExperiment, FittedPoint, WarningKind};
 
 /// The fewest neighbouring points of one reading that make a detector saturated.
@@ -102,9 +103,7 @@ fn change_of_fit(fitted: &FittedExperiment, assigned: &Assigned, reading: f64) -
                 continue;
             }
             let values = run.iter().filter_map(|point| point.fit);
-            let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], value| {
-                [l.min(value), h.max(value)]
-            });
+            let [low, high] = extremes(values);
             most = most.max(high - low);
         }
     }

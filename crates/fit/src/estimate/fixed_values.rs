@@ -12,7 +12,7 @@ use super::problem::{Assigned, Problem};
 use super::slot::Slot;
 use super::uncertainty::Uncertainty;
 use crate::model::Bodies;
-use crate::{Branch, Error, Fit, Fixed, FixedValue, Known, Parameter};
+use crate::{Error, Fit, Fixed, FixedValue, Known, Parameter};
 
 /// The relative change of a given value, and the change of a Poisson ratio.
 const STEP: f64 = 0.01;
@@ -22,30 +22,25 @@ const SINGULAR: f64 = 1e-9;
 /// Accepts what is known of given values.
 pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> Result<(), Error> {
     for (i, Known { quantity, error }) in known.iter().enumerate() {
-        let name = quantity.name();
-        let setting = |name: String, value: f64, allowed: &str| Error::Setting {
-            name,
-            value,
-            allowed: allowed.into(),
-        };
+        let name = format!("the known {}", quantity.name());
         if !(*error > 0.0 && error.is_finite()) {
-            let name = format!("the standard error of the known {name}");
-            return Err(setting(name, *error, "positive and finite"));
+            let name = format!("the standard error of {name}");
+            return Err(Error::setting(name, *error, "positive and finite"));
         }
         let mut values = assigned.iter();
         let first = values.find_map(|one| one.experiment.value_of(*quantity));
         let Some(first) = first else {
             let allowed = "of a value that the measurement has: check its name and the bodies";
-            return Err(setting(format!("the known {name}"), f64::NAN, allowed));
+            return Err(Error::setting(name, f64::NAN, allowed));
         };
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
         if matches!(quantity, Fixed::Parameter(parameter) if is_free(*parameter)) {
             let allowed = "of a value that is not free: give a free one a prior instead";
-            return Err(setting(format!("the known {name}"), first, allowed));
+            return Err(Error::setting(name, first, allowed));
         }
         if known[..i].iter().any(|before| before.quantity == *quantity) {
             let allowed = "given once";
-            return Err(setting(format!("the known {name}"), first, allowed));
+            return Err(Error::setting(name, first, allowed));
         }
         let other = assigned
             .iter()
@@ -53,7 +48,7 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             .find(|value| *value != first);
         if let Some(other) = other {
             let allowed = "one for all measurements: an error of several values is not taken";
-            return Err(setting(format!("the known {name}"), other, allowed));
+            return Err(Error::setting(name, other, allowed));
         }
     }
     Ok(())
@@ -81,8 +76,14 @@ pub(super) fn effects(
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
-        let mut experiments = problem.assigned.iter();
-        let value = experiments.find_map(|one| one.experiment.value_of(quantity))?;
+        let experiments = problem.assigned.iter();
+        let mut values: Vec<f64> = experiments
+            .filter_map(|one| one.experiment.value_of(quantity))
+            .collect();
+        let value = *values.first()?;
+        if values.iter().all(|own| *own == value) {
+            values.clear();
+        }
         let error = known.iter().find(|one| one.quantity == quantity);
         let error = error.map(|one| one.error);
         let step = match error {
@@ -118,6 +119,7 @@ pub(super) fn effects(
         Some(FixedValue {
             quantity,
             value,
+            values,
             step,
             changes,
             error,
@@ -181,8 +183,7 @@ fn residuals_with(
             let branches = &assigned.branches;
             let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, None);
             let predicted = predicted.ok()?;
-            let counts = |i: &usize| branches[*i] != Branch::LeftOut;
-            for (row, i) in (row..).zip((0..branches.len()).filter(counts)) {
+            for (row, i) in (row..).zip(assigned.counting_points()) {
                 residuals[row] =
                     (predicted.values[i] - experiment.compared(i)) / assigned.deviation(i);
             }

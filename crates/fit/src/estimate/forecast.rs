@@ -4,11 +4,11 @@ use interp::Table;
 use nalgebra::DVector;
 
 use super::problem::{Assigned, Problem};
-use super::search::{ends, hold_back, near_the_end};
+use super::search::{clear_of, ends, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
-use crate::{Branch, Error, Experiment, Forecast, Free, Loss, Parameter};
+use crate::{Error, Experiment, Forecast, Free, Loss, Parameter};
 
 /// The rounds in which points near the end of a branch are left out.
 const ROUNDS: usize = 2;
@@ -54,20 +54,15 @@ pub fn forecast(
         let noise = experiment.known_noise()?;
         let mut experiment = experiment.clone();
         if is_free(Parameter::WorkOfAdhesionReceding) {
-            let receding = experiment.work_of_adhesion_receding;
-            let receding = receding.unwrap_or(experiment.work_of_adhesion);
-            experiment.work_of_adhesion_receding = Some(receding);
+            let work = experiment.work_of_adhesion;
+            experiment.work_of_adhesion_receding.get_or_insert(work);
         }
         let is_zero = |parameter: &Parameter| {
             parameter.is_positive() && experiment.get(*parameter) == Some(0.0)
         };
         if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_zero) {
-            return Err(Error::Setting {
-                name: format!("{parameter} of {}", experiment.measurement.name),
-                value: 0.0,
-                allowed: "positive where it is free: the errors are those at the planned value"
-                    .into(),
-            });
+            let allowed = "positive where it is free: the errors are those at the planned value";
+            return Err(experiment.wrong_setting(parameter, 0.0, allowed));
         }
         let is_unknown = |parameter: &Parameter| {
             matches!(*parameter, Parameter::LayerInterfaceStiffness(name) if experiment
@@ -75,19 +70,18 @@ pub fn forecast(
                 .is_some_and(|layer| layer.interface_stiffness().is_none()))
         };
         if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_unknown) {
-            return Err(Error::NotApplicable {
-                parameter,
-                experiment: experiment.measurement.name.clone(),
-                reason: "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
-                         value: plan another one, such as the modulus of the layer over its thickness"
-                    .into(),
-            });
+            let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
+                          value: plan another one, such as the modulus of the layer over its thickness";
+            return Err(experiment.not_applicable(parameter, reason));
         }
         if experiment.measurement.kind.is_stiffness() {
             // The stiffness itself tells contact depths.
             experiment.reach_contacts();
             experiment.make(table)?;
             experiment.accept_stiffness()?;
+        } else {
+            let points = experiment.measurement.points.iter_mut();
+            points.for_each(|point| point.ordinate = 0.0);
         }
         let contact = experiment.bodies.contact(table, None)?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
@@ -117,11 +111,8 @@ pub fn forecast(
     for _ in 0..ROUNDS {
         let uncertainty = uncertainty(&problem)?;
         for (e, whole) in whole.iter().enumerate() {
-            let near = near_the_end(whole, &ends(&problem, e, &uncertainty, whole));
-            let branches = whole.branches.iter().zip(near);
-            problem.assigned[e].branches = branches
-                .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
-                .collect();
+            let ends = ends(&problem, e, &uncertainty, whole);
+            problem.assigned[e].branches = clear_of(whole, &ends);
         }
     }
     let uncertainty = uncertainty(&problem)?;
@@ -134,10 +125,7 @@ pub fn forecast(
 
 /// Computes the uncertainty without residuals.
 fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
-    let (jacobian, sizes) = problem.jacobian_of_sizes().ok_or(Error::Nothing(
-        "derivative at these points: keep them away from the end of a branch and of the table, or \
-         point",
-    ))?;
+    let (jacobian, sizes) = problem.jacobian_of_sizes().ok_or(Error::NoDerivatives)?;
     if jacobian.nrows() < jacobian.ncols() {
         return Err(Error::TooFewPoints {
             points: jacobian.nrows(),

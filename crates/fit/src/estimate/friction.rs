@@ -6,7 +6,7 @@ use solve::stack::{Interface, Stack};
 use solve::stick::Sticking;
 
 use super::doubts::Warnings;
-use crate::{Bodies, Estimate, Parameter, WarningKind};
+use crate::{Bodies, Estimate, Experiment, Parameter, WarningKind};
 
 /// The relative tolerance of the two punches.
 const TOLERANCE: f64 = 1e-6;
@@ -18,28 +18,24 @@ const USUAL_POISSON_RATIO: f64 = 0.5;
 /// at both ends. `a` is the largest contact radius, m.
 pub(super) fn add(
     warnings: &mut Warnings,
-    name: &str,
-    bodies: &Bodies,
-    nu2: Option<f64>,
+    experiment: &Experiment,
     contact: &Contact,
     a: f64,
     estimates: &[Estimate],
 ) {
-    let top = match bodies {
-        Bodies::Layered(layered) => layered.layers.last().and_then(|layer| layer.name),
-        _ => None,
-    };
-    let of_modulus = [
-        Some(Parameter::FilmModulus),
-        top.map(Parameter::LayerModulus),
-    ];
+    let (name, bodies) = (&experiment.measurement.name, &experiment.bodies);
+    let of_top = bodies.top_name().map(Parameter::LayerModulus);
+    let of_modulus = [Some(Parameter::FilmModulus), of_top];
     let Some(modulus) = estimates
         .iter()
         .find(|estimate| of_modulus.contains(&Some(estimate.parameter)))
     else {
         return;
     };
-    let Some(ratio) = stiffening(bodies, nu2.unwrap_or(USUAL_POISSON_RATIO), a) else {
+    let nu2 = experiment
+        .sphere_poisson_ratio
+        .unwrap_or(USUAL_POISSON_RATIO);
+    let Some(ratio) = stiffening(bodies, nu2, a) else {
         return;
     };
     let sticks = contact.curve().is_some_and(|curve| curve.stick().is_some());

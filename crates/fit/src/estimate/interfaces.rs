@@ -94,12 +94,7 @@ fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &U
     let bodies = &problem.assigned[e].experiment.bodies;
     let is_modulus = |slot: &usize| match problem.slots[*slot].parameter {
         Parameter::SphereModulus | Parameter::FilmModulus => true,
-        Parameter::LayerModulus(name) => match bodies {
-            Bodies::Layered(layered) => {
-                layered.layers.last().and_then(|top| top.name) == Some(name)
-            }
-            _ => false,
-        },
+        Parameter::LayerModulus(name) => bodies.top_name() == Some(name),
         _ => false,
     };
     let slots = problem.slots_of(e);

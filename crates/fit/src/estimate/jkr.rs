@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::problem::{Assigned, LARGEST};
-use crate::statistics::median;
+use crate::statistics::{extremes, median};
 use crate::{Branch, Experiment, Kind};
 
 /// The most points that a search for a start uses.
@@ -52,11 +52,22 @@ pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homog
     let found = match assigned.experiment.measurement.kind {
         Kind::LoadRadius => of_loads_at_radii(assigned, unknown),
         Kind::PenetrationRadius => of_penetrations_at_radii(assigned, unknown),
-        Kind::LoadPenetration | Kind::ForceHeight => of_loads_at_positions(assigned, unknown),
+        Kind::LoadPenetration | Kind::ForceHeight => {
+            let mut shown = assigned.clone();
+            if !is_adhesive(&shown.experiment, unknown) {
+                shown.branches = assigned.branches_without_flat_ends(unknown.level);
+            }
+            of_loads_at_positions(&shown, unknown)
+        }
         Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => None,
     };
     // Data of the wrong sign lead to a modulus of 0.
     found.filter(|found| found.modulus.is_none_or(|modulus| modulus > LEAST_MODULUS))
+}
+
+/// Tells whether a contact adheres, or may.
+fn is_adhesive(experiment: &Experiment, unknown: Unknown) -> bool {
+    unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0
 }
 
 /// Returns at most [`MOST_POINTS`] points of a branch, from the largest contact to the smallest.
@@ -105,9 +116,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
     let contacts = measurement.points.iter().zip(&assigned.branches);
     let contacts =
         contacts.filter(|(_, branch)| matches!(branch, Branch::Advancing | Branch::Receding));
-    let [least, most] = contacts.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], (point, _)| {
-        [l.min(point.abscissa), m.max(point.abscissa)]
-    });
+    let [least, most] = extremes(contacts.map(|(point, _)| point.abscissa));
     match measurement.kind {
         Kind::LoadRadius | Kind::PenetrationRadius => bodies.paraboloid(most, false),
         _ => bodies.paraboloid(0.5 * (most - least), true),
@@ -118,7 +127,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
 fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
-    let adhesive = unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0;
+    let adhesive = is_adhesive(experiment, unknown);
     let apart = points_of(assigned, Branch::Baseline);
     let known_level = if apart.is_empty() || !unknown.level {
         experiment.load_offset

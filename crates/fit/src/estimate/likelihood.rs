@@ -72,19 +72,14 @@ impl Likelihood {
             (own.abscissa_parts, own.factors) = (parts, factors);
         }
         let of_experiment = |(e, own): (usize, &Assigned)| {
-            let is_of = |slot: &Slot| {
-                let shared_or_own = slot.experiment.is_none_or(|other| other == e);
-                shared_or_own && own.experiment.why_without_effect(slot.parameter).is_none()
-            };
-            let of: Vec<usize> = (0..slots.len()).filter(|&s| is_of(&slots[s])).collect();
+            let is_of = |&s: &usize| slots[s].is_of(e, &own.experiment);
+            let of: Vec<usize> = (0..slots.len()).filter(is_of).collect();
             let parameters = of.iter().map(|&s| slots[s].parameter).collect();
             (of, parameters)
         };
-        let deviations = assigned.iter().flat_map(|own| {
-            let counts = |&i: &usize| own.branches[i] != Branch::LeftOut;
-            let points = (0..own.branches.len()).filter(counts);
-            points.map(|i| own.deviation(i))
-        });
+        let deviations = assigned
+            .iter()
+            .flat_map(|own| own.counting_points().map(|i| own.deviation(i)));
         let widths = slots.iter().filter_map(|slot| Some(slot.prior?.width));
         let constant = deviations.chain(widths).map(|one| -(TAU.sqrt() * one).ln());
         Ok(Self {
@@ -148,11 +143,9 @@ impl Likelihood {
             .iter()
             .map(|slot| slot.parameter.name())
             .collect();
-        Err(Error::Setting {
-            name: "the number of values".into(),
-            value: values.len() as f64,
-            allowed: format!("{}, one for each of {}", self.slots.len(), names.join(", ")),
-        })
+        let allowed = format!("{}, one for each of {}", self.slots.len(), names.join(", "));
+        let found = values.len() as f64;
+        Err(Error::setting("the number of values", found, allowed))
     }
 
     /// Computes the logarithm of the likelihood, and adds its derivatives to `gradient`; `None`
@@ -180,10 +173,7 @@ impl Likelihood {
             let predicted = experiment
                 .predict_with(&contact_of, &own.branches, &own.order, wanted)
                 .ok()?;
-            for (i, branch) in own.branches.iter().enumerate() {
-                if *branch == Branch::LeftOut {
-                    continue;
-                }
+            for i in own.counting_points() {
                 let deviation = own.deviation(i);
                 let residual = (predicted.values[i] - experiment.compared(i)) / deviation;
                 squares += residual * residual;
@@ -224,10 +214,9 @@ fn limits(slot: &Slot, free: &[Free]) -> [f64; 2] {
 
 /// Accepts branches for each point of each experiment.
 fn accept_lengths(branches: &[Vec<Branch>], assigned: &[Assigned]) -> Result<(), Error> {
-    let setting = |name: String, found: usize, wanted: usize| Error::Setting {
-        name,
-        value: found as f64,
-        allowed: format!("{wanted}, as many as there are"),
+    let setting = |name: String, found: usize, wanted: usize| {
+        let allowed = format!("{wanted}, as many as there are");
+        Error::setting(name, found as f64, allowed)
     };
     if branches.len() != assigned.len() {
         let name = "the number of experiments with branches".into();

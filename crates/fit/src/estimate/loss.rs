@@ -46,11 +46,8 @@ pub(crate) fn accept(loss: Loss) -> Result<(), Error> {
         Loss::Huber { threshold } | Loss::SoftL1 { threshold }
             if !(threshold > 0.0 && threshold.is_finite()) =>
         {
-            Err(Error::Setting {
-                name: "the threshold of the loss".into(),
-                value: threshold,
-                allowed: "positive and finite".into(),
-            })
+            let name = "the threshold of the loss";
+            Err(Error::setting(name, threshold, "positive and finite"))
         }
         _ => Ok(()),
     }

@@ -140,24 +140,21 @@ fn is_film_free(free: &[Free]) -> bool {
 /// Lists the other starts: those of a film that is thinner or thicker, softer or stiffer, and if
 /// the first start led nowhere, of the modulus that is free.
 fn variations(free: &[Free], assigned: &[Assigned], is_bad: bool) -> Vec<Variation> {
-    let has_film = |parameter: Parameter| {
-        assigned.iter().any(|one| {
-            one.experiment.bodies.thickness().is_some()
-                && one.experiment.why_without_effect(parameter).is_none()
-        })
+    let film = Parameter::FilmModulus;
+    let has_film = |one: &Assigned| {
+        one.experiment.bodies.thickness().is_some()
+            && one.experiment.why_without_effect(film).is_none()
     };
     let mut variations = Vec::new();
-    let of_film =
-        |parameter: &Parameter| matches!(parameter, Parameter::FilmModulus) && has_film(*parameter);
     let names: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
     let first = names
         .iter()
         .filter_map(|one| Some((rank(*one)?, *one)))
         .min();
     let first = first.map(|(_, parameter)| parameter).filter(|_| is_bad);
-    let mut multiplied: Vec<Parameter> = names.iter().copied().filter(of_film).collect();
-    multiplied.extend(first.filter(|first| !multiplied.contains(first)));
-    for parameter in multiplied {
+    let film = (names.contains(&film) && assigned.iter().any(has_film)).then_some(film);
+    let other = first.filter(|first| Some(*first) != film);
+    for parameter in film.into_iter().chain(other) {
         variations.extend(FACTORS.map(|factor| Variation::Times(parameter, factor)));
     }
     if names.contains(&Parameter::FilmThickness) {

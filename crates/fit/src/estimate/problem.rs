@@ -38,6 +38,21 @@ pub(crate) struct Assigned {
 }
 
 impl Assigned {
+    /// Returns the branches, and of ways without adhesion the flat end as baseline. There the model holds on
+    /// both sides, but a start needs the points in contact.
+    pub fn branches_without_flat_ends(&self, level_is_free: bool) -> Vec<Branch> {
+        let mut branches = self.branches.clone();
+        let Experiment { measurement, .. } = &self.experiment;
+        let works =
+            [Branch::Advancing, Branch::Receding].map(|branch| self.experiment.work_of(branch));
+        if !measurement.kind.at_radii() && !measurement.kind.is_stiffness() && works == [0.0; 2] {
+            let noise = self.noise;
+            self.experiment
+                .take_flat_ends(&mut branches, noise, level_is_free);
+        }
+        branches
+    }
+
     /// Returns the standard deviation of the residual of a point.
     pub fn deviation(&self, i: usize) -> f64 {
         let own = self.experiment.own_deviation(i).unwrap_or(self.noise);
@@ -167,16 +182,9 @@ impl<'a> Problem<'a> {
 
     /// Returns the numbers of the slots that are of an experiment.
     pub fn slots_of(&self, experiment: usize) -> Vec<usize> {
-        let of_it = |slot: &Slot| {
-            slot.experiment.is_none_or(|own| own == experiment)
-                && self.assigned[experiment]
-                    .experiment
-                    .why_without_effect(slot.parameter)
-                    .is_none()
-        };
-        (0..self.slots.len())
-            .filter(|&slot| of_it(&self.slots[slot]))
-            .collect()
+        let of = &self.assigned[experiment].experiment;
+        let is_of_it = |&slot: &usize| self.slots[slot].is_of(experiment, of);
+        (0..self.slots.len()).filter(is_of_it).collect()
     }
 
     /// Gives the experiments the present values, and predicts their points.
@@ -284,9 +292,7 @@ impl<'a> Problem<'a> {
                 continue;
             }
             let deviations = |own: &Assigned| -> Vec<f64> {
-                let counts = |i: &usize| own.branches[*i] != Branch::LeftOut;
-                let counting = (0..own.branches.len()).filter(counts);
-                counting.map(|i| own.deviation(i)).collect()
+                own.counting_points().map(|i| own.deviation(i)).collect()
             };
             let before = deviations(own);
             self.assigned[e].abscissa_parts = parts;
@@ -300,17 +306,19 @@ impl<'a> Problem<'a> {
 
     /// Lists the points that count: experiment and number.
     pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
-        self.assigned.iter().enumerate().flat_map(|(e, assigned)| {
-            let counts = |&i: &usize| assigned.branches[i] != Branch::LeftOut;
-            (0..assigned.branches.len())
-                .filter(counts)
-                .map(move |i| (e, i))
-        })
+        let assigned = self.assigned.iter().enumerate();
+        assigned.flat_map(|(e, assigned)| assigned.counting_points().map(move |i| (e, i)))
     }
 
     /// Returns the number of points that count.
     pub fn counting(&self) -> usize {
         self.assigned.iter().map(Assigned::counting).sum()
+    }
+
+    /// Returns the number of points that count and of priors.
+    pub fn residual_count(&self) -> usize {
+        let priors = self.slots.iter().filter(|slot| slot.prior.is_some());
+        self.counting() + priors.count()
     }
 
     /// Returns the residuals of the points that count, model less data, in units of the noise, and
@@ -319,11 +327,9 @@ impl<'a> Problem<'a> {
         let predicted = self.predicted.as_ref()?;
         let mut residuals = Vec::with_capacity(self.counting() + self.slots.len());
         for (assigned, predicted) in self.assigned.iter().zip(predicted) {
-            for (i, branch) in assigned.branches.iter().enumerate() {
-                if *branch != Branch::LeftOut {
-                    let difference = predicted.values[i] - assigned.experiment.compared(i);
-                    residuals.push(difference / assigned.deviation(i));
-                }
+            for i in assigned.counting_points() {
+                let difference = predicted.values[i] - assigned.experiment.compared(i);
+                residuals.push(difference / assigned.deviation(i));
             }
         }
         residuals.extend(self.slots.iter().enumerate().filter_map(|(slot, of)| {
@@ -337,13 +343,7 @@ impl<'a> Problem<'a> {
     /// Returns the derivatives of [`Self::plain_residuals`] with respect to the values of the
     /// slots.
     pub fn plain_jacobian(&self) -> Option<DMatrix<f64>> {
-        let rows = self.counting();
-        let priors = self
-            .slots
-            .iter()
-            .filter(|slot| slot.prior.is_some())
-            .count();
-        let height = rows + priors;
+        let height = self.residual_count();
         // Column by column, as the matrix stores them.
         let mut entries = vec![0.0; height * self.slots.len()];
         let mut row = 0;
@@ -355,10 +355,7 @@ impl<'a> Problem<'a> {
                 Some(known) => Cow::Borrowed(known),
                 None => Cow::Owned(self.predict(e, Some(&self.parameters_of(e))).ok()?),
             };
-            for (i, branch) in assigned.branches.iter().enumerate() {
-                if *branch == Branch::LeftOut {
-                    continue;
-                }
+            for i in assigned.counting_points() {
                 let derivatives = &predicted.derivatives[i * slots.len()..][..slots.len()];
                 let deviation = assigned.deviation(i);
                 for (&slot, derivative) in slots.iter().zip(derivatives) {
@@ -471,14 +468,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         }
         Some(match self.plain_residuals() {
             Some(residuals) => residuals.map(|residual| weighted(self.loss, residual).0),
-            None => {
-                let priors = self
-                    .slots
-                    .iter()
-                    .filter(|slot| slot.prior.is_some())
-                    .count();
-                DVector::from_element(self.counting() + priors, REFUSED)
-            }
+            None => DVector::from_element(self.residual_count(), REFUSED),
         })
     }
 

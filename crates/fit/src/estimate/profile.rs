@@ -24,12 +24,6 @@ const LOWER: f64 = 0.1;
 const FARTHEST: f64 = 40.0;
 const FARTHEST_LOGARITHM: f64 = 14.0;
 
-/// The intervals of all values.
-pub(crate) struct Intervals {
-    pub ends: Vec<[End; 2]>,
-    pub evaluations: usize,
-}
-
 /// One end of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum End {
@@ -54,7 +48,7 @@ impl End {
 }
 
 /// Finds the interval of each value in which the sum of squares, minimised over all other values,
-/// exceeds its minimum by less than `deviations^2`.
+/// exceeds its minimum by less than `deviations^2`. Returns their ends, and the number of evaluations.
 ///
 /// # Errors
 /// The place with the lowest sum of squares, if one is found that is lower than the minimum.
@@ -62,7 +56,7 @@ pub(crate) fn intervals<'a>(
     problem: &Problem<'a>,
     uncertainty: &Uncertainty,
     deviations: f64,
-) -> Result<Intervals, Box<Problem<'a>>> {
+) -> Result<(Vec<[End; 2]>, usize), Box<Problem<'a>>> {
     let mut way = Way {
         problem,
         least: problem.misfit(),
@@ -75,10 +69,7 @@ pub(crate) fn intervals<'a>(
         let error = uncertainty.relative_error(slot).min(LARGEST_ERROR);
         ends.push([way.end(slot, -error)?, way.end(slot, error)?]);
     }
-    Ok(Intervals {
-        ends,
-        evaluations: way.evaluations,
-    })
+    Ok((ends, way.evaluations))
 }
 
 /// The minimum over all values but one.

@@ -2,6 +2,7 @@
 
 use super::doubts::Warnings;
 use super::problem::Problem;
+use crate::statistics::extremes;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
@@ -133,9 +134,7 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
         );
     }
     let points = experiment.measurement.points.iter();
-    let [least, most] = points.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], point| {
-        [l.min(point.abscissa), m.max(point.abscissa)]
-    });
+    let [least, most] = extremes(points.map(|point| point.abscissa));
     if found.made_monotone > MONOTONE * (most - least) {
         warnings.add(
             WarningKind::NotMonotone,

@@ -146,19 +146,14 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
             _ => vec![0.35 / count.max(1) as f64],
         }
     };
-    let mut all = vec![Vec::new()];
+    let mut all: Vec<Vec<f64>> = vec![Vec::new()];
     for &parameter in parameters {
         let values = values(parameter);
-        all = all
-            .into_iter()
-            .flat_map(|before: Vec<f64>| {
-                values.iter().map(move |&value| {
-                    let mut next = before.clone();
-                    next.push(value);
-                    next
-                })
-            })
-            .collect();
+        let longer = all.iter().flat_map(|before| {
+            let with = move |&value: &f64| [&before[..], &[value]].concat();
+            values.iter().map(with)
+        });
+        all = longer.collect();
     }
     all
 }

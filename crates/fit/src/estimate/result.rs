@@ -231,6 +231,8 @@ pub struct FixedValue {
     pub quantity: Fixed,
     /// The number, in SI units: that of the first measurement, if they differ.
     pub value: f64,
+    /// The numbers of all measurements that have one, in their order, if they differ; else empty.
+    pub values: Vec<f64>,
     /// A change of it: 1 %, or 0.01 of a Poisson ratio. Where the value is at the end of what is
     /// possible, as a Poisson ratio of 0.5, it goes to the other side.
     pub step: f64,

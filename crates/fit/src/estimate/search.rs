@@ -5,8 +5,8 @@ use super::noise::estimate_noise;
 use super::problem::{Assigned, Ending, Problem};
 use super::uncertainty::Uncertainty;
 use crate::model::Assignment;
-use crate::statistics::{MEDIAN, excess, median};
-use crate::{Bodies, Branch, Experiment, Kind, Loss, Parameter};
+use crate::statistics::{MEDIAN, excess, extremes, median};
+use crate::{Bodies, Branch, Experiment, Loss, Parameter, Point};
 
 /// The most evaluations over the number of parameters + 1.
 pub(super) const PATIENCE: usize = 60;
@@ -69,9 +69,7 @@ impl Data {
 pub(super) fn range(experiment: &Experiment) -> f64 {
     let count = experiment.measurement.points.len();
     let readings = (0..count).map(|i| experiment.compared(i));
-    let [least, most] = readings.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], y| {
-        [l.min(y), m.max(y)]
-    });
+    let [least, most] = extremes(readings);
     most - least
 }
 
@@ -79,11 +77,8 @@ pub(super) fn range(experiment: &Experiment) -> f64 {
 pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
     let mut assigned = assigned.clone();
     let experiment = &assigned.experiment;
-    let at_positions = matches!(
-        experiment.measurement.kind,
-        Kind::LoadPenetration | Kind::ForceHeight
-    );
-    if !at_positions {
+    let kind = experiment.measurement.kind;
+    if kind.at_radii() || kind.is_stiffness() {
         return assigned;
     }
     let points = &experiment.measurement.points;
@@ -93,9 +88,7 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
             .zip(&assigned.branches)
             .filter(|(_, own)| **own == branch)
             .map(|(point, _)| experiment.sense() * point.abscissa);
-        let [least, most] = positions.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
-            [l.min(v), m.max(v)]
-        });
+        let [least, most] = extremes(positions);
         let adhesive = experiment.work_of(branch) > 0.0;
         let ends = least + HELD_BACK * (most - least);
         for (point, own) in points.iter().zip(&mut assigned.branches) {
@@ -107,13 +100,17 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
     assigned
 }
 
-/// Leaves out all but [`FEW`] points of each branch.
+/// Leaves out all but [`FEW`] points of each branch, and without adhesion of contact and of flat ends.
 pub(super) fn thin(mut assigned: Assigned) -> Assigned {
-    for branch in [Branch::Advancing, Branch::Receding, Branch::Baseline] {
-        let of_branch = assigned.order.iter().copied();
-        let own: Vec<usize> = of_branch
-            .filter(|&i| assigned.branches[i] == branch)
-            .collect();
+    let parts = assigned.branches_without_flat_ends(true);
+    for part in [
+        Branch::Advancing,
+        Branch::Receding,
+        Branch::Baseline,
+        Branch::LeftOut,
+    ] {
+        let own = |&i: &usize| parts[i] == part && assigned.branches[i] != Branch::LeftOut;
+        let own: Vec<usize> = assigned.order.iter().copied().filter(own).collect();
         let stride = own.len().div_ceil(FEW).max(1);
         for (n, i) in own.into_iter().enumerate() {
             if n % stride != 0 {
@@ -204,11 +201,7 @@ fn clear_branches(
 ) -> Vec<Branch> {
     let mut ends = ends(problem, e, uncertainty, whole);
     narrow(whole, &mut ends);
-    let near = near_the_end(whole, &ends);
-    let branches = whole.branches.iter().zip(near);
-    let branches: Vec<Branch> = branches
-        .map(|(branch, near)| if near { Branch::LeftOut } else { *branch })
-        .collect();
+    let branches = clear_of(whole, &ends);
     let counting = branches.iter().filter(|own| **own != Branch::LeftOut);
     if counting.count() < problem.slots.len() {
         // The values are so uncertain that the branch may end anywhere.
@@ -291,16 +284,19 @@ pub(super) fn ends(
         .collect()
 }
 
-/// Tells which points in contact are beyond the end of their branch, or too near to it.
-pub(super) fn near_the_end(whole: &Assigned, ends: &[End]) -> Vec<bool> {
+/// Returns the branches without the points in contact that are beyond the end of their branch, or too
+/// near to it.
+pub(super) fn clear_of(whole: &Assigned, ends: &[End]) -> Vec<Branch> {
     let sense = whole.experiment.sense();
     let points = whole.experiment.measurement.points.iter();
-    points
-        .zip(&whole.branches)
-        .map(|(point, branch)| {
-            ends.iter().any(|end| {
-                end.branch == *branch && sense * point.abscissa <= end.position + end.clear
-            })
-        })
-        .collect()
+    let branch = |(point, &branch): (&Point, &Branch)| {
+        let is_near =
+            |end: &End| end.branch == branch && sense * point.abscissa <= end.position + end.clear;
+        if ends.iter().any(is_near) {
+            Branch::LeftOut
+        } else {
+            branch
+        }
+    };
+    points.zip(&whole.branches).map(branch).collect()
 }

@@ -33,6 +33,12 @@ pub(crate) struct Coordinate {
 }
 
 impl Slot {
+    /// Tells whether it is a value of `experiment`, which has the number `e`, and has an effect on it.
+    pub fn is_of(&self, e: usize, experiment: &Experiment) -> bool {
+        self.experiment.is_none_or(|own| own == e)
+            && experiment.why_without_effect(self.parameter).is_none()
+    }
+
     /// Returns the slot without bounds and prior, starting from a value.
     pub fn without_limits(&self, start: f64) -> Self {
         Self {
@@ -44,16 +50,6 @@ impl Slot {
 }
 
 impl Coordinate {
-    /// Takes the start, the unit of a value that may be negative, and the bounds.
-    pub fn new(positive: bool, start: f64, unit: f64, bounds: Option<[f64; 2]>) -> Self {
-        Self {
-            positive,
-            start,
-            unit: if positive { 1.0 } else { unit },
-            bounds,
-        }
-    }
-
     /// Returns a value, or its logarithm if it is positive.
     fn scaled(&self, value: f64) -> f64 {
         if self.positive { value.ln() } else { value }
@@ -165,23 +161,15 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
     let mut slots = Vec::new();
     for one in free {
         let applies = |experiment: &Experiment| experiment.why_without_effect(one.parameter);
-        if let Some((first, reason)) = experiments.first().and_then(|first| {
-            let none = experiments
-                .iter()
-                .all(|experiment| applies(experiment).is_some());
-            applies(first)
-                .filter(|_| none)
-                .map(|reason| (first, reason))
-        }) {
-            return Err(Error::NotApplicable {
-                parameter: one.parameter,
-                experiment: first.measurement.name.clone(),
-                reason,
-            });
-        }
         let members: Vec<usize> = (0..experiments.len())
             .filter(|&e| applies(&experiments[e]).is_none())
             .collect();
+        if members.is_empty()
+            && let Some(first) = experiments.first()
+            && let Some(reason) = applies(first)
+        {
+            return Err(first.not_applicable(one.parameter, reason));
+        }
         let start_of = |e: usize| {
             let own = experiments[e].get(one.parameter);
             one.start.or(own).or(match one.parameter {
@@ -197,11 +185,11 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             parameter: one.parameter,
             experiment,
             prior: one.prior,
-            coordinate: Coordinate::new(
-                one.parameter.is_positive(),
+            coordinate: Coordinate {
+                positive: one.parameter.is_positive(),
                 start,
-                1.0,
-                one.bounds.or(match one.parameter {
+                unit: 1.0,
+                bounds: one.bounds.or(match one.parameter {
                     Parameter::FilmPoissonRatio => Some([0.0, 0.5]),
                     Parameter::RelaxedFraction => Some([0.0, 1.0]),
                     Parameter::RelaxationExponent => Some(EXPONENTS),
@@ -210,12 +198,11 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                         .map(|layer| interface_bounds(layer, start)),
                     _ => None,
                 }),
-            ),
+            },
         };
-        let missing = |e: usize| Error::NotApplicable {
-            parameter: one.parameter,
-            experiment: experiments[e].measurement.name.clone(),
-            reason: "it has no value to start from; give one".into(),
+        let missing = |e: usize| {
+            let reason = "it has no value to start from; give one";
+            experiments[e].not_applicable(one.parameter, reason)
         };
         match one.scope {
             Scope::Own if experiments.len() > 1 => {
@@ -230,18 +217,12 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 for &e in &members[1..] {
                     let other = start_of(e).ok_or_else(|| missing(e))?;
                     if other != start {
-                        return Err(Error::Setting {
-                            name: format!(
-                                "{} of {}",
-                                one.parameter, experiments[e].measurement.name
-                            ),
-                            value: other,
-                            allowed: format!(
-                                "{start:?}, that of {}, because one value is fitted for all: give \
-                                 one start, or fit a value for each",
-                                experiments[first].measurement.name
-                            ),
-                        });
+                        let allowed = format!(
+                            "{start:?}, that of {}, because one value is fitted for all: give \
+                             one start, or fit a value for each",
+                            experiments[first].measurement.name
+                        );
+                        return Err(experiments[e].wrong_setting(one.parameter, other, allowed));
                     }
                 }
                 slots.push(slot(None, start));
@@ -267,10 +248,8 @@ fn interface_bounds(layer: &NamedLayer, start: f64) -> [f64; 2] {
 /// Accepts the start, bounds and prior of a free parameter.
 fn accept(free: &Free) -> Result<(), Error> {
     let parameter = free.parameter;
-    let setting = |what: &str, value: f64, allowed: String| Error::Setting {
-        name: format!("{what} of {parameter}"),
-        value,
-        allowed,
+    let setting = |what: &str, value: f64, allowed: String| {
+        Error::setting(format!("{what} of {parameter}"), value, allowed)
     };
     let is_possible = |value: f64| value.is_finite() && (!parameter.is_positive() || value > 0.0);
     let possible = if parameter.is_positive() {

@@ -12,7 +12,7 @@ use crate::model::Freedom;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, FittedRelaxation, Free,
-    LeftOut, LossAngle, Options, Parameter,
+    LeftOut, LossAngle, Options, Parameter, WithoutFilm,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -113,9 +113,9 @@ fn intervals<'a>(
             student_deviations(level, freedom.max(1))
         };
         match profile::intervals(&found.problem, uncertainty, deviations) {
-            Ok(intervals) => {
-                found.problem.evaluations += intervals.evaluations;
-                return Some(intervals.ends);
+            Ok((ends, evaluations)) => {
+                found.problem.evaluations += evaluations;
+                return Some(ends);
             }
             Err(lower) => found.replace_by(*lower, data),
         }
@@ -128,8 +128,7 @@ fn intervals<'a>(
 /// Returns the number of points that count, and of priors, less that of the values found, and whether
 /// the noise of all experiments is known.
 fn freedom(problem: &Problem<'_>) -> (usize, bool) {
-    let priors = problem.slots.iter().filter(|slot| slot.prior.is_some());
-    let rows = problem.counting() + priors.count();
+    let rows = problem.residual_count();
     let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
     (
         rows.saturating_sub(problem.slots.len()),
@@ -179,9 +178,8 @@ pub(crate) fn prepare(
         }
         experiment.reach_contacts();
         if is_free(Parameter::WorkOfAdhesionReceding) {
-            let receding = experiment.work_of_adhesion_receding;
-            let receding = receding.unwrap_or(experiment.work_of_adhesion);
-            experiment.work_of_adhesion_receding = Some(receding);
+            let work = experiment.work_of_adhesion;
+            experiment.work_of_adhesion_receding.get_or_insert(work);
         }
         let adhesive = is_free(Parameter::WorkOfAdhesion)
             || is_free(Parameter::WorkOfAdhesionReceding)
@@ -200,23 +198,17 @@ pub(crate) fn prepare(
 
 /// Accepts noise and works of adhesion.
 fn accept_numbers(experiment: &Experiment, parameters: usize) -> Result<(), Error> {
-    let name = &experiment.measurement.name;
     if experiment.measurement.points.is_empty() {
         return Err(Error::TooFewPoints {
             points: 0,
             parameters,
         });
     }
-    let setting = |what: &str, value: f64, allowed: &str| Error::Setting {
-        name: format!("{what} of {name}"),
-        value,
-        allowed: allowed.into(),
-    };
     experiment.accept_errors()?;
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let value = experiment.get(parameter);
         if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
-            return Err(setting(&parameter.name(), value, ">= 0 and finite"));
+            return Err(experiment.wrong_setting(parameter, value, ">= 0 and finite"));
         }
     }
     Ok(())
@@ -227,30 +219,23 @@ fn accept(options: &Options) -> Result<(), Error> {
     loss::accept(options.loss)?;
     let range = options.interaction_range;
     if !(range > 0.0 && range.is_finite()) {
-        return Err(Error::Setting {
-            name: "the interaction range".into(),
-            value: range,
-            allowed: "positive and finite".into(),
-        });
+        let allowed = "positive and finite";
+        return Err(Error::setting("the interaction range", range, allowed));
     }
     if options.profile_level.is_some() && !options.known.is_empty() {
-        return Err(Error::Setting {
-            name: "the number of known errors beside profile-likelihood intervals".into(),
-            value: options.known.len() as f64,
-            allowed: "0: a profile keeps the known values and holds nothing of their errors; free \
-                      them with a prior instead"
-                .into(),
-        });
+        return Err(Error::setting(
+            "the number of known errors beside profile-likelihood intervals",
+            options.known.len() as f64,
+            "0: a profile keeps the known values and holds nothing of their errors; free them with \
+             a prior instead",
+        ));
     }
     if let Some(level) = options
         .profile_level
         .filter(|level| !(*level > 0.0 && *level < 1.0))
     {
-        return Err(Error::Setting {
-            name: "the level of profile-likelihood intervals".into(),
-            value: level,
-            allowed: "between 0 and 1".into(),
-        });
+        let name = "the level of profile-likelihood intervals";
+        return Err(Error::setting(name, level, "between 0 and 1"));
     }
     Ok(())
 }
@@ -271,7 +256,7 @@ pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
 /// what the relaxations do.
 type Added = (
     Option<Vec<[profile::End; 2]>>,
-    Option<without_film::Found>,
+    Option<(WithoutFilm, Vec<Vec<Option<f64>>>)>,
     Vec<Vec<LeftOut>>,
     Vec<Option<FittedRelaxation>>,
 );
@@ -298,9 +283,7 @@ fn result(
     let residuals = problem.plain_residuals();
     let chi_squared = residuals.map_or(f64::NAN, |residuals| residuals.norm_squared());
     let (degrees_of_freedom, all_given) = freedom(problem);
-    let (without_film, predictions) = without.map_or((None, None), |found| {
-        (Some(found.result), Some(found.predictions))
-    });
+    let (without_film, predictions) = without.unzip();
     let mut fit = Fit {
         converged: found.ending == Ending::Converged,
         evaluations: problem.evaluations,

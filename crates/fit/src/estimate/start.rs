@@ -8,6 +8,7 @@ use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::problem::{Assigned, Problem};
 use super::relaxing_start;
 use super::slot::Slot;
+use crate::statistics::extremes;
 use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Point};
 
 /// The most steps of the search for a modulus.
@@ -53,12 +54,8 @@ pub(crate) fn problem<'a>(
         .collect();
     let mut started = vec![false; slots.len()];
     for (e, one) in assigned.iter().enumerate() {
-        let has_effect = |slot: &Slot| {
-            slot.experiment.is_none_or(|own| own == e)
-                && one.experiment.why_without_effect(slot.parameter).is_none()
-        };
         let own: Vec<(Parameter, usize)> = (0..slots.len())
-            .filter(|&slot| has_effect(&slots[slot]))
+            .filter(|&slot| slots[slot].is_of(e, &one.experiment))
             .map(|slot| (slots[slot].parameter, slot))
             .collect();
         let mut at = one.clone();
@@ -67,9 +64,8 @@ pub(crate) fn problem<'a>(
             at.experiment
                 .replace(parameter, coordinate.value(coordinate.first()))?;
         }
-        let is_unknown = |parameter: Parameter| {
-            own.iter().any(|one| one.0 == parameter) && !given.contains(&parameter)
-        };
+        let is_own = |parameter: Parameter| own.iter().any(|one| one.0 == parameter);
+        let is_unknown = |parameter: Parameter| is_own(parameter) && !given.contains(&parameter);
         let unknown = Unknown {
             work_of_adhesion: is_unknown(Parameter::WorkOfAdhesion),
             level: is_unknown(Parameter::LoadOffset) || is_unknown(Parameter::Baseline),
@@ -77,11 +73,9 @@ pub(crate) fn problem<'a>(
             contact_point: is_unknown(Parameter::ContactPoint),
         };
         let multiplied = match variation {
-            Variation::Times(parameter, factor) => Some((parameter, factor)),
+            Variation::Times(parameter, factor) if is_own(parameter) => Some((parameter, factor)),
             _ => None,
         };
-        let multiplied =
-            multiplied.filter(|(parameter, _)| own.iter().any(|one| one.0 == *parameter));
         let matched = matched(is_unknown);
         // The modulus that is matched to the data is multiplied after that.
         let before = multiplied.filter(|(parameter, _)| matched != Some(*parameter));
@@ -90,16 +84,18 @@ pub(crate) fn problem<'a>(
         {
             at.experiment.replace(parameter, factor * value)?;
         }
-        let found = if one.experiment.measurement.kind.is_stiffness() {
+        let is_stiffness = one.experiment.measurement.kind.is_stiffness();
+        let found = if is_stiffness {
             None
         } else {
             let elastic = relaxing_start::elastic(&at, unknown.level)?;
-            let shown = elastic.as_ref().unwrap_or(&at);
-            let found = homogeneous(shown, unknown).ok_or_else(|| Error::NoStart {
-                experiment: one.experiment.measurement.name.clone(),
-            })?;
-            Some(found)
+            homogeneous(elastic.as_ref().unwrap_or(&at), unknown)
         };
+        if !is_stiffness && found.is_none() && own.iter().any(|&(own, _)| is_unknown(own)) {
+            return Err(Error::NoStart {
+                experiment: one.experiment.measurement.name.clone(),
+            });
+        }
         if let Variation::Thickness(part) = variation {
             let largest = match &found {
                 Some(found) => found.largest[0],
@@ -110,7 +106,9 @@ pub(crate) fn problem<'a>(
         }
         let mut starts = match found {
             Some(found) => starts(table, &mut at, found, matched, is_unknown)?,
-            None => indentation::starts(table, &mut at, matched, is_unknown)?,
+            None if is_stiffness => indentation::starts(table, &mut at, matched, is_unknown)?,
+            // Each has a start that was given.
+            None => Vec::new(),
         };
         starts.extend(relaxing_start::starts(
             table,
@@ -200,9 +198,7 @@ pub(super) fn unit(assigned: &Assigned, parameter: Parameter) -> f64 {
             .zip(&assigned.branches)
             .filter(|(_, branch)| !contact || **branch != Branch::Baseline)
             .map(|(point, _)| value(point));
-        let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
-            [l.min(v), m.max(v)]
-        });
+        let [least, most] = extremes(values);
         if most > least { most - least } else { 1.0 }
     };
     let loads = range(|point| point.ordinate, false);
@@ -225,6 +221,9 @@ fn starts(
     matched: Option<Parameter>,
     is_unknown: impl Fn(Parameter) -> bool,
 ) -> Result<Vec<(Parameter, f64)>, Error> {
+    use Parameter::{
+        Baseline, BaselineSlope, ContactPoint, LoadOffset, WorkOfAdhesion, WorkOfAdhesionReceding,
+    };
     let sphere_radius = radius_of(at);
     let experiment = &mut at.experiment;
     let [radius, load, _] = found.largest;
@@ -245,29 +244,13 @@ fn starts(
         }
         Ok::<_, Error>(())
     };
-    give(
-        experiment,
-        Parameter::LoadOffset,
-        found.level - experiment.baseline,
-    )?;
-    give(
-        experiment,
-        Parameter::Baseline,
-        found.level - experiment.load_offset,
-    )?;
-    give(experiment, Parameter::BaselineSlope, found.slope)?;
-    give(experiment, Parameter::ContactPoint, found.contact_point)?;
-    give(
-        experiment,
-        Parameter::WorkOfAdhesion,
-        work(found.work_of_adhesion),
-    )?;
+    give(experiment, LoadOffset, found.level - experiment.baseline)?;
+    give(experiment, Baseline, found.level - experiment.load_offset)?;
+    give(experiment, BaselineSlope, found.slope)?;
+    give(experiment, ContactPoint, found.contact_point)?;
+    give(experiment, WorkOfAdhesion, work(found.work_of_adhesion))?;
     let receding = found.receding.unwrap_or(found.work_of_adhesion);
-    give(
-        experiment,
-        Parameter::WorkOfAdhesionReceding,
-        work(receding),
-    )?;
+    give(experiment, WorkOfAdhesionReceding, work(receding))?;
     if let Some((parameter, compound)) = matched.zip(found.modulus) {
         let value = matching_modulus(table, experiment, parameter, compound, found.largest);
         give(experiment, parameter, value)?;

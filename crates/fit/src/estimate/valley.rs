@@ -24,7 +24,7 @@ const PATIENCE: usize = 6;
 const FALLS: f64 = 0.999;
 /// The distance, in standard errors, at which a standard error is tested, and the least growth of
 /// the sum of squares there. It is the square of the distance if the problem is linear.
-const TESTED: f64 = 5.0;
+pub(super) const TESTED: f64 = 5.0;
 const LEAST_GROWTH: f64 = 16.0;
 
 /// A value that may be farther away than its standard error says.
@@ -32,14 +32,10 @@ const LEAST_GROWTH: f64 = 16.0;
 pub(crate) struct Bend {
     /// The number of the slot.
     pub slot: usize,
-    /// The value at [`Bend::DISTANCE`] standard errors.
+    /// The value at [`TESTED`] standard errors.
     pub value: f64,
     /// The growth of the sum of squares there, instead of the square of the distance.
     pub growth: f64,
-}
-
-impl Bend {
-    pub const DISTANCE: f64 = TESTED;
 }
 
 /// Lists the positive values with large errors, that of the largest error first. On a stack of

@@ -7,7 +7,7 @@ use nalgebra::DVector;
 
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::loss::influence;
-use super::problem::Problem;
+use super::problem::{Assigned, Problem};
 use super::uncertainty::Uncertainty;
 use crate::{Branch, Direction, Loss, Parameter, WarningKind};
 
@@ -36,14 +36,9 @@ pub(super) fn add(
             continue;
         }
         let name = &experiment.measurement.name;
-        let is_fitted = |parameter: Parameter| {
-            problem
-                .slots_of(e)
-                .iter()
-                .any(|&slot| problem.slots[slot].parameter == parameter)
-        };
+        let fitted = problem.parameters_of(e);
         let is_wanted = |parameter: &Parameter| {
-            !is_fitted(*parameter) && experiment.why_without_effect(*parameter).is_none()
+            !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
         let mut parameters: Vec<Parameter> = [
             Parameter::LoadOffset,
@@ -54,7 +49,7 @@ pub(super) fn add(
         .into_iter()
         .filter(is_wanted)
         .collect();
-        let has_one_work = !is_fitted(Parameter::WorkOfAdhesionReceding);
+        let has_one_work = !fitted.contains(&Parameter::WorkOfAdhesionReceding);
         if has_one_work {
             parameters.push(Parameter::WorkOfAdhesion);
         }
@@ -139,10 +134,7 @@ fn mixed(
         );
         return;
     }
-    let first: usize = problem.assigned[..e]
-        .iter()
-        .map(super::problem::Assigned::counting)
-        .sum();
+    let first: usize = problem.assigned[..e].iter().map(Assigned::counting).sum();
     let own = residuals.rows(first, assigned.counting());
     let moment = |power: i32| own.iter().map(|r| r.powi(power)).sum::<f64>() / own.len() as f64;
     if own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS {

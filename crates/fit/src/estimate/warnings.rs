@@ -7,11 +7,11 @@ use interp::Probe;
 use super::doubts::{Warnings, lines};
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
-use super::problem::{Assigned, Ending, Problem};
+use super::problem::{Ending, Problem};
 use super::profile::End;
 use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use super::valley::Bend;
+use super::valley::{Bend, TESTED};
 use super::{
     agreement, cycle, friction, indentation, interfaces, no_adhesion, noise, prior, relaxing,
     wanted,
@@ -71,8 +71,8 @@ pub(super) fn warnings(
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
-    for (e, assigned) in problem.assigned.iter().enumerate() {
-        geometry(&mut warnings, problem, e, assigned, options, &fit.estimates);
+    for e in 0..problem.assigned.len() {
+        geometry(&mut warnings, problem, e, options, &fit.estimates);
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
         relaxing::add(&mut warnings, fit, problem, e);
     }
@@ -160,9 +160,9 @@ fn bend(warnings: &mut Warnings, problem: &Problem<'_>, bend: &Bend) {
              profile likelihood, or give a prior",
             bend.value,
             parameter.unit(),
-            Bend::DISTANCE,
+            TESTED,
             bend.growth,
-            Bend::DISTANCE * Bend::DISTANCE
+            TESTED * TESTED
         ),
     );
 }
@@ -356,11 +356,10 @@ fn geometry(
     warnings: &mut Warnings,
     problem: &Problem<'_>,
     e: usize,
-    assigned: &Assigned,
     options: &Options,
     estimates: &[Estimate],
 ) {
-    let experiment = &assigned.experiment;
+    let experiment = &problem.assigned[e].experiment;
     let name = &experiment.measurement.name;
     let Some([least, a]) = problem.contact_radii(e) else {
         return;
@@ -426,16 +425,7 @@ fn geometry(
             ),
         );
     }
-    let nu2 = experiment.sphere_poisson_ratio;
-    friction::add(
-        warnings,
-        name,
-        &experiment.bodies,
-        nu2,
-        &contact,
-        a,
-        estimates,
-    );
+    friction::add(warnings, experiment, &contact, a, estimates);
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;

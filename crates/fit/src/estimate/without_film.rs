@@ -3,7 +3,7 @@
 use interp::{HalfSpace, Table};
 
 use super::minima::Minimum;
-use super::problem::{Assigned, Ending, Problem};
+use super::problem::{Ending, Problem};
 use super::slot::Slot;
 use super::start::{self, Variation};
 use super::uncertainty::{Uncertainty, estimates};
@@ -16,28 +16,23 @@ const PATIENCE: usize = 40;
 const TOLERANCE: f64 = 1e-6;
 const COARSER: f64 = 1e-4;
 
-/// The fit without the film.
-pub(crate) struct Found {
-    pub result: WithoutFilm,
-    /// The ordinates that it predicts, of each point of each experiment that counts.
-    pub predictions: Vec<Vec<Option<f64>>>,
-}
-
-/// Fits the half-space that remains without the film; `None` where there is no film, where nothing
+/// Fits the half-space that remains without the film. Returns the ordinates that it predicts, too, of each
+/// point of each experiment that counts; `None` where there is no film, where nothing
 /// is left to be fitted, or where the half-space has no fit.
 pub(crate) fn without_film(
     table: &Table,
     with_film: &Minimum<'_>,
     free: &[Free],
     loss: Loss,
-) -> Option<Found> {
+) -> Option<(WithoutFilm, Vec<Vec<Option<f64>>>)> {
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
     let problem = &with_film.problem;
     let moduli = [Parameter::SphereModulus, Parameter::FilmModulus];
-    let of_tops = problem.assigned.iter().filter_map(modulus_of_top);
+    let experiments = problem.assigned.iter().map(|one| &one.experiment);
+    let of_tops = experiments.filter_map(|one| one.bodies.top_name());
     let modulus = moduli
         .into_iter()
-        .chain(of_tops)
+        .chain(of_tops.map(Parameter::LayerModulus))
         .find(|&parameter| is_free(parameter));
     // The modulus of the film, or of the top layer, is then that of the half-space.
     let of_film = modulus.filter(|&parameter| parameter != Parameter::SphereModulus);
@@ -65,14 +60,10 @@ pub(crate) fn without_film(
         half_space.compound_modulus().ok()?;
         one.experiment.bodies = Bodies::HalfSpace(half_space);
     }
-    let kept = |parameter: Parameter| match parameter {
-        _ if Some(parameter) == of_film => true,
-        Parameter::FilmModulus => false,
-        Parameter::FilmThickness | Parameter::FilmPoissonRatio => false,
-        Parameter::LayerModulus(_)
-        | Parameter::LayerThickness(_)
-        | Parameter::LayerInterfaceStiffness(_) => false,
-        _ => true,
+    let kept = |parameter: Parameter| {
+        Some(parameter) == of_film
+            || parameter == Parameter::SphereModulus
+            || !parameter.is_of_bodies()
     };
     let law = |parameter: Parameter| {
         let mut slots = problem.slots.iter();
@@ -140,23 +131,12 @@ pub(crate) fn without_film(
             standard_errors: (without - value) / error,
         })
     });
-    Some(Found {
-        predictions: predictions(&fitted),
-        result: WithoutFilm {
-            estimates,
-            chi_squared,
-            modulus,
-        },
-    })
-}
-
-/// Returns the modulus of the top layer, if it has a name.
-fn modulus_of_top(assigned: &Assigned) -> Option<Parameter> {
-    let Bodies::Layered(layered) = &assigned.experiment.bodies else {
-        return None;
+    let result = WithoutFilm {
+        estimates,
+        chi_squared,
+        modulus,
     };
-    let name = layered.layers.last()?.name?;
-    Some(Parameter::LayerModulus(name))
+    Some((result, predictions(&fitted)))
 }
 
 /// Returns the ordinates at the points that count.

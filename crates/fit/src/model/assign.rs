@@ -3,23 +3,16 @@
 //! A model that jumps off within the residual has wrong optima, because the sum of squares then
 //! jumps where a point changes its branch. So each point has its branch before the fit.
 
+use super::split::{FEWEST, KnownBaseline};
 use super::{Branch, Direction, Experiment, Kind, Point};
 use crate::Error;
 use crate::statistics::{MEDIAN, median};
 
-/// Steps and levels count if they exceed the noise by this factor.
-const SIGNIFICANT: f64 = 6.0;
-/// Points nearer to the baseline than this factor of the noise may lie on it.
-const NEAR: f64 = 5.0;
-/// The part of the last points of a segment from which a baseline without a jump is read.
-const TAIL: f64 = 0.2;
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
 const PINNED: f64 = 0.98;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
-/// Segments with fewer points are all in contact.
-const FEWEST: usize = 5;
 
 /// The branches of the points of an experiment.
 #[derive(Clone, Debug)]
@@ -52,9 +45,10 @@ impl Experiment {
     ///
     /// Against penetrations or heights each segment is read from its largest contact on. If it has
     /// a jump from below the baseline to it, larger than 6 times the noise, the points before the
-    /// jump are in contact and those after it are on the baseline. The baseline is flat to 5 times
-    /// the noise, and at the level that is known unless this level is free. Without such a jump a
-    /// flat end of the segment is the baseline. Points between contact and baseline are left out.
+    /// jump are in contact and those after it are on the baseline; a spike is no jump. The baseline
+    /// is flat to 6 times the noise, and at the level that is known unless this level is free.
+    /// Without such a jump a flat end of the segment is the baseline. Points between contact and
+    /// baseline are left out.
     pub(crate) fn assign(&self, freedom: Freedom) -> Result<Assignment, Error> {
         let points = &self.measurement.points;
         self.accept_points()?;
@@ -109,14 +103,12 @@ impl Experiment {
                     local_noise = Some(noises.iter().sum::<f64>() / noises.len() as f64);
                 }
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
-                for segment in segments {
-                    let [contact_ends, baseline_begins] = self.split(&segment, noise, freedom);
-                    for &i in &segment[contact_ends..baseline_begins] {
-                        branches[i] = Branch::LeftOut;
-                    }
-                    for &i in &segment[baseline_begins..] {
-                        branches[i] = Branch::Baseline;
-                    }
+                if freedom.adhesive {
+                    self.split(
+                        &mut branches,
+                        self.known_baseline(noise, freedom.level),
+                        true,
+                    );
                 }
             }
         }
@@ -147,7 +139,13 @@ impl Experiment {
     }
 
     /// The error of a number of a point.
-    fn refused(&self, line: u64, name: &'static str, value: f64, allowed: &'static str) -> Error {
+    pub(super) fn refused(
+        &self,
+        line: u64,
+        name: &'static str,
+        value: f64,
+        allowed: &'static str,
+    ) -> Error {
         Error::Point {
             measurement: self.measurement.name.clone(),
             line,
@@ -163,17 +161,16 @@ impl Experiment {
         let points = &measurement.points;
         let at_radii = measurement.kind.at_radii();
         let [abscissa, ordinate] = measurement.kind.names();
-        let refuse = |line, name, value, allowed| self.refused(line, name, value, allowed);
         self.accept_abscissae()?;
         for point in points {
             self.accept_number(point.line, ordinate, point.ordinate)?;
             if at_radii && point.abscissa < 0.0 {
                 let allowed = "0 (no contact) or positive";
-                return Err(refuse(point.line, abscissa, point.abscissa, allowed));
+                return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
             }
             if at_radii && point.abscissa >= self.bodies.largest_radius() {
                 let allowed = "below the radius of the sphere: check the units of both";
-                return Err(refuse(point.line, abscissa, point.abscissa, allowed));
+                return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
             }
         }
         let constant = |value: fn(&Point) -> f64| {
@@ -229,7 +226,7 @@ impl Experiment {
     ///
     /// Points without a direction are two segments if they come in the order of a loading and an
     /// unloading.
-    pub(super) fn segments(&self) -> Vec<Vec<usize>> {
+    fn segments(&self) -> Vec<Vec<usize>> {
         let points = &self.measurement.points;
         let sense = self.sense();
         let key = |i: usize| sense * points[i].abscissa;
@@ -267,67 +264,63 @@ impl Experiment {
         segments
     }
 
-    /// Returns how many points of a segment are in contact, and the number of the first one on the
-    /// baseline.
-    fn split(&self, segment: &[usize], noise: f64, freedom: Freedom) -> [usize; 2] {
-        let all_in_contact = [segment.len(); 2];
-        if segment.len() < FEWEST || !freedom.adhesive {
-            return all_in_contact;
+    /// Returns the points of loading and those of unloading, each by descending imposed value;
+    /// `None` where the data do not have both. Points without a direction have them if they come in
+    /// the order of a loading and an unloading.
+    pub(crate) fn ways(&self) -> Option<[Vec<usize>; 2]> {
+        if self.measurement.kind.is_stiffness() {
+            return None;
         }
         let points = &self.measurement.points;
-        let readings: Vec<f64> = segment
-            .iter()
-            .map(|&i| {
-                points[i].ordinate - self.baseline_slope * (points[i].abscissa - self.contact_point)
-            })
-            .collect();
-        let is_level = |free: &[f64]| {
-            let level = median(free.to_vec());
-            let scatter = median(free.iter().map(|y| (y - level).abs()).collect());
-            let is_flat = free.len() < 3 || scatter <= SIGNIFICANT * noise;
-            let known = self.load_offset + self.baseline;
-            let is_known = (level - known).abs() <= SIGNIFICANT * noise;
-            (is_flat && (is_known || (freedom.level && free.len() >= 3))).then_some(level)
-        };
-        let tail = ((TAIL * segment.len() as f64) as usize).max(FEWEST);
-        let step = |i: usize| readings[i + 1] - readings[i];
-        // An adhesive contact ends, and begins, in tension: below the reading without a contact.
-        let free = median(readings[segment.len().saturating_sub(tail)..].to_vec());
-        let largest = (0..segment.len() - 1)
-            .filter(|&i| readings[i] < free)
-            .max_by(|&i, &j| step(i).total_cmp(&step(j)));
-        if let Some(jump) = largest.filter(|&i| step(i) > SIGNIFICANT * noise)
-            && let Some(level) = is_level(&readings[jump + 1..])
+        let segments: [Vec<usize>; 2] = self.segments().try_into().ok()?;
+        let directions = [0, 1].map(|way| points[segments[way][0]].direction);
+        let are_ways = directions == Direction::ALL.map(Some) || directions == [None; 2];
+        let are_long = segments.iter().all(|way| way.len() >= FEWEST);
+        (are_ways && are_long).then_some(segments)
+    }
+
+    /// Tells the points in contact from those on the baseline, in ways between the largest contact and none.
+    fn split(&self, branches: &mut [Branch], baseline: KnownBaseline, adhesive: bool) {
+        let points = &self.measurement.points;
+        for way in self
+            .segments()
+            .into_iter()
+            .filter(|way| way.len() >= FEWEST)
         {
-            let mut ends = jump;
-            while ends > 0 && step(ends - 1) > 0.5 * step(jump) {
-                ends -= 1;
-            }
-            let lands = readings[jump + 1..]
+            let readings: Vec<f64> = way
                 .iter()
-                .position(|y| (y - level).abs() <= NEAR * noise)
-                .unwrap_or(0);
-            return [ends + 1, jump + 1 + lands];
+                .map(|&i| {
+                    let along = points[i].abscissa - self.contact_point;
+                    points[i].ordinate - self.baseline_slope * along
+                })
+                .collect();
+            let [contact_ends, baseline_begins] = if adhesive {
+                baseline.split(&readings)
+            } else {
+                baseline.flat_end(&readings)
+            };
+            for &i in &way[contact_ends..baseline_begins] {
+                branches[i] = Branch::LeftOut;
+            }
+            for &i in &way[baseline_begins..] {
+                branches[i] = Branch::Baseline;
+            }
         }
-        let Some(level) = segment
-            .len()
-            .checked_sub(tail)
-            .and_then(|from| is_level(&readings[from..]))
-        else {
-            return all_in_contact;
-        };
-        // The first contact is where two neighbours leave the baseline. Between it and the contact
-        // point a force rises from the noise: it takes as far again until it is 3 times as large.
-        let off = |i: usize, by: f64| (readings[i] - level).abs() > by * noise;
-        let leaves = |by: f64| {
-            (1..segment.len())
-                .rev()
-                .find(|&i| off(i, by) && off(i - 1, by))
-                .map_or(0, |i| i + 1)
-        };
-        let (contact_ends, clear) = (leaves(NEAR), leaves(3.0 * NEAR));
-        let margin = 2 * contact_ends.saturating_sub(clear) + 1;
-        [contact_ends, (contact_ends + margin).min(segment.len())]
+    }
+
+    /// Returns what is known of the baseline, with the noise of a reading.
+    fn known_baseline(&self, noise: f64, level_is_free: bool) -> KnownBaseline {
+        KnownBaseline {
+            level: self.load_offset + self.baseline,
+            level_is_free,
+            noise,
+        }
+    }
+
+    /// Takes the flat ends of the ways from the contact. Without adhesion the model describes them, too, but where the
+    /// contact begins they tell where a fit starts.
+    pub(crate) fn take_flat_ends(&self, branches: &mut [Branch], noise: f64, level_is_free: bool) {
+        self.split(branches, self.known_baseline(noise, level_is_free), false);
     }
 }
 

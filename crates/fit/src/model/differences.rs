@@ -11,6 +11,7 @@ use contact::Contact;
 use super::predicted::{BranchEnd, Predicted};
 use super::{Bodies, Branch, Experiment, Parameter};
 use crate::Error;
+use crate::statistics::extremes;
 
 /// The step of the logarithm of a parameter of the bodies.
 const BODY_STEP: f64 = 1e-3;
@@ -41,48 +42,26 @@ impl Experiment {
         if self.relaxing.is_some() {
             return self.predict_history(contact_of, parameters);
         }
-        if self.measurement.kind.is_stiffness() {
-            return self.stiffness_and_differences(contact_of, branches, parameters);
-        }
-        if parameters.is_none() || self.bodies.has_derivatives() {
+        let is_stiffness = self.measurement.kind.is_stiffness();
+        if !is_stiffness && (parameters.is_none() || self.bodies.has_derivatives()) {
             let contact = contact_of(&self.bodies, parameters)?;
             match self.predict(&contact, branches, order, parameters) {
                 Err(error) if parameters.is_some() && is_beyond_nodes(&error) => {}
                 predicted => return Ok(predicted?),
             }
         }
-        let columns = parameters.unwrap_or_default();
-        let contact = contact_of(&self.bodies, None)?;
-        let mut predicted = self.predict(&contact, branches, order, None)?;
-        predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
-        for (column, &parameter) in columns.iter().enumerate() {
-            let values = |experiment: &Self| {
-                let contact = contact_of(&experiment.bodies, None)?;
-                Ok(experiment.predict(&contact, branches, order, None)?.values)
-            };
-            let by = self.differences(parameter, values)?;
-            let rows = predicted.derivatives.chunks_exact_mut(columns.len());
-            for (row, by) in rows.zip(by) {
-                row[column] = by;
+        let plain = |experiment: &Self| {
+            if is_stiffness {
+                return experiment.predict_stiffness(contact_of, branches);
             }
-        }
-        Ok(predicted)
-    }
-
-    /// Predicts a contact stiffness, with derivatives by differences.
-    fn stiffness_and_differences(
-        &self,
-        contact_of: &ContactOf<'_>,
-        branches: &[Branch],
-        parameters: Option<&[Parameter]>,
-    ) -> Result<Predicted, Error> {
-        let mut predicted = self.predict_stiffness(contact_of, branches)?;
+            let contact = contact_of(&experiment.bodies, None)?;
+            Ok(experiment.predict(&contact, branches, order, None)?)
+        };
         let columns = parameters.unwrap_or_default();
+        let mut predicted = plain(self)?;
         predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
         for (column, &parameter) in columns.iter().enumerate() {
-            let values =
-                |experiment: &Self| Ok(experiment.predict_stiffness(contact_of, branches)?.values);
-            let by = self.differences(parameter, values)?;
+            let by = self.differences(parameter, |moved| Ok(plain(moved)?.values))?;
             let rows = predicted.derivatives.chunks_exact_mut(columns.len());
             for (row, by) in rows.zip(by) {
                 row[column] = by;
@@ -167,14 +146,9 @@ impl Experiment {
     /// ordinates, or their ratio.
     fn range_of(&self, parameter: Parameter) -> f64 {
         let points = &self.measurement.points;
-        let range = |values: &mut dyn Iterator<Item = f64>| {
-            let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
-                [l.min(v), m.max(v)]
-            });
-            if most > least { most - least } else { 1.0 }
-        };
-        let abscissae = range(&mut points.iter().map(|point| point.abscissa));
-        let ordinates = range(&mut points.iter().map(|point| point.ordinate));
+        let range = |[least, most]: [f64; 2]| if most > least { most - least } else { 1.0 };
+        let abscissae = range(extremes(points.iter().map(|point| point.abscissa)));
+        let ordinates = range(extremes(points.iter().map(|point| point.ordinate)));
         match parameter {
             Parameter::ContactPoint | Parameter::TipRounding => abscissae,
             Parameter::BaselineSlope => ordinates / abscissae,

@@ -6,7 +6,7 @@
 use super::differences::ContactOf;
 use super::{Branch, Experiment};
 use crate::Error;
-use crate::statistics::median;
+use crate::statistics::{extremes, median};
 
 /// The step of an abscissa by which the slope of the model is found, relative to a contact radius,
 /// or to the range of penetrations or heights.
@@ -34,11 +34,9 @@ impl Experiment {
 
     /// Returns the standard deviation of a usual ordinate, which must be known.
     pub(crate) fn known_noise(&self) -> Result<f64, Error> {
-        self.usual_noise().ok_or_else(|| Error::Setting {
-            name: format!("the noise of {}", self.measurement.name),
-            value: f64::NAN,
-            allowed: "given, positive and finite".into(),
-        })
+        let allowed = "given, positive and finite";
+        self.usual_noise()
+            .ok_or_else(|| self.wrong_setting("the noise", f64::NAN, allowed))
     }
 
     /// Returns the standard deviation of a usual abscissa; 0 if they are exact.
@@ -51,23 +49,15 @@ impl Experiment {
 
     /// Accepts the standard deviations.
     pub(crate) fn accept_errors(&self) -> Result<(), Error> {
-        let name = &self.measurement.name;
         let [abscissa, ordinate] = self.measurement.kind.names();
-        let setting = |name: String, value: f64, allowed: &str| {
-            Err(Error::Setting {
-                name,
-                value,
-                allowed: allowed.into(),
-            })
-        };
         let is_positive = |noise: f64| noise > 0.0 && noise.is_finite();
         let is_possible = |noise: f64| noise >= 0.0 && noise.is_finite();
         if let Some(noise) = self.noise.filter(|noise| !is_positive(*noise)) {
-            return setting(format!("the noise of {name}"), noise, "positive and finite");
+            return Err(self.wrong_setting("the noise", noise, "positive and finite"));
         }
         if !is_possible(self.abscissa_noise) {
-            let what = format!("the noise of the {abscissa} of {name}");
-            return setting(what, self.abscissa_noise, ">= 0 and finite");
+            let what = format!("the noise of the {abscissa}");
+            return Err(self.wrong_setting(what, self.abscissa_noise, ">= 0 and finite"));
         }
         let points = &self.measurement.points;
         let lists = [
@@ -79,22 +69,16 @@ impl Experiment {
                 continue;
             }
             if list.len() != points.len() {
-                return Err(Error::Setting {
-                    name: format!("the number of errors of the {quantity} of {name}"),
-                    value: list.len() as f64,
-                    allowed: format!("0, or that of the points, {}", points.len()),
-                });
+                let what = format!("the number of errors of the {quantity}");
+                let allowed = format!("0, or that of the points, {}", points.len());
+                return Err(self.wrong_setting(what, list.len() as f64, allowed));
             }
             for (&error, point) in list.iter().zip(points) {
                 if !(is_positive(error) || may_be_exact && error == 0.0) {
-                    return Err(Error::Point {
-                        measurement: name.clone(),
-                        line: point.line,
-                        name: "the error of the point",
-                        value: error,
-                        allowed: "a standard deviation: finite, positive for an ordinate, 0 or \
-                                  positive for an abscissa",
-                    });
+                    let allowed = "a standard deviation: finite, positive for an ordinate, 0 or \
+                                   positive for an abscissa";
+                    let what = "the error of the point";
+                    return Err(self.refused(point.line, what, error, allowed));
                 }
             }
         }
@@ -118,12 +102,7 @@ impl Experiment {
         let points = &self.measurement.points;
         let at_radii = self.measurement.kind.at_radii();
         let is_relative = at_radii || self.measurement.kind.is_stiffness();
-        let [least, most] = points
-            .iter()
-            .map(|point| point.abscissa)
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
-                [l.min(x), m.max(x)]
-            });
+        let [least, most] = extremes(points.iter().map(|point| point.abscissa));
         let step = |i: usize| {
             STEP * if is_relative {
                 points[i].abscissa

@@ -1,6 +1,7 @@
 //! A measurement with all that is known about it.
 
 use std::borrow::Cow;
+use std::fmt;
 
 use contact::{Contact, Input};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
@@ -109,6 +110,14 @@ impl Bodies {
             Self::Coated(system) => Some(system.film_thickness),
             Self::HalfSpace(_) => None,
             Self::Layered(layered) => layered.layers.last().map(|top| top.layer.thickness),
+        }
+    }
+
+    /// Returns the name of the top layer of a stack, if it has one.
+    pub(crate) fn top_name(&self) -> Option<LayerName> {
+        match self {
+            Self::Layered(layered) => layered.layers.last()?.name,
+            _ => None,
         }
     }
 
@@ -257,36 +266,27 @@ impl Experiment {
     /// a film, a layer that is not there, a stiffness that is not given, a receding work of
     /// adhesion that is not its own.
     pub fn get(&self, parameter: Parameter) -> Option<f64> {
+        use Parameter::{FilmModulus, FilmPoissonRatio, FilmThickness};
+        if let Bodies::Layered(layered) = &self.bodies
+            && layered.film().is_none()
+            && matches!(parameter, FilmModulus | FilmPoissonRatio | FilmThickness)
+        {
+            return None;
+        }
         Some(match parameter {
             Parameter::SphereModulus => match &self.bodies {
                 Bodies::Coated(system) => system.sphere_modulus,
                 Bodies::HalfSpace(half_space) => half_space.sphere_modulus,
                 Bodies::Layered(layered) => layered.sphere_modulus,
             },
-            Parameter::FilmModulus | Parameter::FilmPoissonRatio | Parameter::FilmThickness
-                if matches!(self.bodies, Bodies::Layered(_)) =>
-            {
-                let Bodies::Layered(layered) = &self.bodies else {
-                    return None;
-                };
-                let film = layered.film()?;
-                match parameter {
-                    Parameter::FilmModulus => film.layer.solid.young(),
-                    Parameter::FilmPoissonRatio => film.layer.solid.poisson(),
-                    _ => film.layer.thickness,
-                }
-            }
             Parameter::LayerModulus(name) => self.layer(name)?.layer.solid.young(),
             Parameter::LayerThickness(name) => self.layer(name)?.layer.thickness,
             Parameter::LayerInterfaceStiffness(name) => {
                 return self.layer(name)?.interface_stiffness();
             }
-            Parameter::FilmModulus => self.bodies.film().young(),
-            Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
-            Parameter::FilmThickness => match &self.bodies {
-                Bodies::Coated(system) => system.film_thickness,
-                Bodies::HalfSpace(_) | Bodies::Layered(_) => return None,
-            },
+            FilmModulus => self.bodies.film().young(),
+            FilmPoissonRatio => self.bodies.film().poisson(),
+            FilmThickness => self.bodies.top_thickness()?,
             Parameter::WorkOfAdhesion => self.work_of_adhesion,
             Parameter::WorkOfAdhesionReceding => return self.work_of_adhesion_receding,
             Parameter::LoadOffset => self.load_offset,
@@ -320,13 +320,33 @@ impl Experiment {
     /// there.
     pub fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
         if let Some(reason) = self.why_not_there(parameter) {
-            return Err(Error::NotApplicable {
-                parameter,
-                experiment: self.measurement.name.clone(),
-                reason,
-            });
+            return Err(self.not_applicable(parameter, reason));
         }
         Ok(self.replace(parameter, value)?)
+    }
+
+    /// The error of a parameter that this experiment does not tell.
+    pub(crate) fn not_applicable(
+        &self,
+        parameter: Parameter,
+        reason: impl Into<Cow<'static, str>>,
+    ) -> Error {
+        Error::NotApplicable {
+            parameter,
+            experiment: self.measurement.name.clone(),
+            reason: reason.into(),
+        }
+    }
+
+    /// The error of a setting of this experiment whose value is not allowed.
+    pub(crate) fn wrong_setting(
+        &self,
+        what: impl fmt::Display,
+        value: f64,
+        allowed: impl Into<String>,
+    ) -> Error {
+        let name = format!("{what} of {}", self.measurement.name);
+        Error::setting(name, value, allowed)
     }
 
     /// Replaces the value of a parameter that the experiment has.
@@ -454,11 +474,8 @@ impl Experiment {
         ] {
             let value = self.get(parameter).unwrap_or(0.0);
             if !(-1e100..=1e100).contains(&value) {
-                return Err(Error::Setting {
-                    name: format!("{parameter} of {}", self.measurement.name),
-                    value,
-                    allowed: "finite, and at most 1e100: check the unit".into(),
-                });
+                let allowed = "finite, and at most 1e100: check the unit";
+                return Err(self.wrong_setting(parameter, value, allowed));
             }
         }
         self.accept_relaxing()?;
@@ -469,13 +486,9 @@ impl Experiment {
         if stiffness > 0.0 && stiffness.is_finite() {
             return Ok(());
         }
-        Err(Error::Setting {
-            name: format!("stiffness of {}", self.measurement.name),
-            value: stiffness,
-            allowed:
-                "positive and finite: forces against heights need the stiffness of the cantilever"
-                    .into(),
-        })
+        let allowed =
+            "positive and finite: forces against heights need the stiffness of the cantilever";
+        Err(self.wrong_setting("stiffness", stiffness, allowed))
     }
 }
 

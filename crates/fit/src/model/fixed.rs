@@ -183,7 +183,7 @@ impl Experiment {
             Fixed::LayerModulus(number) => Some(layer(number)?.layer.solid.young()),
             Fixed::LayerThickness(number) => Some(layer(number)?.layer.thickness),
             Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.layer.solid),
-            Fixed::NamedPoissonRatio(name) => poisson(layer(self.layer_number(name)?)?.layer.solid),
+            Fixed::NamedPoissonRatio(name) => poisson(self.layer(name)?.layer.solid),
         }
     }
 
@@ -197,24 +197,10 @@ impl Experiment {
             return self.set(parameter, value);
         }
         if self.value_of(one).is_none() {
-            return Err(Error::Setting {
-                name: format!("{} of {}", one.name(), self.measurement.name),
-                value,
-                allowed: "of bodies that have it: check its name".into(),
-            });
+            let allowed = "of bodies that have it: check its name";
+            return Err(self.wrong_setting(one.name(), value, allowed));
         }
         Ok(self.replace_fixed(one, value)?)
-    }
-
-    /// Returns the number of the layer with a name, from 1, from the base up.
-    fn layer_number(&self, name: LayerName) -> Option<usize> {
-        let Bodies::Layered(layered) = &self.bodies else {
-            return None;
-        };
-        let mut layers = layered.layers.iter();
-        layers
-            .position(|layer| layer.name == Some(name))
-            .map(|i| i + 1)
     }
 
     /// Replaces a value that is there.
@@ -222,8 +208,12 @@ impl Experiment {
         let solid = match one {
             Fixed::Parameter(parameter) => return self.replace(parameter, value),
             Fixed::NamedPoissonRatio(name) => {
-                return match self.layer_number(name) {
-                    Some(number) => self.replace_fixed(Fixed::LayerPoissonRatio(number), value),
+                let Bodies::Layered(layered) = &self.bodies else {
+                    return Ok(());
+                };
+                let mut layers = layered.layers.iter();
+                return match layers.position(|layer| layer.name == Some(name)) {
+                    Some(i) => self.replace_fixed(Fixed::LayerPoissonRatio(i + 1), value),
                     None => Ok(()),
                 };
             }

@@ -11,6 +11,7 @@ use solve::stack::{Interface, Layer, Stack};
 
 use super::{Kind, Measurement, Parameter};
 use crate::Error;
+use crate::statistics::extremes;
 
 /// The largest number of bytes of the name of a layer.
 const LONGEST_NAME: usize = 40;
@@ -112,10 +113,7 @@ impl Reach {
         if let Probe::FlatPunch { radius } = probe {
             return up_to(MARGIN * radius);
         }
-        let abscissae = measurement.points.iter().map(|point| point.abscissa);
-        let [least, most] = abscissae.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
-            [l.min(x), m.max(x)]
-        });
+        let [least, most] = extremes(measurement.points.iter().map(|point| point.abscissa));
         let largest = probe.radius().unwrap_or(f64::INFINITY);
         match measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius | Kind::StiffnessRadius => {

@@ -212,18 +212,7 @@ impl FromStr for Parameter {
         let found = Self::ALL
             .into_iter()
             .find(|parameter| parameter.name() == name);
-        let of_layer = || {
-            let modulus = name.strip_suffix(MODULUS)?.parse().ok();
-            Some(Self::LayerModulus(modulus?))
-        };
-        let or_thickness = || {
-            let thickness = name.strip_suffix(THICKNESS)?.parse().ok();
-            Some(Self::LayerThickness(thickness?))
-        };
-        let or_interface = || {
-            let interface = name.strip_suffix(INTERFACE)?.parse().ok();
-            Some(Self::LayerInterfaceStiffness(interface?))
-        };
+        let layer = |suffix: &str| name.strip_suffix(suffix)?.parse().ok();
         let of_time = || {
             let number = |prefix| name.strip_prefix(prefix)?.strip_prefix('.')?.parse().ok();
             let time = number(TIME).filter(|&number| number > 0);
@@ -233,9 +222,9 @@ impl FromStr for Parameter {
         };
         found
             .or_else(of_time)
-            .or_else(of_layer)
-            .or_else(or_thickness)
-            .or_else(or_interface)
+            .or_else(|| layer(MODULUS).map(Self::LayerModulus))
+            .or_else(|| layer(THICKNESS).map(Self::LayerThickness))
+            .or_else(|| layer(INTERFACE).map(Self::LayerInterfaceStiffness))
             .ok_or_else(|| Error::UnknownParameter(name.to_owned()))
     }
 }

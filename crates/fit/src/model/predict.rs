@@ -5,7 +5,6 @@ use contact::{Contact, Derivatives, Equilibria, Input, State};
 use interp::Probe;
 
 use super::predicted::{BranchEnd, Predicted};
-use super::readings::imposed;
 use super::turn::Turn;
 use super::{Branch, Direction, Experiment, Kind, Parameter};
 
@@ -134,7 +133,7 @@ impl Experiment {
         } else {
             None
         };
-        let least = end.map_or(0.0, |end| imposed(control, end.load, end.penetration));
+        let least = end.map_or(0.0, |end| control.imposed(end.load, end.penetration));
         within.retain(|&i| {
             let inside = imposed_at(i) > least;
             if !inside && end.is_some() {
@@ -240,14 +239,14 @@ impl Experiment {
     ) -> Result<(), contact::Error> {
         let control = self.control();
         let a = end.contact_radius;
-        let least = imposed(control, end.load, end.penetration);
+        let least = control.imposed(end.load, end.penetration);
         let slope = if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
             let stiffness = contact.stiffness(a)?;
-            stiffness / imposed(control, stiffness, 1.0)
+            stiffness / control.imposed(stiffness, 1.0)
         } else {
             let (load, penetration) =
                 contact.load_and_penetration(NEAR_END * a, self.work_of(branch))?;
-            (load - end.load) / (imposed(control, load, penetration) - least)
+            (load - end.load) / (control.imposed(load, penetration) - least)
         };
         let gradient = if columns.is_empty() {
             None
@@ -264,7 +263,7 @@ impl Experiment {
             for (derivative, &parameter) in row.iter_mut().zip(columns) {
                 if let Some(input) = self.input_on(parameter, branch) {
                     let by = gradient.by(input)?;
-                    *derivative += by.load - slope * imposed(control, by.load, by.penetration);
+                    *derivative += by.load - slope * control.imposed(by.load, by.penetration);
                 }
                 *derivative += slope * self.imposed_derivative(parameter, end.load);
             }
@@ -292,14 +291,14 @@ impl Experiment {
                 let of_state = match self.input_on(parameter, branch) {
                     Some(input) => {
                         let by = gradient.by(input)?;
-                        imposed(control, by.load, by.penetration)
+                        control.imposed(by.load, by.penetration)
                     }
                     None => -self.imposed_derivative(parameter, end.load),
                 };
                 derivatives.push(self.sense() * of_state);
             }
         }
-        let value = imposed(control, end.load, end.penetration);
+        let value = control.imposed(end.load, end.penetration);
         Ok(Some(BranchEnd {
             abscissa: self.contact_point + self.sense() * value,
             derivatives,

@@ -69,11 +69,7 @@ impl Experiment {
         self.accept_abscissae()?;
         for &parameter in parameters {
             if let Some(reason) = self.why_without_effect(parameter) {
-                return Err(Error::NotApplicable {
-                    parameter,
-                    experiment: self.measurement.name.clone(),
-                    reason,
-                });
+                return Err(self.not_applicable(parameter, reason));
             }
         }
         let count = self.measurement.points.len();
@@ -92,11 +88,8 @@ impl Experiment {
         let (of_model, order) = self.branches_of_model(&contact)?;
         let branches = branches.map_or(of_model, <[Branch]>::to_vec);
         if branches.len() != count {
-            return Err(Error::Setting {
-                name: "number of branches".into(),
-                value: branches.len() as f64,
-                allowed: format!("that of the points, {count}"),
-            });
+            let (found, allowed) = (branches.len(), format!("that of the points, {count}"));
+            return Err(Error::setting("number of branches", found as f64, allowed));
         }
         let mut predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
         if self.measurement.kind.is_stiffness() {

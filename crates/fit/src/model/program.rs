@@ -5,6 +5,7 @@
 //! replaced by straight lines through them.
 
 use super::straight_lines::lines;
+use crate::statistics::extremes;
 
 /// The least noise, in parts of the range of the values.
 const LEAST_NOISE: f64 = 1e-6;
@@ -57,10 +58,7 @@ fn rise_and_fall(values: &[f64]) -> bool {
 
 /// Returns the values of straight lines at the times; those measured if they have no noise and do not go back.
 fn without_noise(times: &[f64], measured: &[f64]) -> Vec<f64> {
-    let ends = |[least, most]: [f64; 2], &value: &f64| [least.min(value), most.max(value)];
-    let [least, most] = measured
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], ends);
+    let [least, most] = extremes(measured.iter().copied());
     // Not 0 where all values are one.
     let least_noise = (LEAST_NOISE * (most - least)).max(f64::MIN_POSITIVE);
     let values = lines(times, measured, least_noise);

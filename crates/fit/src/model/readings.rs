@@ -115,12 +115,3 @@ impl Experiment {
         }
     }
 }
-
-/// Returns the imposed value of a load and a penetration, or its derivative from theirs.
-pub(crate) fn imposed(control: Control, load: f64, penetration: f64) -> f64 {
-    match control {
-        Control::Load => load,
-        Control::Displacement => penetration,
-        Control::Spring { stiffness } => penetration + load / stiffness,
-    }
-}

@@ -8,8 +8,9 @@ use interp::{Elastic, Table};
 use super::differences::ContactOf;
 use super::predicted::Predicted;
 use super::program::Program;
-use super::{Bodies, Branch, Experiment, Kind, Parameter};
+use super::{Bodies, Branch, Experiment, Parameter};
 use crate::Error;
+use crate::statistics::extremes;
 
 /// Bodies that relax by one function, `E(t) = E_ref phi(t)`.
 ///
@@ -109,19 +110,11 @@ impl Experiment {
     /// Accepts the times of the points, and what a fit of bodies that relax needs.
     pub(super) fn accept_relaxing(&self) -> Result<(), Error> {
         let name = &self.measurement.name;
-        let setting = |what: &str, value: f64, allowed: &str| Error::Setting {
-            name: format!("{what} of {name}"),
-            value,
-            allowed: allowed.into(),
-        };
         let points = &self.measurement.points;
         if !self.times.is_empty() && self.times.len() != points.len() {
+            let found = self.times.len() as f64;
             let allowed = format!("0, or that of the points, {}", points.len());
-            return Err(setting(
-                "the number of times",
-                self.times.len() as f64,
-                &allowed,
-            ));
+            return Err(self.wrong_setting("the number of times", found, allowed));
         }
         let Some(relaxing) = &self.relaxing else {
             return Ok(());
@@ -130,21 +123,15 @@ impl Experiment {
         if let Relaxation::Prony { terms, .. } = &relaxing.law
             && !(1..=MOST_TERMS).contains(&terms.len())
         {
-            let allowed = "from 1 to 50";
-            return Err(setting(
-                "the number of relaxation times",
-                terms.len() as f64,
-                allowed,
-            ));
+            let what = "the number of relaxation times";
+            return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
         }
         let why_not = |reason: &'static str| Error::NotRelaxing {
             experiment: name.clone(),
             reason: Cow::Borrowed(reason),
         };
-        if !matches!(
-            self.measurement.kind,
-            Kind::LoadPenetration | Kind::ForceHeight
-        ) {
+        let kind = self.measurement.kind;
+        if kind.at_radii() || kind.is_stiffness() {
             return Err(why_not(
                 "a relaxation function is fitted to loads at penetrations, or to forces at heights of a \
                  cantilever, in time",
@@ -173,10 +160,7 @@ impl Experiment {
                  fit it without adhesion",
             ));
         }
-        let values = points.iter().map(|point| point.abscissa);
-        let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], x| {
-            [l.min(x), m.max(x)]
-        });
+        let [least, most] = extremes(points.iter().map(|point| point.abscissa));
         if self.program().changed > SEVERAL * (most - least) {
             return Err(why_not(
                 "its penetrations or heights go back and forth, or scatter, by more than a tenth of their range, and one \

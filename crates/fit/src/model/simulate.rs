@@ -6,7 +6,7 @@ use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Bodies, Branch, Direction, Experiment, Measurement, Parameter};
+use super::{Bodies, Branch, Direction, Experiment, Measurement, Parameter, Point};
 use crate::Error;
 
 /// Makes the measurement that the values of an experiment would give.
@@ -22,7 +22,8 @@ use crate::Error;
 ///
 /// # Errors
 /// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
-/// negative or not finite, a zero of the instrument that is not finite, or a missing stiffness;
+/// negative or not finite, a zero of the instrument that is not finite, a missing stiffness, or a
+/// contact stiffness where there is no contact;
 /// [`Error::Contact`] outside the table.
 pub fn simulate(
     table: &Table,
@@ -47,11 +48,7 @@ pub fn simulate_experiment(
     seed: u64,
 ) -> Result<Experiment, Error> {
     if !(0.0..f64::INFINITY).contains(&noise) {
-        return Err(Error::Setting {
-            name: "noise".into(),
-            value: noise,
-            allowed: ">= 0 and finite".into(),
-        });
+        return Err(Error::setting("noise", noise, ">= 0 and finite"));
     }
     experiment.accept_instrument()?;
     experiment.accept_indentation()?;
@@ -59,6 +56,13 @@ pub fn simulate_experiment(
     let mut made = experiment.clone();
     made.reach_contacts();
     made.make(table)?;
+    let apart = |point: &&Point| point.ordinate.is_nan();
+    if let Some(point) = made.measurement.points.iter().find(apart) {
+        let [abscissa, _] = made.measurement.kind.names();
+        let name = format!("the {abscissa} of a point of {}", made.measurement.name);
+        let allowed = "that of a contact: above 0 without adhesion";
+        return Err(Error::setting(name, point.abscissa, allowed));
+    }
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     // The method of Box and Muller.
     let mut normal = || {

@@ -3,7 +3,6 @@
 use contact::{Contact, Derivatives, Input, State};
 
 use super::predicted::Predicted;
-use super::readings::imposed;
 use super::{Branch, Experiment, Parameter};
 
 /// The contact at the turn from approach to retract, in which the line stays until the energy
@@ -46,7 +45,7 @@ impl Experiment {
         if !columns.is_empty() {
             let gradient = contact.gradient(a, w)?;
             let by = gradient.by(Input::ContactRadius)?;
-            let slope = imposed(control, by.load, by.penetration);
+            let slope = control.imposed(by.load, by.penetration);
             for &parameter in columns {
                 let input = match parameter {
                     Parameter::WorkOfAdhesion if w > 0.0 => Some(Input::WorkOfAdhesion),
@@ -55,7 +54,7 @@ impl Experiment {
                 let change = match input {
                     Some(input) => {
                         let by = gradient.by(input)?;
-                        -imposed(control, by.load, by.penetration)
+                        -control.imposed(by.load, by.penetration)
                     }
                     None => self.imposed_derivative(parameter, state.load),
                 };
@@ -82,8 +81,8 @@ impl Experiment {
         let abscissa = self.measurement.points[i].abscissa;
         let (control, a) = (self.control(), turn.state.contact_radius);
         let [load, penetration] = turn.adhesionless;
-        let flat_punch = (imposed(control, load, penetration) - self.imposed(abscissa))
-            / imposed(control, turn.stiffness, 1.0);
+        let flat_punch = (control.imposed(load, penetration) - self.imposed(abscissa))
+            / control.imposed(turn.stiffness, 1.0);
         let (load, penetration) = (load - turn.stiffness * flat_punch, penetration - flat_punch);
         predicted.values[i] = self.baseline_at(abscissa) + load;
         predicted.radii[i] = a;
@@ -100,9 +99,9 @@ impl Experiment {
         let gradient = contact.gradient(a, w)?;
         let by_work = gradient.by(Input::WorkOfAdhesion)?;
         let by_radius = gradient.by(Input::ContactRadius)?;
-        let stiffness = by_work.load / imposed(control, by_work.load, by_work.penetration);
+        let stiffness = by_work.load / control.imposed(by_work.load, by_work.penetration);
         let at_fixed_value =
-            |by: Derivatives| by.load - stiffness * imposed(control, by.load, by.penetration);
+            |by: Derivatives| by.load - stiffness * control.imposed(by.load, by.penetration);
         let row = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
         for ((derivative, &parameter), radius) in row.iter_mut().zip(columns).zip(&turn.radius) {
             let [constant, slope] = self.baseline_derivative(parameter);

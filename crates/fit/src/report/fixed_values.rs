@@ -1,7 +1,5 @@
 //! What the values that a fit takes as given do to its result.
 
-use std::fmt::{self, Write};
-
 use super::unit::scaled;
 use super::{NAME, name};
 use crate::{Estimate, Fit, FixedValue};
@@ -13,19 +11,14 @@ const MANY: f64 = 1e5;
 
 /// Writes a row for each given value, with the change of each estimate that follows from a change
 /// of the value, and below it the errors that known values add.
-pub fn write(out: &mut String, fit: &Fit, files: &[&str]) -> fmt::Result {
+pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
     if fit.fixed_values.is_empty() {
-        return Ok(());
+        return;
     }
     let names: Vec<String> = fit.estimates.iter().map(|one| name(one, files)).collect();
     let header = names.iter().map(|name| format!("  {name:>COLUMN$}"));
-    let title = "what the fixed values do";
-    writeln!(
-        out,
-        "\n{title:<width$}{}",
-        header.collect::<String>(),
-        width = 2 * NAME
-    )?;
+    let (header, width) = (header.collect::<String>(), 2 * NAME);
+    *out += &format!("\n{:<width$}{header}\n", "what the fixed values do");
     for one in &fit.fixed_values {
         let cells = fit.estimates.iter().zip(&one.changes).zip(&names);
         let cells = cells.map(|((estimate, change), name)| {
@@ -35,13 +28,8 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) -> fmt::Result {
                 width = name.len().max(COLUMN)
             )
         });
-        let (what, by) = (one.quantity.name(), step(one));
-        writeln!(
-            out,
-            "  {what:<NAME$} {by:<width$}{}",
-            cells.collect::<String>(),
-            width = NAME - 3
-        )?;
+        let (what, by, cells) = (one.quantity.name(), step(one), cells.collect::<String>());
+        *out += &format!("  {what:<NAME$} {by:<width$}{cells}\n", width = NAME - 3);
     }
     for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
         let (unit, size) = scaled(one.quantity.unit(), one.value);
@@ -50,14 +38,12 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) -> fmt::Result {
             let (unit, size) = scaled(fit.estimates[i].parameter.unit(), one.error_of(i));
             format!("{:.2} {unit} of {name}", one.error_of(i) / size)
         });
-        writeln!(
-            out,
-            "the standard errors hold those of {} +- {known} {unit}: {}",
+        *out += &format!(
+            "the standard errors hold those of {} +- {known} {unit}: {}\n",
             one.quantity.name(),
             parts.collect::<Vec<_>>().join(", ")
-        )?;
+        );
     }
-    Ok(())
 }
 
 /// Returns the change of a given value.

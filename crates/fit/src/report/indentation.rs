@@ -2,9 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::{
-    AreaFunction, Bodies, ContactDepth, Experiment, Fit, FittedExperiment, Kind, Parameter,
-};
+use crate::{AreaFunction, ContactDepth, Experiment, Fit, FittedExperiment, Kind, Parameter};
 
 /// Returns what is known of the indenter.
 pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
@@ -61,10 +59,7 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
 /// Returns the smallest and the largest contact radius of the points of an experiment over the
 /// thickness of its film or top layer; `None` on a half-space, or where no point is in contact.
 pub fn a_over_t(fit: &Fit, fitted: &FittedExperiment, experiment: &Experiment) -> Option<[f64; 2]> {
-    let top = match &experiment.bodies {
-        Bodies::Layered(layered) => layered.layers.last().and_then(|layer| layer.name),
-        _ => None,
-    };
+    let top = experiment.bodies.top_name();
     let free = top.map_or(Parameter::FilmThickness, Parameter::LayerThickness);
     let found = fit.estimate(free).map(|one| one.value);
     let thickness = found.or(experiment.bodies.top_thickness())?;

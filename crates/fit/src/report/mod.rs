@@ -13,7 +13,6 @@ mod relaxing;
 mod unit;
 
 use std::borrow::Cow;
-use std::fmt::{self, Write};
 
 use interp::Probe;
 
@@ -42,94 +41,67 @@ const WORSE: f64 = 25.0;
 /// from no file. Parameters without a unit in `units` get a prefix with which their number is at
 /// least 1.
 pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[UnitOf]) -> String {
-    write_report(fit, experiments, notes, units).expect("writing to memory does not fail")
-}
-
-/// Returns the errors expected of a planned experiment.
-pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
-    write_expected(forecast, units).expect("writing to memory does not fail")
-}
-
-fn write_expected(forecast: &Forecast, units: &[UnitOf]) -> Result<String, fmt::Error> {
-    let mut out = String::from("expected\n");
-    estimates(
-        &mut out,
-        &forecast.estimates,
-        &forecast.correlation,
-        &[],
-        units,
-    )?;
-    undetermined(&mut out, &forecast.undetermined)?;
-    Ok(out)
-}
-
-fn write_report(
-    fit: &Fit,
-    experiments: &[Experiment],
-    notes: &[Notes],
-    asked: &[UnitOf],
-) -> Result<String, fmt::Error> {
     let mut out = String::new();
     for (experiment, notes) in experiments.iter().zip(notes) {
-        writeln!(out, "{}", reading(&experiment.measurement, notes))?;
+        out += &format!("{}\n", reading(&experiment.measurement, notes));
     }
-    writeln!(out, "\nfixed")?;
-    for (name, value) in fixed(fit, &experiments[0]) {
-        writeln!(out, "  {name:<NAME$} {value}")?;
+    out += "\nfixed\n";
+    for (name, value) in fixed_of_all(fit, experiments) {
+        out += &format!("  {name:<NAME$} {value}\n");
     }
-    writeln!(
-        out,
-        "\n{}",
-        if fit.converged {
-            "found"
-        } else {
-            "not converged; the last step"
-        }
-    )?;
+    out += if fit.converged {
+        "\nfound\n"
+    } else {
+        "\nnot converged; the last step\n"
+    };
     let files: Vec<&str> = fit
         .experiments
         .iter()
         .map(|one| one.name.as_str())
         .collect();
-    estimates(&mut out, &fit.estimates, &fit.correlation, &files, asked)?;
-    if let Some(young) = young_of_sphere(fit, &experiments[0], asked) {
-        writeln!(out, "\n{:<1$} {young}", "sphere", NAME + 2)?;
+    estimates(&mut out, &fit.estimates, &fit.correlation, &files, units);
+    if let Some(young) = young_of_sphere(fit, &experiments[0], units) {
+        out += &format!("\n{:<1$} {young}\n", "sphere", NAME + 2);
     }
-    writeln!(out, "\n{}", agreement(fit, experiments))?;
+    out += &format!("\n{}\n", agreement(fit, experiments));
     for one in fit
         .experiments
         .iter()
         .filter(|one| !one.left_out.is_empty())
     {
-        writeln!(
-            out,
-            "{}: left out {}",
-            one.name,
-            left_out_text(&one.left_out)
-        )?;
+        out += &format!("{}: left out {}\n", one.name, left_out_text(&one.left_out));
     }
     let of_kinds = indentation::lines(fit, experiments);
     for text in of_kinds
         .into_iter()
         .chain(relaxing::lines(fit, experiments))
     {
-        writeln!(out, "{text}")?;
+        out += &format!("{text}\n");
     }
     if let Some(text) = film(fit, &experiments[0].bodies) {
-        writeln!(out, "{text}")?;
+        out += &format!("{text}\n");
     }
-    fixed_values::write(&mut out, fit, &files)?;
-    undetermined(&mut out, &fit.undetermined)?;
+    fixed_values::write(&mut out, fit, &files);
+    undetermined(&mut out, &fit.undetermined);
     // A wrong sign explains other warnings.
     for (experiment, notes) in experiments.iter().zip(notes) {
         for doubt in &notes.doubts {
-            writeln!(out, "warning: {}: {doubt}", experiment.measurement.name)?;
+            out += &format!("warning: {}: {doubt}\n", experiment.measurement.name);
         }
     }
     for warning in &fit.warnings {
-        writeln!(out, "warning: {}", warning.text)?;
+        out += &format!("warning: {}\n", warning.text);
     }
-    Ok(out)
+    out
+}
+
+/// Returns the errors expected of a planned experiment.
+pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
+    let mut out = String::from("expected\n");
+    let correlation = &forecast.correlation;
+    estimates(&mut out, &forecast.estimates, correlation, &[], units);
+    undetermined(&mut out, &forecast.undetermined);
+    out
 }
 
 /// Returns how a file was read, in one line.
@@ -219,6 +191,23 @@ fn column(source: &Source) -> String {
         source.role.name(),
         source.heading
     )
+}
+
+/// Returns the values that are not fitted, and of each file where they differ.
+fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>, String)> {
+    let mut all = experiments.iter().map(|experiment| fixed(fit, experiment));
+    let mut rows = all.next().unwrap_or_default();
+    let others: Vec<_> = all.collect();
+    for (name, text) in &mut rows {
+        let own = others.iter().flatten().filter(|other| other.0 == *name);
+        let own: Vec<&str> = own.map(|(_, own)| own.as_str()).collect();
+        // A reference without a film has a substrate without a symbol.
+        let value = text.trim_end_matches(" E0");
+        if own.iter().any(|own| own.trim_end_matches(" E0") != value) {
+            *text = format!("{text}, {}", own.join(", "));
+        }
+    }
+    rows
 }
 
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
@@ -360,28 +349,22 @@ fn estimates(
     correlation: &[Vec<f64>],
     files: &[&str],
     asked: &[UnitOf],
-) -> fmt::Result {
+) {
     let name = |estimate: &Estimate| name(estimate, files);
     for estimate in estimates {
-        writeln!(
-            out,
-            "  {:<NAME$} {}{}",
-            name(estimate),
-            value(estimate, asked),
-            which_modulus(estimate.parameter)
-        )?;
+        let (value, modulus) = (value(estimate, asked), which_modulus(estimate.parameter));
+        *out += &format!("  {:<NAME$} {value}{modulus}\n", name(estimate));
     }
     if estimates.len() > 1 {
-        writeln!(out, "\ncorrelation")?;
+        *out += "\ncorrelation\n";
         for (i, (estimate, row)) in estimates.iter().zip(correlation).enumerate() {
             let row: String = row[..=i]
                 .iter()
                 .map(|value| format!("{value:>7.3}"))
                 .collect();
-            writeln!(out, "  {:<NAME$} {row}", name(estimate))?;
+            *out += &format!("  {:<NAME$} {row}\n", name(estimate));
         }
     }
-    Ok(())
 }
 
 /// Returns the name of an estimate, with its file if it is one file's own of several.
@@ -393,10 +376,10 @@ fn name(estimate: &Estimate, files: &[&str]) -> String {
 }
 
 /// Writes the combinations that data do not determine.
-fn undetermined(out: &mut String, combinations: &[Combination]) -> fmt::Result {
-    combinations
-        .iter()
-        .try_for_each(|one| writeln!(out, "the data do not determine {}", one.text))
+fn undetermined(out: &mut String, combinations: &[Combination]) {
+    for one in combinations {
+        *out += &format!("the data do not determine {}\n", one.text);
+    }
 }
 
 /// Returns value, error and unit of an estimate, and its interval.

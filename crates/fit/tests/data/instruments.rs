@@ -1,10 +1,10 @@
 //! Files in the style of instruments' programs. The numbers are invented; the headings are those of
 //! exports.
 
+use fit::Kind;
 use fit::data::{Cantilever, Column, Format, Segments};
-use fit::{Direction, Kind};
 
-use crate::{assert_values, read, rows, sound, values};
+use crate::{assert_values, directions, read, rows, sound, values};
 
 /// Headings, the kind that is asked for, and what one row of numbers gives in SI units.
 #[test]
@@ -66,10 +66,7 @@ fn segments_may_have_columns_of_their_own() {
     let reading = sound(JPK, &Format::default());
     let expected = [[3.0, 0.0], [2.0, 1.0], [1.0, 2.0], [1.5, 2.0], [2.5, 1.0]];
     assert_values(&values(&reading), &expected);
-    let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
-    let points = reading.measurement.points.iter();
-    let directions: Vec<_> = points.map(|point| point.direction).collect();
-    assert_eq!(directions, [approach, approach, approach, retract, retract]);
+    assert_eq!(directions(&reading), "aaarr");
     let notes = &reading.notes;
     assert_eq!(
         (notes.pauses, notes.blocks, notes.other_segments),
@@ -181,10 +178,7 @@ fn segments_of_nanoindenters_are_read() {
                 Load Segment Type,1,1\n,2,3\nHold Segment Type,2,3\n,2,3\n\
                 Unload From Peak Segment Type,1.5,2\n,1,0\n";
     let reading = sound(text, &Format::default());
-    let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
-    let points = reading.measurement.points.iter();
-    let directions: Vec<_> = points.map(|point| point.direction).collect();
-    assert_eq!(directions, [approach, approach, retract, retract]);
+    assert_eq!(directions(&reading), "aarr");
     assert_eq!(reading.notes.pauses, 2);
 }
 
@@ -207,10 +201,7 @@ fn a_column_without_a_heading_can_have_a_direction() {
             [-7.8e-9, 1.5e-9],
         ],
     );
-    assert_eq!(
-        reading.measurement.points[2].direction,
-        Some(Direction::Retract)
-    );
+    assert_eq!(directions(&reading), "aarr");
 }
 
 /// A version of afmformats wrote no end of the line between headings and the first row.
@@ -223,12 +214,5 @@ fn a_first_row_on_the_line_of_headings_is_read() {
         &values(&reading),
         &[[5e-6, -1e-9], [4e-6, 0.0], [3e-6, 1e-9]],
     );
-    let directions: Vec<_> = reading
-        .measurement
-        .points
-        .iter()
-        .map(|p| p.direction)
-        .collect();
-    assert_eq!(directions[0], Some(Direction::Approach));
-    assert_eq!(directions[2], Some(Direction::Retract));
+    assert_eq!(directions(&reading), "aar");
 }

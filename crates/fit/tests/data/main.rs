@@ -11,6 +11,7 @@ mod properties;
 mod tables;
 
 use fit::data::{DataError, Format, Reading, read_from};
+use fit::{Direction, Point};
 
 /// Reads a text.
 fn read(text: &str, format: &Format) -> Result<Reading, DataError> {
@@ -43,6 +44,16 @@ fn values(reading: &Reading) -> Vec<[f64; 2]> {
         .iter()
         .map(|point| [point.abscissa, point.ordinate])
         .collect()
+}
+
+/// Returns a letter for the direction of each point: `a` of approach, `r` of retract, `-` of none.
+fn directions(reading: &Reading) -> String {
+    let letter = |point: &Point| match point.direction {
+        Some(Direction::Approach) => 'a',
+        Some(Direction::Retract) => 'r',
+        None => '-',
+    };
+    reading.measurement.points.iter().map(letter).collect()
 }
 
 /// Asserts that two lists of points are equal up to the rounding of a product.

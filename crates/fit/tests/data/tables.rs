@@ -3,7 +3,7 @@
 use fit::data::{Cantilever, Format, Remedy, Segments};
 use fit::{Direction, Kind};
 
-use crate::{assert_values, sound, values};
+use crate::{assert_values, directions, sound, values};
 
 /// Two points with a radius of 50 and 60 um and a load of -0.1 and 0.2 mN.
 const TWO: [[f64; 2]; 2] = [[50e-6, -0.1e-3], [60e-6, 0.2e-3]];
@@ -35,13 +35,9 @@ fn delimiters_decimal_marks_quotes_comments_and_ends_of_line() {
 }
 
 #[test]
-fn latin_1_and_lines_of_points_are_kept() {
-    let reading = fit::data::read_from(
-        &b"# \xb5\nRadius [\xb5m]\tLoad [mN]\n\n50\t-0.1\n# note\n60\t0.2\n"[..],
-        "file",
-        &Format::default(),
-    )
-    .expect("a sound table");
+fn lines_of_points_are_kept() {
+    let text = "# lens\nRadius [um]\tLoad [mN]\n\n50\t-0.1\n# note\n60\t0.2\n";
+    let reading = sound(text, &Format::default());
     assert_values(&values(&reading), &TWO);
     let lines: Vec<u64> = reading.measurement.points.iter().map(|p| p.line).collect();
     assert_eq!(lines, [4, 6]);
@@ -121,67 +117,39 @@ fn columns_are_named_by_heading_by_number_and_with_a_minus() {
 
 #[test]
 fn segments_come_from_a_column_from_comments_from_headings_or_from_the_course() {
-    let directions = |text: &str, segments, only| {
+    let by_column = "height,force,segment\n2,0,approach\n1,1,Extend\n1,1,pause\n2,0,RETRACT\n";
+    let by_number = "height,force,phase\n2,0,0\n1,1,False\n2,0,1\n";
+    let unknown = "height,force,phase\n2,0,5\n1,1,6\n2,0,7\n";
+    let by_comment = "# segment: extend\n# columns: height force\n# units: m N\n2 0\n1 1\n\n\
+                      # segment: retract\n# columns: height force\n# units: m N\n1 0.9\n2 0\n";
+    let by_heading = "Extend Z(nm),Extend Force(nN),Retract Z(nm),Retract Force(nN)\n\
+                      2,0,1,0.9\n1,1,2,-0.5\n,,3,0\n";
+    let none = "height,force\n2,0\n1,1\n1.5,0.2\n2,0\n";
+    let lens = "contact_radius,load\n1,0\n2,1\n1.5,0.2\n1,0\n";
+    // The directions, whether they were split, and the number of rows that were left out.
+    for (text, segments, only, expected) in [
+        (by_column, Segments::Auto, None, "aar 1"),
+        (by_column, Segments::Auto, Some(Direction::Retract), "r 3"),
+        (by_number, Segments::Auto, None, "aar 0"),
+        (unknown, Segments::Split, None, "aar split 0"),
+        (by_comment, Segments::Auto, None, "aarr 0"),
+        (by_heading, Segments::Auto, None, "aarrr 0"),
+        (none, Segments::Auto, None, "aarr split 0"),
+        (none, Segments::File, None, "---- 0"),
+        (lens, Segments::Auto, None, "---- 0"),
+        (lens, Segments::Split, None, "aarr split 0"),
+    ] {
         let format = Format {
             segments,
             only,
             ..Format::default()
         };
         let reading = sound(text, &format);
-        let points = reading.measurement.points.iter();
-        let directions: Vec<_> = points.map(|point| point.direction).collect();
-        (
-            directions,
-            reading.notes.split.is_some(),
-            reading.notes.pauses + reading.notes.other_segments,
-        )
-    };
-    let [approach, retract] = [Direction::Approach, Direction::Retract].map(Some);
-    let by_column = "height,force,segment\n2,0,approach\n1,1,Extend\n1,1,pause\n2,0,RETRACT\n";
-    assert_eq!(
-        directions(by_column, Segments::Auto, None),
-        (vec![approach, approach, retract], false, 1)
-    );
-    assert_eq!(
-        directions(by_column, Segments::Auto, Some(Direction::Retract)).0,
-        [retract]
-    );
-    assert_eq!(
-        directions(
-            "height,force,phase\n2,0,0\n1,1,False\n2,0,1\n",
-            Segments::Auto,
-            None
-        )
-        .0,
-        [approach, approach, retract]
-    );
-    let unknown = "height,force,phase\n2,0,5\n1,1,6\n2,0,7\n";
-    assert_eq!(
-        directions(unknown, Segments::Split, None).0,
-        [approach, approach, retract]
-    );
-    let by_comment = "# segment: extend\n# columns: height force\n# units: m N\n2 0\n1 1\n\n\
-                      # segment: retract\n# columns: height force\n# units: m N\n1 0.9\n2 0\n";
-    assert_eq!(
-        directions(by_comment, Segments::Auto, None).0,
-        [approach, approach, retract, retract]
-    );
-    let by_heading = "Extend Z(nm),Extend Force(nN),Retract Z(nm),Retract Force(nN)\n\
-                      2,0,1,0.9\n1,1,2,-0.5\n,,3,0\n";
-    assert_eq!(
-        directions(by_heading, Segments::Auto, None).0,
-        [approach, approach, retract, retract, retract]
-    );
-    let none = "height,force\n2,0\n1,1\n1.5,0.2\n2,0\n";
-    let split = vec![approach, approach, retract, retract];
-    assert_eq!(
-        directions(none, Segments::Auto, None),
-        (split.clone(), true, 0)
-    );
-    assert_eq!(directions(none, Segments::File, None).0, [None; 4]);
-    let lens = "contact_radius,load\n1,0\n2,1\n1.5,0.2\n1,0\n";
-    assert_eq!(directions(lens, Segments::Auto, None).0, [None; 4]);
-    assert_eq!(directions(lens, Segments::Split, None), (split, true, 0));
+        let split = reading.notes.split.map_or("", |_| " split");
+        let left_out = reading.notes.pauses + reading.notes.other_segments;
+        let found = format!("{}{split} {left_out}", directions(&reading));
+        assert_eq!(found, expected, "{text}");
+    }
 }
 
 #[test]

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use interp::Table;
 
 use crate::estimate::problem::Assigned;
-use crate::{Bodies, Branch, Error, Experiment, Parameter};
+use crate::statistics::median;
+use crate::{Bodies, Branch, Error, Parameter};
 
 /// The steps of the logarithm of a modulus on the search for one that matches the data.
 const STEPS: usize = 30;
@@ -31,7 +32,8 @@ pub(in crate::estimate) fn starts(
         starts.push((Parameter::Hardness, hardness));
     }
     if is_unknown(Parameter::WorkOfAdhesion) {
-        let load = crate::statistics::median(abscissae(experiment));
+        let loads = experiment.measurement.points.iter();
+        let load = median(loads.map(|point| point.abscissa).collect());
         let radius = experiment.bodies.probe().radius().unwrap_or(1.0);
         let work = PULL_OFF * load / (1.5 * PI * radius);
         experiment.replace(Parameter::WorkOfAdhesion, work)?;
@@ -44,11 +46,6 @@ pub(in crate::estimate) fn starts(
         starts.push((parameter, value));
     }
     Ok(starts)
-}
-
-fn abscissae(experiment: &Experiment) -> Vec<f64> {
-    let points = experiment.measurement.points.iter();
-    points.map(|point| point.abscissa).collect()
 }
 
 /// Returns the modulus with which the model has the stiffness of the data on average; `None` where

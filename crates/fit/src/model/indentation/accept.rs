@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 
-use super::Indentation;
 use crate::{Direction, Error, Experiment, Kind, Parameter};
 
 /// The largest factor `beta`, factor `epsilon` and part of the depth by which a film is thinned that
@@ -13,41 +12,6 @@ const MOST: [(&str, f64, f64); 3] = [
     ("the thinning", 0.0, 1.0),
 ];
 
-impl Indentation {
-    /// Accepts the settings.
-    fn accept(&self, name: &str) -> Result<(), Error> {
-        let values = [self.beta, self.epsilon, self.thinning];
-        for ((what, least, most), value) in MOST.into_iter().zip(values) {
-            if !(least..=most).contains(&value) {
-                return Err(Error::Setting {
-                    name: format!("{what} of {name}"),
-                    value,
-                    allowed: format!("from {least} to {most}"),
-                });
-            }
-        }
-        let setting = |parameter: Parameter, value: f64, allowed: &str| Error::Setting {
-            name: format!("{parameter} of {name}"),
-            value,
-            allowed: allowed.into(),
-        };
-        if let Some(value) = self.hardness.filter(|v| !(*v > 0.0 && v.is_finite())) {
-            let allowed = "positive and finite, Pa";
-            return Err(setting(Parameter::Hardness, value, allowed));
-        }
-        if self.tip_rounding.is_nan() || self.tip_rounding.abs() >= 1e-3 {
-            let allowed = "below 1e-3 m: check the unit";
-            return Err(setting(Parameter::TipRounding, self.tip_rounding, allowed));
-        }
-        if !(0.0..1.0).contains(&self.frame_compliance) {
-            let allowed = "at least 0, and below 1 m/N: check the unit (1 nm/mN is 1e-6 m/N)";
-            let value = self.frame_compliance;
-            return Err(setting(Parameter::FrameCompliance, value, allowed));
-        }
-        Ok(())
-    }
-}
-
 impl Experiment {
     /// Accepts the settings of a measurement of contact stiffness.
     pub(crate) fn accept_indentation(&self) -> Result<(), Error> {
@@ -55,14 +19,29 @@ impl Experiment {
         if !kind.is_stiffness() {
             return Ok(());
         }
-        let name = &self.measurement.name;
-        of.accept(name)?;
+        let values = [of.beta, of.epsilon, of.thinning];
+        for ((what, least, most), value) in MOST.into_iter().zip(values) {
+            if !(least..=most).contains(&value) {
+                let allowed = format!("from {least} to {most}");
+                return Err(self.wrong_setting(what, value, allowed));
+            }
+        }
+        if let Some(value) = of.hardness.filter(|v| !(*v > 0.0 && v.is_finite())) {
+            let allowed = "positive and finite, Pa";
+            return Err(self.wrong_setting(Parameter::Hardness, value, allowed));
+        }
+        if of.tip_rounding.is_nan() || of.tip_rounding.abs() >= 1e-3 {
+            let allowed = "below 1e-3 m: check the unit";
+            return Err(self.wrong_setting(Parameter::TipRounding, of.tip_rounding, allowed));
+        }
+        if !(0.0..1.0).contains(&of.frame_compliance) {
+            let allowed = "at least 0, and below 1 m/N: check the unit (1 nm/mN is 1e-6 m/N)";
+            let value = of.frame_compliance;
+            return Err(self.wrong_setting(Parameter::FrameCompliance, value, allowed));
+        }
         if of.thinning > 0.0 && kind != Kind::StiffnessDepth {
-            return Err(Error::Setting {
-                name: format!("the thinning of {name}"),
-                value: of.thinning,
-                allowed: "0 where no depth is measured: the contact depth thins the film".into(),
-            });
+            let allowed = "0 where no depth is measured: the contact depth thins the film";
+            return Err(self.wrong_setting("the thinning", of.thinning, allowed));
         }
         Ok(())
     }
@@ -74,12 +53,9 @@ impl Experiment {
         if !kind.is_stiffness() {
             return Ok(());
         }
-        let name = &self.measurement.name;
         let points = &self.measurement.points;
-        let count = |what: &str, found: usize, allowed: String| Error::Setting {
-            name: format!("the number of {what} of {name}"),
-            value: found as f64,
-            allowed,
+        let count = |what: &str, found: usize, allowed: String| {
+            self.wrong_setting(format!("the number of {what}"), found as f64, allowed)
         };
         if kind == Kind::StiffnessDepth && of.loads.len() != points.len() {
             let allowed = format!(
@@ -101,30 +77,15 @@ impl Experiment {
         let thickness = self.bodies.top_thickness();
         let [abscissa, ordinate] = kind.names();
         for (i, point) in points.iter().enumerate() {
-            let refused = |name, value: f64, allowed| {
-                Err(Error::Point {
-                    measurement: self.measurement.name.clone(),
-                    line: point.line,
-                    name,
-                    value,
-                    allowed,
-                })
-            };
-            let is_positive = |value: f64| value > 0.0 && value < 1e100;
-            if !is_positive(point.ordinate) {
-                let allowed = "positive and finite: leave out rows without contact";
-                return refused(ordinate, point.ordinate, allowed);
-            }
-            if !is_positive(point.abscissa) {
-                let allowed = "positive and finite: leave out rows without contact";
-                return refused(abscissa, point.abscissa, allowed);
-            }
-            let load = of.loads.get(i).copied();
-            if let Some(load) =
-                load.filter(|&load| kind == Kind::StiffnessDepth && !is_positive(load))
-            {
-                let allowed = "positive and finite: leave out rows without contact";
-                return refused("load", load, allowed);
+            let refused =
+                |name, value, allowed| Err(self.refused(point.line, name, value, allowed));
+            let loads = (kind == Kind::StiffnessDepth).then(|| ("load", of.loads[i]));
+            let numbers = [(ordinate, point.ordinate), (abscissa, point.abscissa)];
+            for (name, value) in numbers.into_iter().chain(loads) {
+                if !(value > 0.0 && value < 1e100) {
+                    let allowed = "positive and finite: leave out rows without contact";
+                    return refused(name, value, allowed);
+                }
             }
             if let Some(&phase) = of
                 .phases
@@ -140,9 +101,7 @@ impl Experiment {
                 return refused(ordinate, point.ordinate, allowed);
             }
             if kind == Kind::StiffnessDepth {
-                let load = of.loads[i];
-                let h = point.abscissa - of.frame_compliance * load;
-                let depth = of.depth_of(h, load, 1.0 / stiffness);
+                let depth = self.contact_depth_of(i);
                 let radius = of.area.radius(depth);
                 if radius.is_nan() || radius <= 0.0 {
                     let allowed = "such that the contact depth and the area there are positive: \
@@ -170,16 +129,15 @@ impl Experiment {
         let mut points = self.measurement.points.iter();
         match points.find(|point| point.direction == Some(Direction::Retract)) {
             None => Ok(()),
-            Some(point) => Err(Error::Setting {
-                name: format!(
+            Some(point) => Err(Error::setting(
+                format!(
                     "the retract of {}, line {}",
                     self.measurement.name, point.line
                 ),
-                value: point.abscissa,
-                allowed: "left out: while a sample is unloaded its load and its depth do not tell \
-                          the contact radius"
-                    .into(),
-            }),
+                point.abscissa,
+                "left out: while a sample is unloaded its load and its depth do not tell the \
+                 contact radius",
+            )),
         }
     }
 

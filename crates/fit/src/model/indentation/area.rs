@@ -30,11 +30,7 @@ impl AreaFunction {
     /// [`Error::Setting`] for another number of coefficients, for one that is not finite, and for
     /// coefficients of which none is positive.
     pub fn new(nanometres: &[f64]) -> Result<Self, Error> {
-        let refused = |value: f64, allowed: &str| Error::Setting {
-            name: "the area function".into(),
-            value,
-            allowed: allowed.into(),
-        };
+        let refused = |value, allowed| Error::setting("the area function", value, allowed);
         if !(1..=MOST_COEFFICIENTS).contains(&nanometres.len()) {
             return Err(refused(
                 nanometres.len() as f64,

@@ -83,7 +83,7 @@ impl Experiment {
     }
 
     /// Returns the contact depth of a point at a depth, m; NaN without a load.
-    fn contact_depth_of(&self, i: usize) -> f64 {
+    pub(super) fn contact_depth_of(&self, i: usize) -> f64 {
         let (point, of) = (&self.measurement.points[i], &self.indentation);
         let load = of.loads.get(i).copied().unwrap_or(f64::NAN);
         let h = point.abscissa - of.frame_compliance * load;

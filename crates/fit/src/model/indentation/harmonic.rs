@@ -83,8 +83,7 @@ impl Experiment {
     fn complex_modulus(&self) -> Result<(Parameter, f64), Error> {
         let parameter = match &self.bodies {
             Bodies::Layered(layered) if layered.film().is_none() => {
-                let top = layered.layers.last().and_then(|top| top.name);
-                top.map(Parameter::LayerModulus)
+                self.bodies.top_name().map(Parameter::LayerModulus)
             }
             _ => Some(Parameter::FilmModulus),
         };

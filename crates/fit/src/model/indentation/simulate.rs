@@ -17,11 +17,8 @@ impl Experiment {
         self.accept_directions()?;
         let loss_tangent = self.indentation.loss_tangent;
         if !(0.0..=1.0).contains(&loss_tangent) {
-            return Err(Error::Setting {
-                name: format!("the loss tangent of {}", self.measurement.name),
-                value: loss_tangent,
-                allowed: "from 0 to 1, where the phases are exact to 1 %".into(),
-            });
+            let allowed = "from 0 to 1, where the phases are exact to 1 %";
+            return Err(self.wrong_setting("the loss tangent", loss_tangent, allowed));
         }
         self.indentation.phases.clear();
         let count = self.measurement.points.len();
@@ -43,13 +40,9 @@ impl Experiment {
     /// Makes stiffness and load at depths, `P = H pi a^2`.
     fn make_depths(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
         let of = self.indentation.clone();
-        let name = self.measurement.name.clone();
         let Some(hardness) = of.hardness else {
-            return Err(Error::Setting {
-                name: format!("the hardness of {name}"),
-                value: f64::NAN,
-                allowed: "given: the loads of simulated depths follow from it".into(),
-            });
+            let allowed = "given: the loads of simulated depths follow from it";
+            return Err(self.wrong_setting("the hardness", f64::NAN, allowed));
         };
         let depths = self.measurement.points.iter().map(|point| point.abscissa);
         let deepest = depths.fold(0.0, f64::max);
@@ -83,14 +76,10 @@ impl Experiment {
             let (h, load, stiffness, phase) = at(low.exp())?;
             let apart = (h / target - 1.0).abs();
             if apart.is_nan() || apart >= 1e-6 {
-                return Err(Error::Point {
-                    measurement: name,
-                    line: self.measurement.points[i].line,
-                    name: "penetration",
-                    value: target,
-                    allowed: "a depth at which the model has a contact: deeper than the tip \
-                              rounding, and within the reach of the sample",
-                });
+                let allowed = "a depth at which the model has a contact: deeper than the tip \
+                               rounding, and within the reach of the sample";
+                let line = self.measurement.points[i].line;
+                return Err(self.refused(line, "penetration", target, allowed));
             }
             loads.push(load);
             if of.loss_tangent > 0.0 {

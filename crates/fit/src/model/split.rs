@@ -1,0 +1,101 @@
+//! Where contact and baseline meet in a way between the largest contact and none.
+
+use crate::statistics::{MEDIAN, median};
+
+/// Steps and levels count if they exceed the noise by this factor.
+const SIGNIFICANT: f64 = 6.0;
+/// Readings nearer to the baseline than this factor of the noise may lie on it.
+const NEAR: f64 = 5.0;
+/// The part of the last readings from which a baseline without a jump is read.
+const TAIL: f64 = 0.2;
+/// Ways with fewer readings are all in contact.
+pub(super) const FEWEST: usize = 5;
+/// How many of the largest steps may be the jump.
+const MOST_JUMPS: usize = 16;
+/// The readings whose median tells on which side of a step they are, so that a spike is no jump.
+const SIDE: usize = 5;
+
+/// What is known of the baseline before the fit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct KnownBaseline {
+    /// Its level if that is not free.
+    pub level: f64,
+    pub level_is_free: bool,
+    /// The noise of a reading.
+    pub noise: f64,
+}
+
+impl KnownBaseline {
+    /// Returns how many `readings` are in contact, and the number of the first one on the baseline. The readings
+    /// go from the largest contact to none.
+    pub fn split(&self, readings: &[f64]) -> [usize; 2] {
+        self.jump(readings)
+            .unwrap_or_else(|| self.flat_end(readings))
+    }
+
+    /// Returns the level of `readings` if they may be the baseline, and their noise, which is more than that of
+    /// neighbours where it lasts for some readings.
+    fn level(&self, readings: &[f64]) -> Option<[f64; 2]> {
+        let level = median(readings.to_vec());
+        let scatter = median(readings.iter().map(|y| (y - level).abs()).collect());
+        let is_known = (level - self.level).abs() <= SIGNIFICANT * self.noise;
+        if readings.len() < 3 {
+            return is_known.then_some([level, self.noise]);
+        }
+        let is_flat = scatter <= SIGNIFICANT * self.noise;
+        let is_baseline = is_flat && (is_known || self.level_is_free);
+        is_baseline.then_some([level, self.noise.max(scatter / MEDIAN)])
+    }
+
+    /// Returns where a way with a jump is split. An adhesive contact ends, and begins, in tension, with a step from below
+    /// the reading without a contact to it.
+    fn jump(&self, readings: &[f64]) -> Option<[usize; 2]> {
+        let step = |i: usize| readings[i + 1] - readings[i];
+        let free = median(readings[readings.len() - tail(readings)..].to_vec());
+        let mut jumps: Vec<usize> = (0..readings.len() - 1)
+            .filter(|&i| readings[i] < free && step(i) > SIGNIFICANT * self.noise)
+            .collect();
+        jumps.sort_by(|&i, &j| step(j).total_cmp(&step(i)));
+        jumps.into_iter().take(MOST_JUMPS).find_map(|jump| {
+            let (before, after) = readings.split_at(jump + 1);
+            let [level, noise] = self.level(after)?;
+            let off = |side: &[f64]| (median(side.to_vec()) - level).abs();
+            let is_jump = step(jump) > SIGNIFICANT * noise
+                && off(&before[before.len().saturating_sub(SIDE)..]) > NEAR * noise
+                && off(&after[..SIDE.min(after.len())]) <= (NEAR * noise).max(0.5 * step(jump));
+            if !is_jump {
+                return None;
+            }
+            let mut ends = jump;
+            while ends > 0 && step(ends - 1) > 0.5 * step(jump) {
+                ends -= 1;
+            }
+            let lands = after.iter().position(|y| (y - level).abs() <= NEAR * noise);
+            Some([ends + 1, jump + 1 + lands.unwrap_or(0)])
+        })
+    }
+
+    /// Returns where a way with a flat end is split.
+    ///
+    /// The first contact is where two neighbours leave the baseline. Between it and the contact point a force rises from
+    /// the noise: it takes as far again until it is 3 times as large.
+    pub fn flat_end(&self, readings: &[f64]) -> [usize; 2] {
+        let count = readings.len();
+        let Some([level, noise]) = self.level(&readings[count - tail(readings)..]) else {
+            return [count; 2];
+        };
+        let off = |i: usize, by: f64| (readings[i] - level).abs() > by * noise;
+        let leaves = |by: f64| {
+            let found = (1..count).rev().find(|&i| off(i, by) && off(i - 1, by));
+            found.map_or(0, |i| i + 1)
+        };
+        let (contact_ends, clear) = (leaves(NEAR), leaves(3.0 * NEAR));
+        let margin = 2 * contact_ends.saturating_sub(clear) + 1;
+        [contact_ends, (contact_ends + margin).min(count)]
+    }
+}
+
+/// Returns the number of the last readings that are compared with the others.
+fn tail(readings: &[f64]) -> usize {
+    ((TAIL * readings.len() as f64) as usize).clamp(FEWEST, readings.len())
+}

@@ -1,0 +1,129 @@
+//! Where the contact ends in force curves: baselines at any level and of any length, spikes on them, and waves
+//! below their noise.
+
+use fit::{Experiment, Fit, Parameter, WarningKind};
+
+use crate::imagined::{Course, Imagined, assert_silent, fitted};
+
+/// The parameters of a force curve without adhesion.
+const HERTZ: [Parameter; 3] = [
+    Parameter::FilmModulus,
+    Parameter::ContactPoint,
+    Parameter::Baseline,
+];
+
+/// A force curve of a gel without adhesion.
+fn hertz(points: [usize; 2]) -> Imagined {
+    let mut hertz = Imagined::probe(Course::Cycle, 0.0, &HERTZ);
+    hertz.points = points;
+    hertz
+}
+
+/// Adds to the readings of all points.
+fn changed(experiment: &Experiment, by: impl Fn(usize, f64) -> f64) -> Experiment {
+    let mut experiment = experiment.clone();
+    for (i, point) in experiment.measurement.points.iter_mut().enumerate() {
+        point.ordinate += by(i, point.abscissa);
+    }
+    experiment
+}
+
+/// Returns how far the modulus of the film is from 20 kPa, in standard errors.
+fn off(found: &Fit) -> f64 {
+    let modulus = found.estimate(Parameter::FilmModulus).expect("free");
+    (modulus.value - 2e4) / modulus.standard_error
+}
+
+#[test]
+fn a_force_that_is_added_to_all_changes_the_baseline_alone() {
+    let hertz = hertz([300, 300]);
+    let measured = hertz.measured(&hertz.exact(), 3);
+    let here = fitted(&measured, &hertz.free);
+    for level in [-1e-6, -3e-9, 1e-9, 1e-8, 1e-7] {
+        let found = fitted(&changed(&measured, |_, _| level), &hertz.free);
+        assert!(
+            (off(&found) - off(&here)).abs() < 0.01,
+            "{level}: {found:?}"
+        );
+        let [here, there] =
+            [&here, &found].map(|fit| fit.estimate(Parameter::Baseline).expect("free"));
+        let error = there.value - level - here.value;
+        assert!(error.abs() < 0.01 * here.standard_error, "{level}: {error}");
+    }
+}
+
+#[test]
+fn a_ramp_may_begin_far_from_the_surface() {
+    for (times, apart) in [(3.0, 500), (15.0, 100), (50.0, 2000)] {
+        let hertz = hertz([40, apart]);
+        let mut exact = hertz.exact();
+        let touch = hertz.truth.contact_point;
+        let heights = exact.points.iter_mut().map(|point| &mut point.abscissa);
+        for height in heights.filter(|height| **height > touch) {
+            *height = touch + times * (*height - touch);
+        }
+        for level in [0.0, 5e-9] {
+            let measured = changed(&hertz.measured(&exact, 5), |_, _| level);
+            let found = fitted(&measured, &hertz.free);
+            assert!(
+                found.converged && off(&found).abs() < 4.0,
+                "{times}, {level}: {found:?}"
+            );
+        }
+    }
+}
+
+/// A pull-off is where the force stays down before it and up after it.
+#[test]
+fn a_spike_on_the_baseline_is_no_pull_off() {
+    let probe = Imagined::probe(
+        Course::Cycle,
+        1e-4,
+        &[&HERTZ[..], &[Parameter::WorkOfAdhesion]].concat(),
+    );
+    let exact = probe.exact();
+    let baseline = |i: &usize| exact.points[*i].abscissa > 2e-6;
+    let far: Vec<usize> = (0..exact.points.len()).filter(baseline).collect();
+    let measured = probe.measured(&exact, 2);
+    for (place, height) in [
+        (0.1, -3e-9),
+        (0.3, 2e-8),
+        (0.6, -2e-8),
+        (0.8, -3e-9),
+        (0.95, 3e-9),
+    ] {
+        let spike = far[(place * far.len() as f64) as usize];
+        for width in [1, 2] {
+            let is_hit = |i: usize| (spike..spike + width).contains(&i);
+            let with = changed(&measured, |i, _| if is_hit(i) { height } else { 0.0 });
+            let found = fitted(&with, &probe.free);
+            assert!(
+                off(&found).abs() < 4.0,
+                "{place}, {height}, {width}: {:?}",
+                found.estimates
+            );
+            assert!(
+                found.warns_of(WarningKind::Outliers),
+                "{:?}",
+                found.warnings
+            );
+        }
+    }
+}
+
+/// Light that the sample reflects makes such a wave.
+#[test]
+fn a_wave_below_the_noise_is_told_of() {
+    let hertz = hertz([300, 300]);
+    let exact = hertz.exact();
+    let mut told = 0;
+    for seed in 0..8_u32 {
+        let measured = hertz.measured(&exact, seed.into());
+        let plain = fitted(&measured, &hertz.free);
+        assert_silent(&plain, WarningKind::StructuredResiduals);
+        let wave = |height: f64| (height / 1.5e-7 + f64::from(seed)).sin();
+        let waved = changed(&measured, |_, height| 0.5 * hertz.noise * wave(height));
+        told += u32::from(fitted(&waved, &hertz.free).warns_of(WarningKind::StructuredResiduals));
+    }
+    assert!(told > 6, "{told} of 8");
+}
