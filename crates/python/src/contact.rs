@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use ::contact::Error;
-use ::contact::{Branch, Control, ForceDisplacement, Input as Parameter, Neglected, State};
+use ::contact::{Control, Equilibria, ForceDisplacement, Input as Parameter, Neglected, State};
 use ::solve::stick::StickCurves;
 use interp::{Curve, System};
 use pyo3::prelude::*;
@@ -77,15 +77,6 @@ pub fn control((name, stiffness): Imposed<'_>) -> PyResult<Control> {
         "displacement" => Ok(Control::Displacement),
         "spring" => Ok(Control::Spring { stiffness }),
         other => Err(unknown("control", other)),
-    }
-}
-
-/// Returns the branch of a name.
-fn branch(name: &str) -> PyResult<Branch> {
-    match name {
-        "loading" => Ok(Branch::Loading),
-        "unloading" => Ok(Branch::Unloading),
-        other => Err(unknown("branch", other)),
     }
 }
 
@@ -377,18 +368,19 @@ impl Contact {
         values: Input<'_>,
         w: f64,
         imposed: Imposed<'_>,
-        branch_name: &str,
+        branch: &str,
     ) -> PyResult<StateArrays<'py>> {
-        let (control, branch) = (control(imposed)?, branch(branch_name)?);
+        let control = control(imposed)?;
+        let state: fn(&Equilibria<'_>, f64) -> Result<State, Error> = match branch {
+            "loading" => |of, value| of.loading(value),
+            "unloading" => |of, value| of.unloading(value),
+            other => return Err(unknown("branch", other)),
+        };
         let equilibria = py
             .detach(|| self.contact.equilibria(w, control))
             .or_raise(py)?;
         points.evaluate(py, [&values], |[value]| {
-            let state = match branch {
-                Branch::Loading => equilibria.loading(value),
-                Branch::Unloading => equilibria.unloading(value),
-            };
-            state.map(numbers)
+            state(&equilibria, value).map(numbers)
         })
     }
 

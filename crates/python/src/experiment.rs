@@ -10,6 +10,7 @@ use fit::{
 use interp::System;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
+use tabulate::stack::NamedStack;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::contacts_on_layers::{Solvers, stick};
@@ -114,12 +115,18 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Exp
     let solver = solvers.of(stick);
     let bodies = match &given.bodies {
         GivenBodies::Coated(system) if stick.is_some() => {
-            Bodies::Layered(of_film(&system.get().0, &measurement, solver))
+            let system = &system.get().0;
+            // The film is a single layer without a name.
+            let layer = Layer::bonded(system.film, system.film_thickness);
+            let layers = vec![NamedLayer { name: None, layer }];
+            layered(system, layers, &measurement, solver)
         }
         GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
         GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
-            Bodies::Layered(layered(layers.get(), &measurement, solver).or_raise(py)?)
+            let NativeStackSystem { named, system } = layers.get();
+            let layers = named_layers(named).or_raise(py)?;
+            layered(system, layers, &measurement, solver)
         }
     };
     let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
@@ -156,40 +163,30 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Exp
     Ok(made)
 }
 
-/// Makes the film of an experiment a single layer without a name, whose contacts a solver makes.
-fn of_film(system: &System, measurement: &Measurement, solver: Arc<dyn LayeredSolver>) -> Layered {
-    Layered {
+/// Makes the layers of an experiment, whose contacts a solver makes.
+fn layered(
+    system: &System,
+    layers: Vec<NamedLayer>,
+    measurement: &Measurement,
+    solver: Arc<dyn LayeredSolver>,
+) -> Bodies {
+    Bodies::Layered(Layered {
         reach: Reach::of(measurement, &system.probe),
         probe: system.probe.clone(),
         sphere_modulus: system.sphere_modulus,
         base: system.substrate,
-        layers: vec![NamedLayer {
-            name: None,
-            layer: Layer::bonded(system.film, system.film_thickness),
-        }],
+        layers,
         solver,
-    }
+    })
 }
 
-/// Makes the layers of an experiment.
-fn layered(
-    NativeStackSystem { named, system }: &NativeStackSystem,
-    measurement: &Measurement,
-    solver: Arc<dyn LayeredSolver>,
-) -> Result<Layered, fit::Error> {
-    let layers = named.stack.layers().iter().zip(&named.names);
-    let layers = layers.map(|(layer, name)| {
+/// Returns the layers of a stack with their names.
+fn named_layers(NamedStack { stack, names }: &NamedStack) -> Result<Vec<NamedLayer>, fit::Error> {
+    let named = |(layer, name): (&Layer, &Option<String>)| {
         Ok(NamedLayer {
             name: name.as_deref().map(str::parse).transpose()?,
             layer: *layer,
         })
-    });
-    Ok(Layered {
-        reach: Reach::of(measurement, &system.probe),
-        probe: system.probe.clone(),
-        sphere_modulus: system.sphere_modulus,
-        base: system.substrate,
-        layers: layers.collect::<Result<_, fit::Error>>()?,
-        solver,
-    })
+    };
+    stack.layers().iter().zip(names).map(named).collect()
 }

@@ -9,7 +9,6 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
-use std::time::Duration;
 
 use interp::Parameter;
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -21,10 +20,8 @@ use tabulate::table::{
 
 use crate::arrays::Output;
 use crate::error::OrRaise as _;
+use crate::interruption::TICK;
 use crate::table::Table;
-
-/// The time between two looks at signals.
-const TICK: Duration = Duration::from_millis(50);
 
 /// What to generate, as the attributes of a Python object.
 #[derive(FromPyObject)]

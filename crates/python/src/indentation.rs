@@ -32,10 +32,8 @@ impl GivenIndentation {
     /// Gives an experiment what is known. The sample of a reference keeps its modulus: it is a base
     /// without layers.
     pub fn complete(&self, py: Python<'_>, experiment: &mut Experiment) -> PyResult<()> {
-        let depths = ContactDepth::ALL.into_iter();
-        let depth = depths
-            .into_iter()
-            .rfind(|one| one.name() == self.contact_depth);
+        let is_wanted = |one: &ContactDepth| one.name() == self.contact_depth;
+        let depth = ContactDepth::ALL.into_iter().find(is_wanted);
         experiment.indentation = Indentation {
             beta: self.beta,
             epsilon: self.epsilon,

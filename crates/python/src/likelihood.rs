@@ -84,7 +84,7 @@ impl NativeLikelihood {
     ) -> PyResult<Vec<T>> {
         /// The number of rows between two looks at signals.
         const BLOCK: usize = 64;
-        let width = self.width();
+        let width = self.likelihood.parameters().count();
         let mut found = Vec::with_capacity(values.len() / width);
         for block in values.chunks(BLOCK * width) {
             let rows = block.chunks_exact(width);
@@ -93,10 +93,5 @@ impl NativeLikelihood {
             py.check_signals()?;
         }
         Ok(found)
-    }
-
-    /// Returns the number of parameters.
-    fn width(&self) -> usize {
-        self.likelihood.parameters().count()
     }
 }

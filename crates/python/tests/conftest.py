@@ -5,6 +5,7 @@ import os
 import re
 import subprocess
 from dataclasses import replace
+from inspect import signature
 from math import inf
 from pathlib import Path
 
@@ -33,14 +34,22 @@ ROOT = Path(__file__).resolve().parents[3]
 DATA = ROOT / "tests" / "data"
 
 
-def make_system(*, film_thickness=1e-5, film_modulus=3.5e6, film_poisson_ratio=0.5):
-    """Barthel's elastomer sphere on an elastomer film on silicon."""
+def make_system(
+    sphere_radius=1e-3,
+    sphere_modulus=2e6,
+    film_modulus=3.5e6,
+    film_poisson_ratio=0.5,
+    film_thickness=1e-5,
+    substrate_modulus=2e11,
+    substrate_poisson_ratio=0.25,
+):
+    """By default Barthel's elastomer sphere on an elastomer film on silicon."""
     return System(
-        sphere_radius=1e-3,
-        sphere_modulus=2e6,
+        sphere_radius=sphere_radius,
+        sphere_modulus=sphere_modulus,
         film=Elastic(young_modulus=film_modulus, poisson_ratio=film_poisson_ratio),
         film_thickness=film_thickness,
-        substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+        substrate=Elastic(young_modulus=substrate_modulus, poisson_ratio=substrate_poisson_ratio),
     )
 
 
@@ -73,6 +82,18 @@ def system():
 @pytest.fixture(scope="session")
 def contact(system):
     return Table.embedded().contact(system)
+
+
+@pytest.fixture
+def axes():
+    """Axes of matplotlib, without a display."""
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots()
+    yield axes
+    pyplot.close(figure)
 
 
 # One of each shape, some micrometres wide.
@@ -128,22 +149,7 @@ def rows(name):
 
 def system_of(row):
     """The system of a row of systems.csv."""
-    number = {name: float(value) for name, value in row.items() if name not in BODIES}
-    return System(
-        sphere_radius=number["sphere_radius"],
-        sphere_modulus=number["sphere_modulus"],
-        film=Elastic(
-            young_modulus=number["film_modulus"], poisson_ratio=number["film_poisson_ratio"]
-        ),
-        film_thickness=number["film_thickness"],
-        substrate=Elastic(
-            young_modulus=number["substrate_modulus"],
-            poisson_ratio=number["substrate_poisson_ratio"],
-        ),
-    )
-
-
-BODIES = ("sphere", "film", "substrate")
+    return make_system(**{name: float(row[name]) for name in signature(make_system).parameters})
 
 
 def stack_of(row, unit=1.0, length=1.0):

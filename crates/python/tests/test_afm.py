@@ -201,6 +201,24 @@ def test_a_curve_has_what_the_file_tells(force_map):
     np.testing.assert_allclose(softer[0].ordinate, scale * found[0].ordinate, rtol=1e-9)
 
 
+def test_curves_of_an_hdf5_file_are_in_the_order_of_the_measurement(force_map, tmp_path):
+    """Their groups are in the order of the names: 0, 1, 10, 11, 2."""
+    h5py = pytest.importorskip("h5py")
+    measured = sys.modules["afmformats"].load_data(force_map)
+    path = tmp_path / "map.h5"
+    with h5py.File(path, "w") as file:
+        for i in range(12):
+            curve = measured[i % 4]
+            curve.metadata["enum"] = i
+            curve.export_data(file, fmt="hdf5", metadata=True)
+    thickness = 1e-6 * np.arange(1, 13)
+    found = read_afm(path, system=COATED, film_thickness=thickness)
+    assert [one.system.film_thickness for one in found] == thickness.tolist()
+    for i, one in enumerate(found):
+        np.testing.assert_array_equal(one.ordinate, np.asarray(measured[i % 4]["force"]))
+        assert one.name.endswith(f"curve {i}")
+
+
 def test_directions_and_pauses(tmp_path):
     """A stress relaxation has a pause before the approach, and another one after it."""
     name = "tests/data/fmt-jpk-sr_cell1-0008.jpk-force"
@@ -256,7 +274,7 @@ def test_the_surface_from_the_approach(force_map):
         assert abs(zero + one.system.film_thickness - contact) < 2e-6
 
 
-def test_maps_and_pictures(force_map):
+def test_maps_and_pictures(force_map, axes):
     found = read_afm(force_map, system=GEL, only="approach")
     results = fit_map(found, FREE, errors="nan")
     moduli = results.params["film_modulus"]
@@ -271,15 +289,11 @@ def test_maps_and_pictures(force_map):
     assert maps["film_modulus"].attrs["units"] == "Pa"
     assert maps["x"].values[:2].tolist() == pytest.approx([3e-5, 9e-5])
     assert set(maps.data_vars) == {*FREE, *(f"{one}_stderr" for one in FREE), "chi_squared"}
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    pyplot.switch_backend("agg")
-    figure, ax = pyplot.subplots()
-    assert found.plot(moduli, "film modulus", "Pa", ax=ax) is ax
-    assert figure.axes[1].get_ylabel() == "film modulus (kPa)"
-    (bar,) = ax.artists
+    assert found.plot(moduli, "film modulus", "Pa", ax=axes) is axes
+    assert axes.figure.axes[1].get_ylabel() == "film modulus (kPa)"
+    (bar,) = axes.artists
     assert bar.txt_label.get_text() == "200 µm"
-    figure.canvas.draw()
-    pyplot.close(figure)
+    axes.figure.canvas.draw()
     refuses(FitError, r"shape \(2,\): give \(4,\)", lambda: found.image([1.0, 2.0]))
 
 

@@ -14,7 +14,6 @@ from coated_contact import (
     Elastic,
     InputError,
     NoContactError,
-    Paraboloid,
     SolveError,
     StackSystem,
     System,
@@ -56,8 +55,7 @@ def test_states_and_pull_offs_agree_with_two_other_programs():
 
 @pytest.fixture(scope="module")
 def cohesive():
-    probe = Paraboloid(radius=1e-5)
-    system = replace(make_system(film_thickness=1e-6), probe=probe, sphere_modulus=7.5e10)
+    system = make_system(sphere_radius=1e-5, sphere_modulus=7.5e10, film_thickness=1e-6)
     return Cohesive(system=system, work_of_adhesion=0.05, interaction_range=1e-8)
 
 

@@ -15,7 +15,6 @@ from coated_contact import (
     HalfSpace,
     InputError,
     NoContactError,
-    Paraboloid,
     ShortZone,
     Spring,
     Table,
@@ -28,8 +27,8 @@ W = 0.05
 @pytest.fixture(scope="module")
 def contact():
     """A hard sphere of 10 um on a film of 1 um."""
-    system = replace(make_system(film_thickness=1e-6), probe=Paraboloid(radius=1e-5))
-    return Table.embedded().contact(replace(system, sphere_modulus=7.5e10))
+    system = make_system(sphere_radius=1e-5, sphere_modulus=7.5e10, film_thickness=1e-6)
+    return Table.embedded().contact(system)
 
 
 @pytest.fixture(scope="module")

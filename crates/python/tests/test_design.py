@@ -40,7 +40,7 @@ def test_another_question_may_have_another_answer(system):
     assert answers == {"film_modulus": "large", "work_of_adhesion": "small"}
 
 
-def test_what_is_shown(system):
+def test_what_is_shown(system, axes):
     plans = {"small": lens(system, 6e-5), "large": lens(system)}
     found = design(plans, FREE, about="film_modulus")
     first, best, other = str(found).splitlines()
@@ -49,27 +49,19 @@ def test_what_is_shown(system):
     assert best.endswith("Pa  1")
     assert other.split()[0] == "small"
     assert "<td>large</td>" in found._repr_html_()
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    pyplot.switch_backend("agg")
-    figure, ax = pyplot.subplots()
-    assert found.plot(ax) is ax
-    assert [label.get_text() for label in ax.get_yticklabels()] == ["large", "small"]
-    assert ax.get_xscale() == "log"
-    pyplot.close(figure)
+    assert found.plot(axes) is axes
+    assert [label.get_text() for label in axes.get_yticklabels()] == ["large", "small"]
+    assert axes.get_xscale() == "log"
 
 
-def test_a_plan_that_does_not_tell_it_is_the_last(system):
+def test_a_plan_that_does_not_tell_it_is_the_last(system, axes):
     """Contacts of one radius do not tell two parameters."""
     flat = replace(lens(system), abscissa=np.full(30, 1e-4))
     found = design({"flat": flat, "lens": lens(system)}, FREE, about="film_modulus")
     assert list(found.stderr) == ["lens", "flat"]
     assert found.stderr["flat"] == found.repeats["flat"] == np.inf
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    pyplot.switch_backend("agg")
-    figure, ax = pyplot.subplots()
-    found.plot(ax)
-    assert [text.get_text() for text in ax.texts] == [" not determined"]
-    pyplot.close(figure)
+    found.plot(axes)
+    assert [text.get_text() for text in axes.texts] == [" not determined"]
     with pytest.raises(FitError, match="no plan determines film_modulus"):
         design([flat], FREE, about="film_modulus")
 

@@ -33,7 +33,6 @@ from coated_contact import (
     Spring,
     Stack,
     StackSystem,
-    System,
     Table,
     branches,
     design,
@@ -51,6 +50,7 @@ from coated_contact import (
     solve_stick_punch,
     stick_stiffening,
 )
+from conftest import make_system
 
 ENDS = [0.0, 5e-324, 1e-310, 2.3e-308, 1e-154, 1e-30, 2.2e-16, 0.25, 0.5, 1.0, 1e30, 1e154, 1.8e308]
 HOSTILE = [sign * value for value in [*ENDS, np.inf] for sign in (1, -1)] + [np.nan]
@@ -59,15 +59,7 @@ BODIES = [1e-3, 2e6, 3.5e6, 0.45, 1e-5, 2e11, 0.25]
 
 
 def contact_of(numbers):
-    radius, sphere, film, nu1, thickness, substrate, nu0 = numbers
-    system = System(
-        sphere_radius=radius,
-        sphere_modulus=sphere,
-        film=Elastic(young_modulus=film, poisson_ratio=nu1),
-        film_thickness=thickness,
-        substrate=Elastic(young_modulus=substrate, poisson_ratio=nu0),
-    )
-    return Table.embedded().contact(system)
+    return Table.embedded().contact(make_system(*numbers))
 
 
 def half_space_of(numbers):

@@ -27,7 +27,6 @@ from coated_contact import (
     Sphere,
     Spring,
     StackSystem,
-    System,
     Table,
     TableError,
     __version__,
@@ -190,13 +189,7 @@ def test_tables_tell_what_they_are():
 
 def test_files_of_both_forms_hold_one_table():
     packed, hdf5 = Table.read(PACKED), Table.open(HDF5)
-    system = System(
-        sphere_radius=1e-3,
-        sphere_modulus=2e6,
-        film=Elastic(young_modulus=3.5e6, poisson_ratio=0.5),
-        film_thickness=1e-6,
-        substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
-    )
+    system = make_system(film_thickness=1e-6)
     a = np.linspace(1e-5, 1e-4, 10)
     found = [table.contact(system).load(a, 0.04) for table in (packed, hdf5)]
     assert np.allclose(*found, rtol=1e-7, atol=0)

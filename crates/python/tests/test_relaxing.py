@@ -15,20 +15,15 @@ from coated_contact import (
     FitError,
     InputError,
     Relaxation,
-    System,
     fit,
     forecast,
     predict,
     simulate,
 )
-from conftest import refuses
+from conftest import make_system, refuses
 
-GEL = System(
-    sphere_radius=2e-5,
-    sphere_modulus=math.inf,
-    film=Elastic(young_modulus=2e3, poisson_ratio=0.5),
-    film_thickness=1e-5,
-    substrate=Elastic(young_modulus=math.inf, poisson_ratio=0.25),
+GEL = make_system(
+    sphere_radius=2e-5, sphere_modulus=math.inf, film_modulus=2e3, substrate_modulus=math.inf
 )
 TIME = np.linspace(0.0, 2.0, 80)
 DEPTH = 6e-7 * (1.0 - 1.2 * np.abs(TIME - 1.0))

@@ -9,11 +9,9 @@ import numpy as np
 import pytest
 
 from coated_contact import (
-    Elastic,
     Experiment,
     Paraboloid,
     RateDependent,
-    System,
     Table,
     fit,
     fit_map,
@@ -21,16 +19,10 @@ from coated_contact import (
     predict,
     solve,
 )
-from conftest import without_result
+from conftest import make_system, without_result
 from test_fit import WANTED, lens
 
-FILM = System(
-    sphere_radius=1e-3,
-    sphere_modulus=2e6,
-    film=Elastic(young_modulus=3.5e6, poisson_ratio=0.5),
-    film_thickness=3e-5,
-    substrate=Elastic(young_modulus=2e11, poisson_ratio=0.25),
-)
+FILM = make_system(film_thickness=3e-5)
 A = np.linspace(42e-6, 130e-6, 40)
 
 

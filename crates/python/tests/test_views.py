@@ -35,17 +35,6 @@ def curve(contact):
     return contact.force_displacement(0.04, most=1e-6, points=20)
 
 
-@pytest.fixture
-def axes():
-    matplotlib = pytest.importorskip("matplotlib")
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, axes = pyplot.subplots()
-    yield axes
-    pyplot.close(figure)
-
-
 def test_a_force_curve_is_a_table(curve):
     pytest.importorskip("pandas")
     table = curve.to_pandas()

@@ -64,7 +64,8 @@ def read_afm(
     only : {"approach", "retract"}, optional
         The only direction that is kept.
     film_thickness : array_like, optional
-        Thickness of the film, m: one for each curve, or for each pixel of the map, rows first.
+        Thickness of the film, m: one for each curve in the order of the measurement, or for each
+        pixel of the map, rows first.
     height_image : array_like, optional
         Height of the surface of the film, m, in the same form. The thickness is this height less
         ``zero_level``.
@@ -79,7 +80,8 @@ def read_afm(
     Returns
     -------
     ForceMap
-        The experiments, with their times and places. ``refused`` tells why a curve is none.
+        The experiments in the order of the measurement, with their times and places. ``refused``
+        tells why a curve is none.
 
     Raises
     ------
@@ -168,9 +170,20 @@ def _load(file: Path, overridden: dict[str, float]) -> list[Any]:
                     f"{file}: afmformats reads {known}, not {file.suffix!r}; read_experiment reads "
                     "tables of text"
                 )
-            return list(afmformats.load_data(file, meta_override=overridden))
+            return _in_order(list(afmformats.load_data(file, meta_override=overridden)))
     finally:
         logger.disabled = was_disabled
+
+
+def _in_order(curves: list[Any]) -> list[Any]:
+    """Return curves in the order in which they were measured, where each tells its number.
+
+    afmformats reads the groups of an HDF5 file in the order of their names: 0, 1, 10, 11, 2.
+    """
+    numbers = [curve.metadata.get("enum") for curve in curves]
+    if None in numbers:
+        return curves
+    return [curves[i] for i in sorted(range(len(curves)), key=numbers.__getitem__)]
 
 
 @contextmanager

@@ -6,7 +6,7 @@ from dataclasses import InitVar, dataclass
 from typing import Any, final
 
 from . import _core
-from ._probe import Probe, probe_of, radius_of, with_radius
+from ._probe import Paraboloid, Probe, Sphere, probe_of, with_radius
 from ._values import Native, set_field, set_number, set_numbers
 
 
@@ -72,7 +72,7 @@ class UnderProbe(Native):
     @property
     def sphere_radius(self) -> float | None:
         """The radius R of the sphere or of its paraboloid, m; None for another probe."""
-        return radius_of(self.probe)
+        return self.probe.radius if isinstance(self.probe, Paraboloid | Sphere) else None
 
     def _set_probe(
         self,

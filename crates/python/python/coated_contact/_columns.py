@@ -82,6 +82,17 @@ class Columns(OneLine):
         return _html.numbers({label(name): a.ravel() for name, a in self._columns().items()})
 
 
+class TimedColumns(Columns):
+    """Columns over the time."""
+
+    __slots__ = ()
+    _drawn = ("time", "load")
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a Dataset over ``time``; needs xarray."""
+        return super().to_xarray().swap_dims(dim_0="time").set_coords("time")
+
+
 def label(name: str) -> str:
     """Return the name of a column in words, with its unit."""
     return f"{name.replace('_', ' ')} ({UNITS[name]})"

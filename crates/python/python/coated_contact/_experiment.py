@@ -16,7 +16,7 @@ from ._errors import FitError
 from ._history import Relaxation
 from ._indentation import Indentation
 from ._stack import StackSystem
-from ._values import OneLine, Remade
+from ._values import OneLine, Remade, set_numbers
 
 Kind = Literal[
     "load-radius",
@@ -240,10 +240,7 @@ class Experiment(Remade, OneLine):
                 "approach: leave them out, or leave out advancing",
                 axis="advancing",
             )
-        for name in _NUMBERS:
-            value = getattr(self, name)
-            if value is not None:
-                object.__setattr__(self, name, number(name, value))
+        set_numbers(self, *(name for name in _NUMBERS if getattr(self, name) is not None))
         for name in ("noise", "abscissa_noise"):
             value = getattr(self, name)
             if value is not None:

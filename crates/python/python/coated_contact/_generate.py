@@ -8,6 +8,7 @@ import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from math import isinf, isnan
 from numbers import Integral
@@ -148,7 +149,7 @@ def generate(
         resume=resume,
     )
     pieces = None if client is None else solved_pieces(client, given_scene)
-    with Bar(progress) as bar:
+    with closing(Bar(progress)) as bar:
         table = Table(_core.generate(given, bar.told, LOGGER.warning, pieces))
     if not table.max_error <= table.tolerance:
         warnings.warn(
@@ -231,9 +232,3 @@ class Bar:
         """Remove the bar."""
         if self._bar is not None:
             self._bar.close()
-
-    def __enter__(self) -> Bar:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()

@@ -10,13 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import located, number, real, scalar_or_array
-from ._columns import Array, Columns
+from ._columns import Array, TimedColumns
 from ._control import Control, Spring, native_control
 from ._errors import InputError
 
 if TYPE_CHECKING:
-    import xarray
-
     from ._contact import Contact
 
 
@@ -129,7 +127,7 @@ class Relaxation:
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class HistoryStates(Columns):
+class HistoryStates(TimedColumns):
     """The states of a contact in time.
 
     Attributes
@@ -156,8 +154,6 @@ class HistoryStates(Columns):
     error: float
     unlike_bodies: float
 
-    _drawn = ("time", "load")
-
     def _columns(self) -> dict[str, Array]:
         return {
             "time": self.time,
@@ -165,10 +161,6 @@ class HistoryStates(Columns):
             "load": self.load,
             "penetration": self.penetration,
         }
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a Dataset over ``time``; needs xarray."""
-        return super(HistoryStates, self).to_xarray().swap_dims(dim_0="time").set_coords("time")
 
 
 def history(

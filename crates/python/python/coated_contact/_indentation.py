@@ -7,9 +7,9 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 
-from ._arrays import fixed, number, real
+from ._arrays import fixed, real
 from ._errors import FitError
-from ._values import OneLine, Remade
+from ._values import OneLine, Remade, set_numbers
 
 ContactDepth = Literal["oliver-pharr", "loubet"]
 
@@ -92,10 +92,7 @@ class Indentation(Remade, OneLine):
     reference: bool = False
 
     def __post_init__(self) -> None:
-        for name in _NUMBERS:
-            value = getattr(self, name)
-            if value is not None:
-                object.__setattr__(self, name, number(name, value))
+        set_numbers(self, *(name for name in _NUMBERS if getattr(self, name) is not None))
         if self.contact_depth not in get_args(ContactDepth):
             words = ", ".join(f'"{word}"' for word in get_args(ContactDepth))
             raise FitError(

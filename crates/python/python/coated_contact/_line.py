@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from . import _core
 from ._arrays import number
-from ._columns import Array, Columns
+from ._columns import Array, TimedColumns
 from ._contact import Contact
 from ._control import Control, native_control
 from ._results import State
 from ._values import set_numbers
-
-if TYPE_CHECKING:
-    import xarray
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -99,7 +96,7 @@ def law_numbers(law: Law) -> tuple[Any, ...]:
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
-class TimedStates(Columns):
+class TimedStates(TimedColumns):
     """The states of a contact at many times.
 
     Attributes
@@ -121,12 +118,6 @@ class TimedStates(Columns):
     load: Array
     penetration: Array
     energy_release_rate: Array
-
-    _drawn = ("time", "load")
-
-    def to_xarray(self) -> xarray.Dataset:
-        """Return a Dataset over ``time``; needs xarray."""
-        return super(TimedStates, self).to_xarray().swap_dims(dim_0="time").set_coords("time")
 
 
 class ContactLine:

@@ -272,8 +272,3 @@ def with_radius(probe: Probe, sphere_radius: float) -> Probe:
             f"{type(probe).__name__}: replace the probe, probe=..."
         )
     return replace(probe, radius=sphere_radius)
-
-
-def radius_of(probe: Probe) -> float | None:
-    """Return the radius of a sphere or of its paraboloid."""
-    return probe.radius if isinstance(probe, Paraboloid | Sphere) else None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
@@ -31,17 +31,7 @@ InputName = Literal[
 ]
 
 # In the order of the native part.
-INPUTS: tuple[InputName, ...] = (
-    "contact_radius",
-    "work_of_adhesion",
-    "sphere_radius",
-    "sphere_modulus",
-    "film_thickness",
-    "film_modulus",
-    "film_poisson_ratio",
-    "substrate_modulus",
-    "substrate_poisson_ratio",
-)
+INPUTS: tuple[InputName, ...] = get_args(InputName)
 
 
 @dataclass(frozen=True, slots=True)
