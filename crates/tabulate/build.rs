@@ -9,11 +9,13 @@ use std::{env, fs};
 /// The sources of this crate, of those that it solves and interpolates with, and the lock file, as
 /// they lie in the workspace and in a package. One of the two places does not exist. The version of
 /// a package stands for the sources of its dependencies.
-const SOURCES: [&str; 6] = [
+const SOURCES: [&str; 8] = [
     "src",
     "../solve/src",
+    "../piecewise/src",
     "../contact/src",
     "../interp/src",
+    "../low-rank/src",
     "../../Cargo.lock",
     "Cargo.lock",
 ];

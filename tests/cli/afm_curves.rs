@@ -25,6 +25,8 @@ struct Row {
     text: String,
 }
 
+type Outcome = (&'static str, Option<[f64; 2]>, String);
+
 /// The columns of the recorded values.
 const HEADER: &str = "curve,outcome,film_modulus,work_of_adhesion,text";
 
@@ -79,8 +81,8 @@ impl Row {
     }
 }
 
-/// Fits an exported curve.
-fn fit(workdir: &Workdir, curve: String, file: &str, stiffness: &str) -> Row {
+/// Fits an exported curve. Returns the last three fields of its row.
+fn fit(workdir: &Workdir, curve: &str, file: &str, stiffness: &str) -> Outcome {
     let known = match stiffness {
         "" => String::new(),
         _ => format!("--stiffness {stiffness}"),
@@ -96,12 +98,7 @@ fn fit(workdir: &Workdir, curve: String, file: &str, stiffness: &str) -> Row {
         assert_eq!(run.status, 1, "{run:?}");
         // Warnings that may tell why a value is impossible come below.
         let first = run.stderr.lines().next();
-        return Row {
-            curve,
-            outcome: "refused".into(),
-            values: None,
-            text: reason(first.expect("a reason")),
-        };
+        return ("refused", None, reason(first.expect("a reason")));
     };
     let converged = object["converged"].as_bool().expect("true or false");
     assert_eq!(converged, run.status == 0, "{curve}: {run:?}");
@@ -114,22 +111,13 @@ fn fit(workdir: &Workdir, curve: String, file: &str, stiffness: &str) -> Row {
     assert_eq!(converged, !kinds.contains(&"not-converged"), "{kinds:?}");
     if !converged {
         // Where such a fit stops depends on the rounding of the processor.
-        return Row {
-            curve,
-            outcome: "not converged".into(),
-            values: None,
-            text: String::new(),
-        };
+        return ("not converged", None, String::new());
     }
     let value = |name: &str| object["parameters"][name]["value"].as_f64();
     let values = value("film_modulus").zip(value("work_of_adhesion"));
     let values = values.map(|(modulus, work)| [modulus, work]);
-    Row {
-        curve,
-        outcome: "fitted".into(),
-        values: values.filter(|_| !kinds.contains(&"undetermined")),
-        text: kinds.join(" "),
-    }
+    let values = values.filter(|_| !kinds.contains(&"undetermined"));
+    ("fitted", values, kinds.join(" "))
 }
 
 /// Exports the curves to a folder. Returns a line for each curve; none without afmformats.
@@ -189,15 +177,16 @@ fn every_curve_is_fitted_or_refused_with_a_reason() {
             panic!("{line:?} has four cells");
         };
         let curve = format!("{file} {number}").trim().replace(',', ";");
-        if exported.is_empty() {
-            return Row {
-                curve,
-                outcome: "not exported".into(),
-                values: None,
-                text: stiffness.into(),
-            };
+        let (outcome, values, text) = match exported {
+            "" => ("not exported", None, stiffness.into()),
+            _ => fit(&workdir, &curve, exported, stiffness),
+        };
+        Row {
+            curve,
+            outcome: outcome.into(),
+            values,
+            text,
         }
-        fit(&workdir, curve, exported, stiffness)
     };
     let rows: Vec<Row> = list.lines().map(row).collect();
     println!("{HEADER}");

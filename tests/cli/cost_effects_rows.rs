@@ -1,24 +1,13 @@
 //! `tabulate cost effects`: its rows, and what it refuses.
 
-use acceptance::{Workdir, assert_names, workdir};
+use acceptance::{assert_names, workdir};
 use cost::clock::{Times, Timing};
 use cost::effects::{Effect, Row, STRENGTHS, markdown};
 use cost::to_csv;
 use tabulate::measure::read_csv;
-use tabulate::table::{Observer, Scene};
+use tabulate::table::Scene;
 
-fn rows(workdir: &Workdir, file: &str) -> Vec<Row> {
-    read_csv(&workdir.path(file)).expect("the command has written it")
-}
-
-/// Ignores the progress of a generation.
-struct Silent;
-
-impl Observer for Silent {
-    fn begin(&self, _: &'static str, _: usize, _: usize) {}
-    fn advance(&self, _: usize) {}
-    fn note(&self, _: &str) {}
-}
+use crate::cost_table::Work;
 
 const SCENE: &str = "\
 title = 'A small box'
@@ -33,8 +22,8 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
     let workdir = workdir!();
     workdir.write("scene.toml", SCENE);
     let scene = Scene::parse(SCENE, Some(1e-3)).expect("the scene is sound");
-    let rows =
-        tabulate::measure::effects(&scene, 2000, Timing::Brief, &Silent).expect("within reach");
+    let rows = tabulate::measure::effects(&scene, 2000, Timing::Brief, &Work::default())
+        .expect("within reach");
     let effects: Vec<_> = rows.iter().map(|row| row.without).collect();
     assert_eq!(
         effects,
@@ -202,7 +191,7 @@ fn effects_that_a_scene_does_not_have_are_named() {
         &printed,
         "Not in this scene: adhesion, penetration, shape, finite range, relaxation.; | film | JKR on the bare substrate | 1 |",
     );
-    let film = &rows(&workdir, "like.csv")[1];
+    let film = &read_csv::<Row>(&workdir.path("like.csv")).expect("its own")[1];
     assert_eq!(film.without, Some(Effect::Film));
     assert!(film.worst_error <= 1e-15, "{film:?}");
 

@@ -215,30 +215,13 @@ fn a_table_without_all_quantities_is_an_error_that_names_one() {
 #[test]
 fn the_command_prints_a_summary_and_writes_all_rows() {
     let workdir = workdir!();
-    let file = shipped("paper.bin");
-    let summary = workdir.succeed([
-        "cost",
-        "lookup",
-        file.to_str().expect("UTF-8"),
-        "-o",
-        "lookup.csv",
-    ]);
+    let table = shipped("paper.bin").display().to_string();
+    let summary = workdir.succeed(format!("cost lookup {table} -o lookup.csv"));
     let rows: Vec<Row> = read_csv(&workdir.path("lookup.csv")).expect("its own");
     assert_eq!(summary, markdown(&rows));
     assert!(rows.iter().any(|row| row.points == POINTS as u64));
     let message = workdir.fail(1, "cost lookup missing.bin");
     assert_names(&message, &["missing.bin"]);
-    let message = workdir.fail(
-        1,
-        [
-            "cost",
-            "lookup",
-            file.to_str().expect("UTF-8"),
-            "-o",
-            "nowhere/lookup.csv",
-        ],
-    );
-    assert_names(&message, &["nowhere"]);
 }
 
 #[test]

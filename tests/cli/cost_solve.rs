@@ -1,6 +1,6 @@
 //! `tabulate cost solve`: its errors, sizes and methods against those of solves, and its files.
 
-use acceptance::{Data, assert_names, larger, relative_error, workdir};
+use acceptance::{Data, larger, relative_error, workdir};
 use cost::clock::Timing;
 use cost::nystrom::Nystrom;
 use cost::solve::{NYSTROM, REFUSED, Row, TOLERANCES, contacts, markdown, measure};
@@ -158,21 +158,4 @@ fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
         );
         assert_eq!(reached.is_some(), contact.a_over_t <= 100.0);
     }
-}
-
-#[test]
-fn a_figure_of_anything_else_is_refused() {
-    let workdir = workdir!();
-    workdir.write("other.csv", "contact,a_over_t\nthe paper's,thin\n");
-    let message = workdir.fail(1, "plot work-precision --data other.csv -o picture.svg");
-    assert_names(&message, &["other.csv", "line: 2"]);
-    assert_eq!(workdir.files(), ["other.csv"]);
-}
-
-#[test]
-fn an_output_that_cannot_be_written_is_named_before_anything_is_measured() {
-    assert_names(
-        &workdir!().fail(1, "cost solve -o nowhere/solve.csv"),
-        "nowhere/solve.csv; no folder",
-    );
 }

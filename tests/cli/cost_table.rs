@@ -33,7 +33,7 @@ fn rows(workdir: &Workdir, file: &str) -> Vec<Row> {
 
 /// Counts the points that are solved.
 #[derive(Default)]
-struct Work(AtomicU64);
+pub struct Work(AtomicU64);
 
 impl Observer for Work {
     fn begin(&self, _: &'static str, _: usize, _: usize) {}
@@ -254,22 +254,13 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
         "ten nodes keep {} tolerances",
         rows.len()
     );
-    let said = workdir.run([
-        "generate",
-        "stated.toml",
-        "--tolerance",
-        &TOLERANCES[rows.len()].to_string(),
-    ]);
+    let tolerance = TOLERANCES[rows.len()];
+    let said = workdir.run(format!("generate stated.toml --tolerance {tolerance}"));
     assert_eq!(said.status, 1);
-    let error = Table::open(workdir.path("stated.h5"))
-        .expect("sound")
-        .description()
-        .certificate
-        .max_error;
+    let table = Table::open(workdir.path("stated.h5")).expect("sound");
+    let error = table.description().certificate.max_error;
     let reason = format!(
-        "There is no table to {:e}: its certified error {error:.1e} leaves no room below the tolerance {:e}",
-        TOLERANCES[rows.len()],
-        TOLERANCES[rows.len()]
+        "There is no table to {tolerance:e}: its certified error {error:.1e} leaves no room below the tolerance {tolerance:e}"
     );
     assert_names(&run.stderr, &[&format!("tabulate: {reason}")]);
     assert_names(&run.stdout, &[&markdown(&rows), &reason]);

@@ -13,9 +13,8 @@ fn embedded_is_the_table_that_is_compiled_in() {
     let file =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/interp/embedded/universal.bin");
     let (path, points) = (file.to_str().expect("UTF-8"), shipped("points.csv"));
-    let points = points.to_str().expect("UTF-8");
     let commands = [
-        &format!("query TABLE --points {points} --gradient"),
+        &format!("query TABLE --points {} --gradient", points.display()),
         "curve TABLE --points 20",
         "info TABLE",
         "info TABLE --json",
@@ -42,8 +41,7 @@ fn embedded_is_the_table_that_is_compiled_in() {
 #[test]
 fn a_ratio_of_reduced_moduli_outside_the_table_is_explained() {
     let workdir = workdir!();
-    let points = "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1e12,0.3,1\n";
-    workdir.write("points.csv", points);
+    workdir.write_points("1,1e12,0.3,1\n");
     workdir.refuses("1 | query embedded --points points.csv | line 2; e1s_over_einfs is the reduced modulus of the film; tabulate solve");
 }
 

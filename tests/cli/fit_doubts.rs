@@ -88,6 +88,7 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         2 | {known} thickness=3e-5+-1e-6 | thickness; sphere-radius
         1 | {known} sphere-modulus=2e6+-1e4 | sphere-modulus; not free; prior
         1 | {known} stiffness=1+-0 | stiffness; positive
+        1 | {known} film-modulus=3MPa+-1kPa --value film-modulus=3MPa | film-modulus; twice; --known is one value for all
         "
     ));
 }

@@ -1,7 +1,7 @@
 //! Full friction on the command line: the numbers of `solve`, the histories of `curve` and
 //! `pull-off`, fits with both ends of friction, and what is refused.
 
-use acceptance::{assert_names, estimate, json, number, value, workdir};
+use acceptance::{assert_estimate, assert_names, json, number, value, workdir};
 
 /// A rigid sphere on an incompressible film on a rigid base.
 const CONFINED: &str = "--e1-over-e2 0 --nu1 0.5 --e0-over-e2 inf";
@@ -51,10 +51,7 @@ fn solve_prints_the_numbers_of_stick() {
     };
     assert!((of_sphere("0.4") / 0.781_982_900_326_427_8 - 1.0).abs() < 1e-10);
     assert!((of_sphere("0.4") - of_sphere("0.5")).abs() > 1e-6);
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,0,0.5,inf\n1,0,0.3,inf\n",
-    );
+    workdir.write_points("1,0,0.5,inf\n1,0,0.3,inf\n");
     let text = workdir.succeed("solve --points points.csv --friction stick");
     let lines: Vec<&str> = text.lines().collect();
     assert!(
@@ -232,9 +229,7 @@ fn fits_of_the_retract_take_a_work_of_adhesion_of_its_own() {
     assert_eq!(fitted.status, 0, "{}", fitted.stderr);
     let object = json(&fitted.stdout);
     for (name, truth) in [("work_of_adhesion", 0.01), ("film_modulus", 7.5e5)] {
-        let [value, error] = estimate(&object, name);
-        assert!((value - truth).abs() < 4.0 * error, "{name}: {object}");
-        assert!(error < 0.01 * truth, "{name}: {object}");
+        assert_estimate(&object, name, truth, 0.01 * truth);
     }
     // One work of adhesion describes these data with another modulus.
     let approach = run(plan, "0.01", "--segments approach");

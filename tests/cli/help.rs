@@ -16,6 +16,10 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
         fit | DATA --kind --free --stiffness --robust --noise --json --csv --plot --plot-kind --column --sphere-modulus --film-thickness --specimen --allow
         simulate | --kind --noise --seed --from --to --expect --specimen
         info | TABLE
+        report | TABLE -o --output REPORT.html
+        plot | fig2 fig3 fig4 force-displacement
+        plot fig2 | -o --output FILE.svg|FILE.png
+        plot error-map | [TABLE] -o --output
         cost | solve
         check | TABLE --points --seed
         unpack | TABLE.bin -o --output TABLE.h5
@@ -45,10 +49,7 @@ fn the_help_of_every_command_has_its_arguments_and_the_program_says_whose_modulu
 #[test]
 fn wrong_usage_ends_with_2_and_failed_work_with_1() {
     let workdir = workdir!();
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n",
-    );
+    workdir.write_points("1,1,0.5,inf\n");
     let one = "solve --a-over-t 1 --e1-over-e2 1 --nu1 0.5 --e0-over-e2 inf";
     workdir.refuses(format!(
         "
@@ -62,6 +63,7 @@ fn wrong_usage_ends_with_2_and_failed_work_with_1() {
         2 | solve --points points.csv --json | --json
         2 | query table.h5 | --points
         2 | pack table.h5 | --output
+        2 | report table.h5 | --output
         2 | curve table.h5 --tolerance 1e-3 | --tolerance
         1 | {one} --nu0 0.6 | nu0; 0.6; (-1, 0.5]
         1 | {one} --nu0 nan | nu0; NaN
@@ -219,11 +221,7 @@ fn completions_and_man_pages_mention_every_command_and_option() {
     for (name, text) in &helps {
         let page = workdir.succeed(format!("man {}", name.join(" ")));
         let page = page.replace('\\', "");
-        let title = ["tabulate".to_owned()]
-            .into_iter()
-            .chain(name.clone())
-            .collect::<Vec<_>>()
-            .join("-");
+        let title = [&["tabulate".to_owned()][..], name].concat().join("-");
         assert_names(&page, &[&format!(".TH {title} 1"), ".SH EXAMPLES"]);
         for command in commands(text) {
             assert_names(&page, &[&format!("{title}-{command}(1)")]);

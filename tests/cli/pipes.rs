@@ -29,12 +29,9 @@ fn run_unread(folder: &Path, both: bool, args: &str) -> Output {
 #[test]
 fn a_closed_reader_is_no_failure_of_any_command() {
     let workdir = workdir!();
-    let table = shipped("paper.bin");
-    let (table, points) = (table.to_str().expect("UTF-8"), shipped("points.csv"));
-    let points = points.to_str().expect("UTF-8");
-    let costs = shipped("figures/table.csv");
+    let [table, points, costs] = ["paper.bin", "points.csv", "figures/table.csv"]
+        .map(|name| shipped(name).display().to_string());
     workdir.write("scene.toml", crate::TWO_QUANTITIES.replace("1e-2", "1e-1"));
-    let costs = costs.to_str().expect("UTF-8");
     let commands = [
         "--help",
         "--version",
@@ -93,8 +90,7 @@ fn work_that_fails_ends_with_1_whoever_reads() {
 #[test]
 fn output_that_cannot_be_written_ends_with_1() {
     let workdir = workdir!();
-    let points = shipped("points.csv");
-    let points = points.to_str().expect("UTF-8");
+    let points = shipped("points.csv").display().to_string();
     let commands = [
         "--help",
         "-h",

@@ -4,7 +4,7 @@ use acceptance::{
     Contacts, Data, assert_cases, assert_names, json, material, solid, table, workdir,
 };
 use contact::{Contact, Input};
-use interp::{Parameter, Probe, System, Table};
+use interp::{Parameter, Probe, System};
 use solve::solve_power_laws;
 
 use crate::{TWO_QUANTITIES, solved};
@@ -87,8 +87,7 @@ fn solve_prints_one_point_to_the_last_bit() {
             assert_eq!(object["e0_over_e2"], "inf");
         }
         assert_eq!(object.as_object().expect("an object").len(), 13);
-        let names = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0"];
-        for (name, value) in names.into_iter().zip(values_given).chain(rows) {
+        for (name, value) in COLUMNS.into_iter().zip(values_given).chain(rows) {
             // The digits themselves: serde_json's own reading may be one bit off.
             let (_, rest) = text
                 .split_once(&format!("\"{name}\":"))
@@ -137,10 +136,7 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
         .iter()
         .map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"))
         .collect();
-    workdir.write(
-        "points.csv",
-        format!("a_over_t,e1_over_e2,nu1,e0_over_e2\n{rows}"),
-    );
+    workdir.write_points(&rows);
     for (arguments, nu0, tolerance) in [
         ("", 0.25, DEFAULT_TOLERANCE),
         ("--nu0 0.1 --tolerance 1e-6", 0.1, 1e-6),
@@ -152,13 +148,8 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
         assert_eq!(data.columns(), COLUMNS);
         assert_eq!(data.cases().count(), points.len());
         for (case, [x, e1, nu1, e0]) in data.cases().zip(&points) {
-            assert_eq!(
-                COLUMNS[..5]
-                    .iter()
-                    .map(|name| case.get(name))
-                    .collect::<Vec<_>>(),
-                [*x, *e1, *nu1, *e0, nu0]
-            );
+            let read: Vec<f64> = COLUMNS[..5].iter().map(|name| case.get(name)).collect();
+            assert_eq!(read, [*x, *e1, *nu1, *e0, nu0]);
             let expected = solved(*x, &material([*e1, *nu1, *e0, nu0]), tolerance);
             assert_eq!(case.quantities(), expected.quantities);
             assert_eq!(case.get("error"), expected.error);
@@ -183,27 +174,19 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
     assert_eq!(run.stderr.lines().count(), 1);
     let answer = run.stdout;
     let mut lines = answer.lines();
-    assert_eq!(
-        lines
-            .next()
-            .expect("a header")
-            .split(',')
-            .collect::<Vec<_>>(),
-        COLUMNS
-    );
+    assert_eq!(lines.next(), Some(&*COLUMNS.join(",")));
     for (line, [x, e1]) in lines.by_ref().zip([[0.1, 1.0], [3.3, 1.9]]) {
         let fields: Vec<&str> = line.split(',').collect();
         // The table's substrate stands in where the points have none.
         let curve = table
             .curve(&material([e1, 0.5, f64::INFINITY, 0.1]))
             .expect("inside");
-        let numbers = [x, e1, 0.5, f64::INFINITY, 0.1]
-            .into_iter()
-            .map(Some)
-            .chain(quantities_at(&table, &curve, x));
-        let expected: Vec<Option<f64>> = numbers
-            .chain([Some(table.description().certificate.max_error)])
-            .collect();
+        let point = [x, e1, 0.5, f64::INFINITY, 0.1].map(Some);
+        let held = |quantity| table.holds(quantity);
+        let quantities =
+            interp::Quantity::ALL.map(|q| held(q).then(|| curve.quantity(q, x).expect("inside")));
+        let error = Some(table.description().certificate.max_error);
+        let expected = [&point[..], &quantities, &[error]].concat();
         let found: Vec<Option<f64>> = fields
             .iter()
             .map(|field| (!field.is_empty()).then(|| field.parse().expect("a number")))
@@ -243,9 +226,8 @@ fn assert_all_four(answer: &str, chance: f64) {
 fn a_table_of_gamma_alone_answers_all_four_with_the_error_that_it_states() {
     let workdir = workdir!();
     let points = acceptance::shipped("points.csv");
-    let points = points.to_str().expect("a path in UTF-8");
     // The command of the README.
-    let command = format!("query embedded --points {points}");
+    let command = format!("query embedded --points {}", points.display());
     let answer = workdir.succeed(&command);
     // The certificate holds at its own points; others exceed it by a few times at most.
     assert_all_four(&answer, 3.0);
@@ -274,10 +256,7 @@ fn a_table_of_gamma_that_begins_too_late_says_why_fields_are_empty() {
             .replace("from = 0.1", &format!("from = {from}"))
             .replace("1e-2", "1e-4");
         workdir.write("late.bin", table(&late).to_packed().expect("a small table"));
-        workdir.write(
-            "points.csv",
-            "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n4,1,0.5,inf\n",
-        );
+        workdir.write_points("3.3,1.9,0.5,inf\n4,1,0.5,inf\n");
         let run = workdir.run("query late.bin --points points.csv");
         assert_eq!(run.status, 0);
         let data = Data::parse("query", &run.stdout);
@@ -303,10 +282,7 @@ fn query_prints_the_derivatives_that_the_table_knows() {
     let table =
         table(&TWO_QUANTITIES.replace("['delta0', 'eeq']", "['pi0', 'eeq', 'gamma', 'delta0']"));
     workdir.write("table.bin", table.to_packed().expect("a small table"));
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n3.3,1.9,0.5,inf\n",
-    );
+    workdir.write_points("3.3,1.9,0.5,inf\n");
     let answer = workdir.succeed("query table.bin --points points.csv --gradient");
     let data = Data::parse("query", &answer);
     assert_eq!(data.columns()[..10], COLUMNS);
@@ -348,10 +324,7 @@ fn a_single_a_over_t_has_no_slopes() {
         "title = 'one'\na_over_t = 1\ne1_over_e2 = { from = 0.5, to = 2 }\nnu1 = 0.5\ne0_over_e2 = inf\n",
     );
     workdir.write("table.bin", table.to_packed().expect("a small table"));
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n",
-    );
+    workdir.write_points("1,1,0.5,inf\n");
     let answer = workdir.succeed("query table.bin --points points.csv --gradient");
     let data = Data::parse("query", &answer);
     let case = data.cases().next().expect("a point");
@@ -382,21 +355,6 @@ fn a_single_a_over_t_has_no_slopes() {
     ] {
         assert_eq!(gradient.by(input).is_ok(), is_known, "{input:?}");
     }
-}
-
-/// The quantities at `x`, `None` where the table does not hold them.
-fn quantities_at(
-    table: &Table,
-    curve: &interp::Curve,
-    x: f64,
-) -> impl Iterator<Item = Option<f64>> {
-    interp::Quantity::ALL
-        .map(|q| {
-            table
-                .holds(q)
-                .then(|| curve.quantity(q, x).expect("inside"))
-        })
-        .into_iter()
 }
 
 /// Wrong files of points, with words of the error that each must cause beside the file's name.
@@ -463,10 +421,7 @@ fn solve_adds_the_columns_of_other_probes() {
         );
     }
 
-    workdir.write(
-        "points.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2\n3,1.75,0.5,1e5\n",
-    );
+    workdir.write_points("3,1.75,0.5,1e5\n");
     let table = workdir.succeed(format!("solve --points points.csv {probes}"));
     let data = Data::parse("solve", &table);
     let further = ["pi_1", "delta_1", "pi_2.5", "delta_2.5"];

@@ -1,6 +1,6 @@
 //! `tabulate fit --relaxation` and `tabulate simulate --relaxation`.
 
-use acceptance::{Data, Workdir, assert_names, estimate, number, workdir};
+use acceptance::{Data, Workdir, assert_estimate, assert_names, number, workdir};
 use serde_json::Value;
 
 const GEL: &str = "--sphere-radius 10um --sphere-modulus inf --film-thickness 8um --film-poisson-ratio 0.5 \
@@ -30,11 +30,7 @@ fn what_is_simulated_is_found() {
     assert_eq!(data.cases().count(), 120);
     let found = fit(&workdir, "--relaxation power-law");
     for (name, truth) in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)] {
-        let [value, error] = estimate(&found, name);
-        assert!(
-            (value - truth).abs() < 4.0 * error && error < 0.05 * truth,
-            "{name}: {found}"
-        );
+        assert_estimate(&found, name, truth, 0.05 * truth);
     }
     let relaxation = &found["relaxation"];
     assert_eq!(relaxation["law"], "power-law");

@@ -1,12 +1,17 @@
 //! `tabulate simulate`
 
-use acceptance::{Data, Workdir, assert_names, estimate, json, larger, paper_system, workdir};
+use acceptance::{
+    Data, Workdir, assert_names, estimate, json, larger, paper_system, shipped, workdir,
+};
 use interp::Mechanics;
 
 use crate::solved;
 
 /// The lens of the documentation: radii and loads, on a film of 10 um.
 const LENS: &str = "simulate --kind load-radius --film-thickness 1e-5 --from 4.2e-5 --to 1.3e-4";
+
+/// Contact stiffness on the same film.
+const STIFFNESS: &str = "simulate --specimen paper --kind stiffness-radius --to 1e-4 --noise 1%";
 
 fn simulate(workdir: &Workdir, more: &str) -> String {
     workdir.succeed(format!("{LENS} {more}"))
@@ -123,6 +128,22 @@ fn a_cycle_goes_there_and_back() {
     }
 }
 
+/// The first lines of a measurement hold the command.
+#[test]
+fn a_name_that_is_no_text_is_written_all_the_same() {
+    let workdir = workdir!();
+    let run = workdir.script(&format!(
+        "\"$0\" {LENS} --noise 0 -o \"$(printf 'a\\377\\nb.csv')\" && cat *.csv"
+    ));
+    assert_eq!(run.status, 0, "{run:?}");
+    let mut lines = run.stdout.lines();
+    assert!(
+        lines.by_ref().take(2).all(|line| line.starts_with('#')),
+        "{run:?}"
+    );
+    assert_eq!(lines.next(), Some("contact_radius,load"));
+}
+
 #[test]
 fn what_cannot_be_simulated_is_an_error() {
     let workdir = workdir!();
@@ -135,7 +156,11 @@ fn what_cannot_be_simulated_is_an_error() {
         2 | {LENS} --noise 1e-6 --json | --expect
         2 | {LENS} --noise 1e-6 --value offset=1 | offset; load-offset
         1 | {LENS} --noise 1e-6 --value load-offset=1,2 | load-offset; 2 values for 1 files
-        "
+        1 | {STIFFNESS} --from 1e-5 --segments cycle | --segments approach
+        1 | {STIFFNESS} --from 0 | contact radius; 0.0; above 0
+        1 | {LENS} --noise 1e-6 --expect --table {} --free film-poisson-ratio | derivatives; range of each
+        ",
+        shipped("paper.h5").display()
     ));
     let same = LENS.replace("--to 1.3e-4", "--to 4.2e-5");
     assert_names(

@@ -1,6 +1,8 @@
 //! Stacks of layers: `--stack` of `tabulate solve`, `curve`, `fit` and `simulate`.
 
-use acceptance::{Data, Workdir, assert_names, estimate, layer, number, solid, stack, workdir};
+use acceptance::{
+    Data, Workdir, assert_estimate, assert_names, layer, number, solid, stack, workdir,
+};
 use contact::Contact;
 use solve::stack::Stack;
 use solve::{solve_stack, stack_curve};
@@ -118,12 +120,7 @@ fn fit_finds_the_parameters_of_layers_by_their_names() {
             if name == "primer.modulus" { "Pa" } else { "m" }
         );
         for (key, truth) in [(name, truth), ("work_of_adhesion", 0.04)] {
-            let [value, error] = estimate(&fit, key);
-            println!("{key}: {value:e} +- {error:e}");
-            assert!(
-                (value - truth).abs() < 4.0 * error && error < 0.1 * truth,
-                "{key}: {fit}"
-            );
+            assert_estimate(&fit, key, truth, 0.1 * truth);
         }
     }
 }

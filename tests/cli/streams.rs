@@ -34,14 +34,12 @@ fn points_keep_their_order_over_many_batches() {
     let curve = read
         .curve(&acceptance::material([1.75, 0.5, 1e5, 0.25]))
         .expect("inside");
-    let mut count = 0;
+    assert_eq!(data.cases().count(), MANY);
     for (i, case) in data.cases().enumerate() {
         let x = 1e-2 * (1.0 + i as f64);
         assert_eq!(case.get("a_over_t"), x);
         assert_eq!(case.quantities(), curve.quantities(x).expect("inside"));
-        count += 1;
     }
-    assert_eq!(count, MANY);
     // From a pipe too, and into a file.
     let run = workdir.script(&format!(
         "cat points.csv | \"$0\" query {table} --points /dev/stdin -o out.csv"
@@ -75,11 +73,14 @@ fn an_error_names_the_first_wrong_line_and_leaves_no_file() {
 /// twice the points of this test.
 const MEMORY: usize = 300_000;
 
-fn within_memory(workdir: &Workdir, command: &str) {
+/// Returns the number of lines that a command prints within that memory.
+fn lines_within_memory(workdir: &Workdir, command: &str) -> usize {
     let run = workdir.script(&format!(
         "export RAYON_NUM_THREADS=2 MALLOC_ARENA_MAX=2; ulimit -v {MEMORY}; exec \"$0\" {command} > out.csv"
     ));
     assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{command}");
+    let printed = workdir.read("out.csv");
+    printed.iter().filter(|byte| **byte == b'\n').count()
 }
 
 #[test]
@@ -92,31 +93,14 @@ fn memory_does_not_grow_with_the_number_of_points() {
         HEADER.to_owned() + &"1,1,0.25,1\n".repeat(COUNT),
     );
     // Film and substrate are equal, and solved in closed form.
-    within_memory(&workdir, "solve --points points.csv");
-    assert_eq!(
-        workdir
-            .read("out.csv")
-            .iter()
-            .filter(|b| **b == b'\n')
-            .count(),
-        COUNT + 1
-    );
+    let solved = lines_within_memory(&workdir, "solve --points points.csv");
+    assert_eq!(solved, COUNT + 1);
     workdir.write(
         "points.csv",
         HEADER.to_owned() + &"1,1.75,0.5,1e5\n".repeat(COUNT / 4),
     );
-    within_memory(
-        &workdir,
-        &format!("query {table} --points points.csv --gradient"),
-    );
-    assert_eq!(
-        workdir
-            .read("out.csv")
-            .iter()
-            .filter(|b| **b == b'\n')
-            .count(),
-        COUNT / 4 + 1
-    );
+    let query = format!("query {table} --points points.csv --gradient");
+    assert_eq!(lines_within_memory(&workdir, &query), COUNT / 4 + 1);
 }
 
 #[test]

@@ -4,7 +4,9 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::process::Command;
 
-use acceptance::{Workdir, assert_names, checksum, start};
+use acceptance::{Workdir, assert_names, start};
+
+use crate::kept::with_header;
 
 const SCENE: &str = "\
 title = 'Three pieces'
@@ -83,22 +85,6 @@ fn a_journal_that_is_no_file_is_refused_and_not_followed() {
     fs::remove_file(workdir.path(JOURNAL)).expect("still there");
     fs::rename(workdir.path("folder"), workdir.path(JOURNAL)).expect("renamed");
     assert_names(&workdir.fail(1, GENERATE), &[JOURNAL, "it is no file"]);
-}
-
-/// The bytes of a journal with another header.
-fn with_header(journal: &[u8], change: impl Fn(&str) -> String) -> Vec<u8> {
-    let length = u64::from_le_bytes(journal[16..24].try_into().expect("eight bytes")) as usize;
-    let (header, pieces) = journal[28..].split_at(length);
-    let header = change(std::str::from_utf8(header).expect("UTF-8"));
-    let length = (header.len() as u64).to_le_bytes();
-    [
-        &journal[..16],
-        &length,
-        &checksum(header.as_bytes()).to_le_bytes(),
-        header.as_bytes(),
-        pieces,
-    ]
-    .concat()
 }
 
 #[test]

@@ -39,6 +39,14 @@ fn record(number: u64, bytes: &[u8]) -> Vec<u8> {
     .concat()
 }
 
+/// The bytes of a journal with another header.
+pub fn with_header(journal: &[u8], change: impl Fn(&str) -> String) -> Vec<u8> {
+    let length = u64::from_le_bytes(journal[16..24].try_into().expect("eight bytes")) as usize;
+    let (header, pieces) = journal[28..].split_at(length);
+    let header = change(std::str::from_utf8(header).expect("UTF-8"));
+    [&journal[..8], &record(u64::MAX, header.as_bytes()), pieces].concat()
+}
+
 #[test]
 fn a_sound_record_that_is_no_piece_is_dropped() {
     let workdir = unfinished(8);
@@ -59,32 +67,25 @@ fn a_sound_record_that_is_no_piece_is_dropped() {
 fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() {
     let workdir = unfinished(8);
     let journal = workdir.read(JOURNAL);
-    let length = u64::from_le_bytes(journal[16..24].try_into().expect("eight bytes")) as usize;
-    let (header, pieces) = journal[28..].split_at(length);
-    let header = String::from_utf8(header.to_vec()).expect("UTF-8");
-    let with =
-        |header: &str| [&journal[..8], &record(u64::MAX, header.as_bytes()), pieces].concat();
-    assert_eq!(with(&header), journal);
-    let nodes = header
-        .lines()
+    let with = |from: &str, to: &str| with_header(&journal, |header| header.replacen(from, to, 1));
+    let text = String::from_utf8_lossy(&journal);
+    let mut lines = text.lines();
+    let nodes = lines
         .find(|line| line.starts_with("nodes = "))
         .expect("the first axis");
     let mut damaged = journal.clone();
     damaged[100] ^= 1;
     let mut cases = vec![
         (damaged, "cannot be read"),
-        (with(&(header.clone() + "more = 1\n")), "cannot be read"),
+        (
+            with_header(&journal, |header| format!("{header}more = 1\n")),
+            "cannot be read",
+        ),
     ];
     for wrong in ["0", "1", "20000", "100000000000", "9223372036854775807"] {
-        cases.push((
-            with(&header.replacen(nodes, &format!("nodes = {wrong}"), 1)),
-            "not the scene's",
-        ));
+        cases.push((with(nodes, &format!("nodes = {wrong}")), "not the scene's"));
     }
-    cases.push((
-        with(&header.replacen("from = 0.01", "from = -1.0", 1)),
-        "not the scene's",
-    ));
+    cases.push((with("from = 0.01", "from = -1.0"), "not the scene's"));
     for (forged, words) in cases {
         workdir.write(JOURNAL, &forged);
         workdir.refuses(format!(

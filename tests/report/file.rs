@@ -100,19 +100,3 @@ fn a_page_of_every_film_is_small() {
     let page = report(&table, &[], &SPHERE).expect("a report");
     assert!(page.len() < 1_500_000, "{} bytes", page.len());
 }
-
-#[test]
-fn nothing_is_written_on_top_of_the_table() {
-    let workdir = workdir!();
-    workdir.write(
-        "table.bin",
-        std::fs::read(shipped("paper.bin")).expect("the shipped table"),
-    );
-    let message = workdir.fail(1, "report table.bin -o table.bin");
-    assert_names(&message, &["table.bin", "it is the input"]);
-    workdir.fail(2, "report table.bin");
-    assert_names(
-        &workdir.succeed("report --help"),
-        "TABLE; -o; --output; REPORT.html",
-    );
-}

@@ -89,6 +89,7 @@ fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
         paraboloid 1e-5 1e6  0.49 7e10 0.22 1e-3 7e10 0.04 # a soft film on glass under glass
         paraboloid 1e-4 1e6  0.49 7e10 0.22 1e-3 2e6  0.04 # a soft sphere, and a thicker film
         paraboloid 1e-5 1e6  0.49 7e10 0.22 1e-3 inf  0.04
+        paraboloid 1e-5 1e6  0.49 3e12 0.22 1e-3 inf  0.04 # stiffer than any solid
         paraboloid 1e-5 1e6  0.49 inf  0.3  1e-3 7e10 0.04
         paraboloid 1e-5 1e6  0.5  inf  0.3  1e-2 inf  0
         paraboloid 1e-5 1e10 0.4  1e7  0.3  1e-3 inf  0.04

@@ -133,19 +133,12 @@ pub fn assert_shows(
         }
         let mut states: HashMap<&str, Result<contact::State, Error>> = HashMap::new();
         if setting.adhesion > 0.0 && penetrates {
-            states.insert(
-                "pull-off-load",
-                contact.pull_off(setting.adhesion, Control::Load),
-            );
-            states.insert(
-                "pull-off-penetration",
-                contact.pull_off(setting.adhesion, Control::Displacement),
-            );
+            let pull_off = |control| contact.pull_off(setting.adhesion, control);
+            states.insert("pull-off-load", pull_off(Control::Load));
+            states.insert("pull-off-penetration", pull_off(Control::Displacement));
             states.insert("zero-load", contact.zero_load(setting.adhesion));
-            assert_eq!(
-                look["states"].as_object().map(serde_json::Map::len),
-                Some(states.len())
-            );
+            let shown = look["states"].as_object().expect("states");
+            assert_eq!(shown.len(), states.len());
         }
         for (id, state) in states {
             let row = &look["states"][id];

@@ -147,7 +147,6 @@ pub fn markdown(rows: &[Row]) -> String {
     for (program, method) in METHODS {
         let of_method: Vec<&Row> = rows.iter().filter(|row| row.program == program).collect();
         let mut tolerances: Vec<f64> = of_method.iter().map(|row| row.tolerance).collect();
-        tolerances.dedup();
         tolerances.sort_by(|a, b| b.total_cmp(a));
         tolerances.dedup();
         let heads: String = tolerances.iter().map(|one| format!(" {one:e} |")).collect();

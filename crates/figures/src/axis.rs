@@ -242,37 +242,21 @@ impl ValueFormatter<f64> for Axis {
 mod tests {
     use super::*;
 
-    fn written(axis: &Axis) -> Vec<String> {
-        axis.ticks().into_iter().map(|(_, name)| name).collect()
-    }
-
     #[test]
     fn numbers_are_round_and_inside() {
-        assert_eq!(
-            written(&Axis::linear("", [0.0, 1.0])),
-            ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
-        );
-        assert_eq!(
-            written(&Axis::linear("", [-0.5, 0.25])),
-            ["−0.4", "−0.2", "0.0", "0.2"]
-        );
-        assert_eq!(
-            written(&Axis::linear("", [55.0, 80.0])),
-            ["55", "60", "65", "70", "75", "80"]
-        );
-        assert_eq!(
-            written(&Axis::logarithmic("", [1e-3, 1e3]))[..2],
-            ["10^{−3}", "10^{−2}"]
-        );
-        assert_eq!(
-            written(&Axis::logarithmic("", [0.3, 4.0])),
-            ["0.5", "1", "2"]
-        );
-        assert_eq!(
-            written(&Axis::logarithmic("", [0.01, 100.0])),
-            ["0.01", "0.1", "1", "10", "100"]
-        );
-        assert_eq!(written(&Axis::logarithmic("", [1e-15, 1e-1])).len(), 8);
+        let written = |axis: Axis| -> Vec<String> {
+            axis.ticks().into_iter().map(|(_, name)| name).collect()
+        };
+        let linear = |range| written(Axis::linear("", range)).join(" ");
+        assert_eq!(linear([0.0, 1.0]), "0.0 0.2 0.4 0.6 0.8 1.0");
+        assert_eq!(linear([-0.5, 0.25]), "−0.4 −0.2 0.0 0.2");
+        assert_eq!(linear([55.0, 80.0]), "55 60 65 70 75 80");
+        let logarithmic = |range| written(Axis::logarithmic("", range));
+        assert_eq!(logarithmic([1e-3, 1e3])[..2], ["10^{−3}", "10^{−2}"]);
+        assert_eq!(logarithmic([0.3, 4.0]), ["0.5", "1", "2"]);
+        let decades = ["0.01", "0.1", "1", "10", "100"];
+        assert_eq!(logarithmic([0.01, 100.0]), decades);
+        assert_eq!(logarithmic([1e-15, 1e-1]).len(), 8);
     }
 
     #[test]

@@ -100,34 +100,20 @@ fn choices() -> Vec<(String, Choice)> {
             ));
         }
     }
-    choices.push((
-        "the choice, but over nu1 itself".into(),
-        Choice {
-            nu1: Coordinate::Itself,
+    let Choice { nu1, splined, .. } = CHOSEN;
+    for (change, nu1, splined) in [
+        ("over nu1 itself", Coordinate::Itself, splined),
+        ("over ln(1 - 2 nu1 + 1e-5)", Coordinate::Logarithm, splined),
+        ("of ln Q", nu1, Splined::Logarithm),
+        ("of Q/es", nu1, Splined::Ratio),
+    ] {
+        let choice = Choice {
+            nu1,
+            splined,
             ..CHOSEN
-        },
-    ));
-    choices.push((
-        "the choice, but over ln(1 - 2 nu1 + 1e-5)".into(),
-        Choice {
-            nu1: Coordinate::Logarithm,
-            ..CHOSEN
-        },
-    ));
-    choices.push((
-        "the choice, but of ln Q".into(),
-        Choice {
-            splined: Splined::Logarithm,
-            ..CHOSEN
-        },
-    ));
-    choices.push((
-        "the choice, but of Q/es".into(),
-        Choice {
-            splined: Splined::Ratio,
-            ..CHOSEN
-        },
-    ));
+        };
+        choices.push((format!("the choice, but {change}"), choice));
+    }
     choices
 }
 

@@ -21,7 +21,7 @@ use std::time::Instant;
 use cost::clock::{self, human, median};
 use cost::deviation::{deviation, tightest};
 use cost::lookup::Point;
-use interp::{Certificate, Description, Material, Parameter, Quantities, Quantity, Table};
+use interp::{Description, Material, Parameter, Quantities, Quantity, Table};
 use interpn::multibspline::rectilinear as b_spline;
 use interpn::{MultiBsplineRectilinear, MulticubicRectilinear};
 use python::Python;
@@ -202,12 +202,8 @@ fn default_box([nodes, form, tolerance]: [f64; 3]) -> Table {
     let axes = Plan::new(&scene).expect("within reach").axes();
     let values = sweep(&scene, &axes, &|_| {}).expect("within reach");
     let description = Description {
-        title: scene.title,
-        scene: scene.text,
-        nu0: scene.nu0,
         tolerance,
-        created_by: "benches/rivals.rs".into(),
-        certificate: Certificate::UNMEASURED,
+        ..scene.description()
     };
     let dense = Table::new(description.clone(), axes, values).expect("a whole table");
     let tiles = compress(&dense, form).expect("above rounding");

@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use interp::{Certificate, Description, Elastic, Material, Table};
+use interp::{Elastic, Material, Table};
 use solve::stack::{Interface, Layer, Stack};
 use solve::{solve, solve_stack, stack_curve};
 use tabulate::table::{Plan, Scene, StackTable, sweep};
@@ -86,15 +86,7 @@ fn lookups(criterion: &mut Criterion) {
     let scene = Scene::parse(SCENE, None).expect("a sound scene");
     let axes = Plan::new(&scene).expect("within reach").axes();
     let values = sweep(&scene, &axes, &|_| ()).expect("within reach");
-    let description = Description {
-        title: scene.title,
-        scene: scene.text,
-        nu0: scene.nu0,
-        tolerance: scene.tolerance,
-        created_by: "the bench stacks".into(),
-        certificate: Certificate::UNMEASURED,
-    };
-    let table = Table::new(description, axes, values).expect("a whole table");
+    let table = Table::new(scene.description(), axes, values).expect("a whole table");
     let table = StackTable::new(&table).expect("a stack");
     let mut group = criterion.benchmark_group("two layers, a sphere of 2 MPa");
     group.bench_function("curve by the table", |b| {

@@ -8,6 +8,8 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::rc::Rc;
 
+use crate::Error;
+
 /// The number of bytes that may still be read.
 pub type Room = Rc<Cell<u64>>;
 
@@ -31,6 +33,19 @@ pub fn open(path: &Path, most: u64) -> io::Result<(Limited, Room)> {
         most,
     };
     Ok((limited, room))
+}
+
+/// Reads the text of a scene or of a stack. More than a megabyte is taken for a mistake.
+pub fn text(path: &Path) -> Result<String, Error> {
+    const LONGEST: u64 = 1 << 20;
+    let mut text = String::new();
+    open(path, LONGEST)
+        .and_then(|(mut file, _)| file.read_to_string(&mut text))
+        .map_err(|source| Error::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+    Ok(text)
 }
 
 impl Limited {

@@ -2,12 +2,12 @@
 //! slides, and the cost of solving the film that slides.
 
 use contact::Contact;
-use interp::{Curve, Elastic, Material, Normalisation, Probe, Quantities, System, Table};
+use interp::{Curve, Material, Probe, Quantities, System, Table};
 
 use crate::clock::Timing;
 use crate::effects::films_on_glass;
 use solve::Error;
-use solve::stack::{Interface, Layer, MOST_A_OVER_TOP, Stack};
+use solve::stack::{Interface, MOST_A_OVER_TOP, Stack};
 use solve::{solve_stack, stack_curve};
 
 /// Returns the quantities of a film that slides on its substrate, in the unit of those of the film
@@ -20,19 +20,11 @@ pub(super) fn sliding(
     material: &Material,
     tolerance: f64,
 ) -> Result<Quantities, Error> {
-    let rigid = material.normalisation() == Normalisation::Film;
-    let (young, sphere) = if rigid {
-        (1.0, f64::INFINITY)
-    } else {
-        (material.e1_over_e2(), 1.0)
-    };
-    let film = Layer {
-        interface: Interface::Sliding,
-        ..Layer::bonded(Elastic::new(young, material.nu1())?, 1.0)
-    };
-    let base = Elastic::new(material.e0_over_e2(), material.nu0())?;
+    // The probe does not matter.
+    let system = System::of_material(material, Probe::Paraboloid { radius: 1.0 });
+    let stack = Stack::of_film(&system, Interface::Sliding)?;
     let a_over_t = a_over_t.min(MOST_A_OVER_TOP);
-    Ok(solve_stack(a_over_t, &Stack::new(base, [film])?, sphere, tolerance)?.quantities)
+    Ok(solve_stack(a_over_t, &stack, system.sphere_modulus, tolerance)?.quantities)
 }
 
 /// Returns the time of the curve of a new film that slides, by solves to 1e-8 over three decades of

@@ -1,7 +1,7 @@
 //! Relaxation: the error of the elastic load where the modulus falls in time, and the cost of a history.
 
 use contact::{Contact, Control, HistoryError, Relaxation};
-use interp::{Elastic, Material, Normalisation, Probe, System};
+use interp::{Material, Probe, System};
 
 use crate::clock::Timing;
 use crate::history::contact_on_gel;
@@ -68,22 +68,9 @@ pub(super) fn error_of_elastic(a_over_t: f64, material: &Material) -> Result<f64
     // Films that are thicker beside the contact are half-spaces.
     let a_over_t = a_over_t.max(A_OVER_T[0] / SMALLEST);
     let curve = curve(material, [SMALLEST * a_over_t, a_over_t], TOLERANCE)?;
-    let rigid = material.normalisation() == Normalisation::Film;
-    let (young, sphere_modulus) = if rigid {
-        (1.0, f64::INFINITY)
-    } else {
-        (material.e1_over_e2(), 1.0)
-    };
-    let system = System {
-        // The radius does not matter, as long as the contact is smaller.
-        probe: Probe::Paraboloid {
-            radius: 10.0 * a_over_t,
-        },
-        sphere_modulus,
-        film: Elastic::new(young, material.nu1())?,
-        film_thickness: 1.0,
-        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
-    };
+    // The radius does not matter, as long as the contact is smaller.
+    let radius = 10.0 * a_over_t;
+    let system = System::of_material(material, Probe::Paraboloid { radius });
     let contact = Contact::new(&system, curve)?;
     let (_, penetration) = contact.load_and_penetration(a_over_t, 0.0)?;
     let elastic = Relaxation::Prony {

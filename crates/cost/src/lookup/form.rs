@@ -2,9 +2,7 @@
 //! modulus.
 
 use contact::Contact;
-use interp::{
-    Curve, Elastic, Material, Normalisation, Parameter, Probe, Quantities, Quantity, System, Table,
-};
+use interp::{Curve, Material, Parameter, Probe, Quantities, Quantity, System, Table};
 
 use super::linear::{Linear, Multilinear};
 use super::load::{Errors, Load, loads};
@@ -81,29 +79,21 @@ fn solve_all(
 
 /// Returns the box of a table in words, which the rows have as their scope.
 fn scope(table: &Table) -> String {
-    let range = |parameter: Parameter, name: &str| {
-        let [from, to] = ends(table, parameter);
-        let number = |value: f64| {
-            if parameter == Parameter::Nu1 {
-                format!("{value}")
-            } else {
-                format!("{value:e}")
-            }
-        };
-        if from == to {
-            format!("{name} {}", number(from))
-        } else {
-            format!("{name} {} to {}", number(from), number(to))
-        }
-    };
     // Without the star of E2*, as the column of the kept rows.
     let names = ["a/t", "E1/E2", "nu1", "E0/E2"];
-    let ranges: Vec<String> = Parameter::ALL
-        .into_iter()
-        .zip(names)
-        .map(|(parameter, name)| range(parameter, name))
-        .collect();
-    ranges.join(", ")
+    let ranges = Parameter::ALL.into_iter().zip(names);
+    let range = |(parameter, name): (Parameter, &str)| {
+        let [from, to] = ends(table, parameter).map(|value| match parameter {
+            Parameter::Nu1 => format!("{value}"),
+            _ => format!("{value:e}"),
+        });
+        if from == to {
+            format!("{name} {from}")
+        } else {
+            format!("{name} {from} to {to}")
+        }
+    };
+    ranges.map(range).collect::<Vec<_>>().join(", ")
 }
 
 /// Points with their true loads.
@@ -307,16 +297,7 @@ fn spline(curve: &Curve, quantity: Quantity) -> Result<impl Fn(f64) -> f64, Erro
 
 /// Returns the contact of a curve, with a film of 1 m under a sphere wider than any contact.
 fn contact(curve: Curve) -> Result<Contact, Error> {
-    let material = *curve.material();
-    let rigid = material.normalisation() == Normalisation::Film;
-    let film = if rigid { 1.0 } else { material.e1_over_e2() };
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e9 },
-        sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
-        film: Elastic::new(film, material.nu1())?,
-        film_thickness: 1.0,
-        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
-    };
+    let system = System::of_material(curve.material(), Probe::Paraboloid { radius: 1e9 });
     Ok(Contact::new(&system, curve)?)
 }
 

@@ -56,6 +56,8 @@ pub struct Page<'a> {
     pub warning_a_over_r: f64,
     /// The warning of wide contacts.
     pub large_contact: &'a str,
+    /// The smallest and the largest modulus (Pa) that the program takes without a doubt.
+    pub moduli: [f64; 2],
     /// The name of the probe with which the page opens.
     pub probe: &'static str,
 }
@@ -139,10 +141,11 @@ impl Page<'_> {
     /// Returns the script.
     fn script(&self, numbers: &Numbers) -> String {
         let constants = format!(
-            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, PROBE = {:?}, DIGITS = {DIGITS};\n\
+            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, MODULI = {:?}, PROBE = {:?}, DIGITS = {DIGITS};\n\
              const SETTINGS = {};\nconst TABLE = {{ {},\nhash: {} }};\n",
             self.warning_a_over_r,
             self.large_contact,
+            self.moduli,
             self.probe,
             form::script(&numbers.settings),
             numbers.table,

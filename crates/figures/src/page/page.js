@@ -201,6 +201,9 @@ class Page {
         const argument = (key, value) => (value === Infinity ? "inf" : `${value}${key.endsWith("modulus") ? "Pa" : ""}`);
         const options = Object.entries({ ...probe, ...this.values, ...(punch ? {} : { from, to, points: 150 }) })
             .map(([key, value]) => `--${key.replaceAll("_", "-")} ${argument(key, value)}`);
+        // The program doubts what no solid has.
+        const isDoubted = ([key, value]) => key.endsWith("modulus") && value < Infinity && (value < MODULI[0] || value > MODULI[1]);
+        if (Object.entries(this.values).some(isDoubted)) options.push("--allow magnitudes");
         byId("command").textContent = ["tabulate curve TABLE", ...options].join(" ");
         byId("prints").textContent = punch ? "the state in which the punch separates" : "the same curve";
     }

@@ -11,28 +11,7 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
                  --sphere-modulus inf and --substrate-modulus inf",
             );
         }
-        let own = cause.downcast_ref::<contact::Error>();
-        let of_program = cause.downcast_ref().and_then(|error| match error {
-            crate::Error::Contact(error) => Some(error),
-            _ => None,
-        });
-        let of_solve = cause.downcast_ref().and_then(|error| match error {
-            ::solve::Error::Contact(error) => Some(error),
-            _ => None,
-        });
-        #[cfg(feature = "fit")]
-        let of_fit = cause.downcast_ref().and_then(|error| match error {
-            ::fit::Error::Contact(error) => Some(error),
-            _ => None,
-        });
-        #[cfg(not(feature = "fit"))]
-        let of_fit = None;
-        let of_history = cause.downcast_ref().and_then(|error| match error {
-            contact::HistoryError::Contact(error) => Some(error),
-            _ => None,
-        });
-        let found = own.or(of_program).or(of_solve).or(of_fit).or(of_history);
-        let of_table = match (found, cause.downcast_ref()) {
+        let of_table = match (of_contact(cause), cause.downcast_ref()) {
             (Some(contact::Error::LongZone { .. }), _) => {
                 return Some("`tabulate pull-off --interaction-range` solves it");
             }
@@ -43,6 +22,24 @@ pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
         };
         of_table.and_then(commands)
     })
+}
+
+/// Returns the error of a contact that a cause is, or holds.
+fn of_contact<'a>(cause: &'a (dyn std::error::Error + 'static)) -> Option<&'a contact::Error> {
+    if let Some(crate::Error::Contact(error)) = cause.downcast_ref() {
+        return Some(error);
+    }
+    if let Some(::solve::Error::Contact(error)) = cause.downcast_ref() {
+        return Some(error);
+    }
+    #[cfg(feature = "fit")]
+    if let Some(::fit::Error::Contact(error)) = cause.downcast_ref() {
+        return Some(error);
+    }
+    if let Some(contact::HistoryError::Contact(error)) = cause.downcast_ref() {
+        return Some(error);
+    }
+    cause.downcast_ref()
 }
 
 /// Returns the commands that help after an error of a table.

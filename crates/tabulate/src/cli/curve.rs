@@ -9,6 +9,7 @@ use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
+use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
@@ -47,7 +48,7 @@ use solve::{A_OVER_T, curve as adaptive, solve};
 #[command(after_help = super::examples!(
     "tabulate curve --specimen paper",
     "tabulate curve --specimen paper --film-thickness 10um --points 20 | cut -d, -f1-3",
-    "tabulate curve --specimen paper --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.4 --to 10um",
+    "tabulate curve --specimen paper --sphere-modulus inf --film-poisson-ratio 0.4 --to 10um",
     "tabulate curve embedded --specimen paper --work-of-adhesion 100mJ/m^2 -o curve.csv",
     "tabulate curve --specimen paper --stack tables/stacks/primer.toml --from 10um --to 90um --points 9",
     "tabulate curve --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
@@ -143,6 +144,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
         bodies.note_compression(contact, to);
     }
+    if states.work_of_adhesion == 0.0 {
+        note_lift_off(&rows);
+    }
     if arguments.history.sticks()?.is_none() {
         friction::note_size(&bodies, if punch { bodies.sphere_radius } else { to });
     }
@@ -163,6 +167,21 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         writer.write_record(row.into_iter().map(number))?;
     }
     output.write(&writer.into_inner()?)
+}
+
+/// Notes on standard error that the penetrations of contacts without adhesion fall.
+fn note_lift_off(rows: &[Vec<f64>]) {
+    /// The part of a penetration that is not due to the tolerance of solves.
+    const CLEAR: f64 = 1e-6;
+    let falls = |pair: &&[Vec<f64>]| pair[1][2] < (1.0 - CLEAR) * pair[0][2];
+    if let Some(pair) = rows.windows(2).find(falls) {
+        note(&format!(
+            "Without adhesion the penetration cannot fall while the contact grows, as it does from a contact radius of {:.3e} m \
+             on. The film is so stiff beside the substrate that it lifts off inside the contact, which is not modelled: the \
+             true load is another one.",
+            pair[0][0]
+        ));
+    }
 }
 
 impl Arguments {

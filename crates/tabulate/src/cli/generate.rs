@@ -226,7 +226,7 @@ fn print_json(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> 
 }
 
 fn print_text(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> anyhow::Result<()> {
-    let mut text = info::describe(&generated.table)?;
+    let mut text = info::describe(&generated.table);
     for (shape, certificate) in &generated.refined {
         let shape = shape.map(|nodes| nodes.to_string()).join(" x ");
         text += &format!(

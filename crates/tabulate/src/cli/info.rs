@@ -1,6 +1,6 @@
 //! `tabulate info`
 
-use std::fmt::Write;
+use std::fmt::Display;
 
 use clap::ValueHint;
 use interp::Parameter;
@@ -46,30 +46,28 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if arguments.json {
         return json::print(&TableObject::new(&table, bytes));
     }
-    let mut text = format!("{}{:15} {bytes} bytes\n", describe(&table)?, "size");
-    text += &explain(&table)?;
-    print(text.as_bytes())
+    let size = row("size", format_args!("{bytes} bytes"));
+    print((describe(&table) + &size + &explain(&table)).as_bytes())
+}
+
+/// Returns the line of a row.
+pub fn row(name: &str, content: impl Display) -> String {
+    format!("{name:15} {content}\n")
 }
 
 /// Describes everything but the values, one line each.
-pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
+pub fn describe(table: &Table) -> String {
     let description = table.description();
-    writeln!(
-        text,
-        "{:15} {}",
-        "title",
-        printable::line(&description.title)
-    )?;
+    let mut text = row("title", printable::line(&description.title));
     for parameter in table.parameters() {
         text += &describe_axis(parameter, table.axis(parameter));
     }
     for [a, b, c] in table.ranks().into_iter().flatten() {
-        writeln!(text, "{:15} ranks {a}, {b}, {c}", "low rank")?;
+        text += &row("low rank", format_args!("ranks {a}, {b}, {c}"));
     }
-    writeln!(text, "{:15} {}", "nu0", description.nu0)?;
+    text += &row("nu0", description.nu0);
     if let Ok(stack) = StackTable::new(table) {
-        text += &describe_layers(stack.named_stack())?;
+        text += &describe_layers(stack.named_stack());
     }
     let names = |quantities: &[Quantity]| {
         let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();
@@ -82,26 +80,18 @@ pub fn describe(table: &Table) -> Result<String, std::fmt::Error> {
         none if none.is_empty() => none,
         names => format!("; {names} follow from gamma"),
     };
-    writeln!(
-        text,
-        "{:15} {}{derived} (normalised by {})",
+    let (held, unit) = (names(&held), table.unit());
+    text += &row(
         "quantities",
-        names(&held),
-        table.unit()
-    )?;
-    writeln!(text, "{:15} {:e}", "tolerance", description.tolerance)?;
-    text += &describe_certificate(&description.certificate, table.parameters())?;
-    writeln!(
-        text,
-        "{:15} {}",
-        "created by",
-        printable::line(&description.created_by)
-    )?;
-    Ok(text)
+        format_args!("{held}{derived} (normalised by {unit})"),
+    );
+    text += &row("tolerance", format_args!("{:e}", description.tolerance));
+    text += &describe_certificate(&description.certificate, table.parameters());
+    text + &row("created by", printable::line(&description.created_by))
 }
 
 /// Describes the layers of a stack from the top down, one line each.
-fn describe_layers(named: &NamedStack) -> Result<String, std::fmt::Error> {
+fn describe_layers(named: &NamedStack) -> String {
     let mut text = String::new();
     for (layer, name) in named.stack.layers().iter().zip(&named.names).rev() {
         let interface = match layer.interface.plain() {
@@ -114,37 +104,38 @@ fn describe_layers(named: &NamedStack) -> Result<String, std::fmt::Error> {
         let name = name
             .as_deref()
             .map(|name| format!("{}: ", printable::line(name)));
-        writeln!(
-            text,
-            "{:15} {}{:?} m, E = {:?} Pa, nu = {:?}, {interface} below",
+        text += &row(
             "layer",
-            name.unwrap_or_default(),
-            layer.thickness,
-            layer.solid.young(),
-            layer.solid.poisson(),
-        )?;
+            format_args!(
+                "{}{:?} m, E = {:?} Pa, nu = {:?}, {interface} below",
+                name.unwrap_or_default(),
+                layer.thickness,
+                layer.solid.young(),
+                layer.solid.poisson(),
+            ),
+        );
     }
-    Ok(text)
+    text
 }
 
 /// Explains the rows of [`describe`], one line each.
-fn explain(table: &Table) -> Result<String, std::fmt::Error> {
+fn explain(table: &Table) -> String {
     let mut text = "\nThe rows mean:\n".to_owned();
-    let mut row = |name: &str, meaning: &str| writeln!(text, "{name:15} {meaning}");
+    let mut row = |name: &str, meaning: &str| text += &row(name, meaning);
     for parameter in table.parameters() {
-        row(parameter.name(), parameter.long_name())?;
+        row(parameter.name(), parameter.long_name());
     }
     if table.ranks().is_some() {
         row(
             "low rank",
             "the values are compressed to tensor trains: the ranks of each, one for each tile of the range",
-        )?;
+        );
     }
     if table.is_of_stack() {
         row(
             "layer",
             "a layer of the stack, from the top down: thickness, Young's modulus, Poisson ratio, and what joins it to the body below",
-        )?;
+        );
     }
     row(
         "nu0",
@@ -156,25 +147,25 @@ fn explain(table: &Table) -> Result<String, std::fmt::Error> {
                 "Poisson ratio of the substrate; paired: every pair of nu1 and nu0 from 0 to 0.5 has an exact equivalent in the table"
             }
         },
-    )?;
+    );
     for quantity in table.answers() {
         row(
             quantity.name(),
             &format!("{}: {}", quantity.long_name(), quantity.equation()),
-        )?;
+        );
     }
     row(
         "tolerance",
         "the relative error for which the nodes were chosen, or to which the values were compressed",
-    )?;
+    );
     row(
         "certified error",
         "the relative errors found at points between the nodes, of all quantities that the table answers",
-    )?;
+    );
     row(
         "worst",
         "the quantity and the point with the largest of them",
-    )?;
+    );
     if table
         .description()
         .certificate
@@ -185,39 +176,31 @@ fn explain(table: &Table) -> Result<String, std::fmt::Error> {
         row(
             "identities",
             "the errors in exact relations between the quantities and their slopes; x = a_over_t, S: stiffness, F0: adhesionless load, a prime: d/dx or d/da",
-        )?;
+        );
     }
-    Ok(text)
+    text
 }
 
 /// Describes a certificate: its errors, the worst point, and the identities where they are known.
-fn describe_certificate(
-    certificate: &Certificate,
-    parameters: [Parameter; 4],
-) -> Result<String, std::fmt::Error> {
-    let mut text = String::new();
-    writeln!(
-        text,
-        "{:15} max {:.1e}, 99.9 % {:.1e}, median {:.1e} (relative, {} direct solves, seed {})",
+fn describe_certificate(certificate: &Certificate, parameters: [Parameter; 4]) -> String {
+    let mut text = row(
         "certified error",
-        certificate.max_error,
-        certificate.p999_error,
-        certificate.median_error,
-        certificate.points,
-        certificate.seed
-    )?;
+        format_args!(
+            "max {:.1e}, 99.9 % {:.1e}, median {:.1e} (relative, {} direct solves, seed {})",
+            certificate.max_error,
+            certificate.p999_error,
+            certificate.median_error,
+            certificate.points,
+            certificate.seed
+        ),
+    );
     let place = parameters
         .iter()
         .zip(certificate.worst_point)
         .map(|(p, value)| format!("{} = {value}", p.name()));
-    let place: Vec<String> = place.collect();
-    writeln!(
-        text,
-        "{:15} {} at {}",
-        "worst",
-        certificate.worst_quantity.name(),
-        place.join(", ")
-    )?;
+    let place = place.collect::<Vec<String>>().join(", ");
+    let quantity = certificate.worst_quantity.name();
+    text += &row("worst", format_args!("{quantity} at {place}"));
     let names = [
         "Gamma^2 = es (x Eeq)'",
         "F0' = S delta0'",
@@ -228,27 +211,19 @@ fn describe_certificate(
         .iter()
         .zip(certificate.identity_errors)
         .filter_map(|(name, error)| Some(format!("{name} {:.1e}", error?)));
-    let known: Vec<String> = known.collect();
+    let known = known.collect::<Vec<String>>().join(", ");
     if !known.is_empty() {
-        writeln!(
-            text,
-            "{:15} {} (relative, largest)",
-            "identities",
-            known.join(", ")
-        )?;
+        text += &row("identities", format_args!("{known} (relative, largest)"));
     }
-    Ok(text)
+    text
 }
 
 /// Describes the range of a parameter and its number of nodes.
 pub fn describe_axis(parameter: Parameter, nodes: &[f64]) -> String {
     let (first, last) = (nodes[0], nodes[nodes.len() - 1]);
+    let (name, scale) = (parameter.name(), parameter.scale());
     match nodes.len() {
-        1 => format!("{:15} {first}\n", parameter.name()),
-        n => format!(
-            "{:15} {first} to {last}, {n} nodes ({})\n",
-            parameter.name(),
-            parameter.scale()
-        ),
+        1 => row(name, first),
+        n => row(name, format_args!("{first} to {last}, {n} nodes ({scale})")),
     }
 }

@@ -58,15 +58,6 @@ pub enum Word {
     Sliding,
 }
 
-impl From<Word> for Interface {
-    fn from(word: Word) -> Self {
-        match word {
-            Word::Bonded => Self::Bonded,
-            Word::Sliding => Self::Sliding,
-        }
-    }
-}
-
 /// Reads the tangential and perhaps the normal stiffness, in Pa/m.
 pub fn springs(text: &str) -> Result<[f64; 2], String> {
     pair(text, Some(Dimension::ModulusPerLength))
@@ -90,8 +81,8 @@ pub fn pair(text: &str, dimension: Option<Dimension>) -> Result<[f64; 2], String
 pub fn interface(word: Option<Word>, springs: Option<[f64; 2]>) -> Interface {
     match (word, springs) {
         (_, Some([tangential, normal])) => Interface::Springs { tangential, normal },
-        (Some(word), None) => word.into(),
-        (None, None) => Interface::Bonded,
+        (Some(Word::Sliding), None) => Interface::Sliding,
+        (Some(Word::Bonded) | None, None) => Interface::Bonded,
     }
 }
 

@@ -28,16 +28,10 @@ impl Serialize for Number {
 /// One value for each of the four parameters of a table: an object with their names.
 pub struct OfParameters<T>([(Parameter, T); 4]);
 
-impl<T> OfParameters<T> {
+impl<T: Copy> OfParameters<T> {
     /// Joins the parameters of a table with their values.
     pub fn new(parameters: [Parameter; 4], values: [T; 4]) -> Self {
-        let mut values = values.into_iter();
-        Self(parameters.map(|parameter| {
-            (
-                parameter,
-                values.next().expect("as many values as parameters"),
-            )
-        }))
+        Self([0, 1, 2, 3].map(|i| (parameters[i], values[i])))
     }
 }
 

@@ -74,13 +74,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         });
     }
     if arguments.tolerance.is_some() {
-        let written = format!(
-            "{:15} {}, {} bytes\n",
-            "written",
-            printable::path(&arguments.output),
-            bytes.len()
-        );
-        print((info::describe(&table)? + &written).as_bytes())?;
+        let (path, bytes) = (printable::path(&arguments.output), bytes.len());
+        let written = info::row("written", format_args!("{path}, {bytes} bytes"));
+        print((info::describe(&table) + &written).as_bytes())?;
     }
     Ok(())
 }

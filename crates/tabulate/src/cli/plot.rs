@@ -123,61 +123,46 @@ enum Figure {
     #[command(after_help = super::examples!(
         "tabulate plot table-cost --data tables/figures/table.csv -o table-cost.svg",
     ))]
-    TableCost {
-        #[command(flatten)]
-        rows: Rows,
-        #[command(flatten)]
-        output: Picture,
-    },
+    TableCost(OfCosts),
     /// Cost of each effect, and error of the load without it (`tabulate cost effects`)
     #[command(after_help = super::examples!(
         "tabulate plot effects --data tables/figures/effects.csv -o effects.svg",
     ))]
-    Effects {
-        #[command(flatten)]
-        rows: Rows,
-        #[command(flatten)]
-        output: Picture,
-    },
+    Effects(OfCosts),
     /// Error against time of one solve (`tabulate cost solve`)
     #[command(after_help = super::examples!(
         "tabulate plot work-precision --data tables/figures/solve.csv -o work-precision.svg",
     ))]
-    WorkPrecision {
-        #[command(flatten)]
-        rows: Rows,
-        #[command(flatten)]
-        output: Picture,
-    },
+    WorkPrecision(OfCosts),
     /// Error against nanoseconds of one lookup (`tabulate cost lookup`)
     #[command(after_help = super::examples!(
         "tabulate plot lookup-cost --data tables/figures/lookup.csv -o lookup-cost.svg",
     ))]
-    LookupCost {
-        #[command(flatten)]
-        rows: Rows,
-        #[command(flatten)]
-        output: Picture,
-    },
+    LookupCost(OfCosts),
 }
 
-/// The source of the rows of a figure of costs.
+/// The arguments of a figure of costs.
 #[derive(Args)]
-struct Rows {
+struct OfCosts {
     /// The CSV that `tabulate cost` has written [default: measure now]
-    #[arg(long = "data", value_name = "COST.csv")]
-    path: Option<PathBuf>,
+    #[arg(long, value_name = "COST.csv")]
+    data: Option<PathBuf>,
+    #[command(flatten)]
+    output: Picture,
 }
 
-impl Rows {
-    /// Reads the rows, or measures them without a file.
-    fn get<R: Measurement>(
+impl OfCosts {
+    /// Draws the rows of the file, or measures them without one.
+    fn draw<R: Measurement>(
         &self,
         measure: impl FnOnce() -> anyhow::Result<Vec<R>>,
-    ) -> anyhow::Result<Vec<R>> {
-        self.path
-            .as_deref()
-            .map_or_else(measure, |path| Ok(read_csv(path)?))
+        figure: fn(&[R]) -> Result<chart::Figure, figures::Error>,
+    ) -> anyhow::Result<()> {
+        let data = self.data.as_deref();
+        self.output.write(data, || {
+            let rows = data.map_or_else(measure, |path| Ok(read_csv(path)?))?;
+            Ok(figure(&rows)?)
+        })
     }
 }
 
@@ -244,20 +229,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 Ok(error_map::figure(&data))
             })
         }
-        Figure::TableCost { rows, output } => output.write(rows.path.as_deref(), || {
-            Ok(table_cost::figure(&rows.get(cost::measure_table)?))
-        }),
-        Figure::Effects { rows, output } => output.write(rows.path.as_deref(), || {
-            Ok(effects::figure(&rows.get(cost::measure_effects)?)?)
-        }),
-        Figure::WorkPrecision { rows, output } => output.write(rows.path.as_deref(), || {
-            Ok(work_precision::figure(
-                &rows.get(|| Ok(cost::measure_solve()))?,
-            )?)
-        }),
-        Figure::LookupCost { rows, output } => output.write(rows.path.as_deref(), || {
-            Ok(lookup_cost::figure(&rows.get(cost::measure_lookup)?)?)
-        }),
+        Figure::TableCost(of) => of.draw(cost::measure_table, |rows| Ok(table_cost::figure(rows))),
+        Figure::Effects(of) => of.draw(cost::measure_effects, effects::figure),
+        Figure::WorkPrecision(of) => of.draw(|| Ok(cost::measure_solve()), work_precision::figure),
+        Figure::LookupCost(of) => of.draw(cost::measure_lookup, lookup_cost::figure),
     }
 }
 

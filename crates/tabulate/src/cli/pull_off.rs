@@ -94,10 +94,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let state = match attracting.interaction_range {
         Some(range) => bodies.cohesive(range)?.pull_off(control)?,
-        None => match sticks {
-            Some(nu2) => sticking(arguments, &bodies, nu2, control)?,
-            None => jkr(arguments, &bodies, control)?,
-        },
+        None => {
+            let state = match sticks {
+                Some(nu2) => sticking(arguments, &bodies, nu2, control)?,
+                None => jkr(arguments, &bodies, control)?,
+            };
+            CohesiveState {
+                contact_radius: state.contact_radius,
+                outer_radius: state.contact_radius,
+                load: state.load,
+                penetration: state.penetration,
+            }
+        }
     };
     let values = [
         ("load", state.load),
@@ -126,21 +134,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 }
 
 /// Finds the pull-off of an attraction without range.
-fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<CohesiveState> {
-    let work_of_adhesion = bodies.work_of_adhesion;
-    let state = match &arguments.table {
+fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<State> {
+    match &arguments.table {
         Some(name) => {
             let contact = Contact::in_table(name.read()?.as_ref(), &bodies.system)?;
-            contact.pull_off(work_of_adhesion, control)?
+            Ok(contact.pull_off(bodies.work_of_adhesion, control)?)
         }
-        None => solved(bodies, work_of_adhesion, control)?,
-    };
-    Ok(CohesiveState {
-        contact_radius: state.contact_radius,
-        outer_radius: state.contact_radius,
-        load: state.load,
-        penetration: state.penetration,
-    })
+        None => solved(bodies, control),
+    }
 }
 
 /// Finds the pull-off of a contact that sticks, up to the widest contact that is solved.
@@ -149,7 +150,7 @@ fn sticking(
     bodies: &Bodies,
     nu2: f64,
     control: Control,
-) -> anyhow::Result<CohesiveState> {
+) -> anyhow::Result<State> {
     /// The narrowest contact over the widest.
     const NARROWEST: f64 = 3e-5;
     let widest = friction::reach(bodies);
@@ -159,15 +160,7 @@ fn sticking(
         let (contact, receding) = arguments.history.contact(bodies, nu2, radii, None)?;
         match contact.pull_off(receding, control) {
             Err(Error::OutsideRadii { .. }) => {}
-            state => {
-                let state = state?;
-                return Ok(CohesiveState {
-                    contact_radius: state.contact_radius,
-                    outer_radius: state.contact_radius,
-                    load: state.load,
-                    penetration: state.penetration,
-                });
-            }
+            state => return Ok(state?),
         }
     }
     Err(anyhow!(
@@ -179,7 +172,7 @@ fn sticking(
 
 /// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii
 /// that grows until the pull-off is inside.
-fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::Result<State> {
+fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<State> {
     /// The ranges of `a/t` that are solved, one after the other, and the contact radius over the thickness of
     /// the top layer up to which a stack is. Wider contacts take much longer.
     const RANGES: [([f64; 2], f64); 3] = [
@@ -218,7 +211,7 @@ fn solved(bodies: &Bodies, work_of_adhesion: f64, control: Control) -> anyhow::R
             (curve, _) => curve?,
         };
         let least = from * system.film_thickness;
-        refused = match Contact::new(system, curve)?.pull_off(work_of_adhesion, control) {
+        refused = match Contact::new(system, curve)?.pull_off(bodies.work_of_adhesion, control) {
             Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
                 if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
             {

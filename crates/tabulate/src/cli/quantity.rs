@@ -22,9 +22,14 @@ pub fn number(text: &str) -> Result<f64, String> {
     read(text, None)
 }
 
-/// Reads a quantity of a dimension that is known later.
+/// Reads a quantity of a dimension that is known later. Refuses the next flag in place of a value that
+/// is missing.
 pub fn any(text: &str) -> Result<Quantity, String> {
-    no_flag(text)?;
+    if text.starts_with("--") {
+        return Err(format!(
+            "{text} is a flag, and the value before it is missing"
+        ));
+    }
     text.parse::<Quantity>().map_err(|error| error.to_string())
 }
 
@@ -48,16 +53,6 @@ pub fn value(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
         ));
     }
     Ok(value)
-}
-
-/// Refuses the next flag in place of a value that is missing.
-fn no_flag(text: &str) -> Result<(), String> {
-    if text.starts_with("--") {
-        return Err(format!(
-            "{text} is a flag, and the value before it is missing"
-        ));
-    }
-    Ok(())
 }
 
 /// Parses a time in s.

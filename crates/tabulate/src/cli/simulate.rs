@@ -26,6 +26,7 @@ use super::output::Output;
 use super::points::{evenly, number};
 use super::quantity::{self, any, number as decimal};
 use super::table_name::{self, TableName};
+use crate::printable;
 
 /// Make the data that an experiment would give, or the errors that its fit would have
 ///
@@ -64,7 +65,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 40, value_parser = value_parser!(u32).range(2..=10_000_000))]
     points: u32,
     /// The ways measured: approach, retract, both (cycle), or points without a direction (none)
-    /// [default: none for contact radii, cycle otherwise]
+    /// [default: cycle for load-penetration and force-height, none otherwise]
     #[arg(long, value_parser = ways())]
     segments: Option<&'static [Option<Direction>]>,
     /// Time for which the last abscissa of the approach is held, s, with points at the --sample-interval
@@ -180,6 +181,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             }
         );
     }
+    ensure!(
+        !arguments.kind.is_stiffness() || !arguments.ways().contains(&Some(Direction::Retract)),
+        "--segments: a contact stiffness is measured on the way to the larger contact: leave it out, or give \
+         --segments approach"
+    );
     let measurement = plan(arguments, [from, to]);
     arguments.known.history.needs_poisson_ratio()?;
     let mut experiments = arguments.known.experiments(vec![measurement], &[])?;
@@ -265,8 +271,9 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
 fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
     let (measurement, of) = (&made.measurement, &made.indentation);
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let command: Vec<String> = env::args().skip(1).collect();
-    let command = command.join(" ");
+    let words = env::args_os().skip(1);
+    let command: Vec<String> = words.map(|word| word.display().to_string()).collect();
+    let command = printable::line(&command.join(" "));
     let note = format!("# Synthetic, not measured. SI units.\n# tabulate {command}\n");
     let has_segments = measurement
         .points

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{anyhow, ensure};
 use clap::ValueHint;
-use interp::{Elastic, Material, Normalisation, Probe, System};
+use interp::{Material, Normalisation, Probe, System};
 
 use super::friction::{self, FrictionArguments};
 use super::interface::{self, Word};
@@ -167,8 +167,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let material = Material::new(e1, nu1, e0, arguments.nu0)?;
     let solution = solve_film(arguments, a_over_t, &material)?;
-    let sticking = arguments.friction.sticks();
-    let sticking = sticking.map(|nu2| sticking_film(arguments, &material, nu2));
+    let sticking = |nu2| sticking_film(arguments, &material, nu2);
     let stick = stick(arguments, a_over_t, sticking)?;
     let mut contact = serde_json::json!({
         "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
@@ -184,12 +183,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 fn stick(
     arguments: &Arguments,
     a_over_t: f64,
-    sticking: Option<anyhow::Result<Sticking>>,
+    sticking: impl FnOnce(f64) -> anyhow::Result<Sticking>,
 ) -> anyhow::Result<Option<[Option<f64>; 9]>> {
-    let Some(sticking) = sticking else {
+    let Some(nu2) = arguments.friction.sticks() else {
         return Ok(None);
     };
-    let (numbers, missing) = friction::numbers(&sticking?, a_over_t, arguments.tolerance)?;
+    let (numbers, missing) = friction::numbers(&sticking(nu2)?, a_over_t, arguments.tolerance)?;
     if let Some(reason) = missing {
         note(&format!("the numbers of a sphere are left out: {reason}"));
     }
@@ -207,8 +206,7 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
         &arguments.exponents,
         arguments.tolerance.unwrap_or(TOLERANCE),
     )?;
-    let sticking = arguments.friction.sticks();
-    let sticking = sticking.map(|nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?));
+    let sticking = |nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?);
     let stick = stick(arguments, a_over_t, sticking)?;
     let contact = serde_json::json!({
         "a_over_t": a_over_t, "sphere_modulus": Number(sphere_modulus), "thickness": stack.thickness(),
@@ -260,18 +258,13 @@ fn joined_film(arguments: &Arguments, material: &Material) -> anyhow::Result<Opt
     if interface.is_bonded() {
         return Ok(None);
     }
-    let rigid = material.normalisation() == Normalisation::Film;
-    let e1 = if rigid { 1.0 } else { material.e1_over_e2() };
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1.0 },
-        sphere_modulus: if rigid { f64::INFINITY } else { 1.0 },
-        film: Elastic::new(e1, material.nu1())?,
-        film_thickness: 1.0,
-        substrate: Elastic::new(material.e0_over_e2(), material.nu0())?,
-    };
+    let system = System::of_material(material, Probe::Paraboloid { radius: 1.0 });
     let layers = interface::one_film(&system, interface);
     // The library has SI units, and the flags have those of the quantities.
-    let unit = if rigid { "E1/t" } else { "E2*/t" };
+    let unit = match material.normalisation() {
+        Normalisation::Sphere => "E2*/t",
+        Normalisation::Film => "E1/t",
+    };
     let layers = layers.map_err(|error| anyhow!(error.to_string().replace("Pa/m", unit)))?;
     Ok(Some((layers.stack, system.sphere_modulus)))
 }

@@ -52,44 +52,34 @@ pub fn measure(
         .collect();
     let costs = costs(&scenes, timing, observer)?;
     let whole = &costs[0];
-    let without: Vec<Option<Effect>> = [None]
-        .into_iter()
-        .chain(effects.into_iter().map(Some))
-        .collect();
-    let ratios: Vec<Option<f64>> = without
-        .iter()
-        .map(|without| Ok(without.map_or(Ok(None), |effect| effect.time_ratio(timing))?))
-        .collect::<Result<_, Error>>()?;
-    let errors = [[0.0; 2]].into_iter().chain(errors);
     // The effects that need no table are the last. Their table is that of the whole scene.
     let costs = costs.iter().chain(iter::repeat(whole));
-    type Found<'a> = (((&'a Cost, Option<Effect>), [f64; 2]), Option<f64>);
-    let row = |(((cost, without), [median_error, worst_error]), time_ratio): Found<'_>| Row {
-        without,
-        tolerance: scene.tolerance,
-        axes: cost.axes,
-        solves: cost.solves,
-        threads: rayon::current_num_threads() as u64,
-        seconds: cost.times.fastest(),
-        bytes: cost.bytes,
-        saved_solves: whole.solves.cast_signed() - cost.solves.cast_signed(),
-        saved_seconds: match without {
-            None => Some(0.0),
-            Some(effect) if effect.needs_no_table() => Some(0.0),
-            Some(_) if cost.bytes == 0 => Some(whole.times.fastest()),
-            Some(_) => whole.times.longer_than(&cost.times),
-        },
-        saved_bytes: whole.bytes.cast_signed() - cost.bytes.cast_signed(),
-        median_error,
-        worst_error,
-        time_ratio,
+    let without = iter::once(None).chain(effects.into_iter().map(Some));
+    let errors = iter::once([0.0; 2]).chain(errors);
+    let row = |((without, cost), errors): ((Option<Effect>, &Cost), [f64; 2])| {
+        let [median_error, worst_error] = errors;
+        Ok::<_, Error>(Row {
+            without,
+            tolerance: scene.tolerance,
+            axes: cost.axes,
+            solves: cost.solves,
+            threads: rayon::current_num_threads() as u64,
+            seconds: cost.times.fastest(),
+            bytes: cost.bytes,
+            saved_solves: whole.solves.cast_signed() - cost.solves.cast_signed(),
+            saved_seconds: match without {
+                None => Some(0.0),
+                Some(effect) if effect.needs_no_table() => Some(0.0),
+                Some(_) if cost.bytes == 0 => Some(whole.times.fastest()),
+                Some(_) => whole.times.longer_than(&cost.times),
+            },
+            saved_bytes: whole.bytes.cast_signed() - cost.bytes.cast_signed(),
+            median_error,
+            worst_error,
+            time_ratio: without.map_or(Ok(None), |effect| effect.time_ratio(timing))?,
+        })
     };
-    Ok(costs
-        .zip(without)
-        .zip(errors)
-        .zip(ratios)
-        .map(row)
-        .collect())
+    without.zip(costs).zip(errors).map(row).collect()
 }
 
 /// The cost of a table.

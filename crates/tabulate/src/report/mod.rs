@@ -10,6 +10,7 @@ mod numbers;
 mod settings;
 
 use contact::Validity;
+use contact::magnitude::MODULI;
 use figures::page::{self, Illustration, Numbers, Page, Range};
 use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table};
 
@@ -72,6 +73,7 @@ pub fn report(
         illustrations,
         warning_a_over_r: Validity::WARNING_A_OVER_R,
         large_contact: LARGE_CONTACT,
+        moduli: MODULI,
         probe,
     };
     Ok(page.html()?)

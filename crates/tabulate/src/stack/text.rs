@@ -1,6 +1,5 @@
 //! The text of a stack, and the stack with the names of its layers.
 
-use std::io::Read;
 use std::path::Path;
 
 use interp::Elastic;
@@ -9,9 +8,6 @@ use serde::Deserialize;
 use super::interface;
 use crate::{Error, input};
 use solve::stack::{Layer, Stack};
-
-/// The largest number of bytes of a stack file. A larger one is taken for a mistake.
-const LONGEST: u64 = 1 << 20;
 
 /// The keys of a stack, before they are checked.
 #[derive(Clone, Debug, Deserialize)]
@@ -65,14 +61,7 @@ impl NamedStack {
     /// [`Error::Read`] if the file cannot be read, or has more than a megabyte;
     /// [`Error::StackFile`] with the file, the layer, the value and the range.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let mut text = String::new();
-        input::open(path, LONGEST)
-            .and_then(|(mut file, _)| file.read_to_string(&mut text))
-            .map_err(|source| Error::Read {
-                path: path.to_owned(),
-                source,
-            })?;
-        Self::parse(&text).map_err(|what| Error::StackFile {
+        Self::parse(&input::text(path)?).map_err(|what| Error::StackFile {
             path: path.to_owned(),
             what,
         })

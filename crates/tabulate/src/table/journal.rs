@@ -76,7 +76,9 @@ pub struct Journal {
 impl Journal {
     /// Returns the path of the journal of a table.
     pub fn path(table: &Path) -> PathBuf {
-        beside(table, "unfinished")
+        let mut name = table.as_os_str().to_owned();
+        name.push(".unfinished");
+        name.into()
     }
 
     /// Opens the journal of a table and locks it.
@@ -326,14 +328,6 @@ fn record(reader: &mut impl Read, room: u64) -> io::Result<Option<(u64, Option<V
     reader.read_exact(&mut bytes)?;
     let undamaged = crc32fast::hash(&bytes) == stored;
     Ok(Some((number, undamaged.then_some(bytes))))
-}
-
-/// Returns a file name with one more ending.
-fn beside(path: &Path, ending: &str) -> PathBuf {
-    let mut name = path.as_os_str().to_owned();
-    name.push(".");
-    name.push(ending);
-    name.into()
 }
 
 #[cfg(test)]

@@ -77,11 +77,6 @@ impl<'a> StackTable<'a> {
         }
     }
 
-    /// Returns the table.
-    pub fn table(&self) -> &Table {
-        &self.table
-    }
-
     /// Returns the stack.
     pub const fn stack(&self) -> &Stack {
         &self.named.stack

@@ -5,7 +5,6 @@
 //! `a_over_t`, over the thickness of all layers, and `e1_over_e2` of the top layer. `scene_text`
 //! has the keys of a scene, and `stack_scene` reads the `[stack]`.
 
-use std::io::Read;
 use std::path::Path;
 
 use interp::{
@@ -44,8 +43,7 @@ pub struct Scene {
 
 /// The smallest and the largest tolerance of a table.
 pub(crate) const TOLERANCE: [f64; 2] = [1e-10, 1e-1];
-/// The largest number of bytes of a scene file. A larger one is taken for a mistake.
-const LONGEST: u64 = 1 << 20;
+
 /// Returns the box of films on substrates.
 fn box_of_films(scene: &Text) -> Result<Bounds, String> {
     let (parameters, [film, substrate]) = match (
@@ -93,14 +91,7 @@ impl Scene {
     /// [`Error::Read`] if the file cannot be read; [`Error::Scene`] with file, key, value and
     /// range.
     pub fn read(path: &Path, tolerance: Option<f64>) -> Result<Self, Error> {
-        let mut text = String::new();
-        input::open(path, LONGEST)
-            .and_then(|(mut file, _)| file.read_to_string(&mut text))
-            .map_err(|source| Error::Read {
-                path: path.to_owned(),
-                source,
-            })?;
-        Self::parse(&text, tolerance).map_err(|what| Error::Scene {
+        Self::parse(&input::text(path)?, tolerance).map_err(|what| Error::Scene {
             path: path.to_owned(),
             what,
         })
@@ -165,7 +156,7 @@ impl Scene {
     }
 
     /// Returns the description of the scene's table before its certificate is measured.
-    pub(crate) fn description(&self) -> Description {
+    pub fn description(&self) -> Description {
         Description {
             title: self.title.clone(),
             scene: self.text.clone(),

@@ -66,9 +66,8 @@ struct Rows {
     data: Option<PathBuf>,
     /// Fail where the rows differ from those of this file, which -o has written
     ///
-    /// Counts must be equal, errors equal but for rounding. Times may differ by a factor of ten
-    /// more than the other times of their column, whatever the speed of the machine. Without -o,
-    /// times are measured briefly, which is enough for that.
+    /// Counts must be equal, errors equal but for rounding. Times are not compared, and without -o
+    /// they are measured briefly.
     #[arg(long, value_name = "COST.csv")]
     compare: Option<PathBuf>,
 }

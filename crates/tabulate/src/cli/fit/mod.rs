@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Doubt, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, WarningKind};
+use ::fit::{Direction, Experiment, Fit, Fixed, Kind, Loss, Options, Parameter, WarningKind};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -33,12 +33,16 @@ use self::setting::{Given, check_units, unit_of};
 use self::value::fixed;
 use super::allow::{self, Allowed};
 use super::json;
+use super::note;
 use super::output::Output;
 use super::print;
 use super::quantity::{length, number, read};
 use super::system::Value;
 use super::table_name::{self, TableName};
 use crate::printable;
+
+/// The files above which a fit of all together is doubted.
+const MANY_FILES: usize = 30;
 
 /// Find moduli and work of adhesion from measured contacts, with their errors
 ///
@@ -318,6 +322,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             "{flag}: {noises} values for {files} files; give one, or one for each file"
         );
     }
+    if arguments.data.len() > MANY_FILES {
+        note(&format!(
+            "{} files are one fit here, whose time grows with the third power of their number. Curves that have no parameter \
+             in common are fitted one by one: by a loop in the shell, or by fit_map of the Python package.",
+            arguments.data.len()
+        ));
+    }
     let format = arguments.format()?;
     let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     let mut times = Vec::new();
@@ -384,6 +395,19 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
     }
     let values = arguments.known.all_values()?;
+    for (given, values) in arguments
+        .given
+        .iter()
+        .flat_map(|given| values.iter().map(move |values| (given, values)))
+    {
+        ensure!(
+            given.quantity != Fixed::Parameter(values.parameter),
+            "--value {0} and --known {0}={1:?} give one quantity twice: leave one of them out; --known is one value for \
+             all files",
+            values.parameter,
+            given.value
+        );
+    }
     let system = &arguments.known.bodies.system;
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();

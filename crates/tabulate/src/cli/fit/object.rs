@@ -58,7 +58,10 @@ struct WithoutFilmObject<'a> {
 #[derive(Serialize)]
 struct FixedValueObject {
     name: String,
+    /// The value of the first file, and those of all files if they differ.
     value: Number,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    values: Vec<Number>,
     unit: &'static str,
     /// The change of the value, and the changes of the parameters that follow, in the order of
     /// `correlation`.
@@ -283,6 +286,7 @@ impl FixedValueObject {
                 other => other.name().replace('-', "_"),
             },
             value: Number(one.value),
+            values: one.values.iter().copied().map(Number).collect(),
             unit: one.quantity.unit(),
             step: Number(one.step),
             changes: one.changes.iter().copied().map(Number).collect(),

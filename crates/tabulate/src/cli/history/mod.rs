@@ -335,16 +335,11 @@ fn solved(bodies: &Bodies, system: &System, reach: f64) -> anyhow::Result<Contac
     let begin = BEGIN * reach.min(1.0);
     let begin = if end > 0.0 { begin.min(end) } else { begin };
     let range = [begin, reach];
-    let mut refused = None;
-    for tolerance in TOLERANCES {
-        let made = match &bodies.stack {
-            Some(layers) => layers.curve(system.sphere_modulus, range, tolerance),
-            None => curve(&system.material()?, range, tolerance).map_err(Into::into),
-        };
-        match made {
-            Ok(curve) => return Ok(Contact::new(system, curve)?),
-            Err(error) => refused = Some(error),
-        }
-    }
-    Err(refused.map_or_else(|| anyhow!("no tolerance"), Into::into))
+    let curve_to = |tolerance| match &bodies.stack {
+        Some(layers) => layers.curve(system.sphere_modulus, range, tolerance),
+        None => Ok(curve(&system.material()?, range, tolerance)?),
+    };
+    let [first, second] = TOLERANCES;
+    let curve = curve_to(first).or_else(|_| curve_to(second))?;
+    Ok(Contact::new(system, curve)?)
 }
