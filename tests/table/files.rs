@@ -103,7 +103,7 @@ fn every_form_and_reader_gives_the_same_bits() {
             workdir.read("table.bin"),
             table.to_packed().expect("a small table")
         );
-        workdir.write_points(&points);
+        workdir.write_points(points);
         // A note says why the fields of a quantity that is not held are empty.
         let query = |table: &str| {
             workdir

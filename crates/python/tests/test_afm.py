@@ -66,7 +66,7 @@ FILES_OF = {
         ("jpk-cc_pr14-brain-2021.06.30.jpk-force", NOTHING, 1, 1, None),
         ("jpk-cc_pr14-polymergel-2021.06.30.jpk-force", NOTHING, 1, 1, None),
         ("jpk-cl_calibration_force-save-2015.02.04-11.25.21.294.jpk-force", BOTH, 1, 1, None),
-        ("jpk-fd_2020.02.07-16.29.05.036.jpk-qi-data", NOTHING, 4, 0, NO_MODULUS),
+        ("jpk-fd_2020.02.07-16.29.05.036.jpk-qi-data", NOTHING, 4, 4, None),
         ("jpk-fd_flipsign_2015.05.22-15.31.49.352.jpk-force", NOTHING, 1, 1, None),
         ("jpk-fd_map-data-reference-points.jpk-force-map", NOTHING, 3, 3, None),
         ("jpk-fd_map0d_extracted.jpk-force-map", NOTHING, 1, 1, None),
