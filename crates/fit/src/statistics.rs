@@ -115,12 +115,14 @@ pub(crate) fn likeness_of_neighbours(residuals: &[f64]) -> Option<[f64; 2]> {
 }
 
 /// Returns by how many standard deviations the means of runs of `length` residuals of each way scatter
-/// more than those of independent residuals do, and the ratio of both variances; `None` for fewer than
-/// [`FEWEST_RUNS`] runs. A slow wave below the noise is seen here, and not between neighbours.
+/// more than those of independent residuals, whose variance the differences of neighbours tell, and
+/// the ratio of both variances; `None` for fewer than [`FEWEST_RUNS`] runs. A slow wave below the noise
+/// is seen here, and not between neighbours.
 pub(crate) fn likeness_of_runs(ways: &[Vec<f64>], length: usize) -> Option<[f64; 2]> {
     let (mut squares, mut count) = (0.0, 0.0);
-    for way in ways {
-        let variance = way.iter().map(|r| r * r).sum::<f64>() / way.len() as f64;
+    for way in ways.iter().filter(|way| way.len() >= length) {
+        let differences = way.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
+        let variance = 0.5 * differences.sum::<f64>() / (way.len() - 1) as f64;
         for run in way.chunks_exact(length).filter(|_| variance > 0.0) {
             squares += run.iter().sum::<f64>().powi(2) / (length as f64 * variance);
             count += 1.0;
