@@ -1,6 +1,6 @@
 //! Equilibria beyond what a curve or a table holds.
 
-use acceptance::{larger, looked_up, paper_system, table};
+use acceptance::{larger, looked_up, paper_system, rigid_probe, solid, table};
 use contact::Error;
 use contact::{Contact, Control, State};
 use interp::{Probe, System, Table};
@@ -131,4 +131,22 @@ fn without_adhesion_a_table_needs_no_stiffness() {
     println!("radii without adhesion: {worst:.1e}");
     // Measured: 1.6e-6.
     assert!(worst <= 1e-4);
+}
+
+/// A cone goes on for ever: what ends is the table.
+#[test]
+fn beyond_the_largest_cone_another_table_helps() {
+    let cone = Probe::Cone { half_angle: 1.2 };
+    let system = rigid_probe(cone, solid(1e6, 0.3), 1e-6, solid(1e9, 0.3));
+    let equilibria = looked_up(&system)
+        .equilibria(0.0, Control::Load)
+        .map(|all| all.unloading(1e6).map(drop));
+    let refused = equilibria.expect("in range").expect_err("too large a load");
+    let Error::OutsideRadii {
+        at_end_of_probe, ..
+    } = refused
+    else {
+        panic!("{refused:?}")
+    };
+    assert!(!at_end_of_probe, "{refused}");
 }

@@ -3,7 +3,7 @@
 use super::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
-use interp::Curve;
+use interp::{Curve, Probe};
 
 /// The radius (m) from which a search starts where the range begins at 0.
 const SMALLEST: f64 = 1e-60;
@@ -89,12 +89,15 @@ impl Contact {
     pub(crate) fn outside(&self, name: &'static str, value: f64) -> Error {
         let [from, to] = self.search_ends();
         let [_, most] = self.mechanics().radii();
+        // A cone is known as far as the curve: its end is that of the table.
+        let probe = self.probe();
+        let is_own = matches!(probe, Probe::Sphere { .. }) || most == probe.contact_radii()[1];
         Error::OutsideRadii {
             name,
             value,
             from,
             to,
-            at_end_of_probe: to == BELOW_LARGEST * most,
+            at_end_of_probe: is_own && to == BELOW_LARGEST * most,
         }
     }
 

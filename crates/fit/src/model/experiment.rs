@@ -399,14 +399,14 @@ impl Experiment {
                 layered.solver.why_not_receding().map(Into::into)
             }
             (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
-                Some(format!("it has layers instead of one film; {}", names(layered)).into())
+                Some(format!("it has layers instead of one film; {}", layered.names()).into())
             }
             (
                 Bodies::Layered(layered),
                 LayerModulus(name) | LayerThickness(name) | LayerInterfaceStiffness(name),
             ) => {
                 let is_there = layered.layer(name).is_some();
-                (!is_there).then(|| format!("there is no such layer; {}", names(layered)).into())
+                (!is_there).then(|| format!("there is no such layer; {}", layered.names()).into())
             }
             (_, LayerModulus(_) | LayerThickness(_) | LayerInterfaceStiffness(_)) => Some(
                 "it has no stack of layers; give one, or free the parameters of the film".into(),
@@ -489,19 +489,5 @@ impl Experiment {
         let allowed =
             "positive and finite: forces against heights need the stiffness of the cantilever";
         Err(self.wrong_setting("stiffness", stiffness, allowed))
-    }
-}
-
-/// Names the parameters of layers.
-fn names(layered: &Layered) -> String {
-    let names: Vec<_> = layered
-        .parameters()
-        .into_iter()
-        .map(Parameter::name)
-        .collect();
-    if names.is_empty() {
-        "give a layer a name to fit its modulus or thickness".into()
-    } else {
-        format!("its layers have {}", names.join(", "))
     }
 }

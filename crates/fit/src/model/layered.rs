@@ -214,6 +214,16 @@ impl Layered {
             .collect()
     }
 
+    /// Names the parameters of the layers, in a sentence.
+    pub(super) fn names(&self) -> String {
+        let names: Vec<_> = self.parameters().into_iter().map(Parameter::name).collect();
+        if names.is_empty() {
+            "give a layer a name to fit its modulus or thickness".into()
+        } else {
+            format!("its layers have {}", names.join(", "))
+        }
+    }
+
     /// Returns the film: the only layer, if it has no name. The parameters of the film are its
     /// parameters.
     pub(crate) fn film(&self) -> Option<&NamedLayer> {

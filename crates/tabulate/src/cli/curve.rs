@@ -51,7 +51,7 @@ use solve::{A_OVER_T, curve as adaptive, solve};
     "tabulate curve --specimen paper --sphere-modulus inf --film-poisson-ratio 0.4 --to 10um",
     "tabulate curve embedded --specimen paper --work-of-adhesion 100mJ/m^2 -o curve.csv",
     "tabulate curve --specimen paper --stack tables/stacks/primer.toml --from 10um --to 90um --points 9",
-    "tabulate curve --specimen paper --sphere-modulus inf --film-thickness 50um --friction stick",
+    "tabulate curve --specimen paper --sphere-modulus inf --film-thickness 200um --friction stick",
     "tabulate curve --specimen paper --probe rounded-cone --half-angle 70 --sphere-radius 1um --to 5um",
 ))]
 pub struct Arguments {

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Doubt, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Experiment, Fit, Fixed, Kind, Loss, Options, Parameter, WarningKind};
+use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, WarningKind};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -30,14 +30,12 @@ use self::indentation::{Noise, Range, ReferenceArguments};
 use self::picture::PictureArguments;
 use self::reading::{doubted, measured, typed, with_doubts};
 use self::setting::{Given, check_units, unit_of};
-use self::value::fixed;
 use super::allow::{self, Allowed};
 use super::json;
 use super::note;
 use super::output::Output;
 use super::print;
 use super::quantity::{length, number, read};
-use super::system::Value;
 use super::table_name::{self, TableName};
 use crate::printable;
 
@@ -378,37 +376,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
     }
-    for given in &arguments.given {
-        let value = Value::ALL
-            .into_iter()
-            .find(|&value| fixed(value) == given.quantity);
-        if let Some(value) = value
-            && let Some(other) = arguments.known.bodies.system.given(value)
-        {
-            ensure!(
-                other == given.value,
-                "{} {other:?} and --known {}={:?} are two values of one quantity: leave one of them out",
-                value.flag(),
-                given.quantity.name(),
-                given.value
-            );
-        }
-    }
     let values = arguments.known.all_values()?;
-    for (given, values) in arguments
-        .given
-        .iter()
-        .flat_map(|given| values.iter().map(move |values| (given, values)))
-    {
-        ensure!(
-            given.quantity != Fixed::Parameter(values.parameter),
-            "--value {0} and --known {0}={1:?} give one quantity twice: leave one of them out; --known is one value for \
-             all files",
-            values.parameter,
-            given.value
-        );
-    }
     let system = &arguments.known.bodies.system;
+    for given in &arguments.given {
+        given.accept_once(system, &values)?;
+    }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
     arguments.reference.check(&free)?;

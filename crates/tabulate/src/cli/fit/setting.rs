@@ -7,7 +7,9 @@ use ::fit::{Fixed, Free, Parameter};
 use anyhow::ensure;
 use units::Dimension;
 
+use super::value::fixed;
 use crate::cli::quantity::{self, read};
+use crate::cli::system::{SystemArguments, Value};
 
 /// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +48,29 @@ impl Given {
             quantity: self.quantity,
             error: self.error,
         }
+    }
+
+    /// Refuses a quantity to which a flag gives another value, or --value one for each file.
+    pub fn accept_once(&self, system: &SystemArguments, values: &[Values]) -> anyhow::Result<()> {
+        let (name, known) = (self.quantity.name(), self.value);
+        let mut flags = Value::ALL.into_iter();
+        if let Some(value) = flags.find(|&value| fixed(value) == self.quantity)
+            && let Some(other) = system.given(value)
+        {
+            ensure!(
+                other == known,
+                "{} {other:?} and --known {name}={known:?} are two values of one quantity: leave one of them out",
+                value.flag()
+            );
+        }
+        ensure!(
+            values
+                .iter()
+                .all(|one| Fixed::Parameter(one.parameter) != self.quantity),
+            "--value {name} and --known {name}={known:?} give one quantity twice: leave one of them out; --known is one \
+             value for all files"
+        );
+        Ok(())
     }
 }
 
