@@ -93,6 +93,31 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
     ));
 }
 
+/// A zero that is 0 in one file has a row where it is not in another.
+#[test]
+fn the_report_states_the_fixed_values_of_all_files() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let fit = "fit data.csv data.csv --specimen paper --free film-modulus";
+    for (offsets, row) in [
+        ("0,1e-4", "0, 100 uN"),
+        ("1e-4,0", "100 uN, 0"),
+        ("1e-4", "100 uN"),
+    ] {
+        let values = format!("--value film-thickness=30um,40um --value load-offset={offsets}");
+        let run = workdir.run(format!("{fit} {values} --allow left-out"));
+        let rows: Vec<&str> = run.stdout.lines().collect();
+        let of = |name: &str| {
+            let row = rows.iter().find_map(|row| row.trim().strip_prefix(name));
+            row.unwrap_or_else(|| panic!("{name}: {run:?}")).trim()
+        };
+        assert_eq!(
+            (of("film-thickness"), of("load-offset")),
+            ("30 um, 40 um", row)
+        );
+    }
+}
+
 #[test]
 fn errors_of_radii_come_from_a_flag_or_a_column() {
     let workdir = workdir!();

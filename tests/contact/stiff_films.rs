@@ -56,7 +56,8 @@ fn no_equilibrium_is_missed() {
     );
 }
 
-/// The smallest load at any radius is that of the pull-off, whatever the digits of the radius of the end.
+/// The smallest load at any radius is that of the pull-off, also where the radius of the flat end has
+/// so many digits that its logarithm rounds.
 #[test]
 fn the_pull_off_of_a_flat_ended_cone_does_not_depend_on_rounding() {
     for radius in [2.146283024914619e-5, 2.146283e-5] {

@@ -89,7 +89,8 @@ impl Contact {
     pub(crate) fn outside(&self, name: &'static str, value: f64) -> Error {
         let [from, to] = self.search_ends();
         let [_, most] = self.mechanics().radii();
-        // A cone is known as far as the curve: its end is that of the table.
+        // On a film most shapes end where the curve does; a sphere ends at a part of its radius, and a profile at its
+        // last point.
         let probe = self.probe();
         let is_own = matches!(probe, Probe::Sphere { .. }) || most == probe.contact_radii()[1];
         Error::OutsideRadii {

@@ -114,25 +114,32 @@ pub(crate) fn likeness_of_neighbours(residuals: &[f64]) -> Option<[f64; 2]> {
     (n >= 3.0 && squares > 0.0).then_some([deviations, (squares / n) / (halves / (n - 1.0))])
 }
 
-/// Returns by how many standard deviations the means of runs of `length` residuals of each way scatter
+/// The runs from which on their means tell something.
+const FEWEST_RUNS: f64 = 8.0;
+
+/// Returns by how many standard deviations the means of runs of `length` residuals of all ways scatter
 /// more than those of independent residuals, whose variance the differences of neighbours tell, and
 /// the ratio of both variances; `None` for fewer than [`FEWEST_RUNS`] runs. A slow wave below the noise
 /// is seen here, and not between neighbours.
 pub(crate) fn likeness_of_runs(ways: &[Vec<f64>], length: usize) -> Option<[f64; 2]> {
-    let (mut squares, mut count) = (0.0, 0.0);
+    let [mut squares, mut runs, mut differences, mut pairs] = [0.0; 4];
     for way in ways.iter().filter(|way| way.len() >= length) {
-        let differences = way.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
-        let variance = 0.5 * differences.sum::<f64>() / (way.len() - 1) as f64;
-        for run in way.chunks_exact(length).filter(|_| variance > 0.0) {
-            squares += run.iter().sum::<f64>().powi(2) / (length as f64 * variance);
-            count += 1.0;
+        let of_pairs = way.windows(2).map(|pair| 0.5 * (pair[1] - pair[0]).powi(2));
+        differences += of_pairs.sum::<f64>();
+        pairs += (way.len() - 1) as f64;
+        for run in way.chunks_exact(length) {
+            squares += run.iter().sum::<f64>().powi(2) / length as f64;
+            runs += 1.0;
         }
     }
-    (count >= FEWEST_RUNS).then(|| [excess(squares, count), squares / count])
+    let variances = [squares / runs, differences / pairs];
+    // A variance from differences has two thirds of the degrees of freedom of one from residuals.
+    let freedom = [runs, pairs / 1.5];
+    (runs >= FEWEST_RUNS && differences > 0.0).then(|| {
+        let deviations = ratio_of_squares(variances, freedom);
+        [deviations, variances[0] / variances[1]]
+    })
 }
-
-/// The runs from which on their means tell something.
-const FEWEST_RUNS: f64 = 8.0;
 
 /// Returns the normal number that is exceeded as often as `t` by Student's distribution with
 /// `freedom` degrees of freedom (Wallace, Ann. Math. Stat. 30, 1124, 1959).
@@ -209,6 +216,9 @@ fn upper_tail(z: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
     use super::*;
 
     /// One ratio in a thousand is larger than these, of tables of Fisher's distribution; 3.090 standard deviations.
@@ -224,6 +234,31 @@ mod tests {
         ] {
             let found = ratio_of_squares([ratio, 1.0], freedom);
             assert!((3.0..3.1).contains(&found), "{freedom:?}: {found}");
+        }
+    }
+
+    /// One set in a thousand is beyond 3.09 standard deviations: white noise of several short ways, too.
+    #[test]
+    fn runs_of_white_noise_are_rarely_alike() {
+        const SETS: usize = 2000;
+        let mut random = Pcg64Mcg::seed_from_u64(1);
+        let mut normal = || {
+            let radius = (-2.0 * random.random_range(f64::MIN_POSITIVE..1.0_f64).ln()).sqrt();
+            radius * random.random_range(0.0..std::f64::consts::TAU).cos()
+        };
+        for [ways, points] in [[1, 64], [4, 16], [2, 300]] {
+            let beyond = |_: &usize| {
+                let ways: Vec<Vec<f64>> = (0..ways)
+                    .map(|_| (0..points).map(|_| normal()).collect())
+                    .collect();
+                let [deviations, _] = likeness_of_runs(&ways, 8).expect("eight runs");
+                deviations > 3.09
+            };
+            let count = (0..SETS).filter(beyond).count();
+            assert!(
+                count <= SETS / 200,
+                "{count} of {SETS}: {ways} ways of {points}"
+            );
         }
     }
 

@@ -218,7 +218,7 @@ fn without_square(symbol: &str) -> Option<&str> {
     squares.find_map(|square| symbol.strip_suffix(square))
 }
 
-/// Returns the size of a prefix of the SI, by its symbol; 1 of none.
+/// Returns the size of a prefix of the SI, by its symbol; 1 of an empty symbol, `None` of an unknown one.
 pub fn prefix(symbol: &str) -> Option<f64> {
     prefixed(symbol, "").map(power)
 }

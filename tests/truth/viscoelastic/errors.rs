@@ -169,7 +169,8 @@ fn compare(programs: &Programs) {
     );
 }
 
-/// Those of one turn, and those under a load that grows.
+/// Programs that are followed by integrals: a penetration with one turn. A load that grows takes another
+/// control.
 const INTEGRALS: Programs = Programs {
     count: 200,
     control: Some(Control::Displacement),

@@ -149,8 +149,8 @@ fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, f
 }
 
 /// Warns if residuals whose noise is not given exceed the noise that neighbouring ones show, or else if
-/// neighbouring residuals of an experiment, or means of some of them, are alike by more than one fit in
-/// 1/`chance` has them. Returns whether it warns.
+/// neighbouring residuals of an experiment are alike, or the means of some of them far from 0, by more
+/// than independent noise is with the probability `chance`. Returns whether it warns.
 fn beside_neighbours(
     warnings: &mut Warnings,
     assigned: &Assigned,
@@ -225,8 +225,8 @@ fn beside_neighbours(
     true
 }
 
-/// Returns the length of the runs of residuals whose means scatter the most, if that is beyond what one fit in
-/// 1/`chance` has, with [`likeness_of_runs`].
+/// Returns the length of the runs whose means scatter the most, with their [`likeness_of_runs`]; `None` if
+/// independent noise does so with a probability above `chance`.
 fn slow(ways: &[Vec<f64>], chance: f64) -> Option<(usize, [f64; 2])> {
     let lengths = (0..).map(|i| SHORTEST_RUN << i);
     let found: Vec<(usize, [f64; 2])> = lengths

@@ -339,7 +339,8 @@ pub enum WarningKind {
     Hysteresis,
     /// A depth that remains after unloading.
     Plasticity,
-    /// Residuals that are more like their neighbours than chance makes them.
+    /// Residuals that are more like their neighbours than chance makes them, or whose means over several
+    /// neighbours are farther from 0.
     StructuredResiduals,
     /// Points far from the fit.
     Outliers,

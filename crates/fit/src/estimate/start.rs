@@ -91,7 +91,9 @@ pub(crate) fn problem<'a>(
             let elastic = relaxing_start::elastic(&at, unknown.level)?;
             homogeneous(elastic.as_ref().unwrap_or(&at), unknown)
         };
-        if !is_stiffness && found.is_none() && own.iter().any(|&(own, _)| is_unknown(own)) {
+        let needs_size = matches!(variation, Variation::Thickness(_));
+        let is_needed = needs_size || own.iter().any(|&(own, _)| is_unknown(own));
+        if !is_stiffness && found.is_none() && is_needed {
             return Err(Error::NoStart {
                 experiment: one.experiment.measurement.name.clone(),
             });

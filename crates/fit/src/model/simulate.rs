@@ -60,7 +60,11 @@ pub fn simulate_experiment(
     if let Some(point) = made.measurement.points.iter().find(apart) {
         let [abscissa, _] = made.measurement.kind.names();
         let name = format!("the {abscissa} of a point of {}", made.measurement.name);
-        let allowed = "that of a contact: above 0 without adhesion";
+        let allowed = if made.measurement.kind.at_radii() {
+            "above 0"
+        } else {
+            "that of a contact: above 0 without adhesion"
+        };
         return Err(Error::setting(name, point.abscissa, allowed));
     }
     let mut random = Pcg64Mcg::seed_from_u64(seed);

@@ -12,14 +12,16 @@ const TAIL: f64 = 0.2;
 pub(super) const FEWEST: usize = 5;
 /// How many of the largest steps may be the jump.
 const MOST_JUMPS: usize = 16;
-/// The readings whose median tells on which side of a step they are, so that a spike is no jump.
+/// The readings whose median tells on which side of a step they are, so that a spike is no jump. A retract with one
+/// or two points in tension may have no jump by this; its flat end then tells where the contact ends.
 const SIDE: usize = 5;
 
 /// What is known of the baseline before the fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownBaseline {
-    /// Its level if that is not free.
+    /// The level, if it is not free.
     pub level: f64,
+    /// Whether the fit may change the level.
     pub level_is_free: bool,
     /// The noise of a reading.
     pub noise: f64,
@@ -59,10 +61,14 @@ impl KnownBaseline {
         jumps.into_iter().take(MOST_JUMPS).find_map(|jump| {
             let (before, after) = readings.split_at(jump + 1);
             let [level, noise] = self.level(after)?;
-            let off = |side: &[f64]| (median(side.to_vec()) - level).abs();
-            let is_jump = step(jump) > SIGNIFICANT * noise
-                && off(&before[before.len().saturating_sub(SIDE)..]) > NEAR * noise
-                && off(&after[..SIDE.min(after.len())]) <= (NEAR * noise).max(0.5 * step(jump));
+            let middle = |side: &[f64]| median(side.to_vec());
+            let off = |side: &[f64]| (middle(side) - level).abs();
+            let below = &before[before.len().saturating_sub(SIDE)..];
+            let above = &after[..SIDE.min(after.len())];
+            // After the jump the readings are on the baseline, or a tether holds them in between.
+            let stays_up = off(above) <= (NEAR * noise).max(0.5 * step(jump))
+                || middle(above) - middle(below) > 0.5 * step(jump);
+            let is_jump = step(jump) > SIGNIFICANT * noise && off(below) > NEAR * noise && stays_up;
             if !is_jump {
                 return None;
             }
@@ -98,4 +104,23 @@ impl KnownBaseline {
 /// Returns the number of the last readings that are compared with the others.
 fn tail(readings: &[f64]) -> usize {
     ((TAIL * readings.len() as f64) as usize).clamp(FEWEST, readings.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::KnownBaseline;
+
+    /// A tether that holds 45 % of the pull-off force is no contact.
+    #[test]
+    fn a_tether_is_no_contact() {
+        let contact = (0..200).map(f64::from);
+        let contact = contact.map(|i| 8.0 * (1.0 - i / 199.0).powf(1.5) - (i / 25.0).min(1.0));
+        let readings: Vec<f64> = contact.chain([-0.45; 30]).chain([0.0; 100]).collect();
+        let baseline = KnownBaseline {
+            level: 0.0,
+            level_is_free: true,
+            noise: 0.01,
+        };
+        assert_eq!(baseline.split(&readings), [200, 230]);
+    }
 }

@@ -193,19 +193,32 @@ fn column(source: &Source) -> String {
     )
 }
 
-/// Returns the values that are not fitted, and of each file where they differ.
+/// Lists the values that are not fitted: one, or that of each file if they differ.
 fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>, String)> {
-    let mut all = experiments.iter().map(|experiment| fixed(fit, experiment));
-    let mut rows = all.next().unwrap_or_default();
-    let others: Vec<_> = all.collect();
-    for (name, text) in &mut rows {
-        let own = others.iter().flatten().filter(|other| other.0 == *name);
-        let own: Vec<&str> = own.map(|(_, own)| own.as_str()).collect();
-        // A reference without a film has a substrate without a symbol.
-        let value = text.trim_end_matches(" E0");
-        if own.iter().any(|own| own.trim_end_matches(" E0") != value) {
-            *text = format!("{text}, {}", own.join(", "));
+    let of = |experiment| fixed(fit, experiment);
+    let all: Vec<Vec<(Cow<'static, str>, String)>> = experiments.iter().map(of).collect();
+    // A reference without a film has a substrate without a symbol.
+    let value = |text: &str| text.trim_end_matches(" E0").to_owned();
+    let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
+    for (name, _) in all.iter().flatten() {
+        if rows.iter().any(|row| row.0 == *name) {
+            continue;
         }
+        let is_zero =
+            ["load-offset", "contact-point", "baseline", "baseline-slope"].contains(&&**name);
+        let texts: Vec<&str> = all
+            .iter()
+            .filter_map(|rows| {
+                let own = rows.iter().find(|row| row.0 == *name);
+                // Zeros that are 0 have no row.
+                own.map(|row| &*row.1).or(is_zero.then_some("0"))
+            })
+            .collect();
+        let differ = texts.iter().any(|text| value(text) != value(texts[0]));
+        rows.push((
+            name.clone(),
+            texts[..if differ { texts.len() } else { 1 }].join(", "),
+        ));
     }
     rows
 }

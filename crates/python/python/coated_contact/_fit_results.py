@@ -170,7 +170,7 @@ class FixedValue:
     quantity : str
         Its name, such as ``"film_thickness"`` or ``"sphere_radius"``.
     value : float
-        The value, in SI units.
+        The value, in SI units: that of the first experiment, if they differ.
     step : float
         A change of it: 1 %, or 0.01 of a Poisson ratio; to the other side at the end of what is
         possible, such as a Poisson ratio of 0.5.

@@ -158,8 +158,8 @@ impl Bodies {
         }
     }
 
-    /// Notes on standard error that the film is compressed by more than is a small strain in a contact of radius `a`
-    /// (m). Without a `contact`, one film is looked up in the embedded table, and of a stack nothing is known.
+    /// Notes on standard error that a contact of radius `a` (m) compresses the film by more than [`Validity::SMALL`] of
+    /// its thickness. Without a `contact`, one film is looked up in the embedded table; of a stack nothing is said.
     pub fn note_compression(&self, contact: Option<&Contact>, a: f64) {
         let looked_up = match contact {
             None if self.stack.is_none() => Contact::in_table(Table::embedded(), &self.system).ok(),

@@ -176,9 +176,9 @@ fn note_lift_off(rows: &[Vec<f64>]) {
     let falls = |pair: &&[Vec<f64>]| pair[1][2] < (1.0 - CLEAR) * pair[0][2];
     if let Some(pair) = rows.windows(2).find(falls) {
         note(&format!(
-            "Without adhesion the penetration cannot fall while the contact grows, as it does from a contact radius of {:.3e} m \
-             on. The film is so stiff beside the substrate that it lifts off inside the contact, which is not modelled: the \
-             true load is another one.",
+            "From a contact radius of {:.3e} m on, the computed penetration falls while the contact grows. No contact without \
+             adhesion does that: the film is so much stiffer than the substrate that it lifts off inside the contact. This is \
+             not modelled, and the loads from there on are wrong.",
             pair[0][0]
         ));
     }

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Doubt, Format, Role, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, WarningKind};
+use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, Scope, WarningKind};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -39,7 +39,7 @@ use super::quantity::{length, number, read};
 use super::table_name::{self, TableName};
 use crate::printable;
 
-/// The files above which a fit of all together is doubted.
+/// The number of files above which a note says that a fit of all together is slow.
 const MANY_FILES: usize = 30;
 
 /// Find moduli and work of adhesion from measured contacts, with their errors
@@ -320,13 +320,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             "{flag}: {noises} values for {files} files; give one, or one for each file"
         );
     }
-    if arguments.data.len() > MANY_FILES {
-        note(&format!(
-            "{} files are one fit here, whose time grows with the third power of their number. Curves that have no parameter \
-             in common are fitted one by one: by a loop in the shell, or by fit_map of the Python package.",
-            arguments.data.len()
-        ));
-    }
     let format = arguments.format()?;
     let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     let mut times = Vec::new();
@@ -383,6 +376,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    if arguments.data.len() > MANY_FILES && free.iter().any(|one| one.scope == Scope::Own) {
+        note(&format!(
+            "{} files are fitted together, and some parameters are each file's own: the time grows with more than the square of \
+             the number of files. Files that have no parameter in common can be fitted one by one, by a loop in the shell.",
+            arguments.data.len()
+        ));
+    }
     arguments.reference.check(&free)?;
     if parameters.contains(&Parameter::BaselineSlope) {
         let is_other = |doubt: &Doubt| !matches!(doubt, Doubt::Tilt { .. });

@@ -58,7 +58,7 @@ struct WithoutFilmObject<'a> {
 #[derive(Serialize)]
 struct FixedValueObject {
     name: String,
-    /// The value of the first file, and those of all files if they differ.
+    /// The value of the first file that has it; if they differ, those of all files that have it, in their order.
     value: Number,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     values: Vec<Number>,
