@@ -4,9 +4,12 @@ use std::sync::atomic::Ordering;
 
 use ::solve::parallel;
 use contact::magnitude::Magnitude;
-use fit::data::Notes;
+use fit::data::{Notes, opposite_sense};
 use fit::report::{JkrPlotPoint, jkr_plot, report};
-use fit::{Direction, Estimate, Experiment, Fit, Free, Known, Loss, Options, WithoutFilm};
+use fit::{
+    Direction, Estimate, Experiment, Fit, Free, Known, Loss, Measurement, Options, Warning,
+    WarningKind, WithoutFilm,
+};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
@@ -135,12 +138,38 @@ fn checked_fit(
     allow_magnitudes: bool,
 ) -> Result<Fit, Box<Failure>> {
     accept_magnitudes(experiments, allow_magnitudes)?;
-    let found = fit::fit(table, experiments, free, options);
-    let found = found.map_err(|error| Box::new(Failure::from(error)))?;
+    let mut found = fit::fit(table, experiments, free, options).map_err(|error| {
+        let failure = Failure::from(error);
+        Box::new(match experiments.iter().find_map(opposite) {
+            Some(doubt) => failure.with(&doubt),
+            None => failure,
+        })
+    })?;
+    if !found.warnings.is_empty() {
+        let doubts = experiments.iter().filter_map(opposite);
+        found.warnings.extend(doubts.map(|text| Warning {
+            kind: WarningKind::Implausible,
+            text,
+        }));
+    }
     if found.converged && !allow_magnitudes {
         accept("the fit", &found.magnitudes())?;
     }
     Ok(found)
+}
+
+/// Says that abscissae or ordinates may count in the opposite sense, as is said of files when they are read.
+fn opposite(experiment: &Experiment) -> Option<String> {
+    let Measurement { name, kind, points } = &experiment.measurement;
+    let what = match opposite_sense(*kind, points)? {
+        [true, true] => "abscissa and ordinate",
+        [true, false] => "the abscissa",
+        _ => "the ordinate",
+    };
+    Some(format!(
+        "{name}: {what} may count in the opposite sense: loads are positive where they press the bodies together, \
+         penetrations grow and heights fall where the bodies come closer; if so, change the sign"
+    ))
 }
 
 /// Refuses numbers that no experiment has, unless they are allowed.

@@ -9,6 +9,7 @@ import pytest
 from coated_contact import (
     Cone,
     Elastic,
+    Experiment,
     FitError,
     Free,
     Indentation,
@@ -154,3 +155,31 @@ def test_commas_that_may_part_thousands_are_told(tmp_path):
 def test_objects_are_written_as_dictionaries():
     assert asdict(make_system())["probe"] == {"radius": 1e-3}
     assert asdict(LENS)["system"]["film_thickness"] == 1e-5
+
+
+@pytest.mark.parametrize("work_of_adhesion", [0.0, 1e-5])
+def test_heights_of_the_opposite_sense_are_named(work_of_adhesion):
+    """Positions of the piezo grow towards the sample, and heights fall."""
+    gel = make_system(sphere_radius=5e-6, sphere_modulus=inf, film_modulus=2e3, film_thickness=5e-6)
+    heights = np.linspace(1e-6, -4e-7, 300)
+    plan = Experiment(
+        kind="force-height",
+        abscissa=np.r_[heights, heights[::-1]],
+        retract=np.repeat([False, True], 300),
+        system=gel,
+        stiffness=0.05,
+        work_of_adhesion=work_of_adhesion,
+    )
+    free = ["film_modulus", "contact_point", "baseline"]
+    free += ["work_of_adhesion"] if work_of_adhesion else []
+    measured = simulate(plan, noise=2e-11, seed=1)
+
+    def doubts(experiment):
+        try:
+            return [warning.text for warning in fit(experiment, free).warnings]
+        except FitError as error:
+            return [str(error)]
+
+    assert not any("opposite sense" in text for text in doubts(measured))
+    turned = replace(measured, abscissa=-measured.abscissa)
+    assert any("the abscissa may count in the opposite sense" in text for text in doubts(turned))

@@ -6,7 +6,7 @@ use super::Notes;
 use super::assignment::Pair;
 use super::number::Marks;
 use super::segment::Split;
-use super::sign::{Sign, sign};
+use super::sign::{Sign, opposite, sign};
 use super::tilt::is_tilted;
 use super::turns::turns;
 use crate::{Direction, Kind, Point};
@@ -106,6 +106,13 @@ impl fmt::Display for Doubt {
             ),
         }
     }
+}
+
+/// Tells whether the abscissae and the ordinates of `points` may count in the opposite sense: a load that rises with
+/// the depth, or falls with the height, presses the bodies together. `None` if neither do, and for a baseline that is
+/// tilted.
+pub fn opposite_sense(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
+    opposite(kind, points).filter(|_| !is_tilted(kind, points))
 }
 
 /// Returns the doubts about a file: its points, the pairs of its columns, and what else was noted.

@@ -54,7 +54,7 @@ use std::path::Path;
 
 pub use assignment::roles;
 pub use column::{Column, Role};
-pub use doubt::Doubt;
+pub use doubt::{Doubt, opposite_sense};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue, Untold};
 pub use heading::Reduced;

@@ -73,6 +73,18 @@ impl fmt::Display for Sign {
 
 /// Returns the doubt that columns count in the opposite sense. A radius has one sense only.
 pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
+    opposite(kind, points).map(|opposite| Sign {
+        pairs: pairs
+            .iter()
+            .map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()])
+            .collect(),
+        opposite,
+    })
+}
+
+/// Tells whether the abscissae and the ordinates of `points` may count in the opposite sense; `None` if neither
+/// do.
+pub(super) fn opposite(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
     // The direction in which the abscissa grows when the bodies are pressed together.
     let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
     let depth = |point: &Point| inwards * point.abscissa;
@@ -136,11 +148,5 @@ pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
         let has_two_senses = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
         [has_two_senses && above > bent * rise; 2]
     };
-    (opposite != [false; 2]).then(|| Sign {
-        pairs: pairs
-            .iter()
-            .map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()])
-            .collect(),
-        opposite,
-    })
+    (opposite != [false; 2]).then_some(opposite)
 }

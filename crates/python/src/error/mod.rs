@@ -72,6 +72,12 @@ impl Failure {
         Some(Self::of_words("FitError", &message).about(&first.what, first.value))
     }
 
+    /// Adds a sentence to the message.
+    pub fn with(self, sentence: &str) -> Self {
+        let message = format!("{}; {sentence}", self.message);
+        self.saying(&message)
+    }
+
     /// Replaces the message by one in the words of this package.
     fn saying(self, message: &str) -> Self {
         Self {
