@@ -7,7 +7,7 @@ use anyhow::ensure;
 use clap::ValueHint;
 use contact::magnitude::Magnitude;
 use contact::{Contact, Validity};
-use interp::{Probe, System, Table};
+use interp::{Probe, System};
 
 use super::allow::{self, Allowed};
 use super::interface::InterfaceArguments;
@@ -159,14 +159,23 @@ impl Bodies {
     }
 
     /// Notes on standard error that a contact of radius `a` (m) compresses the film by more than [`Validity::SMALL`] of
-    /// its thickness. Without a `contact`, one film is looked up in the embedded table; of a stack nothing is said.
+    /// its thickness. Without a `contact`, one film is solved there; of a stack nothing is said.
     pub fn note_compression(&self, contact: Option<&Contact>, a: f64) {
-        let looked_up = match contact {
-            None if self.stack.is_none() => Contact::in_table(Table::embedded(), &self.system).ok(),
+        /// The part of the radius from which on the curve is solved, and its tolerance: two digits are shown.
+        const BEGIN: f64 = 0.9;
+        const TOLERANCE: f64 = 1e-4;
+        let solved = || {
+            let a_over_t = a / self.system.film_thickness;
+            let range = [BEGIN * a_over_t, a_over_t];
+            let curve = solve::curve(&self.system.material().ok()?, range, TOLERANCE).ok()?;
+            Contact::new(&self.system, curve).ok()
+        };
+        let solved = match contact {
+            None if self.stack.is_none() => solved(),
             _ => None,
         };
         let validity = contact
-            .or(looked_up.as_ref())
+            .or(solved.as_ref())
             .map(|contact| contact.validity(a));
         if let Some(Ok(Validity {
             film: Some(film), ..

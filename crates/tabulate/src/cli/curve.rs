@@ -140,7 +140,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if !punch {
         let contact = match &states.source {
             Source::Curve(contact) => Some(&**contact),
-            _ => None,
+            Source::Solves(slopes) => slopes.as_deref(),
+            Source::Range(_) => None,
         };
         bodies.note_compression(contact, to);
     }
