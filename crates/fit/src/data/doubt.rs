@@ -108,9 +108,9 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// Tells whether the abscissae and the ordinates of `points` may count in the opposite sense: a load that rises with
-/// the depth, or falls with the height, presses the bodies together. `None` if neither do, and for a baseline that is
-/// tilted.
+/// Tells whether the abscissae and the ordinates of `points` may count in the opposite sense. Loads are positive where
+/// they press the bodies together; penetrations grow, and heights fall, where the bodies come closer. `None` if neither
+/// seem to, and where the baseline is tilted.
 pub fn opposite_sense(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
     opposite(kind, points).filter(|_| !is_tilted(kind, points))
 }

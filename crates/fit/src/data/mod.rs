@@ -196,6 +196,22 @@ pub struct FromHead<'a> {
     pub used: f64,
 }
 
+/// Joins what the head names, if it is needed, with what was used.
+fn of_head<'a>(
+    quantity: &'static str,
+    unit: &'static str,
+    named: Option<&'a HeadValue>,
+    used: Option<f64>,
+) -> Option<FromHead<'a>> {
+    let (named, used) = named.zip(used)?;
+    Some(FromHead {
+        quantity,
+        unit,
+        named,
+        used,
+    })
+}
+
 impl Notes {
     /// Returns the values of the head that the columns need.
     pub fn from_head(&self) -> Vec<FromHead<'_>> {
@@ -203,24 +219,22 @@ impl Notes {
         let stiffness = needs(|one| matches!(one.role, Role::Deflection | Role::Height));
         let sensitivity =
             needs(|one| one.role == Role::Deflection && one.unit.dimension == Dimension::Voltage);
-        let (head, cantilever) = (&self.head, self.cantilever);
-        let stiffness = || {
-            Some(FromHead {
-                quantity: "stiffness",
-                unit: "N/m",
-                named: head.stiffness.as_ref().filter(|_| stiffness)?,
-                used: cantilever.stiffness?,
-            })
-        };
-        let sensitivity = || {
-            Some(FromHead {
-                quantity: "sensitivity",
-                unit: "m/V",
-                named: head.sensitivity.as_ref().filter(|_| sensitivity)?,
-                used: cantilever.sensitivity?,
-            })
-        };
-        stiffness().into_iter().chain(sensitivity()).collect()
+        let (head, used) = (&self.head, self.cantilever);
+        let values = [
+            of_head(
+                "stiffness",
+                "N/m",
+                head.stiffness.as_ref().filter(|_| stiffness),
+                used.stiffness,
+            ),
+            of_head(
+                "sensitivity",
+                "m/V",
+                head.sensitivity.as_ref().filter(|_| sensitivity),
+                used.sensitivity,
+            ),
+        ];
+        values.into_iter().flatten().collect()
     }
 }
 

@@ -53,21 +53,21 @@ pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homog
         Kind::LoadRadius => of_loads_at_radii(assigned, unknown),
         Kind::PenetrationRadius => of_penetrations_at_radii(assigned, unknown),
         Kind::LoadPenetration | Kind::ForceHeight => {
-            let mut shown = assigned.clone();
-            if !is_adhesive(&shown.experiment, unknown) {
-                shown.branches = assigned.branches_without_flat_ends(unknown.level);
-            }
+            let branches = if unknown.work_of_adhesion {
+                assigned.branches.clone()
+            } else {
+                assigned.branches_without_flat_ends(unknown.level)
+            };
+            let shown = Assigned {
+                branches,
+                ..assigned.clone()
+            };
             of_loads_at_positions(&shown, unknown)
         }
         Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => None,
     };
     // Data of the wrong sign lead to a modulus of 0.
     found.filter(|found| found.modulus.is_none_or(|modulus| modulus > LEAST_MODULUS))
-}
-
-/// Tells whether a contact adheres, or may.
-fn is_adhesive(experiment: &Experiment, unknown: Unknown) -> bool {
-    unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0
 }
 
 /// Returns at most [`MOST_POINTS`] points of a branch, from the largest contact to the smallest.
@@ -127,7 +127,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
 fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
-    let adhesive = is_adhesive(experiment, unknown);
+    let adhesive = unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0;
     let apart = points_of(assigned, Branch::Baseline);
     let known_level = if apart.is_empty() || !unknown.level {
         experiment.load_offset

@@ -42,13 +42,11 @@ impl Assigned {
     /// both sides, but a start needs the points in contact.
     pub fn branches_without_flat_ends(&self, level_is_free: bool) -> Vec<Branch> {
         let mut branches = self.branches.clone();
-        let Experiment { measurement, .. } = &self.experiment;
-        let works =
-            [Branch::Advancing, Branch::Receding].map(|branch| self.experiment.work_of(branch));
-        if !measurement.kind.at_radii() && !measurement.kind.is_stiffness() && works == [0.0; 2] {
-            let noise = self.noise;
-            self.experiment
-                .take_flat_ends(&mut branches, noise, level_is_free);
+        let (experiment, noise) = (&self.experiment, self.noise);
+        let kind = experiment.measurement.kind;
+        let works = [Branch::Advancing, Branch::Receding].map(|branch| experiment.work_of(branch));
+        if !kind.at_radii() && !kind.is_stiffness() && works == [0.0; 2] {
+            experiment.take_flat_ends(&mut branches, noise, level_is_free);
         }
         branches
     }

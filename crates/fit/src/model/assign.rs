@@ -104,11 +104,8 @@ impl Experiment {
                 }
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 if freedom.adhesive {
-                    self.split(
-                        &mut branches,
-                        self.known_baseline(noise, freedom.level),
-                        true,
-                    );
+                    let baseline = self.known_baseline(noise, freedom.level);
+                    self.split(&mut branches, &segments, baseline, true);
                 }
             }
         }
@@ -280,13 +277,15 @@ impl Experiment {
     }
 
     /// Tells the points in contact from those on the baseline, in ways between the largest contact and none.
-    fn split(&self, branches: &mut [Branch], baseline: KnownBaseline, adhesive: bool) {
+    fn split(
+        &self,
+        branches: &mut [Branch],
+        segments: &[Vec<usize>],
+        baseline: KnownBaseline,
+        adhesive: bool,
+    ) {
         let points = &self.measurement.points;
-        for way in self
-            .segments()
-            .into_iter()
-            .filter(|way| way.len() >= FEWEST)
-        {
+        for way in segments.iter().filter(|way| way.len() >= FEWEST) {
             let readings: Vec<f64> = way
                 .iter()
                 .map(|&i| {
@@ -320,7 +319,8 @@ impl Experiment {
     /// Takes the flat ends of the ways from the contact. Without adhesion the model describes them, too, but where the
     /// contact begins they tell where a fit starts.
     pub(crate) fn take_flat_ends(&self, branches: &mut [Branch], noise: f64, level_is_free: bool) {
-        self.split(branches, self.known_baseline(noise, level_is_free), false);
+        let baseline = self.known_baseline(noise, level_is_free);
+        self.split(branches, &self.segments(), baseline, false);
     }
 }
 

@@ -3,7 +3,7 @@
 //! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the
 //! points with all that is known about them, `errors` their standard deviations. `free` is what is
 //! to be found and how, `fixed` what is taken as given. `assign` reads the `branch` of each point
-//! from the data, and finds loading and unloading. `predict` compares the points with the
+//! from the data, and finds loading and unloading; `split` tells where contact and baseline meet. `predict` compares the points with the
 //! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
 //! stack of layers, `direct_solver` makes its contacts (`stick_solver` those with full friction,
 //! `interruptible` lets them be stopped), and `differences` the derivatives on it. `relaxing` predicts

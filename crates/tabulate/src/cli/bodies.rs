@@ -182,9 +182,14 @@ impl Bodies {
         })) = validity
             && film.strain > Validity::SMALL
         {
+            let layers = self
+                .stack
+                .as_ref()
+                .map_or(1, |layers| layers.stack().layers().len());
+            let what = if layers > 1 { "layers" } else { "film" };
             note(&format!(
                 "The model is linear: its error is of the size of the strain. Without adhesion, a contact of radius {a:.3e} m \
-                 would compress the film by {:.0} % of its thickness.",
+                 would compress the {what} by {:.0} % of the thickness.",
                 1e2 * film.strain
             ));
         }

@@ -111,7 +111,7 @@ impl<'a> StackTable<'a> {
 /// Why the layers of a fit cannot vary.
 #[cfg(feature = "fit")]
 const ONE_STACK: &str = "its table is of one stack. To vary a layer, do without the table: name a stack \
-    file on the command line, leave out `table` in Python, take `fit::DirectSolver` in Rust";
+    file, or solve the layers directly";
 
 #[cfg(feature = "fit")]
 impl LayeredSolver for StackTable<'static> {
