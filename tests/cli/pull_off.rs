@@ -106,3 +106,23 @@ fn a_pull_off_at_400_times_the_thickness_is_found() {
     let lowest = curve.cases().map(|row| row.get("load")).fold(0.0, f64::min);
     assert!((load / lowest - 1.0).abs() < 1e-6, "{load} {lowest}");
 }
+
+/// Between rigid bodies the compression is the whole penetration.
+#[test]
+fn a_film_that_is_compressed_too_much_is_told_of() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --film-thickness 1um --film-modulus 10kPa --film-poisson-ratio 0.3 \
+                  --sphere-radius 10um --sphere-modulus inf --substrate-modulus inf";
+    for (work, told) in [("10uJ/m^2", false), ("1mJ/m^2", true)] {
+        let run = workdir.run(format!("pull-off {bodies} --work-of-adhesion {work}"));
+        assert_eq!(run.status, 0, "{run:?}");
+        let radius = value(&run.stdout, "contact_radius");
+        let curve = format!("curve {bodies} --work-of-adhesion 0J/m^2 --from 1um --points 2");
+        let without = workdir.run(format!("{curve} --to {radius:e}"));
+        let rows = Data::parse("curve", &without.stdout);
+        let share = rows.cases().last().expect("a row").get("penetration") / 1e-6;
+        assert_eq!(share > 0.1, told, "{share}");
+        let text = format!("compress the film by {:.0} %", 1e2 * share);
+        assert_eq!(run.stderr.contains(&text), told, "{run:?}");
+    }
+}

@@ -76,6 +76,7 @@ pub fn fit_together<'py>(
         (
             fixed_name(one.quantity),
             one.value,
+            &one.values,
             one.step,
             &one.changes,
             one.error,

@@ -275,6 +275,16 @@ def test_fixed_values_are_left_out_or_refused():
     refuses(FitError, "not a parameter", lambda: fit(lens(seed=1), WANTED, known={"sphere": 1e4}))
 
 
+def test_fixed_values_that_differ_are_all_told():
+    thick = replace(lens(seed=2), film_thickness=2 * lens(seed=2).film_thickness)
+    both = [lens(seed=1), thick]
+    told = {one.quantity: one for one in fit(both, WANTED).fixed_values}
+    thickness = told["film_thickness"]
+    assert thickness.values == tuple(one.film_thickness for one in both)
+    assert thickness.value == thickness.values[0]
+    assert told["sphere_radius"].values == ()
+
+
 def test_a_forecast_of_no_adhesion_is_refused_where_it_is_free():
     plan = replace(lens(1), ordinate=None, work_of_adhesion=0.0, noise=1e-6)
     with pytest.raises(FitError, match=r"work-of-adhesion of .* must be positive where it is free"):

@@ -171,6 +171,8 @@ class FixedValue:
         Its name, such as ``"film_thickness"`` or ``"sphere_radius"``.
     value : float
         The value, in SI units: that of the first experiment, if they differ.
+    values : tuple of float
+        The values of all experiments that have one, in their order, if they differ; else empty.
     step : float
         A change of it: 1 %, or 0.01 of a Poisson ratio; to the other side at the end of what is
         possible, such as a Poisson ratio of 0.5.
@@ -182,6 +184,7 @@ class FixedValue:
 
     quantity: str
     value: float
+    values: tuple[float, ...]
     step: float
     changes: dict[str, float]
     standard_error: float | None
@@ -462,8 +465,10 @@ def fixed_values_of(found: Mapping[str, Any]) -> tuple[FixedValue, ...]:
     estimates, experiments = estimates_of(found), len(found["experiments"])
     names = [name_of(estimate, experiments) for estimate in estimates]
     return tuple(
-        FixedValue(quantity, value, step, dict(zip(names, changes, strict=True)), error)
-        for quantity, value, step, changes, error in found["fixed_values"]
+        FixedValue(
+            quantity, value, tuple(values), step, dict(zip(names, changes, strict=True)), error
+        )
+        for quantity, value, values, step, changes, error in found["fixed_values"]
     )
 
 

@@ -127,8 +127,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     attracting.bodies.name_example();
     bodies.note_large_contact(state.contact_radius);
-    if sticks.is_none() && state.contact_radius > 0.0 {
-        friction::note_size(&bodies, state.contact_radius);
+    if state.contact_radius > 0.0 {
+        bodies.note_compression(None, state.contact_radius);
+        if sticks.is_none() {
+            friction::note_size(&bodies, state.contact_radius);
+        }
     }
     print(text.as_bytes())
 }
