@@ -93,6 +93,19 @@ fn a_thin_layer_on_layers_like_the_base_is_refused_with_the_a_over_t_given() {
     workdir.succeed(format!("{arguments} 0.9"));
 }
 
+/// The contact is 4000 times as wide as the film is thick; its load is that on the substrate alone.
+#[test]
+fn a_pull_off_beyond_the_nodes_of_the_table_is_solved_without_it() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --film-thickness 10nm";
+    let error = workdir.fail(1, format!("pull-off embedded {bodies}"));
+    assert_names(&error, "1e-5 m; without a table `tabulate pull-off` solves");
+    let text = workdir.succeed(format!("pull-off {bodies}"));
+    let substrate = -1.5 * std::f64::consts::PI * 0.04 * 1e-3;
+    let error = value(&text, "load") / substrate - 1.0;
+    assert!(error.abs() < 1e-3, "{text}");
+}
+
 /// The pull-off of a film that slides, beside the lowest load of a curve over wide contacts.
 #[test]
 fn a_pull_off_at_400_times_the_thickness_is_found() {
@@ -117,8 +130,9 @@ fn a_film_that_is_compressed_too_much_is_told_of() {
         let run = workdir.run(format!("pull-off {bodies} --work-of-adhesion {work}"));
         assert_eq!(run.status, 0, "{run:?}");
         let radius = value(&run.stdout, "contact_radius");
-        let curve = format!("curve {bodies} --work-of-adhesion 0J/m^2 --from 1um --points 2");
-        let without = workdir.run(format!("{curve} --to {radius:e}"));
+        let curve = format!("curve {bodies} --work-of-adhesion 0J/m^2 --points 2");
+        let radii = format!("--from {:e} --to {radius:e}", 0.5 * radius);
+        let without = workdir.run(format!("{curve} {radii}"));
         let rows = Data::parse("curve", &without.stdout);
         let share = rows.cases().last().expect("a row").get("penetration") / 1e-6;
         assert_eq!(share > 0.1, told, "{share}");

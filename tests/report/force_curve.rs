@@ -40,6 +40,7 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         sphere     1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04 # contact radii up to 0.4 R
         sphere     1e-7 1e5   0.499 2e11   0.25 1e-5 2e6  0.04
         sphere     5e-8 2e9   0.35  1.3e11 0.25 2e-6 7e10 0.1
+        sphere     1e-8 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.4  # high powers of the smallest a/R are 0
         flat-punch 1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04
         paraboloid 1e-3 5e6   0     2e6    0.25 1e-2 1e6  5    # all parameters matter
         ",
@@ -160,6 +161,8 @@ fn without_penetration_there_is_load_against_contact_radius() {
     let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &[setting]) else {
         return;
     };
+    // `tabulate curve` prints penetrations.
+    assert_eq!(seen["looks"][0]["command"], "");
     let states = &seen["looks"][0]["states"];
     assert_eq!(states.as_object().map(serde_json::Map::len), Some(2));
     // The least load; the library has no call for it without penetrations.

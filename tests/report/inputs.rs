@@ -62,8 +62,13 @@ fn outside_the_box_there_is_a_message_and_no_curve() {
             "film_colour=3",
             "The address sets “film_colour”, which is not a setting of this table.",
         ),
+        (
+            "sphere_modulus=1e400",
+            "The sphere reduced modulus must be a number above 0.",
+        ),
         // It comes back.
         ("sphere_radius=1e-3", ""),
+        ("sphere_modulus=2e+6", ""),
     ];
     assert_messages(FOUR_AXES, &cases);
 }
@@ -113,6 +118,10 @@ fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
             &[("film_poisson_ratio", true)],
         ),
         (("film_poisson_ratio", "0,5"), &[]),
+        // A thousand or one.
+        (("film_thickness", "1,000"), first),
+        (("film_thickness", "0x1"), first),
+        (("film_thickness", "1,0"), &[]),
     ];
     let typed = entries.map(|(entry, _)| entry);
     let Some(seen) = fill(&page(FOUR_AXES), &typed) else {
@@ -125,6 +134,11 @@ fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
             .into_iter()
             .filter(|text| !text.is_empty())
             .collect();
+        let twofold = entry.1 == "1,000";
+        let advice = messages
+            .iter()
+            .any(|text| text.ends_with(" Write 1000 or 1.000."));
+        assert_eq!(advice, twofold, "{messages:?}");
         let fields = look["fields"].as_object().expect("fields");
         assert_eq!(fields.len(), 7);
         for (field, state) in fields {

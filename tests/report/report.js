@@ -30,11 +30,11 @@ function download() {
 function look() {
     const value = (cell) => [cell.className, cell.firstChild.value];
     const values = (row) => Object.fromEntries([...row.querySelectorAll("td")].map(value));
-    const { hidden } = document.getElementById("results");
+    const { hidden } = document.getElementById("results"), command = document.getElementById("command");
     return {
         hidden,
         messages: document.getElementById("message").innerText,
-        command: document.getElementById("command").textContent,
+        command: command.hidden ? "" : command.textContent,
         states: Object.fromEntries([...document.querySelectorAll("#states tbody tr")].map((row) => [row.id, values(row)])),
         points: [...document.querySelectorAll("#points tbody tr")].map(values),
         paths: paths(),

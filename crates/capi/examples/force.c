@@ -48,7 +48,7 @@ int main(int count, char **arguments) {
     printf("pull-off %.17e %.17e %.17e\n", last.contact_radius, last.load, last.penetration);
     printf("dF/dE1 %.17e\n", gradient[5]);
 
-    /* A forgotten unit is an error with the value and the range. */
+    /* A length in millimetres is an error with the value and the range. */
     double millimetres = 65.0;
     if (cc_load(contact, &millimetres, 1, work_of_adhesion, loads) == CC_STATUS_OK) {
         return 1;

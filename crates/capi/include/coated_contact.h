@@ -82,7 +82,7 @@ typedef struct CcSystem {
    */
   int32_t probe;
   /*
-   Radius of the probe, m; not read for a cone.
+   Radius of the probe, m; not read for a cone. Messages name it `sphere_radius`.
    */
   double probe_radius;
   /*
@@ -90,7 +90,7 @@ typedef struct CcSystem {
    */
   double half_angle;
   /*
-   Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is rigid.
+   Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is rigid. Messages name it `sphere_modulus`.
    */
   double probe_modulus;
   /*
@@ -160,8 +160,9 @@ enum CcStatus cc_table_read(const char *path, struct CcTable **table);
 void cc_table_free(struct CcTable *table);
 
 /*
- Looks a system up in a table; a null `table` is the one that is compiled in, which holds every
- probe, film and substrate with Poisson ratios from 0 to 0.5, to 1e-6.
+ Looks a system up in a table; a null `table` is the one that is compiled in. To 1e-6 it holds contact radii from
+ 1e-3 to 1e3 film thicknesses, Poisson ratios from 0 to 0.5, probes and substrates of any modulus, and films up to 1e10
+ times as stiff as both together. Smaller and larger contacts are answered by expansions where these are as accurate.
 
  Free the contact by `cc_contact_free`.
  */

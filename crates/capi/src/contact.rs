@@ -53,8 +53,9 @@ pub extern "C" fn cc_table_free(table: Option<Box<CcTable>>) {
     drop(table);
 }
 
-/// Looks a system up in a table; a null `table` is the one that is compiled in, which holds every
-/// probe, film and substrate with Poisson ratios from 0 to 0.5, to 1e-6.
+/// Looks a system up in a table; a null `table` is the one that is compiled in. To 1e-6 it holds contact radii from
+/// 1e-3 to 1e3 film thicknesses, Poisson ratios from 0 to 0.5, probes and substrates of any modulus, and films up to 1e10
+/// times as stiff as both together. Smaller and larger contacts are answered by expansions where these are as accurate.
 ///
 /// Free the contact by `cc_contact_free`.
 #[unsafe(no_mangle)]

@@ -28,11 +28,11 @@ pub enum CcProbe {
 pub struct CcSystem {
     /// The shape of the probe: a value of `CcProbe`.
     pub probe: i32,
-    /// Radius of the probe, m; not read for a cone.
+    /// Radius of the probe, m; not read for a cone. Messages name it `sphere_radius`.
     pub probe_radius: f64,
     /// Half angle of a cone, rad, between 0 and pi/2; not read for other shapes.
     pub half_angle: f64,
-    /// Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is rigid.
+    /// Reduced modulus E2* of the probe, Pa, at most 1e25; infinity is rigid. Messages name it `sphere_modulus`.
     pub probe_modulus: f64,
     /// Young's modulus of the film, Pa.
     pub film_modulus: f64,

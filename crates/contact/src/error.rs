@@ -104,17 +104,17 @@ fn end_of_probe(to: f64) -> String {
     )
 }
 
-/// Says which contact radii a table or a curve holds.
+/// Says between which contact radii a search on a table or a curve is.
 fn of_the_table(from: f64, to: f64) -> String {
     /// Below this radius (m) a search stands for one from 0.
     const ZERO: f64 = 1e-50;
     let from = if from < ZERO {
-        format!("0 (in the search {from:?} m)")
+        format!("0 (more exactly {from:?} m)")
     } else {
         format!("{from:?} m")
     };
     format!(
-        "the table or curve does not hold: it holds those from {from} to {to:?} m; give another value, \
+        "is outside the search, which is from {from} to {to:?} m and ends where the nodes of the table or curve do; give another value, \
          or make the table or the curve over a larger range of a_over_t"
     )
 }

@@ -10,8 +10,9 @@ class Grid {
 
     /** The integrals of positive rates over ln x, from a value at the first x on: those of cubics through four rates. */
     integrals(rates, start) {
-        // Beyond the ends the rates go on as powers of x.
-        const all = [rates[0] ** 2 / rates[1], ...rates, rates.at(-1) ** 2 / rates.at(-2)];
+        // Beyond the ends the rates go on as powers of x. High powers of a small x are 0.
+        const beyond = (end, next) => (next === 0 ? 0 : end * (end / next));
+        const all = [beyond(rates[0], rates[1]), ...rates, beyond(rates.at(-1), rates.at(-2))];
         let sum = start;
         return rates.map((_, i) => (i === 0 ? sum : sum += (this.step / 24) * (13 * (all[i] + all[i + 1]) - all[i - 1] - all[i + 2])));
     }

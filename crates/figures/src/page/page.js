@@ -14,10 +14,15 @@ function shown(value, unit) {
     return element("data", { value }, `${text} ${sign}${unit}`.trim());
 }
 
-/** The number that a text stands for: NaN if none. A rigid body has an infinite modulus. */
+/** Texts such as 1,000, which are a thousand to some people and one to others. */
+const AMBIGUOUS = /^[-+]?[1-9]\d*,\d{3}$/;
+
+/** The number that a text stands for: NaN if none, or if it may be two. A rigid body has an infinite modulus. */
 function parsed(text) {
-    const plain = text.trim().toLowerCase().replace("−", "-").replace(",", ".");
-    return ["rigid", "inf", "infinity", "∞"].includes(plain) ? Infinity : plain === "" ? NaN : Number(plain);
+    const plain = text.trim().toLowerCase().replace("−", "-");
+    if (["rigid", "inf", "infinity", "∞"].includes(plain)) return Infinity;
+    const number = /^[-+]?(\d+[.,]?\d*|[.,]\d+)(e[-+]?\d+)?$/.test(plain) && !AMBIGUOUS.test(plain) ? Number(plain.replace(",", ".")) : NaN;
+    return Math.abs(number) === Infinity ? NaN : number;
 }
 
 /** The state of the page: the settings in SI units by name, and the contact that they describe. */
@@ -89,7 +94,8 @@ class Page {
     readAddress() {
         Object.assign(this.values, this.usual);
         [this.probe, this.unknown] = [PROBE, []];
-        for (const [key, text] of new URLSearchParams(location.hash.slice(1))) {
+        // A plus sign, as in 1e+7, would be read as a blank.
+        for (const [key, text] of new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"))) {
             if (key === "probe" && [...(byId("probe")?.options ?? [])].some(({ value }) => value === text)) this.probe = text;
             else if (FREE.includes(key)) this.values[key] = parsed(text);
             else this.unknown.push(key);
@@ -131,7 +137,8 @@ class Page {
             }
         }
         byId("message").replaceChildren(...wrong.map(({ text }, i) => element("p", { id: `wrong-${i}` }, text)));
-        byId("results").hidden = wrong.length > 0;
+        // Shown again once the numbers are those of the settings.
+        byId("results").hidden = true;
         this.contact = wrong.length ? null : this.makeContact();
         if (!this.contact) return;
         this.drawn = this.contact.drawn();
@@ -139,6 +146,7 @@ class Page {
         this.printed = [this.probe === "flat-punch" ? from : Math.max(from, rounded(0.1 * to, 4)), to];
         this.fillTables();
         byId("message").replaceChildren(...this.notes().map((text) => element("p", { class: "note" }, text)));
+        byId("results").hidden = false;
         this.draw();
     }
 
@@ -146,8 +154,9 @@ class Page {
     wrong() {
         const wrong = this.unknown.map((key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] }));
         for (const key of FREE) {
-            const { valid: [from, to], must } = SETTINGS[key], value = this.values[key];
-            if (!(value >= from && value <= to)) wrong.push({ text: `The ${SETTINGS[key].name} must be ${must}.`, keys: [key] });
+            const { valid: [from, to], must } = SETTINGS[key], value = this.values[key], typed = byId(`${key}-number`).value;
+            const twofold = Number.isNaN(value) && AMBIGUOUS.test(typed) ? ` Write ${typed.replace(",", "")} or ${typed.replace(",", ".")}.` : "";
+            if (!(value >= from && value <= to)) wrong.push({ text: `The ${SETTINGS[key].name} must be ${must}.${twofold}`, keys: [key] });
         }
         if (wrong.length) return wrong;
         const plain = (value) => (value === Infinity ? "∞" : String(rounded(value, 6)));
@@ -206,6 +215,8 @@ class Page {
         if (Object.entries(this.values).some(isDoubted)) options.push("--allow magnitudes");
         byId("command").textContent = ["tabulate curve TABLE", ...options].join(" ");
         byId("prints").textContent = punch ? "the state in which the punch separates" : "the same curve";
+        // The program prints penetrations, too.
+        byId("command").hidden = byId("prints").parentElement.hidden = !penetrates;
     }
 
     /** Notes on the curve: where it begins and ends, and whether its contacts are large. */

@@ -187,6 +187,24 @@ impl Picture {
     }
 }
 
+/// Says of contacts that are not solved for the picture of force against displacement what its user can change.
+fn in_picture(error: crate::Error) -> anyhow::Error {
+    use crate::Error::Contact;
+    use contact::Error::OutsideRadii;
+    match error {
+        Contact(OutsideRadii {
+            from,
+            to,
+            at_end_of_probe: false,
+            ..
+        }) => anyhow::anyhow!(
+            "under this probe the contacts of the picture, on films of 1, 30 and 300 um, reach beyond {from:.1e} m to {to:.1e} m, which are \
+             solved on one of them: give another --sphere-radius or --half-angle; `tabulate curve` solves any contact"
+        ),
+        error => error.into(),
+    }
+}
+
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.figure {
         Figure::Fig2(output) => output.write(None, || Ok(fig2::figure(&fig2::data()?))),
@@ -204,7 +222,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             }
             let probe = probe.probe()?;
             let joined = interface::interface(*interface, *interface_stiffness);
-            let films = force_displacement::data(&probe, joined)?;
+            let films = force_displacement::data(&probe, joined).map_err(in_picture)?;
             Ok(force_displacement::figure(&films, &probe, joined))
         }),
         Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),

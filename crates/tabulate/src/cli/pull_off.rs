@@ -141,7 +141,19 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
     match &arguments.table {
         Some(name) => {
             let contact = Contact::in_table(name.read()?.as_ref(), &bodies.system)?;
-            Ok(contact.pull_off(bodies.work_of_adhesion, control)?)
+            let state = contact.pull_off(bodies.work_of_adhesion, control);
+            if let Err(
+                error @ Error::OutsideRadii {
+                    at_end_of_probe: false,
+                    ..
+                },
+            ) = state
+            {
+                return Err(anyhow!(
+                    "{error}; without a table `tabulate pull-off` solves more contacts"
+                ));
+            }
+            Ok(state?)
         }
         None => solved(bodies, control),
     }
