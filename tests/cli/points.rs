@@ -372,6 +372,9 @@ const BAD_POINTS: &str = r"
     unphysical | a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\n1,1,0.6,inf\n | line 3; nu1; 0.6; (-1, 0.5]
     nan a_over_t | a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1,0.5,inf\nnan,1,0.5,inf\n | line 3; a_over_t; NaN
     negative a_over_t | a_over_t,e1_over_e2,nu1,e0_over_e2\n-1,1,0.5,inf\n | line 2; a_over_t; -1
+    lines of Windows | a_over_t,e1_over_e2,nu1,e0_over_e2\r\n1,1,0.5,inf\r\n\r\n# next\r\n1,1,0.6,inf\r\n | line 5; nu1; 0.6
+    semicolons | a_over_t;e1_over_e2;nu1;e0_over_e2\n1;1;0.5;inf\n | header; separate the columns by commas
+    another encoding | a\0_\0 | UTF-8
 ";
 
 #[test]
@@ -383,7 +386,13 @@ fn a_bad_file_of_points_is_named_with_the_line() {
     );
     for command in ["solve", "query table.bin"] {
         assert_cases(BAD_POINTS, |[_, text, _]| {
-            workdir.write("points.csv", text.replace("\\n", "\n"));
+            let escapes = [("\\n", "\n"), ("\\r", "\r"), ("\\0", "\0")];
+            let text = escapes
+                .iter()
+                .fold(text.to_owned(), |text, (escape, byte)| {
+                    text.replace(escape, byte)
+                });
+            workdir.write("points.csv", &text);
             let message = workdir.fail(1, format!("{command} --points points.csv -o out.csv"));
             assert!(message.contains("points.csv"), "{text}: {message}");
             message

@@ -19,6 +19,8 @@ fn a_full_disk_is_an_error_and_what_is_finished_is_safe() {
         ));
         assert_eq!(run.status, 1, "{run:?}");
         assert_names(&run.stderr, &["cannot write", "too large"]);
+        let is_told = run.stderr.contains("with --resume goes on");
+        assert_eq!(is_told, limit > 1, "{run:?}");
         assert_eq!(workdir.read("table.h5"), b"what was there");
     }
     assert!(

@@ -387,6 +387,16 @@ fn of_two_generators_on_one_output_the_second_says_so() {
     assert_finished(&workdir);
 }
 
+/// A program that tidies up may remove it.
+#[test]
+fn a_journal_that_is_gone_when_the_table_is_complete_is_not_missed() {
+    let workdir = workdir();
+    generate_and(&workdir, &|| {
+        fs::remove_file(workdir.path(JOURNAL)).expect("it is there");
+    });
+    assert_finished(&workdir);
+}
+
 #[test]
 fn links_to_one_output_are_one_output_on_its_own_disk() {
     let workdir = workdir();

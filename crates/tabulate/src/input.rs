@@ -41,11 +41,21 @@ pub fn text(path: &Path) -> Result<String, Error> {
     let mut text = String::new();
     open(path, LONGEST)
         .and_then(|(mut file, _)| file.read_to_string(&mut text))
+        .map_err(|error| match error.kind() {
+            io::ErrorKind::InvalidData => not_utf8(),
+            _ => error,
+        })
         .map_err(|source| Error::Read {
             path: path.to_owned(),
             source,
         })?;
     Ok(text)
+}
+
+/// Makes the error of a file in another encoding.
+pub fn not_utf8() -> io::Error {
+    let why = "it is not text in UTF-8; save it with this encoding";
+    io::Error::new(io::ErrorKind::InvalidData, why)
 }
 
 impl Limited {

@@ -27,6 +27,8 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "cli")]
+mod csv_file;
 mod error;
 #[cfg(test)]
 mod hostile;

@@ -144,6 +144,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let generated = generated.map_err(|error| match error {
         error @ Error::Kept { .. } => anyhow!("{error}; --resume goes on from them"),
         error @ Error::Budget { .. } if journal.exists() => anyhow!("{error} with --resume"),
+        error @ Error::Write { .. } if bars.kept_points()[0] > 0 && journal.exists() => anyhow!(
+            "{:#}; the points solved so far are kept: once the file can be written, the same command with --resume goes on from them",
+            anyhow::Error::from(error)
+        ),
         error => error.into(),
     })?;
     let (all, bytes) = (start.elapsed(), std::fs::metadata(&path)?.len());

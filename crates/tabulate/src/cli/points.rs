@@ -9,6 +9,7 @@ use interp::{Material, Quantity};
 
 use super::output::Output;
 use super::progress::progress_bar;
+use crate::csv_file::CsvFile;
 use crate::input::{self, Limited, Room};
 use crate::printable;
 use solve::parallel::try_map;
@@ -58,7 +59,7 @@ pub struct Points<'a> {
     path: &'a Path,
     /// The number of bytes of the file, 0 of a pipe.
     length: u64,
-    reader: csv::Reader<Limited>,
+    reader: CsvFile<Limited>,
     /// The number of bytes that may be read until a row is complete.
     room: Room,
     columns: [Option<usize>; 5],
@@ -71,12 +72,9 @@ impl<'a> Points<'a> {
         let file = || printable::path(path);
         let (bytes, room) = input::open(path, LONGEST_ROW).with_context(file)?;
         let length = bytes.length();
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .comment(Some(b'#'))
-            .from_reader(bytes);
-        let columns =
-            columns(reader.headers().with_context(file)?, given.columns()).with_context(file)?;
+        let mut reader = CsvFile::new(bytes);
+        let header = reader.header().with_context(file)?;
+        let columns = columns(&header, given.columns()).with_context(file)?;
         Ok(Self {
             path,
             length,
@@ -125,7 +123,7 @@ impl<'a> Points<'a> {
                     write_row(&mut writer, point, answer)?;
                 }
                 writer.flush()?;
-                bar.set_position(self.reader.position().byte());
+                bar.set_position(self.reader.position());
             }
             Ok(())
         });
@@ -152,14 +150,10 @@ impl<'a> Points<'a> {
     fn next(&mut self) -> anyhow::Result<Option<Point>> {
         self.room.set(LONGEST_ROW);
         let mut record = csv::StringRecord::new();
-        if !self
-            .reader
-            .read_record(&mut record)
-            .with_context(|| printable::path(self.path))?
-        {
+        let read = self.reader.read(&mut record);
+        let Some(line) = read.with_context(|| printable::path(self.path))? else {
             return Ok(None);
-        }
-        let line = record.position().map_or(0, csv::Position::line);
+        };
         point(&record, self.columns, line, self.given)
             .with_context(|| place(self.path, line))
             .map(Some)
@@ -175,8 +169,13 @@ fn columns(headers: &csv::StringRecord, names: &[&str]) -> anyhow::Result<[Optio
         } else {
             ""
         };
+        let separated = if name.contains([';', '\t']) {
+            "; separate the columns by commas, and write decimal points"
+        } else {
+            ""
+        };
         bail!(
-            "the header has an unknown column {name:?}; the columns{of_stack} are {}",
+            "the header has an unknown column {name:?}{separated}; the columns{of_stack} are {}",
             names.join(", ")
         );
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use cost::Measurement;
 
+use crate::csv_file::CsvFile;
 use crate::{Error, input, printable};
 
 /// The largest number of bytes of a file of rows. A larger one is taken for a mistake.
@@ -42,12 +43,12 @@ pub fn rows<R: Measurement>(
     file: impl io::Read,
     ranges: &[(&str, [f64; 2])],
 ) -> io::Result<Vec<R>> {
-    let mut reader = csv::Reader::from_reader(file);
-    let headers = reader.headers()?.clone();
+    let mut reader = CsvFile::new(file);
+    let headers = reader.header()?;
     let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record?;
-        check(&headers, &record, ranges)?;
+    let mut record = csv::StringRecord::new();
+    while let Some(line) = reader.read(&mut record)? {
+        check(&headers, &record, line, ranges)?;
         rows.push(record.deserialize(Some(&headers))?);
     }
     if rows.is_empty() {
@@ -60,9 +61,9 @@ pub fn rows<R: Measurement>(
 fn check(
     headers: &csv::StringRecord,
     record: &csv::StringRecord,
+    line: u64,
     ranges: &[(&str, [f64; 2])],
 ) -> io::Result<()> {
-    let line = record.position().map_or(0, csv::Position::line);
     for (column, field) in headers.iter().zip(record) {
         let shown = printable::line(field);
         if shown != field {

@@ -275,12 +275,15 @@ impl Journal {
             .collect())
     }
 
-    /// Removes the journal, when the table is complete or nothing is finished.
+    /// Removes the journal, when the table is complete or nothing is finished. Another program may have removed it.
     ///
     /// # Errors
     /// [`Error::Write`] with the path of the journal.
     pub fn remove(self) -> Result<(), Error> {
-        self.named(fs::remove_file(&self.path))
+        match fs::remove_file(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            removed => self.named(removed),
+        }
     }
 
     fn append(&mut self, number: u64, bytes: &[u8]) -> io::Result<()> {

@@ -6,6 +6,7 @@ use anyhow::{Context, anyhow, bail, ensure};
 use units::Dimension;
 
 use super::super::quantity::{read, time};
+use crate::csv_file::CsvFile;
 use crate::input;
 use crate::printable;
 
@@ -91,11 +92,8 @@ impl Program {
         let (bytes, _) = input::open(path, LONGEST).context(
             "it cannot be read; --program takes a CSV file, or text such as \"penetration 0:0 1:1um 2:0\"",
         )?;
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .comment(Some(b'#'))
-            .from_reader(bytes);
-        let header = reader.headers()?.clone();
+        let mut reader = CsvFile::new(bytes);
+        let header = reader.header()?;
         let mut times = (0..header.len()).filter(|&i| header[i] == *"time");
         let (Some(of_time), None) = (times.next(), times.next()) else {
             bail!(
@@ -120,9 +118,8 @@ impl Program {
             ),
         };
         let mut points = Vec::new();
-        for record in reader.records() {
-            let record = record?;
-            let line = record.position().map_or(0, csv::Position::line);
+        let mut record = csv::StringRecord::new();
+        while let Some(line) = reader.read(&mut record)? {
             let value = |column: usize, dimension: Dimension| {
                 let text = record.get(column).unwrap_or_default();
                 read(text, Some(dimension))
