@@ -276,13 +276,14 @@ def test_fixed_values_are_left_out_or_refused():
 
 
 def test_fixed_values_that_differ_are_all_told():
-    thick = replace(lens(seed=2), film_thickness=2 * lens(seed=2).film_thickness)
-    both = [lens(seed=1), thick]
-    told = {one.quantity: one for one in fit(both, WANTED).fixed_values}
-    thickness = told["film_thickness"]
-    assert thickness.values == tuple(one.film_thickness for one in both)
-    assert thickness.value == thickness.values[0]
-    assert told["sphere_radius"].values == ()
+    one = lens(seed=1)
+    wide = replace(one.system, sphere_radius=2 * RADIUS)
+    load = one.ordinate - 2 * MODULUS * one.abscissa**3 / (3 * RADIUS)
+    found = fit([one, replace(one, system=wide, ordinate=load)], WANTED)
+    (radius,) = (fixed for fixed in found.fixed_values if fixed.quantity == "sphere_radius")
+    assert radius.values == (RADIUS, 2 * RADIUS)
+    assert radius.value == RADIUS
+    assert fit(one, WANTED).fixed_values[0].values == ()
 
 
 def test_a_forecast_of_no_adhesion_is_refused_where_it_is_free():

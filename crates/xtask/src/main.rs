@@ -137,10 +137,10 @@ fn test(args: &[String]) -> Result<(), String> {
 /// Python stores compiled modules. Leaves out afmformats, with a message, if it cannot be fetched.
 fn environment_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
     let mut packages = vec![
-        ("PYTHONPYCACHEPREFIX", python::compiled()?),
         ("H5PY_PATH", python::package("h5py", H5PY)?),
         ("XARRAY_PATH", python::packages(&XARRAY)?),
     ];
+    packages.extend(python::compiled()?);
     match afm_curves() {
         Ok(paths) => packages.extend(paths),
         Err(message) => {

@@ -78,10 +78,16 @@ pub fn fetched(
     }
 }
 
-/// Returns the folder for `PYTHONPYCACHEPREFIX`, where Python stores compiled modules. The folders of
+/// Returns the environment in which Python stores compiled modules, in the target directory. The folders of
 /// sources get no files, and all programs share the compiled modules.
-pub fn compiled() -> Result<PathBuf, String> {
-    Ok(workspace::target()?.join("tools").join("compiled"))
+pub fn compiled() -> Result<[(&'static str, PathBuf); 2], String> {
+    let folder = workspace::target()?.join("tools").join("compiled");
+    // Images of machines tell Python to store nothing, and each program would compile its modules again.
+    let stored = PathBuf::new();
+    Ok([
+        ("PYTHONPYCACHEPREFIX", folder),
+        ("PYTHONDONTWRITEBYTECODE", stored),
+    ])
 }
 
 /// Returns the command with which pip installs what is added to it, for the interpreter `python`.

@@ -99,7 +99,7 @@ fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
             .args(["-m", module])
             .args(arguments)
             .current_dir(sources())
-            .env("PYTHONPYCACHEPREFIX", python::compiled()?)
+            .envs(python::compiled()?)
             .env("RUFF_CACHE_DIR", cache("ruff")?)
             .env("MYPY_CACHE_DIR", cache("mypy")?);
         if let Some(folder) = folder {

@@ -41,7 +41,7 @@ pub fn site() -> Result<(), String> {
             .arg(&out)
             .env("PYTHONPATH", modules)
             .env("RUST_DOCUMENTATION", workspace::target()?.join("doc"))
-            .env("PYTHONPYCACHEPREFIX", python::compiled()?),
+            .envs(python::compiled()?),
     )?;
     println!("xtask: the site is in {}", out.display());
     Ok(())
