@@ -2,6 +2,7 @@
 
 use std::env;
 use std::hint::black_box;
+use std::slice;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -15,6 +16,8 @@ use interp::{Elastic, Probe, System, Table};
 
 /// The number of points of a curve.
 const POINTS: u32 = 300;
+/// The number of curves that are fitted together.
+const TOGETHER: usize = 40;
 /// The number of curves of a map.
 const CURVES: u64 = 10_000;
 /// The number of points of an approach and a retract in time, and of such curves of a map.
@@ -160,7 +163,7 @@ fn map((experiment, free): &(Experiment, Vec<Free>), curves: u64) -> Duration {
         for _ in 0..threads {
             scope.spawn(|| {
                 for _ in 0..curves / threads {
-                    one(experiment, free, &options);
+                    together(slice::from_ref(experiment), free, &options);
                 }
             });
         }
@@ -168,13 +171,8 @@ fn map((experiment, free): &(Experiment, Vec<Free>), curves: u64) -> Duration {
     start.elapsed()
 }
 
-fn one(experiment: &Experiment, free: &[Free], options: &Options) {
-    let found = fit(
-        Table::embedded(),
-        std::slice::from_ref(black_box(experiment)),
-        free,
-        options,
-    );
+fn together(experiments: &[Experiment], free: &[Free], options: &Options) {
+    let found = fit(Table::embedded(), black_box(experiments), free, options);
     assert!(found.expect("sound data").converged);
 }
 
@@ -191,9 +189,15 @@ fn fits(criterion: &mut Criterion) {
     ];
     for (name, _, case) in &cases {
         criterion.bench_function(name, |b| {
-            b.iter(|| one(&case.0, &case.1, &Options::default()))
+            b.iter(|| together(slice::from_ref(&case.0), &case.1, &Options::default()))
         });
     }
+    let (lens, free) = lens();
+    let many = vec![lens; TOGETHER];
+    let name = format!("{TOGETHER} times {POINTS} points together, each with an offset of its own");
+    criterion.bench_function(&name, |b| {
+        b.iter(|| together(&many, &free, &Options::default()))
+    });
     // As of the single fits, only those that are asked for.
     let filter = env::args()
         .skip(1)

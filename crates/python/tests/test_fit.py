@@ -74,6 +74,33 @@ def test_jkr_is_linear_least_squares():
     assert set(points.branch) == {"advancing"}
 
 
+def test_many_experiments_with_offsets_of_their_own_are_linear_least_squares():
+    count, noise = 12, 2e-6
+    offsets = 1e-5 * np.cos(np.arange(count))
+    several = [lens(seed=seed, noise=noise) for seed in range(count)]
+    several = [
+        replace(one, ordinate=one.ordinate + offset, noise=noise)
+        for one, offset in zip(several, offsets, strict=True)
+    ]
+    found = fit(several, [*WANTED, "load_offset"])
+    a, load = (
+        np.concatenate([getattr(one, name) for one in several]) for name in ("abscissa", "ordinate")
+    )
+    shared = [4 * a**3 / (3 * RADIUS), -np.sqrt(8 * pi * a**3)]
+    own = np.repeat(np.eye(count), 40, axis=0)
+    columns = np.column_stack([*shared, own])
+    (modulus, root, *others), *_ = np.linalg.lstsq(columns, load)
+    assert list(found.params.values()) == pytest.approx(
+        [modulus, root**2 / modulus, *others], rel=1e-6
+    )
+    errors = noise * np.sqrt(np.diag(np.linalg.inv(columns.T @ columns)))
+    stderr = np.array(list(found.stderr.values()))
+    assert stderr[0] == pytest.approx(errors[0], rel=1e-5)
+    assert stderr[2:] == pytest.approx(errors[2:], rel=1e-5)
+    residuals = load - columns @ [modulus, root, *others]
+    assert found.chi_squared == pytest.approx(np.sum((residuals / noise) ** 2), rel=1e-9)
+
+
 def test_experiments_share_a_parameter():
     both = [lens(seed=1, name="first"), lens(seed=2, name="second")]
     free = [Free(parameter="sphere_modulus"), Free(parameter="work_of_adhesion", own=True)]

@@ -54,7 +54,7 @@ pub fn text(path: &Path) -> Result<String, Error> {
 
 /// Makes the error of a file in another encoding.
 pub fn not_utf8() -> io::Error {
-    let why = "it is not text in UTF-8; save it with this encoding";
+    let why = "it is no text in UTF-8; save it with this encoding";
     io::Error::new(io::ErrorKind::InvalidData, why)
 }
 

@@ -7,6 +7,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::blocks::svd;
 use super::loss::influence;
 use super::problem::{Assigned, Problem};
 use super::slot::Slot;
@@ -221,7 +222,9 @@ impl Response {
             }
             weighted.column_mut(i).unscale_mut(lengths[i]);
         }
-        let mut matrix = weighted.pseudo_inverse(SINGULAR).ok()?;
+        let mut matrix = svd(weighted, &uncertainty.blocks)
+            .pseudo_inverse(SINGULAR)
+            .ok()?;
         for (mut column, root) in matrix.column_iter_mut().zip(roots.iter()) {
             column *= *root;
         }

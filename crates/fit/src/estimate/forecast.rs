@@ -133,5 +133,12 @@ fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
         });
     }
     let residuals = DVector::zeros(jacobian.nrows());
-    Ok(Uncertainty::new(jacobian, &residuals, Loss::Squares, sizes))
+    let blocks = problem.blocks();
+    Ok(Uncertainty::new(
+        jacobian,
+        blocks,
+        &residuals,
+        Loss::Squares,
+        sizes,
+    ))
 }

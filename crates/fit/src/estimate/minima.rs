@@ -3,7 +3,6 @@
 use std::rc::Rc;
 
 use interp::Table;
-use levenberg_marquardt::LeastSquaresProblem;
 
 use super::doubts::BEYOND_CHANCE;
 use super::problem::{Assigned, Basin, Ending, Problem};
@@ -353,7 +352,7 @@ fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
 /// Returns the parts of the sum of squares of each point of each experiment, `None` where it does
 /// not count, and that of the priors.
 fn squares(problem: &Problem<'_>) -> Option<(Vec<Vec<Option<f64>>>, f64)> {
-    let residuals = problem.residuals()?;
+    let residuals = problem.weighted_residuals()?;
     let mut parts = residuals.iter().map(|residual| residual * residual);
     let points = problem.assigned.iter().map(|assigned| {
         let branches = assigned.branches.iter();

@@ -12,6 +12,7 @@
 //! experiment, `likelihood` is for samplers. `result` holds what comes out.
 
 mod agreement;
+mod blocks;
 mod cycle;
 mod detector;
 mod doubts;

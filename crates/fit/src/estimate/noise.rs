@@ -70,9 +70,9 @@ pub(super) fn estimate_noise(
             jacobian.row_mut(row).scale_mut(ratio);
         }
     }
-    let sizes = uncertainty.sizes;
+    let (blocks, sizes) = (uncertainty.blocks, uncertainty.sizes);
     (
-        Uncertainty::new(jacobian, &residuals, problem.loss, sizes),
+        Uncertainty::new(jacobian, blocks, &residuals, problem.loss, sizes),
         changed,
     )
 }

@@ -385,6 +385,28 @@ impl<'a> Problem<'a> {
         Some((jacobian, sizes))
     }
 
+    /// Returns [`Self::plain_residuals`], weighted by the loss.
+    pub fn weighted_residuals(&self) -> Option<DVector<f64>> {
+        let weigh = |residual| weighted(self.loss, residual).0;
+        Some(self.plain_residuals()?.map(weigh))
+    }
+
+    /// Returns the derivatives of [`Self::weighted_residuals`] with respect to the coordinates.
+    pub fn weighted_jacobian(&self) -> Option<DMatrix<f64>> {
+        let residuals = self.plain_residuals()?;
+        let mut jacobian = self.plain_jacobian()?;
+        // The weights of squares are 1.
+        if self.loss != Loss::Squares {
+            for (mut row, residual) in jacobian.row_iter_mut().zip(residuals.iter()) {
+                row *= weighted(self.loss, *residual).1;
+            }
+        }
+        for (slot, mut column) in jacobian.column_iter_mut().enumerate() {
+            column *= self.slots[slot].coordinate.slope(self.x[slot]);
+        }
+        Some(jacobian)
+    }
+
     /// Returns the problem without a slot, at a fixed value of it; `None` if it has no contact
     /// there.
     pub fn with_fixed(&self, slot: usize, value: f64) -> Option<Self> {
@@ -409,7 +431,7 @@ impl<'a> Problem<'a> {
 
     /// Returns twice the loss of the present residuals; infinity without a contact.
     pub fn misfit(&self) -> f64 {
-        self.residuals()
+        self.weighted_residuals()
             .map_or(f64::INFINITY, |residuals| residuals.norm_squared())
     }
 
@@ -464,24 +486,15 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         if self.arrived {
             return None;
         }
-        Some(match self.plain_residuals() {
-            Some(residuals) => residuals.map(|residual| weighted(self.loss, residual).0),
-            None => DVector::from_element(self.residual_count(), REFUSED),
-        })
+        if let Some((_, residuals)) = self.compressed() {
+            return Some(residuals);
+        }
+        let refused = || DVector::from_element(self.residual_count(), REFUSED);
+        Some(self.weighted_residuals().unwrap_or_else(refused))
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let residuals = self.plain_residuals()?;
-        let mut jacobian = self.plain_jacobian()?;
-        // The weights of squares are 1.
-        if self.loss != Loss::Squares {
-            for (mut row, residual) in jacobian.row_iter_mut().zip(residuals.iter()) {
-                row *= weighted(self.loss, *residual).1;
-            }
-        }
-        for (slot, mut column) in jacobian.column_iter_mut().enumerate() {
-            column *= self.slots[slot].coordinate.slope(self.x[slot]);
-        }
-        Some(jacobian)
+        let compressed = self.compressed().map(|(jacobian, _)| jacobian);
+        compressed.or_else(|| self.weighted_jacobian())
     }
 }

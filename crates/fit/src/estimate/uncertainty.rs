@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::blocks::{Block, svd};
 use super::loss::influence;
 use super::problem::Problem;
 use super::slot::Slot;
@@ -23,6 +24,8 @@ pub(crate) struct Uncertainty {
     pub covariance: DMatrix<f64>,
     /// The derivatives of the residuals with respect to the values in units of their sizes.
     pub jacobian: DMatrix<f64>,
+    /// The blocks of these derivatives.
+    pub blocks: Vec<Block>,
     /// A root of `(J^T J)^-1`, which keeps more digits.
     factor: DMatrix<f64>,
     /// The factor by which a robust loss widens the errors.
@@ -48,12 +51,14 @@ impl Uncertainty {
         if jacobian.nrows() < jacobian.ncols() {
             return None;
         }
-        Some(Self::new(jacobian, &residuals, problem.loss, sizes))
+        let blocks = problem.blocks();
+        Some(Self::new(jacobian, blocks, &residuals, problem.loss, sizes))
     }
 
     /// Computes the uncertainty from derivatives and residuals.
     pub fn new(
         jacobian: DMatrix<f64>,
+        blocks: Vec<Block>,
         residuals: &DVector<f64>,
         loss: Loss,
         sizes: Vec<f64>,
@@ -66,7 +71,7 @@ impl Uncertainty {
         let scaled = DMatrix::from_fn(jacobian.nrows(), count, |i, j| {
             jacobian[(i, j)] / lengths[j]
         });
-        let svd = scaled.svd(true, true);
+        let svd = svd(scaled, &blocks);
         let (left, right) = svd.u.zip(svd.v_t).expect("both were asked for");
         let least = SINGULAR * svd.singular_values.max();
         let values = svd.singular_values.map(|value| value.max(least));
@@ -80,6 +85,7 @@ impl Uncertainty {
         Self {
             covariance: factor.tr_mul(&factor) * (scatter * scatter),
             jacobian,
+            blocks,
             factor,
             scatter,
             leverages,
@@ -195,8 +201,13 @@ mod tests {
                 ]
             };
             let jacobian = DMatrix::from_fn(9, 4, |i, j| row(i)[j]);
-            let uncertainty =
-                Uncertainty::new(jacobian, &DVector::zeros(9), Loss::Squares, vec![1.0; 4]);
+            let uncertainty = Uncertainty::new(
+                jacobian,
+                Vec::new(),
+                &DVector::zeros(9),
+                Loss::Squares,
+                vec![1.0; 4],
+            );
             let names = ["a", "b", "c", "d"].map(String::from);
             let found = uncertainty.undetermined(&names);
             let texts: Vec<&str> = found.iter().map(|one| one.text.as_str()).collect();

@@ -40,7 +40,7 @@ use super::table_name::{self, TableName};
 use crate::printable;
 
 /// The number of files above which a note says that a fit of all together is slow.
-const MANY_FILES: usize = 30;
+const MANY_FILES: usize = 100;
 
 /// Find moduli and work of adhesion from measured contacts, with their errors
 ///
