@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::problem::Problem;
+use super::problem::{Assigned, Problem};
 use crate::model::Predicted;
 
 /// The number of experiments from which on the blocks are used.
@@ -36,7 +36,7 @@ impl Problem<'_> {
                 columns: self.slots_of(e),
             }
         };
-        let heights = self.assigned.iter().map(|assigned| assigned.counting());
+        let heights = self.assigned.iter().map(Assigned::counting);
         heights.enumerate().map(block).collect()
     }
 
