@@ -36,6 +36,7 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         paraboloid 1e-4 1e5   0.499 7e10   0.25 1e-3 2e6  0.04
         paraboloid 5e-8 2e9   0.35  1.3e11 0.25 2e-6 7e10 0.1  # an atomic force microscope
         paraboloid 1e-6 3.5e6 0.5   2e11   0.25 1e-3 2e6  0
+        paraboloid 1e-4 3.5e6 0.5   2e11   0.25 0.5  2e6  0.04 # larger than any lens
         paraboloid 1e-8 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04 # pull-off beyond the table's a/t
         sphere     1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04 # contact radii up to 0.4 R
         sphere     1e-7 1e5   0.499 2e11   0.25 1e-5 2e6  0.04

@@ -211,7 +211,9 @@ class Page {
         const options = Object.entries({ ...probe, ...this.values, ...(punch ? {} : { from, to, points: 150 }) })
             .map(([key, value]) => `--${key.replaceAll("_", "-")} ${argument(key, value)}`);
         // The program doubts what no solid has.
-        const isDoubted = ([key, value]) => key.endsWith("modulus") && value < Infinity && (value < MODULI[0] || value > MODULI[1]);
+        const [moduli, lengths, works] = MAGNITUDES;
+        const usual = (key) => (key.endsWith("modulus") ? moduli : key === "work_of_adhesion" ? works : isRatio(key) ? [0, 1] : lengths);
+        const isDoubted = ([key, value]) => value < Infinity && value !== clamped(value, usual(key));
         if (Object.entries(this.values).some(isDoubted)) options.push("--allow magnitudes");
         byId("command").textContent = ["tabulate curve TABLE", ...options].join(" ");
         byId("prints").textContent = punch ? "the state in which the punch separates" : "the same curve";

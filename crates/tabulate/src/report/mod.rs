@@ -10,7 +10,7 @@ mod numbers;
 mod settings;
 
 use contact::Validity;
-use contact::magnitude::MODULI;
+use contact::magnitude::{LARGEST_WORK, LENGTHS, MODULI};
 use figures::page::{self, Illustration, Numbers, Page, Range};
 use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table};
 
@@ -73,7 +73,7 @@ pub fn report(
         illustrations,
         warning_a_over_r: Validity::WARNING_A_OVER_R,
         large_contact: LARGE_CONTACT,
-        moduli: MODULI,
+        magnitudes: [MODULI, LENGTHS, [0.0, LARGEST_WORK]],
         probe,
     };
     Ok(page.html()?)
