@@ -129,7 +129,7 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
 
     workdir.write("other.csv", "tolerance\n1\n");
     let message = workdir.fail(1, "plot effects --data other.csv -o other.svg");
-    assert_names(&message, "cannot read other.csv; line: 2; missing field");
+    assert_names(&message, "cannot read other.csv; line 2; missing field");
 }
 
 /// Times are given, and not measured: a difference counts if it is larger than the ranges of both.

@@ -171,6 +171,7 @@ fn mistakes_are_told() {
         ("twice.csv", "time,time,load\n0,0,0\n"),
         ("untimed.csv", "t,load\n0,0\n"),
         ("swapped.csv", "time,penetration\n0,0\n1e-6,1\n0,2\n"),
+        ("semicolons.csv", "time;load\n0;0\n"),
         ("words.csv", "time,load\r\n0,0\r\n# later\r\n1,much\r\n"),
     ] {
         workdir.write(file, text);
@@ -199,6 +200,7 @@ fn mistakes_are_told() {
         1 | {GEL} --program both.csv | only one
         1 | {GEL} --program untimed.csv | t, load; named time
         1 | {GEL} --program swapped.csv | point 3; 0.0 s; rise
+        1 | {GEL} --program semicolons.csv | separate the columns by commas
         1 | {GEL} --program words.csv | words.csv; line 4; much
         1 | {GEL} {PROGRAM} --work-of-adhesion=1mJ/m^2 | --work-of-adhesion-receding
         2 | {GEL} {PROGRAM} --at=1 --points=3 | --points

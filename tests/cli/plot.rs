@@ -261,8 +261,9 @@ fn other_probes_separate_from_the_thickest_film_as_from_a_half_space() {
     assert_eq!(tree.size().to_int_size().width(), WIDTH);
     workdir.refuses(format!(
         "1 | {plot} --probe cone | --probe cone needs --half-angle\n\
-         1 | {plot} --sphere-radius 100mm | films of 1, 30 and 300 um; --sphere-radius; `tabulate curve`\n\
-         1 | {plot} --probe cone --half-angle 89.99 | films of 1, 30 and 300 um; --half-angle"
+         1 | {plot} --sphere-radius 100mm | films of 1, 30 and 300 um; dimensions of the probe; `tabulate curve`\n\
+         1 | {plot} --probe cone --half-angle 89.99 | films of 1, 30 and 300 um; dimensions of the probe\n\
+         1 | {plot} --probe sphere --sphere-radius 1um | films of 1, 30 and 300 um; dimensions of the probe"
     ));
 }
 

@@ -374,7 +374,7 @@ const BAD_POINTS: &str = r"
     negative a_over_t | a_over_t,e1_over_e2,nu1,e0_over_e2\n-1,1,0.5,inf\n | line 2; a_over_t; -1
     lines of Windows | a_over_t,e1_over_e2,nu1,e0_over_e2\r\n1,1,0.5,inf\r\n\r\n# next\r\n1,1,0.6,inf\r\n | line 5; nu1; 0.6
     semicolons | a_over_t;e1_over_e2;nu1;e0_over_e2\n1;1;0.5;inf\n | header; separate the columns by commas
-    another encoding | a\0_\0 | UTF-8
+    another encoding | a\0_\0 | save it with this encoding
 ";
 
 #[test]

@@ -139,4 +139,21 @@ fn a_film_that_is_compressed_too_much_is_told_of() {
         let text = format!("compress the film by {:.0} %", 1e2 * share);
         assert_eq!(run.stderr.contains(&text), told, "{run:?}");
     }
+    // Under every probe, and of a film that slides.
+    for (probe, table) in [
+        ("--probe sphere", "embedded"),
+        ("--probe cone --half-angle 70", ""),
+        ("--probe cone --half-angle 70", "embedded"),
+        ("--interface sliding", ""),
+    ] {
+        let bodies = match probe.contains("cone") {
+            true => bodies.replace("--sphere-radius 10um", ""),
+            false => bodies.to_owned(),
+        };
+        let run = workdir.run(format!(
+            "pull-off {table} {bodies} {probe} --work-of-adhesion 1mJ/m^2"
+        ));
+        assert_eq!(run.status, 0, "{run:?}");
+        assert_names(&run.stderr, "would compress the film by");
+    }
 }

@@ -126,4 +126,7 @@ fn input_without_an_end_is_refused() {
     ] {
         assert_names(&workdir.fail(1, device), &["/dev/zero", why]);
     }
+    workdir.write("scene.toml", b"title = '\xe9'\n");
+    let error = workdir.fail(1, "generate scene.toml");
+    assert_names(&error, "scene.toml; save it with this encoding");
 }

@@ -95,10 +95,10 @@ def test_many_experiments_with_offsets_of_their_own_are_linear_least_squares():
     )
     errors = noise * np.sqrt(np.diag(np.linalg.inv(columns.T @ columns)))
     stderr = np.array(list(found.stderr.values()))
-    assert stderr[0] == pytest.approx(errors[0], rel=1e-5)
-    assert stderr[2:] == pytest.approx(errors[2:], rel=1e-5)
+    assert stderr[0] == pytest.approx(errors[0], rel=1e-11)
+    assert stderr[2:] == pytest.approx(errors[2:], rel=1e-11)
     residuals = load - columns @ [modulus, root, *others]
-    assert found.chi_squared == pytest.approx(np.sum((residuals / noise) ** 2), rel=1e-9)
+    assert found.chi_squared == pytest.approx(np.sum((residuals / noise) ** 2), rel=1e-13)
 
 
 def test_experiments_share_a_parameter():

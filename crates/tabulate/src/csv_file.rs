@@ -2,7 +2,7 @@
 
 use std::io::{self, Read};
 
-use crate::input::not_utf8;
+use crate::input::{invalid, not_utf8};
 
 /// A CSV file with a header and comments after `#`.
 pub struct CsvFile<R> {
@@ -12,23 +12,44 @@ pub struct CsvFile<R> {
 impl<R: Read> CsvFile<R> {
     pub fn new(bytes: R) -> Self {
         let reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
+            .trim(csv::Trim::Headers)
             .comment(Some(b'#'))
-            .from_reader(LineFeeds { bytes, last: b'\n' });
+            .from_reader(LineFeeds {
+                bytes,
+                last: b'\n',
+                has_ended: false,
+            });
         Self { reader }
     }
 
     /// Returns the names of the columns.
-    pub fn header(&mut self) -> csv::Result<csv::StringRecord> {
-        self.reader.headers().cloned()
+    pub fn header(&mut self) -> io::Result<csv::StringRecord> {
+        let header = self.reader.headers().cloned();
+        let header = header.map_err(|error| located(error, self.reader.position().line() - 1))?;
+        if header.len() == 1 && header[0].contains([';', '\t']) {
+            return Err(invalid(
+                "the header has semicolons or tabs: separate the columns by commas, and write decimal points".to_owned(),
+            ));
+        }
+        Ok(header)
     }
 
-    /// Reads the next row. Returns its line, none at the end of the file.
-    pub fn read(&mut self, row: &mut csv::StringRecord) -> csv::Result<Option<u64>> {
-        let is_row = self.reader.read_record(row)?;
+    /// Reads the next row. Returns the line on which it begins, none at the end of the file.
+    pub fn read(&mut self, row: &mut csv::StringRecord) -> io::Result<Option<u64>> {
+        let is_row = self.reader.read_record(row);
         // The position of the row itself is before the comments and blank lines that precede it. The reader is
-        // behind the end of the line.
-        Ok(is_row.then(|| self.reader.position().line() - 1))
+        // behind the line feed that ends it, or at the end of the file within a quotation.
+        let end = self.reader.position().line() + u64::from(self.reader.get_ref().has_ended);
+        let inside = row
+            .iter()
+            .map(|cell| cell.matches('\n').count())
+            .sum::<usize>();
+        let line = (end - 1).saturating_sub(inside as u64);
+        row.trim();
+        match is_row {
+            Ok(is_row) => Ok(is_row.then_some(line)),
+            Err(error) => Err(located(error, line)),
+        }
     }
 
     /// Returns the number of bytes up to the end of the last row.
@@ -37,11 +58,27 @@ impl<R: Read> CsvFile<R> {
     }
 }
 
+/// Names the line of an error.
+pub fn located(error: csv::Error, line: u64) -> io::Error {
+    let text = error.to_string();
+    let why = match error.into_kind() {
+        csv::ErrorKind::Io(error) => return error,
+        csv::ErrorKind::Utf8 { .. } => not_utf8().to_string(),
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => format!("it has {len} cells, and the header {expected_len}"),
+        csv::ErrorKind::Deserialize { err, .. } => err.to_string(),
+        _ => text,
+    };
+    invalid(format!("line {line}: {why}"))
+}
+
 /// A text whose lines all end in a line feed.
 struct LineFeeds<R> {
     bytes: R,
     /// The last byte read.
     last: u8,
+    has_ended: bool,
 }
 
 impl<R: Read> Read for LineFeeds<R> {
@@ -54,6 +91,7 @@ impl<R: Read> Read for LineFeeds<R> {
             let read = self.bytes.read(out)?;
             if read == 0 {
                 let is_open = self.last != b'\n' && self.last != b'\r';
+                self.has_ended = !is_open;
                 out[0] = b'\n';
                 self.last = b'\n';
                 return Ok(usize::from(is_open));
@@ -107,6 +145,33 @@ mod tests {
                     let expected = expected.map(|(line, cell)| (line, cell.to_owned()));
                     assert_eq!(rows, expected, "{text:?} in steps of {step}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_row_of_several_lines_has_the_first() {
+        // The last quotation is not closed.
+        let mut file = CsvFile::new(&b"a,b\n\n\"1\n\",2\n# note\n3,\"4\n5,6\n7,8\n"[..]);
+        let mut row = csv::StringRecord::new();
+        for (line, cell) in [(3, "1"), (6, "3")] {
+            assert_eq!(file.read(&mut row).expect("a row"), Some(line));
+            assert_eq!(&row[0], cell);
+        }
+        assert_eq!(file.read(&mut row).expect("the end"), None);
+    }
+
+    #[test]
+    fn errors_of_rows_have_the_line_too() {
+        for end in ["\n", "\r\n"] {
+            for (cells, why) in [(&b"1"[..], "it has 1 cells"), (b"1,\xe9", "UTF-8")] {
+                let start = "a,b\n1,2\n\n# note\n".replace('\n', end);
+                let bytes = [start.as_bytes(), cells, end.as_bytes()].concat();
+                let mut file = CsvFile::new(&bytes[..]);
+                let mut row = csv::StringRecord::new();
+                file.read(&mut row).expect("a row");
+                let error = file.read(&mut row).expect_err("refused").to_string();
+                assert!(error.contains("line 5: ") && error.contains(why), "{error}");
             }
         }
     }

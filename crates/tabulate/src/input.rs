@@ -54,7 +54,11 @@ pub fn text(path: &Path) -> Result<String, Error> {
 
 /// Makes the error of a file in another encoding.
 pub fn not_utf8() -> io::Error {
-    let why = "it is no text in UTF-8; save it with this encoding";
+    invalid("it is no text in UTF-8; save it with this encoding".to_owned())
+}
+
+/// Makes the error of what a file holds.
+pub fn invalid(why: String) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, why)
 }
 

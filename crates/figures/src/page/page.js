@@ -15,11 +15,14 @@ function shown(value, unit) {
 }
 
 /** Texts such as 1,000, which are a thousand to some people and one to others. */
-const AMBIGUOUS = /^[-+]?[1-9]\d*,\d{3}$/;
+const AMBIGUOUS = /^[-+]?[1-9]\d*,\d{3}(e[-+]?\d+)?$/;
+
+/** A text in lower case, without blanks around it, and with a plain minus sign. */
+const plainly = (text) => text.trim().toLowerCase().replace("−", "-");
 
 /** The number that a text stands for: NaN if none, or if it may be two. A rigid body has an infinite modulus. */
 function parsed(text) {
-    const plain = text.trim().toLowerCase().replace("−", "-");
+    const plain = plainly(text);
     if (["rigid", "inf", "infinity", "∞"].includes(plain)) return Infinity;
     const number = /^[-+]?(\d+[.,]?\d*|[.,]\d+)(e[-+]?\d+)?$/.test(plain) && !AMBIGUOUS.test(plain) ? Number(plain.replace(",", ".")) : NaN;
     return Math.abs(number) === Infinity ? NaN : number;
@@ -31,6 +34,8 @@ class Page {
         readIntegers(text);
         this.penetrates = TABLE.answers.includes("delta0");
         this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, { usual }]) => [key, usual]));
+        /** The text that was typed last, by its key. */
+        this.typed = {};
         this.open();
         this.listen();
         this.readAddress();
@@ -78,10 +83,12 @@ class Page {
             slider.addEventListener("input", () => {
                 const [from, to] = this.ends(key), part = slider.value / slider.max;
                 const inside = isRatio(key) ? from + (to - from) * part : from * (to / from) ** part;
+                this.typed = {};
                 this.values[key] = part === 0 ? from : part === 1 ? (mayBeRigid ? Infinity : to) : rounded(inside, 4);
                 this.show();
             });
             number.addEventListener("input", () => {
+                this.typed = { [key]: plainly(number.value) };
                 this.values[key] = rounded(parsed(number.value) * scale);
                 this.show(number);
             });
@@ -93,6 +100,7 @@ class Page {
     /** Reads settings from the address, `#film_thickness=1e-6&...` in SI units. The others get their usual values. */
     readAddress() {
         Object.assign(this.values, this.usual);
+        this.typed = {};
         [this.probe, this.unknown] = [PROBE, []];
         // A plus sign, as in 1e+7, would be read as a blank.
         for (const [key, text] of new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"))) {
@@ -154,8 +162,8 @@ class Page {
     wrong() {
         const wrong = this.unknown.map((key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] }));
         for (const key of FREE) {
-            const { valid: [from, to], must } = SETTINGS[key], value = this.values[key], typed = byId(`${key}-number`).value;
-            const twofold = Number.isNaN(value) && AMBIGUOUS.test(typed) ? ` Write ${typed.replace(",", "")} or ${typed.replace(",", ".")}.` : "";
+            const { valid: [from, to], must } = SETTINGS[key], value = this.values[key], typed = this.typed[key] ?? "";
+            const twofold = AMBIGUOUS.test(typed) ? ` Write ${typed.replace(",", "")} or ${typed.replace(",", ".")}.` : "";
             if (!(value >= from && value <= to)) wrong.push({ text: `The ${SETTINGS[key].name} must be ${must}.${twofold}`, keys: [key] });
         }
         if (wrong.length) return wrong;
@@ -226,7 +234,8 @@ class Page {
         if (this.probe === "flat-punch") return [];
         const { contact, drawn: [, to], probe } = this, [least, most] = contact.range, [x0, x1] = TABLE.range, notes = [];
         const limit = (verb, a, x) => notes.push(`The curve ${verb} at a = ${shown(a, "m").textContent}, where the table’s a/t ${verb}: ${x}.`);
-        if (least > 0.1 * to) limit("begins", least, x0);
+        // The range that is drawn is at least ten times the smallest radius, but for rounding.
+        if (least > 0.0999 * to) limit("begins", least, x0);
         if (to === most && most === contact.largest) {
             notes.push(probe === "sphere" ? `The curve ends at a = ${rounded(LARGEST.sphere, 6)} R.` : "The curve ends at the sphere’s radius R.");
         } else if (to === most) limit("ends", most, x1);

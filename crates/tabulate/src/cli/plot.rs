@@ -192,14 +192,9 @@ fn in_picture(error: crate::Error) -> anyhow::Error {
     use crate::Error::Contact;
     use contact::Error::OutsideRadii;
     match error {
-        Contact(OutsideRadii {
-            from,
-            to,
-            at_end_of_probe: false,
-            ..
-        }) => anyhow::anyhow!(
-            "under this probe the contacts of the picture, on films of 1, 30 and 300 um, reach beyond {from:.1e} m to {to:.1e} m, which are \
-             solved on one of them: give another --sphere-radius or --half-angle; `tabulate curve` solves any contact"
+        Contact(OutsideRadii { from, to, .. }) => anyhow::anyhow!(
+            "under this probe the contacts of the picture, on films of 1, 30 and 300 um, reach beyond the radii that are solved on one of \
+             the films, {from:.1e} m to {to:.1e} m: give other dimensions of the probe; `tabulate curve` solves single films"
         ),
         error => error.into(),
     }

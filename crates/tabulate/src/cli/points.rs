@@ -169,13 +169,8 @@ fn columns(headers: &csv::StringRecord, names: &[&str]) -> anyhow::Result<[Optio
         } else {
             ""
         };
-        let separated = if name.contains([';', '\t']) {
-            "; separate the columns by commas, and write decimal points"
-        } else {
-            ""
-        };
         bail!(
-            "the header has an unknown column {name:?}{separated}; the columns{of_stack} are {}",
+            "the header has an unknown column {name:?}; the columns{of_stack} are {}",
             names.join(", ")
         );
     }

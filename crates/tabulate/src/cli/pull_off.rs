@@ -92,19 +92,20 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--friction stick is solved directly, and without a range of the attraction: leave out the \
          table and --interaction-range"
     );
-    let state = match attracting.interaction_range {
-        Some(range) => bodies.cohesive(range)?.pull_off(control)?,
+    let (contact, state) = match attracting.interaction_range {
+        Some(range) => (None, bodies.cohesive(range)?.pull_off(control)?),
         None => {
-            let state = match sticks {
+            let (contact, state) = match sticks {
                 Some(nu2) => sticking(arguments, &bodies, nu2, control)?,
                 None => jkr(arguments, &bodies, control)?,
             };
-            CohesiveState {
+            let state = CohesiveState {
                 contact_radius: state.contact_radius,
                 outer_radius: state.contact_radius,
                 load: state.load,
                 penetration: state.penetration,
-            }
+            };
+            (Some(contact), state)
         }
     };
     let values = [
@@ -128,7 +129,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     attracting.bodies.name_example();
     bodies.note_large_contact(state.contact_radius);
     if state.contact_radius > 0.0 {
-        bodies.note_compression(None, state.contact_radius);
+        bodies.note_compression(contact.as_ref(), state.contact_radius);
         if sticks.is_none() {
             friction::note_size(&bodies, state.contact_radius);
         }
@@ -136,8 +137,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     print(text.as_bytes())
 }
 
+/// A contact, and its pull-off.
+type PullOff = (Contact, State);
+
 /// Finds the pull-off of an attraction without range.
-fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<State> {
+fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
     match &arguments.table {
         Some(name) => {
             let contact = Contact::in_table(name.read()?.as_ref(), &bodies.system)?;
@@ -153,7 +157,8 @@ fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Resu
                     "{error}; without a table `tabulate pull-off` solves more contacts"
                 ));
             }
-            Ok(state?)
+            let state = state?;
+            Ok((contact, state))
         }
         None => solved(bodies, control),
     }
@@ -165,7 +170,7 @@ fn sticking(
     bodies: &Bodies,
     nu2: f64,
     control: Control,
-) -> anyhow::Result<State> {
+) -> anyhow::Result<PullOff> {
     /// The narrowest contact over the widest.
     const NARROWEST: f64 = 3e-5;
     let widest = friction::reach(bodies);
@@ -175,7 +180,10 @@ fn sticking(
         let (contact, receding) = arguments.history.contact(bodies, nu2, radii, None)?;
         match contact.pull_off(receding, control) {
             Err(Error::OutsideRadii { .. }) => {}
-            state => return Ok(state?),
+            state => {
+                let state = state?;
+                return Ok((contact, state));
+            }
         }
     }
     Err(anyhow!(
@@ -187,7 +195,7 @@ fn sticking(
 
 /// Finds the pull-off of an attraction without range by direct solves, in a range of contact radii
 /// that grows until the pull-off is inside.
-fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<State> {
+fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
     /// The ranges of `a/t` that are solved, one after the other, and the contact radius over the thickness of
     /// the top layer up to which a stack is. Wider contacts take much longer.
     const RANGES: [([f64; 2], f64); 3] = [
@@ -226,7 +234,8 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<State> {
             (curve, _) => curve?,
         };
         let least = from * system.film_thickness;
-        refused = match Contact::new(system, curve)?.pull_off(bodies.work_of_adhesion, control) {
+        let contact = Contact::new(system, curve)?;
+        refused = match contact.pull_off(bodies.work_of_adhesion, control) {
             Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
                 if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>
             {
@@ -247,7 +256,10 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<State> {
                  stack; with a smaller sphere or a smaller work of adhesion it is smaller"
             )),
             Err(error @ Error::OutsideRadii { .. }) => Some(error.into()),
-            state => return Ok(state?),
+            state => {
+                let state = state?;
+                return Ok((contact, state));
+            }
         };
     }
     Err(refused.expect("there are ranges"))

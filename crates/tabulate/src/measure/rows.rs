@@ -5,7 +5,8 @@ use std::path::Path;
 
 use cost::Measurement;
 
-use crate::csv_file::CsvFile;
+use crate::csv_file::{CsvFile, located};
+use crate::input::invalid;
 use crate::{Error, input, printable};
 
 /// The largest number of bytes of a file of rows. A larger one is taken for a mistake.
@@ -49,7 +50,8 @@ pub fn rows<R: Measurement>(
     let mut record = csv::StringRecord::new();
     while let Some(line) = reader.read(&mut record)? {
         check(&headers, &record, line, ranges)?;
-        rows.push(record.deserialize(Some(&headers))?);
+        let row = record.deserialize(Some(&headers));
+        rows.push(row.map_err(|error| located(error, line))?);
     }
     if rows.is_empty() {
         return Err(invalid("it has no rows".to_owned()));
@@ -83,8 +85,4 @@ fn check(
         }
     }
     Ok(())
-}
-
-fn invalid(why: String) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, why)
 }
