@@ -157,10 +157,10 @@ fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
 
 /// Simulates a force curve, and writes it in the style of JPK, with a pause of more columns.
 fn export(workdir: &Workdir) {
-    let simulate = format!("simulate --kind force-height {GEL}");
+    let simulate = format!("--kind force-height {GEL}");
     let more =
         "--work-of-adhesion 5e-5 --stiffness 0.05 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
-    let curve = workdir.succeed(format!("{simulate} {more}"));
+    let curve = workdir.simulate(format!("{simulate} {more}"));
     let rows = |segment: &str| -> String {
         let rows = curve.lines().filter_map(|row| row.strip_suffix(segment));
         let rows = rows.map(|row| row.trim_end_matches(',').replace(',', " "));
@@ -207,10 +207,10 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
 #[test]
 fn a_doubt_about_a_sign_says_what_to_type() {
     let workdir = workdir!();
-    let simulate = format!("simulate --kind force-height {GEL}");
+    let simulate = format!("--kind force-height {GEL}");
     let more =
         "--work-of-adhesion 5e-5 --stiffness 0.1 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
-    let curve = workdir.succeed(format!("{simulate} {more}"));
+    let curve = workdir.simulate(format!("{simulate} {more}"));
     // Heights that grow towards the sample.
     let rows = curve.lines().filter_map(|row| {
         let mut cells = row.split(',');
@@ -238,9 +238,7 @@ fn a_doubt_about_a_sign_says_what_to_type() {
 /// Simulates a force curve, and returns its heights and forces without their segments, of which the
 /// baseline is tilted by `slope` (N/m).
 fn without_segments(workdir: &Workdir, more: &str, slope: f64) -> String {
-    let curve = workdir.succeed(format!(
-        "simulate --kind force-height {GEL} --seed 1 {more}"
-    ));
+    let curve = workdir.simulate(format!("--kind force-height {GEL} --seed 1 {more}"));
     let rows = curve.lines().filter_map(|row| {
         let mut cells = row.split(',').map(str::parse::<f64>);
         let (height, load) = (cells.next()?.ok()?, cells.next()?.ok()?);

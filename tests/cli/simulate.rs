@@ -94,10 +94,10 @@ fn the_expected_errors_are_those_of_a_fit() {
 #[test]
 fn a_cycle_goes_there_and_back() {
     let workdir = workdir!();
-    let cycle = "simulate --kind force-height --sphere-radius 1e-5 --sphere-modulus inf \
+    let cycle = "--kind force-height --sphere-radius 1e-5 --sphere-modulus inf \
          --film-modulus 5e3 --film-thickness 2e-5 --work-of-adhesion 1e-4 --stiffness 0.1 \
          --from 1e-6 --to -1e-6 --points 5 --noise 0 --value baseline=1e-9";
-    let text = workdir.succeed(cycle);
+    let text = workdir.simulate(cycle);
     assert!(text.starts_with("# Synthetic, not measured. SI units.\n# tabulate simulate --kind "));
     let lines: Vec<&str> = text.lines().skip(2).collect();
     assert_eq!(lines[0], "height,load,segment");
@@ -122,10 +122,39 @@ fn a_cycle_goes_there_and_back() {
         "the baseline"
     );
     for (ways, points) in [("approach", 5), ("retract", 5), ("none", 5), ("cycle", 10)] {
-        let text = workdir.succeed(format!("{cycle} --segments {ways}"));
+        let text = workdir.simulate(format!("{cycle} --segments {ways}"));
         assert_eq!(text.lines().count(), 3 + points, "{ways}");
         assert_eq!(text.contains("segment\n"), ways != "none");
     }
+}
+
+/// A plan whose contacts leave the assumptions of the model is told so, with and without --expect.
+#[test]
+fn a_plan_outside_the_model_is_warned_of() {
+    let workdir = workdir!();
+    let wide = "simulate --kind load-radius --specimen paper --film-thickness 100um --film-modulus 200kPa --from 40um --to 400um --noise 5uN";
+    let told = [
+        "a/R reaches 0.40, above 0.3",
+        "the film is compressed by up to ",
+    ];
+    let data = workdir.run(wide);
+    assert_eq!(data.status, 0, "{data:?}");
+    for words in told {
+        assert_names(&data.stderr, words);
+        assert_names(&workdir.succeed(format!("{wide} --expect")), words);
+    }
+    let object = workdir.json(format!("{wide} --expect --json"));
+    let kinds: Vec<_> = object["warnings"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .collect();
+    let kinds: Vec<_> = kinds.iter().map(|one| one["kind"].as_str()).collect();
+    assert_eq!(kinds, [Some("large-contact"), Some("large-strain")]);
+    let narrow = format!("{LENS} --specimen paper --noise 5uN");
+    assert_eq!(workdir.run(&*narrow).stderr, "");
+    let object = workdir.json(format!("{narrow} --expect --json"));
+    assert_eq!(object["warnings"].as_array().map(Vec::len), Some(0));
 }
 
 /// The first lines of a measurement hold the command.

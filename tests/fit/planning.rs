@@ -1,7 +1,7 @@
 //! Synthetic data, and what an experiment would tell.
 
 use acceptance::Refused;
-use fit::{Direction, Free, Kind, Parameter, forecast, simulate};
+use fit::{Direction, Free, Kind, Parameter, WarningKind, forecast, simulate};
 use interp::Table;
 
 use crate::imagined::{Course, Imagined};
@@ -84,6 +84,34 @@ fn noise_is_normal_and_belongs_to_its_seed() {
     for noise in [-1.0, f64::NAN] {
         simulate(Table::embedded(), &experiment, noise, 1).refused("noise");
     }
+}
+
+/// A plan is told of the assumptions of the model that its contacts leave, as a fit of its data is.
+#[test]
+fn a_plan_outside_the_model_is_told_as_its_fit_is() {
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
+    probe.radii[1] = 9e-6;
+    let planned = probe.planned();
+    let of_plan = planned
+        .broken_assumptions(Table::embedded())
+        .expect("sound");
+    let kinds: Vec<WarningKind> = of_plan.iter().map(|one| one.kind).collect();
+    assert_eq!(kinds, [WarningKind::LargeContact, WarningKind::LargeStrain]);
+    let expected = forecast(Table::embedded(), &[planned], &probe.free).expect("sound");
+    assert!(
+        expected.warnings.starts_with(&of_plan),
+        "{:?}",
+        expected.warnings
+    );
+    let found = probe.fit(1);
+    assert!(
+        kinds.iter().all(|&kind| found.warns_of(kind)),
+        "{:?}",
+        found.warnings
+    );
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &[Parameter::SphereModulus]).planned();
+    let none = lens.broken_assumptions(Table::embedded()).expect("sound");
+    assert!(none.is_empty(), "{none:?}");
 }
 
 #[test]

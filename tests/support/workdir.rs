@@ -199,6 +199,17 @@ impl Workdir {
         run.stdout
     }
 
+    /// Makes data with `tabulate simulate`, which may warn that contacts leave the assumptions of the
+    /// model, and returns its standard output.
+    pub fn simulate(&self, args: impl std::fmt::Display) -> String {
+        let run = self.run(format!("simulate {args}"));
+        let is_note =
+            |line: &str| line.starts_with("# ") || line.starts_with("tabulate: the experiment: ");
+        let succeeds = run.status == 0 && run.stderr.lines().all(is_note);
+        assert!(succeeds, "simulate {args}: {run:?}");
+        run.stdout
+    }
+
     /// Runs the program, which must end with `status` and print nothing on standard output, and
     /// returns its standard error.
     pub fn fail(&self, status: i32, args: impl Arguments) -> String {

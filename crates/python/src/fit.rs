@@ -234,10 +234,14 @@ fn summary<'py>(py: Python<'py>, found: &Fit) -> PyResult<Bound<'py, PyDict>> {
     fields.set_item("chi_squared", found.chi_squared)?;
     fields.set_item("degrees_of_freedom", found.degrees_of_freedom)?;
     fields.set_item("reduced_chi_squared", found.reduced_chi_squared)?;
-    let warnings = found.warnings.iter();
-    let warnings = warnings.map(|warning| (warning.kind.name(), of_points(&warning.text)));
-    fields.set_item("warnings", warnings.collect::<Vec<_>>())?;
+    fields.set_item("warnings", warnings(&found.warnings))?;
     Ok(fields)
+}
+
+/// Returns the kinds and the texts of warnings.
+pub fn warnings(found: &[Warning]) -> Vec<(&'static str, String)> {
+    let words = |warning: &Warning| (warning.kind.name(), of_points(&warning.text));
+    found.iter().map(words).collect()
 }
 
 /// Returns the points of the experiment `number` of a fit as arrays, NaN where there is no value.

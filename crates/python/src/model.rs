@@ -14,7 +14,7 @@ use crate::arrays::Output;
 use crate::contacts_on_layers::Solvers;
 use crate::error::{OrRaise as _, unknown};
 use crate::experiment::{Given, all, one};
-use crate::fit::{accept_magnitudes, estimates};
+use crate::fit::{accept_magnitudes, estimates, warnings};
 use crate::parameter::{GivenFree, frees, parameter};
 use crate::table::Table;
 
@@ -137,5 +137,6 @@ pub fn forecast<'py>(
         (one.text, parts.collect::<Vec<_>>())
     });
     fields.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
+    fields.set_item("warnings", warnings(&found.warnings))?;
     Ok(fields)
 }

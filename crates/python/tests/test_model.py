@@ -124,3 +124,16 @@ def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
     stderr = {name: one["stderr"] for name, one in expected["parameters"].items()}
     assert isinstance(found, Forecast)
     assert (found.stderr, found.correlation.tolist()) == (stderr, expected["correlation"])
+    assert found.warnings == ()
+
+
+def test_a_plan_outside_the_model_is_told_as_its_fit_is() -> None:
+    plan = loads_at(
+        make_system(film_modulus=2e5, film_thickness=1e-4), np.linspace(4e-5, 4e-4, 20), noise=5e-6
+    )
+    expected = forecast(plan, WANTED)
+    kinds = [warning.kind for warning in expected.warnings]
+    assert kinds == ["large-contact", "large-strain"]
+    assert "a/R reaches 0.40" in expected._repr_html_()
+    found = fit(simulate(plan, noise=5e-6, seed=1), WANTED)
+    assert set(kinds) <= {warning.kind for warning in found.warnings}

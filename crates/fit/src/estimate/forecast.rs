@@ -3,12 +3,14 @@
 use interp::Table;
 use nalgebra::DVector;
 
+use super::assumptions;
+use super::doubts::Warnings;
 use super::problem::{Assigned, Problem};
 use super::search::{clear_of, ends, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
-use crate::{Error, Experiment, Forecast, Free, Loss, Parameter};
+use crate::{Error, Experiment, Forecast, Free, Loss, Options, Parameter};
 
 /// The rounds in which points near the end of a branch are left out.
 const ROUNDS: usize = 2;
@@ -116,10 +118,17 @@ pub fn forecast(
         }
     }
     let uncertainty = uncertainty(&problem)?;
+    let estimates = estimates(&problem, Some(&uncertainty));
+    let mut warnings = Warnings::default();
+    let range = Options::default().interaction_range;
+    for e in 0..problem.assigned.len() {
+        assumptions::of_problem(&mut warnings, &problem, e, range, &estimates);
+    }
     Ok(Forecast {
-        estimates: estimates(&problem, Some(&uncertainty)),
+        estimates,
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&slot_names(&problem)),
+        warnings: warnings.into_list(),
     })
 }
 

@@ -13,6 +13,7 @@
 //! experiment, `likelihood` is for samplers. `result` holds what comes out.
 
 mod agreement;
+mod assumptions;
 mod blocks;
 mod cycle;
 mod detector;

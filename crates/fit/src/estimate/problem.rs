@@ -10,6 +10,7 @@ use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationRe
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
+use super::assumptions;
 use super::loss::weighted;
 use super::slot::Slot;
 use crate::model::Predicted;
@@ -243,10 +244,7 @@ impl<'a> Problem<'a> {
     pub fn contact_radii(&self, e: usize) -> Option<[f64; 2]> {
         let radii = &self.predicted.as_ref()?[e].radii;
         let counting = self.assigned[e].counting_points().map(|i| radii[i]);
-        let radii = counting.filter(|radius| *radius > 0.0);
-        Some(radii.fold([f64::INFINITY, 0.0], |[l, m]: [f64; 2], a| {
-            [l.min(a), m.max(a)]
-        }))
+        Some(assumptions::ends(counting))
     }
 
     /// Returns the contact of bodies, with the derivatives with respect to the slots if they are asked

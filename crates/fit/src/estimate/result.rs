@@ -454,4 +454,6 @@ pub struct Forecast {
     pub correlation: Vec<Vec<f64>>,
     /// The combinations that the experiment would not determine.
     pub undetermined: Vec<Combination>,
+    /// The assumptions of the model that its contacts would leave.
+    pub warnings: Vec<Warning>,
 }

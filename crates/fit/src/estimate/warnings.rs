@@ -1,8 +1,6 @@
 //! The doubts about a result.
 
 use contact::magnitude::LARGEST_WORK;
-use contact::{Validity, ZoneSize};
-use interp::Probe;
 
 use super::doubts::{Warnings, lines};
 use super::left_out::{in_contact, text};
@@ -13,14 +11,12 @@ use super::search::{Data, SHORT};
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::{Bend, TESTED};
 use super::{
-    agreement, cycle, friction, indentation, interfaces, no_adhesion, noise, prior, relaxing,
+    agreement, assumptions, cycle, indentation, interfaces, no_adhesion, noise, prior, relaxing,
     wanted,
 };
 use crate::magnitude::{self, STIFFNESSES};
-use crate::{Bodies, Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind};
+use crate::{Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind};
 
-/// A contact radius (m) below which there is no continuum.
-const SMALLEST_RADIUS: f64 = 1e-9;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
 
@@ -72,7 +68,13 @@ pub(super) fn warnings(
         }
     }
     for e in 0..problem.assigned.len() {
-        geometry(&mut warnings, problem, e, options, &fit.estimates);
+        assumptions::of_problem(
+            &mut warnings,
+            problem,
+            e,
+            options.interaction_range,
+            &fit.estimates,
+        );
         cycle::add(&mut warnings, problem, e, data.local_noise[e]);
         relaxing::add(&mut warnings, fit, problem, e);
     }
@@ -348,122 +350,5 @@ fn left_out(warnings: &mut Warnings, fit: &Fit, data: &Data) {
                 ),
             );
         }
-    }
-}
-
-/// Warns of contacts outside the assumptions of the model.
-fn geometry(
-    warnings: &mut Warnings,
-    problem: &Problem<'_>,
-    e: usize,
-    options: &Options,
-    estimates: &[Estimate],
-) {
-    let experiment = &problem.assigned[e].experiment;
-    let name = &experiment.measurement.name;
-    let Some([least, a]) = problem.contact_radii(e) else {
-        return;
-    };
-    // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
-    if experiment.measurement.kind.is_stiffness() && !experiment.is_elastic_load() {
-        return;
-    }
-    let Ok(contact) = problem.contact(&experiment.bodies, false) else {
-        return;
-    };
-    let Ok(validity) = contact.validity(a) else {
-        return;
-    };
-    if a < SMALLEST_RADIUS {
-        warnings.add(
-            WarningKind::Implausible,
-            format!(
-                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
-                 m are smaller than atoms: check the units of the data"
-            ),
-        );
-    }
-    if let Some(doubt) = experiment.doubt_of_film([least, a]) {
-        warnings.add(WarningKind::Implausible, format!("{name}: {doubt}"));
-    }
-    let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
-    if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
-        warnings.add(
-            WarningKind::LargeContact,
-            format!(
-                "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by 3 % and more; fit the exact sphere, \
-                 which is a probe of its own",
-                validity.a_over_r,
-                Validity::WARNING_A_OVER_R
-            ),
-        );
-    }
-    if !paraboloid && validity.a_over_r > Validity::WARNING_SLOPE {
-        warnings.add(
-            WarningKind::LargeContact,
-            format!(
-                "{name}: the slope of the probe reaches {:.2} at the edge of the contact, as of a cone of half angle \
-                 {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
-                validity.a_over_r,
-                validity.a_over_r.recip().atan().to_degrees()
-            ),
-        );
-    }
-    if let Some(film) = validity.film.filter(|film| film.strain > Validity::SMALL) {
-        let what = match experiment.bodies {
-            Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
-            _ => "film",
-        };
-        warnings.add(
-            WarningKind::LargeStrain,
-            format!(
-                "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
-                 its elasticity is not linear",
-                1e2 * film.strain,
-                1e2 * Validity::SMALL
-            ),
-        );
-    }
-    friction::add(warnings, experiment, &contact, a, estimates);
-    for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
-        let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
-            continue;
-        };
-        if no_adhesion::is_none(experiment, &contact, a, w) {
-            continue;
-        }
-        let Ok(range) = contact.zone_size(w, options.interaction_range) else {
-            continue;
-        };
-        if !range.is_jkr() {
-            warnings.add(
-                WarningKind::LongRange,
-                format!(
-                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
-                     Tabor's parameter is {:.2}, below {}: the attraction acts outside the \
-                     contact, too. {}",
-                    options.interaction_range,
-                    range.tabor,
-                    ZoneSize::JKR,
-                    error_of_jkr(&range)
-                ),
-            );
-        }
-    }
-}
-
-/// Says by how much the model is wrong where the attraction has a range.
-fn error_of_jkr(range: &ZoneSize<'_>) -> String {
-    match range.pull_off_error() {
-        Ok(error) => format!(
-            "The pull-off load of the model is too small by {:.1} %; a direct solve \
-             computes it with the range",
-            1e2 * error
-        ),
-        Err(error @ contact::Error::LongZone { .. }) => {
-            format!("The model does not hold: {error}")
-        }
-        Err(error) => format!("By how much the model is wrong is not known: {error}"),
     }
 }

@@ -25,7 +25,7 @@ use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
     Bodies, Combination, Direction, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias,
-    NamedLayer, Parameter, Point,
+    NamedLayer, Parameter, Point, Warning,
 };
 
 /// The width of the names of parameters.
@@ -89,9 +89,7 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
             out += &format!("warning: {}: {doubt}\n", experiment.measurement.name);
         }
     }
-    for warning in &fit.warnings {
-        out += &format!("warning: {}\n", warning.text);
-    }
+    warned(&mut out, &fit.warnings);
     out
 }
 
@@ -101,6 +99,7 @@ pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
     let correlation = &forecast.correlation;
     estimates(&mut out, &forecast.estimates, correlation, &[], units);
     undetermined(&mut out, &forecast.undetermined);
+    warned(&mut out, &forecast.warnings);
     out
 }
 
@@ -392,6 +391,13 @@ fn name(estimate: &Estimate, files: &[&str]) -> String {
 fn undetermined(out: &mut String, combinations: &[Combination]) {
     for one in combinations {
         *out += &format!("the data do not determine {}\n", one.text);
+    }
+}
+
+/// Adds the warnings, a line each.
+fn warned(out: &mut String, warnings: &[Warning]) {
+    for warning in warnings {
+        *out += &format!("warning: {}\n", warning.text);
     }
 }
 

@@ -362,9 +362,8 @@ class Fit(OneLine):
             (name, f"{value:.6g}", f"{self.stderr[name]:.2g}")
             for name, value in self.params.items()
         ]
-        doubts = [(warning.kind, warning.text) for warning in self.warnings]
         found = _html.table(("parameter (SI)", "value", "standard error"), rows)
-        return found + (_html.table(("warning", "text"), doubts) if doubts else "")
+        return found + _table_of(self.warnings)
 
     def plot(
         self,
@@ -415,24 +414,35 @@ class Forecast(OneLine):
         The combinations of parameters that the experiments would not determine, in words.
     stderr : dict of str to float
         The standard errors, in SI units, by name.
+    warnings : tuple of FitWarning
+        The assumptions of the model that the contacts would leave: wide contacts, large strains,
+        friction.
     """
 
     estimates: tuple[Estimate, ...]
     correlation: Array
     undetermined: tuple[str, ...]
     stderr: dict[str, float]
+    warnings: tuple[FitWarning, ...]
     # The names of the parameters in these combinations.
     _undetermined: frozenset[str] = field(repr=False)
 
     def _repr_html_(self) -> str:
-        """Return what a notebook shows: values with the errors expected, and what is not told."""
+        """Return what a notebook shows: values with the errors expected, and the doubts."""
         rows = [
             (name, f"{estimate.value:.6g}", f"{error:.2g}")
             for estimate, (name, error) in zip(self.estimates, self.stderr.items(), strict=True)
         ]
         found = _html.table(("parameter (SI)", "value", "expected error"), rows)
         doubts = [(words,) for words in self.undetermined]
-        return found + (_html.table(("not determined",), doubts) if doubts else "")
+        found += _html.table(("not determined",), doubts) if doubts else ""
+        return found + _table_of(self.warnings)
+
+
+def _table_of(warnings: tuple[FitWarning, ...]) -> str:
+    """Return a table of warnings for a notebook; nothing without any."""
+    doubts = [(warning.kind, warning.text) for warning in warnings]
+    return _html.table(("warning", "text"), doubts) if doubts else ""
 
 
 def estimates_of(found: Mapping[str, Any]) -> tuple[Estimate, ...]:

@@ -14,7 +14,7 @@ from ._arrays import integer, number
 from ._columns import Array
 from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
 from ._fit import Allowed, allowed_of, experiments_of, free_of
-from ._fit_results import Forecast, correlation_of, estimates_of, name_of
+from ._fit_results import Forecast, correlation_of, estimates_of, name_of, warnings_of
 from ._indentation import Indentation
 from ._table import Table, native_table
 from ._values import OneLine
@@ -217,7 +217,8 @@ def forecast(
     Returns
     -------
     Forecast
-        The estimates with the errors expected, and what would not be determined.
+        The estimates with the errors expected, what would not be determined, and the assumptions
+        of the model that the contacts would leave.
 
     Examples
     --------
@@ -241,6 +242,7 @@ def forecast(
         correlation=correlation_of(found),
         undetermined=tuple(words for words, _ in found["undetermined"]),
         stderr={name: one.standard_error for name, one in zip(names, estimates, strict=True)},
+        warnings=warnings_of(found),
         _undetermined=frozenset(names[i] for _, parts in found["undetermined"] for i in parts),
     )
 

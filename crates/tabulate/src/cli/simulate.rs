@@ -17,11 +17,12 @@ use units::{Dimension, Quantity};
 use super::allow;
 use super::fit::experiments::{FreeArguments, KnownArguments, forget_shapes};
 use super::fit::indentation::{self, Noise};
-use super::fit::object::{Estimates, matrix};
+use super::fit::object::{Estimates, WarningObject, matrix};
 use super::fit::reading::doubted;
 use super::fit::setting::{check_units, unit_of};
 use super::fit::{kinds, one_of};
 use super::json::{self, Number};
+use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::quantity::{self, any, number as decimal};
@@ -45,6 +46,9 @@ use crate::printable;
 /// With --expect it prints the standard errors that a fit of these data would find, before any
 /// measurement: change --points, --from, --to and --noise until they are small enough. Where the force
 /// jumps, a fit leaves out points near the jump, and its errors are larger.
+///
+/// Either way, contacts outside the assumptions of the model are named: wide ones, large strains, and with --expect
+/// friction that would change a modulus by more than its error.
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN -o a.csv",
@@ -105,7 +109,7 @@ pub struct Arguments {
     )]
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
-    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]]}
+    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "warnings": [{"kind", "text"}]}
     #[arg(long, requires = "expect")]
     json: bool,
     /// Write here instead of to standard output
@@ -236,6 +240,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .map_err(|error| doubted(error, &[], &[]))?;
     let text = csv(&made)?;
     arguments.known.name_example(&experiments[0]);
+    for warning in made.broken_assumptions(&table)? {
+        note(&warning.text);
+    }
     output.write(&text)
 }
 
@@ -304,6 +311,7 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
 struct ForecastObject<'a> {
     parameters: Estimates<'a>,
     correlation: Vec<Vec<Number>>,
+    warnings: Vec<WarningObject<'a>>,
 }
 
 impl<'a> ForecastObject<'a> {
@@ -311,6 +319,7 @@ impl<'a> ForecastObject<'a> {
         Self {
             parameters: Estimates(&expected.estimates),
             correlation: matrix(&expected.correlation),
+            warnings: expected.warnings.iter().map(WarningObject::new).collect(),
         }
     }
 }

@@ -6,7 +6,7 @@ use ::fit::data::Notes;
 use ::fit::report::{a_over_t, reading};
 use ::fit::{
     Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, LeftOut, LossAngle, Parameter,
-    WithoutFilm,
+    Warning, WithoutFilm,
 };
 use serde::{Serialize, Serializer};
 
@@ -140,9 +140,18 @@ struct ModulusObject {
 }
 
 #[derive(Serialize)]
-struct WarningObject<'a> {
+pub struct WarningObject<'a> {
     kind: &'static str,
     text: Cow<'a, str>,
+}
+
+impl<'a> WarningObject<'a> {
+    pub fn new(warning: &'a Warning) -> Self {
+        Self {
+            kind: warning.kind.name(),
+            text: warning.text.as_str().into(),
+        }
+    }
 }
 
 /// The value itself if there is one, else the list.
@@ -234,10 +243,7 @@ impl<'a> FitObject<'a> {
             kind: doubt.kind(),
             text: text.into(),
         });
-        let warnings = fit.warnings.iter().map(|warning| WarningObject {
-            kind: warning.kind.name(),
-            text: warning.text.as_str().into(),
-        });
+        let warnings = fit.warnings.iter().map(WarningObject::new);
         let losses: Vec<Option<LossAngle>> = fit.experiments.iter().map(|one| one.loss).collect();
         let read = experiments.iter().zip(notes);
         Self {

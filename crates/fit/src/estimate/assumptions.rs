@@ -1,0 +1,177 @@
+//! Contacts outside the assumptions of the model: atoms, films that hardly show, wide contacts, large
+//! strains, friction and attraction over a range.
+
+use contact::{Contact, Validity, ZoneSize};
+use interp::{Probe, Table};
+
+use super::doubts::Warnings;
+use super::problem::Problem;
+use super::{friction, no_adhesion};
+use crate::{Bodies, Error, Estimate, Experiment, Options, Parameter, Warning, WarningKind};
+
+/// A contact radius (m) below which there is no continuum.
+const SMALLEST_RADIUS: f64 = 1e-9;
+
+impl Experiment {
+    /// Lists the assumptions of the model that the contacts of this experiment leave, at its present
+    /// values: of an experiment that is planned, before it is made. A fit lists them, too.
+    ///
+    /// The ordinates of the points are not used. The attraction is taken to have the range of
+    /// [`Options::default`]. What friction does is not said, because it is judged by a standard error;
+    /// [`forecast`](crate::forecast) says it.
+    ///
+    /// # Errors
+    /// As [`Experiment::predictions`].
+    pub fn broken_assumptions(&self, table: &Table) -> Result<Vec<Warning>, Error> {
+        let contact = self.bodies.contact(table, None)?;
+        let radii = self.predictions(table, None, &[])?.contact_radii;
+        let mut warnings = Warnings::default();
+        let range = Options::default().interaction_range;
+        add(&mut warnings, self, &contact, ends(radii), range, &[]);
+        Ok(warnings.into_list())
+    }
+}
+
+/// Returns the smallest and the largest of the contact radii (m) that are above 0: infinity and 0 without contacts.
+pub(super) fn ends(radii: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let of_contacts = radii.into_iter().filter(|radius| *radius > 0.0);
+    of_contacts.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], a| {
+        [least.min(a), most.max(a)]
+    })
+}
+
+/// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values.
+pub(super) fn of_problem(
+    warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    e: usize,
+    interaction_range: f64,
+    estimates: &[Estimate],
+) {
+    let experiment = &problem.assigned[e].experiment;
+    let Some(radii) = problem.contact_radii(e) else {
+        return;
+    };
+    let Ok(contact) = problem.contact(&experiment.bodies, false) else {
+        return;
+    };
+    add(
+        warnings,
+        experiment,
+        &contact,
+        radii,
+        interaction_range,
+        estimates,
+    );
+}
+
+/// Warns of contacts outside the assumptions of the model. The radii are the smallest and the largest one, m.
+fn add(
+    warnings: &mut Warnings,
+    experiment: &Experiment,
+    contact: &Contact,
+    [least, a]: [f64; 2],
+    interaction_range: f64,
+    estimates: &[Estimate],
+) {
+    let name = &experiment.measurement.name;
+    // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
+    if experiment.measurement.kind.is_stiffness() && !experiment.is_elastic_load() {
+        return;
+    }
+    let Ok(validity) = contact.validity(a) else {
+        return;
+    };
+    if a < SMALLEST_RADIUS {
+        warnings.add(
+            WarningKind::Implausible,
+            format!(
+                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
+                 m are smaller than atoms: check the units of the data"
+            ),
+        );
+    }
+    if let Some(doubt) = experiment.doubt_of_film([least, a]) {
+        warnings.add(WarningKind::Implausible, format!("{name}: {doubt}"));
+    }
+    let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
+    if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
+        warnings.add(
+            WarningKind::LargeContact,
+            format!(
+                "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
+                 which changes the penetration by 3 % and more; fit the exact sphere, \
+                 which is a probe of its own",
+                validity.a_over_r,
+                Validity::WARNING_A_OVER_R
+            ),
+        );
+    }
+    if !paraboloid && validity.a_over_r > Validity::WARNING_SLOPE {
+        warnings.add(
+            WarningKind::LargeContact,
+            format!(
+                "{name}: the slope of the probe reaches {:.2} at the edge of the contact, as of a cone of half angle \
+                 {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
+                validity.a_over_r,
+                validity.a_over_r.recip().atan().to_degrees()
+            ),
+        );
+    }
+    if let Some(film) = validity.film.filter(|film| film.strain > Validity::SMALL) {
+        let what = match experiment.bodies {
+            Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
+            _ => "film",
+        };
+        warnings.add(
+            WarningKind::LargeStrain,
+            format!(
+                "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
+                 its elasticity is not linear",
+                1e2 * film.strain,
+                1e2 * Validity::SMALL
+            ),
+        );
+    }
+    friction::add(warnings, experiment, contact, a, estimates);
+    for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
+        let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
+            continue;
+        };
+        if no_adhesion::is_none(experiment, contact, a, w) {
+            continue;
+        }
+        let Ok(range) = contact.zone_size(w, interaction_range) else {
+            continue;
+        };
+        if !range.is_jkr() {
+            warnings.add(
+                WarningKind::LongRange,
+                format!(
+                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
+                     Tabor's parameter is {:.2}, below {}: the attraction acts outside the \
+                     contact, too. {}",
+                    interaction_range,
+                    range.tabor,
+                    ZoneSize::JKR,
+                    error_of_jkr(&range)
+                ),
+            );
+        }
+    }
+}
+
+/// Says by how much the model is wrong where the attraction has a range.
+fn error_of_jkr(range: &ZoneSize<'_>) -> String {
+    match range.pull_off_error() {
+        Ok(error) => format!(
+            "The pull-off load of the model is too small by {:.1} %; a direct solve \
+             computes it with the range",
+            1e2 * error
+        ),
+        Err(error @ contact::Error::LongZone { .. }) => {
+            format!("The model does not hold: {error}")
+        }
+        Err(error) => format!("By how much the model is wrong is not known: {error}"),
+    }
+}
