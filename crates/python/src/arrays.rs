@@ -46,10 +46,44 @@ impl Points {
         E: Send,
         Failure: From<E>,
     {
+        let mut columns = self.columns()?;
+        self.for_each(py, inputs, function, |numbers| add(&mut columns, numbers))?;
+        Ok(columns.map(|column| PyArray1::from_vec(py, column)))
+    }
+
+    /// Evaluates `function` at every point, in the thread of the caller, and gives the results to `take`
+    /// one after the other: none for a point with an error that is no exception.
+    pub fn for_each<const K: usize, T, E>(
+        &self,
+        py: Python<'_>,
+        inputs: [&Input<'_>; K],
+        function: impl Fn([f64; K]) -> Result<T, E> + Sync,
+        take: impl FnMut(Option<T>) + Send,
+    ) -> PyResult<()>
+    where
+        E: Send,
+        Failure: From<E>,
+    {
         let function = &function;
-        self.in_blocks(py, inputs, [1, 1 << 16], None, |values, block| {
-            block.map(move |index| function(values.at(index)))
-        })
+        let lengths = [1, 1 << 16];
+        self.in_blocks(
+            py,
+            inputs,
+            lengths,
+            None,
+            |values, block| block.map(move |index| function(values.at(index))),
+            take,
+        )
+    }
+
+    /// Returns empty columns with memory for all points.
+    pub fn columns<T, const N: usize>(&self) -> PyResult<[Vec<T>; N]> {
+        let mut columns = [const { Vec::new() }; N];
+        for column in &mut columns {
+            let reserved = column.try_reserve_exact(self.0);
+            reserved.map_err(|error| PyMemoryError::new_err(error.to_string()))?;
+        }
+        Ok(columns)
     }
 
     /// Evaluates `function` at every point, on all cores. The results do not depend on their number.
@@ -65,30 +99,35 @@ impl Points {
     {
         let interrupted = AtomicBool::new(false);
         let lengths = [1 << 12; 2];
-        self.in_blocks(py, inputs, lengths, Some(&interrupted), |values, block| {
+        let evaluate = |values: Values<'_, K>, block: Range<usize>| {
             let one = |index| {
                 let goes_on = !interrupted.load(Ordering::Relaxed);
                 goes_on.then(|| function(values.at(index)))
             };
             parallel::map_while_some(block, one).into_iter()
-        })
+        };
+        let mut columns = self.columns()?;
+        let take = |numbers| add(&mut columns, numbers);
+        self.in_blocks(py, inputs, lengths, Some(&interrupted), evaluate, take)?;
+        Ok(columns.map(|column| PyArray1::from_vec(py, column)))
     }
 
     /// Evaluates blocks of points one after the other. Between them a signal, such as Ctrl-C, ends
     /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`. Their
     /// length doubles from the `least` up to the `most` while they take little time.
-    fn in_blocks<'py, 'a, const K: usize, const N: usize, E, I>(
+    fn in_blocks<'a, const K: usize, T, E, I>(
         &self,
-        py: Python<'py>,
+        py: Python<'_>,
         inputs: [&'a Input<'_>; K],
         [least, most]: [usize; 2],
         interrupted: Option<&AtomicBool>,
         evaluate: impl Fn(Values<'a, K>, Range<usize>) -> I + Sync,
-    ) -> PyResult<[Output<'py>; N]>
+        mut take: impl FnMut(Option<T>) + Send,
+    ) -> PyResult<()>
     where
         E: Send,
         Failure: From<E>,
-        I: Iterator<Item = Result<[f64; N], E>>,
+        I: Iterator<Item = Result<T, E>>,
     {
         let Self(count, nan) = *self;
         let mut values = Values([&[]; K]);
@@ -101,12 +140,6 @@ impl Points {
                 )));
             }
         }
-        let mut results = [const { Vec::new() }; N];
-        for result in &mut results {
-            result
-                .try_reserve_exact(count)
-                .map_err(|error| PyMemoryError::new_err(error.to_string()))?;
-        }
         let (mut start, mut length) = (0, least);
         while start < count {
             let block = start..count.min(start + length);
@@ -114,14 +147,11 @@ impl Points {
             let begun = Instant::now();
             let work = || {
                 for (index, result) in block.clone().zip(evaluate(values, block)) {
-                    let numbers = match result {
-                        Ok(numbers) => numbers,
-                        Err(_) if nan => [f64::NAN; N],
+                    take(match result {
+                        Ok(result) => Some(result),
+                        Err(_) if nan => None,
                         Err(error) => return Err((index, error)),
-                    };
-                    for (result, number) in results.iter_mut().zip(numbers) {
-                        result.push(number);
-                    }
+                    });
                 }
                 Ok(())
             };
@@ -137,7 +167,14 @@ impl Points {
                 least.max(length / 2)
             };
         }
-        Ok(results.map(|result| PyArray1::from_vec(py, result)))
+        Ok(())
+    }
+}
+
+/// Adds the numbers of a point to columns, NaN without any.
+pub fn add<const N: usize>(columns: &mut [Vec<f64>; N], numbers: Option<[f64; N]>) {
+    for (column, number) in columns.iter_mut().zip(numbers.unwrap_or([f64::NAN; N])) {
+        column.push(number);
     }
 }
 

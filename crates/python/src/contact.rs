@@ -2,17 +2,21 @@
 
 use std::sync::OnceLock;
 
-use ::contact::Error;
-use ::contact::{Control, Equilibria, ForceDisplacement, Input as Parameter, Neglected, State};
+use ::contact::{
+    ContactGradient, Control, Equilibria, Error, FilmValidity, ForceDisplacement,
+    Input as Parameter, Neglected, State, Validity,
+};
 use ::solve::stick::StickCurves;
 use interp::{Curve, System};
+use numpy::PyArray1;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-use crate::arrays::{Input, Output, Points, columns};
+use crate::arrays::{Input, Output, Points, add, columns};
 use crate::bodies::{
     Coated, NativeHalfSpace, NativeStack, NativeStackSystem, NativeSystem, sticking,
 };
-use crate::error::{OrRaise as _, other_stack, unknown};
+use crate::error::{Failure, OrRaise as _, other_stack, unknown};
 use crate::table::Table;
 
 /// A contact, with the table that makes its derivatives when they are first asked for.
@@ -83,6 +87,19 @@ pub fn control((name, stiffness): Imposed<'_>) -> PyResult<Control> {
 /// Returns the three numbers of a state.
 pub fn numbers(state: State) -> StateNumbers {
     [state.contact_radius, state.load, state.penetration]
+}
+
+/// Returns the name of an input in Python.
+fn key(input: Parameter) -> String {
+    input.name().to_lowercase().replace(' ', "_")
+}
+
+/// Returns the exception of a derivative that is not known.
+#[pyfunction]
+pub fn no_derivative(py: Python<'_>, input: &str) -> PyErr {
+    let one = Parameter::ALL.into_iter().find(|one| key(*one) == input);
+    let name = one.map_or("an unknown input", Parameter::name);
+    Failure::from(interp::Error::FixedParameter(name)).raise(py)
 }
 
 /// Returns the states of a branch as three arrays.
@@ -230,44 +247,60 @@ impl Contact {
         })
     }
 
-    /// Returns a/R, the effect of the shape, the displacement sideways, the share of the probe, and
-    /// of the film a/t, compressibility and strain, which are NaN on a half-space. Then 1 for yes:
-    /// whether a/t is among the nodes, and whether each effect is neglected though it matters.
+    /// Returns the fields of `::contact::Validity` by their names, those of a film among them, which are
+    /// NaN on a half-space, and under `neglected` whether each effect is neglected though it matters.
     fn validity<'py>(
         &self,
         py: Python<'py>,
         points: Points,
         a: Input<'_>,
-    ) -> PyResult<[Output<'py>; 11]> {
-        points.evaluate(py, [&a], |[a]| {
-            let validity = self.contact.validity(a)?;
-            let yes = |holds: bool| f64::from(u8::from(holds));
-            let [a_over_t, compressibility, strain, in_range] =
-                validity.film.map_or([f64::NAN; 4], |film| {
-                    let in_range = yes(film.in_range);
-                    [film.a_over_t, film.compressibility, film.strain, in_range]
-                });
-            let neglected = validity.neglected();
-            let [sideways, elastic_probe, large_strain] = [
-                Neglected::Sideways,
-                Neglected::ElasticProbe,
-                Neglected::Strain,
-            ]
-            .map(|effect| yes(neglected.contains(&effect)));
-            Ok::<_, Error>([
-                validity.a_over_r,
-                validity.shape,
-                validity.sideways,
-                validity.probe_share,
-                a_over_t,
-                compressibility,
-                strain,
-                in_range,
-                sideways,
-                elastic_probe,
-                large_strain,
-            ])
-        })
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let [mut rows] = points.columns::<Option<Validity>, 1>()?;
+        points.for_each(
+            py,
+            [&a],
+            |[a]| self.contact.validity(a),
+            |row| rows.push(row),
+        )?;
+        let film = |row: &Option<Validity>| row.and_then(|validity| validity.film);
+        let fields = PyDict::new(py);
+        let numbers: [(_, fn(Validity) -> f64); 4] = [
+            ("a_over_r", |validity| validity.a_over_r),
+            ("shape", |validity| validity.shape),
+            ("sideways", |validity| validity.sideways),
+            ("probe_share", |validity| validity.probe_share),
+        ];
+        for (name, number) in numbers {
+            let column = rows.iter().map(|row| row.map_or(f64::NAN, number));
+            fields.set_item(name, PyArray1::from_iter(py, column))?;
+        }
+        let numbers: [(_, fn(FilmValidity) -> f64); 3] = [
+            ("a_over_t", |film| film.a_over_t),
+            ("compressibility", |film| film.compressibility),
+            ("strain", |film| film.strain),
+        ];
+        for (name, number) in numbers {
+            let column = rows.iter().map(|row| film(row).map_or(f64::NAN, number));
+            fields.set_item(name, PyArray1::from_iter(py, column))?;
+        }
+        let in_range = rows
+            .iter()
+            .map(|row| film(row).is_some_and(|film| film.in_range));
+        fields.set_item("in_range", PyArray1::from_iter(py, in_range))?;
+        let neglected = PyDict::new(py);
+        for (name, effect) in [
+            ("sideways", Neglected::Sideways),
+            ("elastic_probe", Neglected::ElasticProbe),
+            ("strain", Neglected::Strain),
+        ] {
+            let matters = |row: &Option<Validity>| {
+                row.is_some_and(|validity| validity.neglected().contains(&effect))
+            };
+            let column = rows.iter().map(matters);
+            neglected.set_item(name, PyArray1::from_iter(py, column))?;
+        }
+        fields.set_item("neglected", neglected)?;
+        Ok(fields)
     }
 
     /// Returns Tabor's parameter and the length of the cohesive zone.
@@ -298,27 +331,39 @@ impl Contact {
         })
     }
 
-    /// Returns load and penetration, and then the derivatives of both with respect to each of
-    /// `::contact::Input::ALL`; NaN where one is not known.
+    /// Returns load and penetration, and the derivatives of both by the name of the input; NaN where one is
+    /// not known.
     fn gradient<'py>(
         &self,
         py: Python<'py>,
         points: Points,
         a: Input<'_>,
         w: Input<'_>,
-    ) -> PyResult<[Output<'py>; 20]> {
+    ) -> PyResult<([Output<'py>; 2], Bound<'py, PyDict>)> {
         let contact = py.detach(|| self.gradient_contact()).or_raise(py)?;
-        points.evaluate(py, [&a, &w], |[a, w]| {
-            let gradient = contact.gradient(a, w)?;
-            let mut values = [f64::NAN; 20];
-            (values[0], values[1]) = (gradient.load(), gradient.penetration());
-            for (pair, input) in values[2..].chunks_exact_mut(2).zip(Parameter::ALL) {
-                if let Ok(derivatives) = gradient.by(input) {
-                    pair.copy_from_slice(&[derivatives.load, derivatives.penetration]);
-                }
+        let mut values = points.columns()?;
+        let mut derivatives = Vec::new();
+        for _ in Parameter::ALL {
+            derivatives.push(points.columns()?);
+        }
+        let take = |gradient: Option<ContactGradient>| {
+            let of_point = gradient.as_ref();
+            add(
+                &mut values,
+                of_point.map(|gradient| [gradient.load(), gradient.penetration()]),
+            );
+            for (columns, input) in derivatives.iter_mut().zip(Parameter::ALL) {
+                let by = of_point.and_then(|gradient| gradient.by(input).ok());
+                add(columns, by.map(|by| [by.load, by.penetration]));
             }
-            Ok::<_, Error>(values)
-        })
+        };
+        points.for_each(py, [&a, &w], |[a, w]| contact.gradient(a, w), take)?;
+        let array = |column| PyArray1::from_vec(py, column);
+        let named = PyDict::new(py);
+        for (columns, input) in derivatives.into_iter().zip(Parameter::ALL) {
+            named.set_item(key(input), columns.map(array))?;
+        }
+        Ok((values.map(array), named))
     }
 
     fn pull_off<'py>(

@@ -46,9 +46,7 @@ mod _core {
     #[pymodule_export]
     use super::cohesive_zone::{zone_equilibria, zone_length, zone_pull_off, zone_states};
     #[pymodule_export]
-    use super::contact::Contact;
-    #[pymodule_export]
-    use super::error::no_derivative;
+    use super::contact::{Contact, no_derivative};
     #[pymodule_export]
     use super::fit::{fit_map, fit_together};
     #[pymodule_export]

@@ -64,7 +64,15 @@ def fixed(array: ArrayLike) -> NDArray[Any]:
 def evaluate(
     function: Callable[..., Any], errors: Errors, /, **inputs: ArrayLike
 ) -> list[NDArray[np.float64]]:
-    """Broadcast the inputs, evaluate them in the native part, and return arrays of their shape.
+    """Broadcast the inputs, evaluate them in the native part, and return arrays of their shape."""
+    results, shape = evaluate_flat(function, errors, **inputs)
+    return [result.reshape(shape) for result in results]
+
+
+def evaluate_flat(
+    function: Callable[..., Any], errors: Errors, /, **inputs: ArrayLike
+) -> tuple[Any, tuple[int, ...]]:
+    """Broadcast the inputs, and return what the native part does and their shape.
 
     ``function`` takes the number of points with the choice for errors, and flat arrays.
     """
@@ -83,7 +91,7 @@ def evaluate(
     except ContactError as error:
         _locate(error, shape)
         raise
-    return [result.reshape(shape) for result in results]
+    return results, shape
 
 
 def _locate(error: ContactError, shape: tuple[int, ...]) -> None:

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any, Literal, final, overload
 from numpy.typing import ArrayLike
 
 from . import _core, _html
-from ._arrays import Errors, evaluate, fixed, number, scalar_or_array
+from ._arrays import Errors, evaluate, evaluate_flat, fixed, number, scalar_or_array
 from ._bodies import HalfSpace, System
 from ._cohesive_zone import ShortZone
 from ._columns import Array
 from ._control import Control, check_friction, native_control
 from ._equilibria import Equilibria
-from ._results import INPUTS, ForceDisplacement, Gradient, State, States, states
+from ._results import ForceDisplacement, Gradient, State, States, states
 from ._stack import StackSystem
 from ._validity import Validity, ZoneSize, validity
 from ._values import Native, set_field, set_numbers
@@ -242,11 +242,15 @@ class Contact(Native):
         >>> print(f"{gradient.by('contact_radius').load:.3f} N/m")  # Hertz: 4 E* a^2 / R
         19.999 N/m
         """
-        load, penetration, *pairs = evaluate(
+        (values, pairs), shape = evaluate_flat(
             self._native.gradient, errors, contact_radius=a, work_of_adhesion=w
         )
-        derivatives = {name: (pairs[2 * i], pairs[2 * i + 1]) for i, name in enumerate(INPUTS)}
-        return Gradient(scalar_or_array(load), scalar_or_array(penetration), derivatives, errors)
+        load, penetration = (scalar_or_array(column.reshape(shape)) for column in values)
+        derivatives = {
+            name: (by_load.reshape(shape), by_penetration.reshape(shape))
+            for name, (by_load, by_penetration) in pairs.items()
+        }
+        return Gradient(load, penetration, derivatives, errors)
 
     @overload
     def pull_off(
@@ -440,8 +444,8 @@ class Contact(Native):
         >>> round(validity.a_over_r, 9), validity.is_large_contact, validity.is_confined
         (0.065, False, True)
         """
-        found = evaluate(self._native.validity, errors, contact_radius=a)
-        return validity(found, self, fixed(a), errors)
+        found, shape = evaluate_flat(self._native.validity, errors, contact_radius=a)
+        return validity(found, shape, self, fixed(a), errors)
 
     def zone_size(
         self, w: ArrayLike, *, interaction_range: ArrayLike = 3e-10, errors: Errors = "raise"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -29,9 +29,6 @@ InputName = Literal[
     "substrate_modulus",
     "substrate_poisson_ratio",
 ]
-
-# In the order of the native part.
-INPUTS: tuple[InputName, ...] = get_args(InputName)
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,7 +294,7 @@ class Gradient(OneLine):
             raise KeyError(f"{name!r} is no input: choose among {names}")
         load, penetration = self._derivatives[name]
         if self._errors == "raise" and np.isnan(load).any():
-            raise _core.no_derivative(INPUTS.index(name))
+            raise _core.no_derivative(name)
         return Derivatives(scalar_or_array(load), scalar_or_array(penetration))
 
 

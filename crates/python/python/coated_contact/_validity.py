@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ._arrays import Errors, evaluate, scalar_or_array
 from ._bodies import HalfSpace
@@ -212,25 +211,20 @@ class ZoneSize(OneLine):
 
 
 def validity(
-    arrays: Sequence[NDArray[np.float64]], contact: Contact, a: ArrayLike, errors: Errors
+    found: dict[str, Any],
+    shape: tuple[int, ...],
+    contact: Contact,
+    a: ArrayLike,
+    errors: Errors,
 ) -> Validity:
-    """Return the numbers of the native part, which gives 1 for yes."""
-    a_over_r, shape, sideways, probe_share, *of_film = map(scalar_or_array, arrays[:7])
-    in_range, *neglected = (_plain(np.equal(answer, 1.0)) for answer in arrays[7:])
-    a_over_t, compressibility, strain, in_range = (
-        [None, None, None, None] if isinstance(contact.system, HalfSpace) else [*of_film, in_range]
-    )
-    effects = dict(zip(("sideways", "elastic_probe", "strain"), neglected, strict=True))
+    """Return what the native part finds."""
+    neglected = found.pop("neglected")
+    fields = {name: _plain(array.reshape(shape)) for name, array in found.items()}
+    if isinstance(contact.system, HalfSpace):
+        fields.update(dict.fromkeys(("a_over_t", "compressibility", "strain", "in_range")))
     return Validity(
-        a_over_r=a_over_r,
-        shape=shape,
-        sideways=sideways,
-        probe_share=probe_share,
-        a_over_t=a_over_t,
-        compressibility=compressibility,
-        strain=strain,
-        in_range=in_range,
-        neglected=effects,
+        **fields,
+        neglected={name: _plain(array.reshape(shape)) for name, array in neglected.items()},
         _contact=contact,
         _contact_radius=a,
         _errors=errors,
@@ -238,5 +232,5 @@ def validity(
 
 
 def _plain(array: Any) -> Any:
-    """Return a bool for an array without dimensions, else the array."""
-    return bool(array) if np.ndim(array) == 0 else array
+    """Return a number or a bool for an array without dimensions, else the array."""
+    return array if np.ndim(array) else np.asarray(array).item()

@@ -8,7 +8,6 @@ mod classes;
 use std::io;
 use std::path::Path;
 
-use interp::Error;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -232,15 +231,6 @@ pub fn other_stack() -> Failure {
 /// Returns the exception of a word that the Python layer should have refused.
 pub fn unknown(what: &str, word: &str) -> PyErr {
     PyValueError::new_err(format!("{word:?} is not a {what}"))
-}
-
-/// Returns the exception of a derivative that is not known.
-#[pyfunction]
-pub fn no_derivative(py: Python<'_>, input: usize) -> PyErr {
-    let name = ::contact::Input::ALL
-        .get(input)
-        .map_or("an unknown input", |input| input.name());
-    Failure::from(Error::FixedParameter(name)).raise(py)
 }
 
 /// Returns a text that speaks of the points of arrays, by their numbers, where that of the program
