@@ -262,30 +262,25 @@ impl Contact {
             |[a]| self.contact.validity(a),
             |row| rows.push(row),
         )?;
-        let film = |row: &Option<Validity>| row.and_then(|validity| validity.film);
         let fields = PyDict::new(py);
-        let numbers: [(_, fn(Validity) -> f64); 4] = [
-            ("a_over_r", |validity| validity.a_over_r),
-            ("shape", |validity| validity.shape),
-            ("sideways", |validity| validity.sideways),
-            ("probe_share", |validity| validity.probe_share),
-        ];
-        for (name, number) in numbers {
-            let column = rows.iter().map(|row| row.map_or(f64::NAN, number));
-            fields.set_item(name, PyArray1::from_iter(py, column))?;
-        }
-        let numbers: [(_, fn(FilmValidity) -> f64); 3] = [
-            ("a_over_t", |film| film.a_over_t),
-            ("compressibility", |film| film.compressibility),
-            ("strain", |film| film.strain),
-        ];
-        for (name, number) in numbers {
-            let column = rows.iter().map(|row| film(row).map_or(f64::NAN, number));
-            fields.set_item(name, PyArray1::from_iter(py, column))?;
-        }
-        let in_range = rows
-            .iter()
-            .map(|row| film(row).is_some_and(|film| film.in_range));
+        let number = |name, of: fn(Validity) -> f64| {
+            let column = rows.iter().map(|row| row.map_or(f64::NAN, of));
+            fields.set_item(name, PyArray1::from_iter(py, column))
+        };
+        number("a_over_r", |validity| validity.a_over_r)?;
+        number("shape", |validity| validity.shape)?;
+        number("sideways", |validity| validity.sideways)?;
+        number("probe_share", |validity| validity.probe_share)?;
+        let film = |row: &Option<Validity>| row.and_then(|validity| validity.film);
+        let number = |name, of: fn(FilmValidity) -> f64| {
+            let column = rows.iter().map(|row| film(row).map_or(f64::NAN, of));
+            fields.set_item(name, PyArray1::from_iter(py, column))
+        };
+        number("a_over_t", |film| film.a_over_t)?;
+        number("compressibility", |film| film.compressibility)?;
+        number("strain", |film| film.strain)?;
+        let column = rows.iter().map(film);
+        let in_range = column.map(|film| film.is_some_and(|film| film.in_range));
         fields.set_item("in_range", PyArray1::from_iter(py, in_range))?;
         let neglected = PyDict::new(py);
         for (name, effect) in [

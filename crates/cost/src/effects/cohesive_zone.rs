@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use contact::{CohesiveZone, Contact, Control, ZoneSize};
 use interp::{Material, Probe, Quantities, Table};
 
+use super::rows::films_on_glass;
 use crate::clock::Timing;
-use crate::effects::films_on_glass;
 use solve::Error;
 use solve::{A_OVER_T, solve};
 

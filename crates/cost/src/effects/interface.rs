@@ -4,8 +4,8 @@
 use contact::Contact;
 use interp::{Curve, Material, Probe, Quantities, System, Table};
 
+use super::rows::films_on_glass;
 use crate::clock::Timing;
-use crate::effects::films_on_glass;
 use solve::Error;
 use solve::stack::{Interface, MOST_A_OVER_TOP, Stack};
 use solve::{solve_stack, stack_curve};

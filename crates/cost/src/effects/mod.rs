@@ -11,114 +11,15 @@ mod friction;
 mod interface;
 mod load;
 mod relaxation;
+mod rows;
 mod shape;
 mod summary;
-
-use interp::{Elastic, Probe, System};
-use serde::{Deserialize, Serialize};
 
 pub use self::cohesive_zone::TABOR;
 pub use self::effect::Effect;
 pub use self::friction::WIDEST;
 pub use self::load::{STRENGTHS, errors};
 pub use self::relaxation::EXPONENT;
+pub use self::rows::Row;
 pub use self::shape::A_OVER_R;
 pub use self::summary::markdown;
-use crate::clock::Timing;
-use crate::{COUNT, ERROR, Measurement, TOLERANCE};
-use solve::Error;
-
-/// Returns so many films on glass under a rigid probe, whose Young's moduli (Pa) grow by equal factors
-/// from the first of two, which the last of them stays below.
-///
-/// # Errors
-/// None for positive moduli.
-fn films_on_glass(
-    count: i32,
-    [first, beyond]: [f64; 2],
-    probe: &Probe,
-) -> Result<Vec<System>, interp::Error> {
-    let film = |i: i32| {
-        let part = f64::from(i) / f64::from(count);
-        Ok(System {
-            probe: probe.clone(),
-            sphere_modulus: f64::INFINITY,
-            film: Elastic::new(first * (beyond / first).powf(part), 0.45)?,
-            film_thickness: 1e-6,
-            substrate: Elastic::new(7e10, 0.22)?,
-        })
-    };
-    (0..count).map(film).collect()
-}
-
-/// The table of a scene without one effect, the cost that this saves, and the error of the load.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Row {
-    /// The effect that is left out; none in the first row.
-    pub without: Option<Effect>,
-    /// Relative tolerance of the tables.
-    pub tolerance: f64,
-    /// Number of axes of the table without the effect.
-    pub axes: u64,
-    /// Contacts solved for its nodes.
-    pub solves: u64,
-    /// Number of threads that made the table.
-    pub threads: u64,
-    /// Time to make the HDF5 file, including planning and certificate (s): the fastest of several
-    /// runs.
-    pub seconds: f64,
-    /// Size of the HDF5 file.
-    pub bytes: u64,
-    /// Solves of the whole scene less `solves`.
-    pub saved_solves: i64,
-    /// Time of the whole scene less `seconds`; none if the difference is not above the noise of the
-    /// two times.
-    pub saved_seconds: Option<f64>,
-    /// Size of the whole scene's file less `bytes`.
-    pub saved_bytes: i64,
-    /// Median over the scene of the error of the load, see [`errors`].
-    pub median_error: f64,
-    /// Largest error of the load over the scene.
-    pub worst_error: f64,
-    /// Time of what the effect slows down, with it over without it: to make the contact of a new
-    /// material for the shape and the interface, to find a pull-off for the finite range, to solve a
-    /// curve for friction, to follow 1001 points for relaxation. None for the effects that make the table larger instead.
-    #[serde(default)]
-    pub time_ratio: Option<f64>,
-}
-
-impl Measurement for Row {
-    const RANGES: &'static [(&'static str, [f64; 2])] = &[
-        ("tolerance", TOLERANCE),
-        ("axes", [0.0, 4.0]),
-        ("solves", COUNT),
-        ("threads", [1.0, 1e6]),
-        ("seconds", [0.0, 1e9]),
-        ("bytes", COUNT),
-        ("saved_solves", [-1e15, 1e15]),
-        ("saved_seconds", [-1e9, 1e9]),
-        ("saved_bytes", [-1e15, 1e15]),
-        ("median_error", ERROR),
-        ("worst_error", ERROR),
-        ("time_ratio", [0.0, 1e9]),
-    ];
-}
-
-impl Effect {
-    /// Returns the time of what the effect slows down, with it over without it, see [`Row::time_ratio`]; none for the effects that make
-    /// the table larger instead.
-    ///
-    /// # Errors
-    /// Those of the solve and of the contact.
-    pub fn time_ratio(self, timing: Timing) -> Result<Option<f64>, Error> {
-        let ratio = match self {
-            Self::Shape => shape::time_ratio,
-            Self::FiniteRange => cohesive_zone::time_ratio,
-            Self::Interface => interface::time_ratio,
-            Self::Friction => friction::time_ratio,
-            Self::Relaxation => relaxation::time_ratio,
-            _ => return Ok(None),
-        };
-        ratio(timing).map(Some)
-    }
-}

@@ -4,8 +4,8 @@
 use contact::{Contact, Validity};
 use interp::{Material, Probe, System, Table};
 
+use super::rows::films_on_glass;
 use crate::clock::Timing;
-use crate::effects::films_on_glass;
 use solve::Error;
 use solve::solve_power_laws;
 

@@ -6,8 +6,8 @@ use interp::{Curve, Material, Parameter, Probe, Quantities, Quantity, System, Ta
 
 use super::linear::{Linear, Multilinear};
 use super::load::{Errors, Load, loads};
+use super::rows::{FURTHER, Family, NEW, Point, Row, SOLVED, ends};
 use super::timer::Timer;
-use super::{FURTHER, Family, NEW, Point, Row, SOLVED, ends};
 use crate::Measured;
 use crate::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::clock::Timing;

@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use super::SOLVED;
+use super::rows::SOLVED;
 use crate::clock::Timing;
 
 /// The seconds spent on measuring each time.

@@ -1,6 +1,6 @@
 //! The solves summed up as Markdown.
 
-use super::{NYSTROM, NYSTROM_REACH, PAPER, REFUSED, Row, by_contact, fastest};
+use super::rows::{NYSTROM, NYSTROM_REACH, PAPER, REFUSED, Row, by_contact, fastest};
 use crate::clock::human;
 
 /// Returns three tables in Markdown: the paper's material, harder contacts, and Nyström's method

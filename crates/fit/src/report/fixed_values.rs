@@ -1,7 +1,7 @@
 //! What the values that a fit takes as given do to its result.
 
+use super::text::{NAME, name};
 use super::unit::scaled;
-use super::{NAME, name};
 use crate::{Estimate, Fit, FixedValue};
 
 /// The smallest width of a column.

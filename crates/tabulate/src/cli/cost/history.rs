@@ -1,6 +1,6 @@
 //! `tabulate cost history`
 
-use super::Rows;
+use super::cost::Rows;
 use cost::history::{markdown, measure};
 
 /// Measure contacts in time: error of the load against time, of three laws of relaxation

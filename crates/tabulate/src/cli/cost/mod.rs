@@ -1,141 +1,14 @@
 //! `tabulate cost`
 
+mod cost;
 mod effects;
 mod history;
 mod lookup;
 mod solve;
 mod table;
 
-use std::path::{Path, PathBuf};
-
-use anyhow::Context;
-use clap::Subcommand;
-
+pub use self::cost::{Arguments, run};
 pub use self::effects::of_default as measure_effects;
 pub use self::lookup::of_default as measure_lookup;
 pub use self::solve::of_default as measure_solve;
 pub use self::table::of_default as measure_table;
-use super::output::Output;
-use super::{note, print};
-use crate::measure::{read_csv, read_earlier};
-use crate::printable;
-use cost::clock::Timing;
-use cost::{Measured, Measurement, compare, to_csv};
-
-/// Measure the cost of accuracy in time and memory
-///
-/// Prints a summary as Markdown. Writes all rows as CSV if -o is given: `tabulate plot` draws them.
-/// Errors and sizes do not change from run to run; times do.
-#[derive(clap::Args)]
-#[command(after_help = super::examples!(
-    "tabulate cost table --data tables/figures/table.csv",
-    "tabulate cost solve -o solve.csv",
-))]
-pub struct Arguments {
-    #[command(subcommand)]
-    of: Of,
-}
-
-#[derive(Subcommand)]
-enum Of {
-    Solve(solve::Arguments),
-    Table(table::Arguments),
-    Lookup(lookup::Arguments),
-    Effects(effects::Arguments),
-    History(history::Arguments),
-}
-
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    match &arguments.of {
-        Of::Solve(arguments) => solve::run(arguments),
-        Of::Table(arguments) => table::run(arguments),
-        Of::Lookup(arguments) => lookup::run(arguments),
-        Of::Effects(arguments) => effects::run(arguments),
-        Of::History(arguments) => history::run(arguments),
-    }
-}
-
-/// The files from which rows are read and to which they are written.
-#[derive(clap::Args)]
-struct Rows {
-    /// Write all rows to this file, as CSV
-    #[arg(short, long, value_name = "OUT.csv")]
-    output: Option<PathBuf>,
-    /// Summarise the rows of this file, which -o has written, instead of measuring
-    #[arg(long, value_name = "COST.csv", conflicts_with_all = ["output", "compare"])]
-    data: Option<PathBuf>,
-    /// Fail where the rows differ from those of this file, which -o has written
-    ///
-    /// Counts must be equal, errors equal but for rounding. Times are not compared, and without -o
-    /// they are measured briefly.
-    #[arg(long, value_name = "COST.csv")]
-    compare: Option<PathBuf>,
-}
-
-impl Rows {
-    /// Gets the rows, writes and compares them if that is asked for, and prints their summary. What
-    /// is left out is named in the summary and on standard error. `input` is a file that the output
-    /// must not replace.
-    fn report<R: Measurement>(
-        &self,
-        input: Option<&Path>,
-        measure: impl FnOnce(Timing) -> anyhow::Result<Measured<R>>,
-        markdown: fn(&[R]) -> String,
-    ) -> anyhow::Result<()> {
-        let output = Output::of_text(
-            self.output.as_deref(),
-            [input, self.data.as_deref(), self.compare.as_deref()],
-        )?;
-        let before = self
-            .compare
-            .as_ref()
-            .map(|path| anyhow::Ok((path, read_earlier::<R>(path)?)))
-            .transpose()?;
-        let Measured { rows, left_out } = match &self.data {
-            Some(path) => read_csv(path)?.into(),
-            None => measure(self.timing())?,
-        };
-        if self.output.is_some() {
-            output.write(&to_csv(&rows))?;
-        }
-        let mut summary = markdown(&rows);
-        for sentence in &left_out {
-            summary += &format!("{sentence}\n");
-        }
-        print(printable::lines(&summary).as_bytes())?;
-        report_left_out(&left_out);
-        let Some((path, before)) = before else {
-            return Ok(());
-        };
-        compare(&before, &rows).with_context(|| printable::path(path))?;
-        let fewer = before.len() - rows.len();
-        if fewer > 0 {
-            note(&format!(
-                "{}: the last {fewer} of its {} rows are not compared",
-                printable::path(path),
-                before.len()
-            ));
-        }
-        Ok(())
-    }
-
-    /// Rows that are only compared need no exact times.
-    const fn timing(&self) -> Timing {
-        if self.compare.is_some() && self.output.is_none() {
-            Timing::Brief
-        } else {
-            Timing::Thorough
-        }
-    }
-}
-
-/// Prints the sentences about missing rows to standard error.
-fn report_left_out(left_out: &[String]) {
-    left_out.iter().for_each(|sentence| note(sentence));
-}
-
-/// Returns the rows of a measurement for a figure, and reports the missing ones.
-fn complete<R>(measured: Measured<R>) -> Vec<R> {
-    report_left_out(&measured.left_out);
-    measured.rows
-}

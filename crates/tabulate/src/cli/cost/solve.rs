@@ -1,6 +1,6 @@
 //! `tabulate cost solve`
 
-use super::Rows;
+use super::cost::Rows;
 use crate::cli::progress::progress_bar;
 use cost::clock::Timing;
 use cost::solve::{Row, contacts, markdown, measure};

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::ensure;
 
-use super::{Rows, complete};
+use super::cost::{Rows, complete};
 use crate::cli::generate::{budget, read_scene};
 use crate::cli::progress::Bars;
 use crate::cli::quantity::number;

@@ -1,0 +1,116 @@
+//! The rows that are measured of lookups.
+
+use interp::{Material, Parameter, Table};
+use serde::{Deserialize, Serialize};
+use solve::Error;
+
+use super::{form, layer};
+use crate::Measured;
+use crate::clock::Timing;
+use crate::{COUNT, ERROR, Measurement, TIME};
+
+/// The basis of a form of lookup.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Family {
+    /// Values at the nodes of a table.
+    #[serde(rename = "table")]
+    Table,
+    /// The equations, solved each time.
+    #[serde(rename = "direct solve")]
+    Solve,
+    /// A formula.
+    #[serde(rename = "closed form")]
+    ClosedForm,
+}
+
+/// One task done with one form of lookup. Errors are relative.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// The form's basis.
+    pub family: Family,
+    /// The form's name.
+    pub form: String,
+    /// The task, for example [`NEW`].
+    pub what: String,
+    /// The time of one task (s).
+    pub seconds: f64,
+    /// The ranges of the parameters in which the errors were measured.
+    pub scope: String,
+    /// The number of points at which they were measured.
+    pub points: u64,
+    /// The variable at whose value loads are compared: `contact radius` or `penetration`.
+    pub at: String,
+    /// Median error of the load without adhesion.
+    pub median_error: f64,
+    /// Largest error of the load without adhesion.
+    pub max_error: f64,
+    /// The largest factor by which the load without adhesion is too large or too small.
+    pub max_factor: f64,
+    /// Median error of the load where adhesion halves it; none for forms without adhesion.
+    pub adhesive_median_error: Option<f64>,
+    /// Largest error of the load where adhesion halves it; none for forms without adhesion.
+    pub adhesive_max_error: Option<f64>,
+}
+
+impl Measurement for Row {
+    const RANGES: &'static [(&'static str, [f64; 2])] = &[
+        ("seconds", TIME),
+        ("points", COUNT),
+        ("median_error", ERROR),
+        ("max_error", ERROR),
+        ("max_factor", [1.0, 1e30]),
+        ("adhesive_median_error", ERROR),
+        ("adhesive_max_error", ERROR),
+    ];
+}
+
+/// The number of points of the command.
+pub const POINTS: usize = 1000;
+/// The seed of these points.
+pub const SEED: u64 = 1;
+
+/// The number of points that are solved directly at each tolerance, for their times and errors.
+/// Times differ by a factor of a thousand, so the mean of fewer would not be reliable.
+pub(super) const SOLVED: usize = 200;
+
+/// The task of all forms except those along a curve, see [`Row::what`].
+pub const NEW: &str = "one point of a new material";
+/// The task of the forms that make a curve first, see [`Row::what`].
+pub const FURTHER: &str = "a further point";
+
+/// A contact: `a/t` and material.
+pub type Point = (f64, Material);
+
+/// Measures all rows of a table with all four quantities over `e1_over_e2` and `e0_over_e2`, at `points` of its box.
+///
+/// A table in low-rank form is measured in this form and expanded. `progress` is called with the
+/// number of contacts that have been solved since the last call.
+///
+/// # Errors
+/// Those of the solve and of the lookup.
+///
+/// # Panics
+/// If there are no `points`.
+pub fn measure(
+    table: &Table,
+    points: &[Point],
+    timing: Timing,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Measured<Row>, Error> {
+    let mut measured = form::measure(table, points, timing, progress)?;
+    measured
+        .rows
+        .extend(layer::measure(points.len(), timing, progress)?);
+    Ok(measured)
+}
+
+/// Returns the number of solves that [`measure`] reports.
+pub const fn solves(points: usize) -> usize {
+    form::solves(points) + layer::solves(points)
+}
+
+/// The first and the last node of an axis.
+pub(super) fn ends(table: &Table, parameter: Parameter) -> [f64; 2] {
+    let nodes = table.axis(parameter);
+    [nodes[0], nodes[nodes.len() - 1]]
+}

@@ -1,0 +1,470 @@
+//! The report of a fit, of a plan and of how a file was read.
+
+use std::borrow::Cow;
+
+use interp::Probe;
+
+use super::agreement::agreement;
+use super::unit::{UnitOf, decimals, scaled, unit, with_error};
+use super::{fixed_values, indentation, relaxing};
+use crate::data::{Marks, Notes, Source};
+use crate::estimate::left_out_text;
+use crate::{
+    Bodies, Combination, Direction, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias,
+    NamedLayer, Parameter, Point, Warning,
+};
+
+/// The width of the names of parameters.
+pub(super) const NAME: usize = 25;
+
+/// The rise of chi^2 that tells a worse fit: five standard deviations.
+const WORSE: f64 = 25.0;
+
+/// Returns the report of a fit: how the data were read, what is fixed, what was found, whether the
+/// film matters, and the warnings.
+///
+/// `notes` are those of the `experiments`, in their order: [`Notes::default`] for points that come
+/// from no file. Parameters without a unit in `units` get a prefix with which their number is at
+/// least 1.
+pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[UnitOf]) -> String {
+    let mut out = String::new();
+    for (experiment, notes) in experiments.iter().zip(notes) {
+        out += &format!("{}\n", reading(&experiment.measurement, notes));
+    }
+    out += "\nfixed\n";
+    for (name, value) in fixed_of_all(fit, experiments) {
+        out += &format!("  {name:<NAME$} {value}\n");
+    }
+    out += if fit.converged {
+        "\nfound\n"
+    } else {
+        "\nnot converged; the last step\n"
+    };
+    let files: Vec<&str> = fit
+        .experiments
+        .iter()
+        .map(|one| one.name.as_str())
+        .collect();
+    estimates(&mut out, &fit.estimates, &fit.correlation, &files, units);
+    if let Some(young) = young_of_sphere(fit, &experiments[0], units) {
+        out += &format!("\n{:<1$} {young}\n", "sphere", NAME + 2);
+    }
+    out += &format!("\n{}\n", agreement(fit, experiments));
+    for one in fit
+        .experiments
+        .iter()
+        .filter(|one| !one.left_out.is_empty())
+    {
+        out += &format!("{}: left out {}\n", one.name, left_out_text(&one.left_out));
+    }
+    let of_kinds = indentation::lines(fit, experiments);
+    for text in of_kinds
+        .into_iter()
+        .chain(relaxing::lines(fit, experiments))
+    {
+        out += &format!("{text}\n");
+    }
+    if let Some(text) = film(fit, &experiments[0].bodies) {
+        out += &format!("{text}\n");
+    }
+    fixed_values::write(&mut out, fit, &files);
+    undetermined(&mut out, &fit.undetermined);
+    // A wrong sign explains other warnings.
+    for (experiment, notes) in experiments.iter().zip(notes) {
+        for doubt in &notes.doubts {
+            out += &format!("warning: {}: {doubt}\n", experiment.measurement.name);
+        }
+    }
+    warned(&mut out, &fit.warnings);
+    out
+}
+
+/// Returns the errors expected of a planned experiment.
+pub fn expected(forecast: &Forecast, units: &[UnitOf]) -> String {
+    let mut out = String::from("expected\n");
+    let correlation = &forecast.correlation;
+    estimates(&mut out, &forecast.estimates, correlation, &[], units);
+    undetermined(&mut out, &forecast.undetermined);
+    warned(&mut out, &forecast.warnings);
+    out
+}
+
+/// Returns how a file was read, in one line.
+pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
+    let mut columns: Vec<String> = notes.columns.iter().map(column).collect();
+    columns.dedup();
+    let mut text = format!(
+        "{}: {} points, {}{}",
+        measurement.name,
+        measurement.points.len(),
+        measurement.kind.name(),
+        directions(&measurement.points),
+    );
+    if !columns.is_empty() {
+        text += &format!("; {}", columns.join(", "));
+    }
+    if let Some(line) = notes.untimed {
+        text += &format!("; times are not used: line {line} has none");
+    }
+    if !notes.unused.is_empty() {
+        text += &format!("; not read: {}", unused(&notes.unused));
+    }
+    if notes.blocks > 1 {
+        text += &format!("; {} times headings with rows below them", notes.blocks);
+    }
+    if let Some(split) = notes.split {
+        text += &format!("; split {split}");
+    }
+    if matches!(notes.marks, Marks::Commas | Marks::UnclearCommas) {
+        text += "; commas are decimal";
+    }
+    for value in notes.from_head() {
+        text += &format!("; {value}");
+    }
+    for (count, what) in [
+        (notes.missing, "without values"),
+        (notes.pauses, "of a pause"),
+        (notes.other_segments, "of another segment"),
+        (notes.outside, "outside the range asked for"),
+    ] {
+        if count > 0 {
+            text += &format!("; {count} rows {what} left out");
+        }
+    }
+    text
+}
+
+/// Returns the first of the headings of columns that are not read, and the number of the others.
+fn unused(headings: &[String]) -> String {
+    const SHOWN: usize = 6;
+    let shown: Vec<String> = headings
+        .iter()
+        .take(SHOWN)
+        .map(|one| format!("{one:?}"))
+        .collect();
+    match headings.len().saturating_sub(SHOWN) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
+    }
+}
+
+/// Returns the number of points of each direction, if one is known.
+fn directions(points: &[Point]) -> String {
+    let count = |direction| {
+        let of = |point: &&Point| point.direction == Some(direction);
+        points.iter().filter(of).count()
+    };
+    match Direction::ALL.map(count) {
+        [0, 0] => String::new(),
+        [approach, retract] => format!(", {approach} of approach and {retract} of retract"),
+    }
+}
+
+fn column(source: &Source) -> String {
+    let unit = if source.assumed_si {
+        " in SI units"
+    } else {
+        ""
+    };
+    let sign = if source.factor < 0.0 {
+        " with a minus"
+    } else {
+        ""
+    };
+    format!(
+        "{} from {:?}{unit}{sign}",
+        source.role.name(),
+        source.heading
+    )
+}
+
+/// Lists the values that are not fitted: one, or that of each file if they differ.
+fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>, String)> {
+    let of = |experiment| fixed(fit, experiment);
+    let all: Vec<Vec<(Cow<'static, str>, String)>> = experiments.iter().map(of).collect();
+    // A reference without a film has a substrate without a symbol.
+    let value = |text: &str| text.trim_end_matches(" E0").to_owned();
+    let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
+    for (name, _) in all.iter().flatten() {
+        if rows.iter().any(|row| row.0 == *name) {
+            continue;
+        }
+        let is_zero =
+            ["load-offset", "contact-point", "baseline", "baseline-slope"].contains(&&**name);
+        let texts: Vec<&str> = all
+            .iter()
+            .filter_map(|rows| {
+                let own = rows.iter().find(|row| row.0 == *name);
+                // Zeros that are 0 have no row.
+                own.map(|row| &*row.1).or(is_zero.then_some("0"))
+            })
+            .collect();
+        let differ = texts.iter().any(|text| value(text) != value(texts[0]));
+        rows.push((
+            name.clone(),
+            texts[..if differ { texts.len() } else { 1 }].join(", "),
+        ));
+    }
+    rows
+}
+
+/// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
+fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
+    let text = |value: f64, si: &str| {
+        let (unit, size) = scaled(si, value);
+        // Without the rounding of the division.
+        let number = (value / size * 1e12).round() / 1e12;
+        format!("{number} {unit}").trim_end().to_owned()
+    };
+    let probe = experiment.bodies.probe();
+    let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
+    let kind = experiment.measurement.kind;
+    if !matches!(probe, Probe::Paraboloid { .. }) {
+        rows.push(("probe".into(), probe.name().to_owned()));
+    }
+    // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
+    let has_hardness = fit.estimate(Parameter::Hardness).is_some();
+    let has_shape = !kind.is_stiffness() || experiment.is_elastic_load() && !has_hardness;
+    if let Some(radius) = probe.radius().filter(|_| has_shape) {
+        rows.push(("sphere-radius".into(), text(radius, "m")));
+    }
+    let young = |value: f64| format!("{}, Young's modulus", text(value, "Pa"));
+    if let Bodies::Coated(system) = &experiment.bodies {
+        rows.push((
+            "substrate-modulus".into(),
+            format!("{} E0", young(system.substrate.young())),
+        ));
+        rows.push((
+            "substrate-poisson-ratio".into(),
+            text(system.substrate.poisson(), "1"),
+        ));
+    }
+    let mut parameters = Parameter::ALL.to_vec();
+    if let Bodies::Layered(layered) = &experiment.bodies {
+        rows.push(("substrate-modulus".into(), young(layered.base.young())));
+        if layered.base.young() < f64::INFINITY {
+            rows.push((
+                "substrate-poisson-ratio".into(),
+                text(layered.base.poisson(), "1"),
+            ));
+        }
+        for (i, named) in layered.layers.iter().enumerate() {
+            let layer = &named.layer;
+            let poisson = text(layer.solid.poisson(), "1");
+            match named.name {
+                Some(name) => rows.push((format!("{name}.poisson-ratio").into(), poisson)),
+                // The parameters of a film are listed with all others.
+                None if layered.film().is_some() => {}
+                None => rows.extend([
+                    (
+                        format!("layer-{}.modulus", i + 1).into(),
+                        young(layer.solid.young()),
+                    ),
+                    (
+                        format!("layer-{}.thickness", i + 1).into(),
+                        text(layer.thickness, "m"),
+                    ),
+                    (format!("layer-{}.poisson-ratio", i + 1).into(), poisson),
+                ]),
+            }
+            if let Some(interface) = interface(named, |stiffness| text(stiffness, "Pa/m")) {
+                let name = named.name.map(|name| name.to_string());
+                let name = name.unwrap_or_else(|| format!("layer-{}", i + 1));
+                rows.push((format!("{name}.interface").into(), interface));
+            }
+        }
+        parameters.extend(layered.parameters());
+    }
+    rows.extend(relaxing::fixed(experiment));
+    if let Some(relaxing) = &experiment.relaxing {
+        let own = relaxing.parameters();
+        parameters.extend(own.into_iter().filter(|one| !Parameter::ALL.contains(one)));
+    }
+    for parameter in parameters {
+        if let Some(value) = experiment.get(parameter)
+            && fit.estimate(parameter).is_none()
+            && (value != 0.0 || parameter.is_positive())
+            && (experiment.relaxing.is_none() || parameter != Parameter::WorkOfAdhesion)
+            && (!kind.is_stiffness() || experiment.why_without_effect(parameter).is_none())
+            && (has_shape || parameter != Parameter::WorkOfAdhesion)
+        {
+            let label = which_modulus(parameter);
+            let value = format!("{}{label}", text(value, parameter.unit()));
+            rows.push((parameter.name(), value));
+        }
+    }
+    if kind.is_stiffness() {
+        rows.extend(indentation::fixed(experiment));
+    }
+    rows
+}
+
+/// Says what joins a layer to what lies below it, as far as its `interface-stiffness` does not; `None`
+/// if it is bonded.
+fn interface(named: &NamedLayer, text: impl Fn(f64) -> String) -> Option<String> {
+    let [tangential, normal] = named.layer.interface.stiffnesses();
+    let sideways = match named.interface_stiffness() {
+        _ if named.layer.interface.is_bonded() => return None,
+        None if tangential == 0.0 => Some("sliding".to_owned()),
+        Some(stiffness) if named.name.is_none() => {
+            Some(format!("tangential stiffness {}", text(stiffness)))
+        }
+        _ => None,
+    };
+    let normal = normal
+        .is_finite()
+        .then(|| format!("normal stiffness {}", text(normal)));
+    let parts: Vec<String> = sideways.into_iter().chain(normal).collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// Says which modulus a parameter is.
+const fn which_modulus(parameter: Parameter) -> &'static str {
+    match parameter {
+        Parameter::SphereModulus => ", reduced modulus E2*",
+        Parameter::FilmModulus => ", Young's modulus E1",
+        Parameter::LayerModulus(_) => ", Young's modulus",
+        _ => "",
+    }
+}
+
+/// Returns Young's modulus of the sphere, if its Poisson ratio is known and its reduced modulus
+/// was found.
+fn young_of_sphere(fit: &Fit, experiment: &Experiment, asked: &[UnitOf]) -> Option<String> {
+    let poisson = experiment.sphere_poisson_ratio?;
+    let found = fit.estimate(Parameter::SphereModulus)?;
+    let young = found.young_of_sphere(poisson);
+    Some(format!(
+        "{}, Young's modulus E2 = E2* (1 - nu2^2), nu2 = {poisson}",
+        value(&young, asked)
+    ))
+}
+
+/// Writes estimates, each with its file if it is one file's own of several, and their correlation.
+fn estimates(
+    out: &mut String,
+    estimates: &[Estimate],
+    correlation: &[Vec<f64>],
+    files: &[&str],
+    asked: &[UnitOf],
+) {
+    let name = |estimate: &Estimate| name(estimate, files);
+    for estimate in estimates {
+        let (value, modulus) = (value(estimate, asked), which_modulus(estimate.parameter));
+        *out += &format!("  {:<NAME$} {value}{modulus}\n", name(estimate));
+    }
+    if estimates.len() > 1 {
+        *out += "\ncorrelation\n";
+        for (i, (estimate, row)) in estimates.iter().zip(correlation).enumerate() {
+            let row: String = row[..=i]
+                .iter()
+                .map(|value| format!("{value:>7.3}"))
+                .collect();
+            *out += &format!("  {:<NAME$} {row}\n", name(estimate));
+        }
+    }
+}
+
+/// Returns the name of an estimate, with its file if it is one file's own of several.
+pub(super) fn name(estimate: &Estimate, files: &[&str]) -> String {
+    match estimate.experiment {
+        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
+        _ => estimate.parameter.to_string(),
+    }
+}
+
+/// Writes the combinations that data do not determine.
+fn undetermined(out: &mut String, combinations: &[Combination]) {
+    for one in combinations {
+        *out += &format!("the data do not determine {}\n", one.text);
+    }
+}
+
+/// Adds the warnings, a line each.
+fn warned(out: &mut String, warnings: &[Warning]) {
+    for warning in warnings {
+        *out += &format!("warning: {}\n", warning.text);
+    }
+}
+
+/// Returns value, error and unit of an estimate, and its interval.
+fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
+    let (unit, size) = unit(
+        estimate.parameter,
+        estimate.value,
+        estimate.standard_error,
+        asked,
+    );
+    let [value, error] = [estimate.value, estimate.standard_error].map(|number| number / size);
+    let text = format!("{} {unit}", with_error(value, error));
+    let mut text = text.trim_end().to_owned();
+    if let Some(profile) = estimate.profile {
+        let decimals = decimals(value, error);
+        let [low, high] = profile.map(|end| match end / size {
+            end if end.is_nan() => "not found".to_owned(),
+            end if end.is_infinite() => "no limit".to_owned(),
+            end => format!("{end:.decimals$}"),
+        });
+        // The unit follows the last number.
+        text += &match profile.map(f64::is_finite) {
+            [_, true] => format!(" ({low} to {high} {unit})"),
+            [true, false] => format!(" ({low} {unit} to {high})"),
+            [false, false] => format!(" ({low} to {high})"),
+        };
+    }
+    text
+}
+
+/// Says whether the film matters, or the layers.
+fn film(fit: &Fit, bodies: &Bodies) -> Option<String> {
+    let without = fit.without_film.as_ref()?;
+    let layered = matches!(bodies, Bodies::Layered(_));
+    let [what, it] = if layered {
+        ["layers", "them"]
+    } else {
+        ["film", "it"]
+    };
+    let Some(bias) = without.modulus else {
+        let number = |chi_squared: f64| {
+            if chi_squared < 1e7 {
+                format!("{chi_squared:.1}")
+            } else {
+                format!("{chi_squared:.1e}")
+            }
+        };
+        return Some(format!(
+            "without the {what} chi^2 is {} instead of {}",
+            number(without.chi_squared),
+            number(fit.chi_squared)
+        ));
+    };
+    let ModulusBias {
+        parameter,
+        relative,
+        standard_errors,
+    } = bias;
+    let errors = standard_errors.abs();
+    let errors = if errors < 9.95 {
+        format!("{errors:.1}")
+    } else {
+        format!("{errors:.0}")
+    };
+    let verdict = match (bias.matters(), layered) {
+        (true, true) => "matter",
+        (true, false) => "matters",
+        (false, true) => "do not matter",
+        (false, false) => "does not matter",
+    };
+    let mut text = format!(
+        "the {what} {verdict}: {parameter} is off by {:+.1} % ({errors} standard errors) without {it}",
+        100.0 * relative
+    );
+    // The modulus may be right by chance, as between films of different thickness.
+    if !bias.matters() && without.chi_squared - fit.chi_squared > WORSE {
+        text += &format!(
+            ", but chi^2 is then {:.0} instead of {:.0}",
+            without.chi_squared, fit.chi_squared
+        );
+    }
+    Some(text)
+}

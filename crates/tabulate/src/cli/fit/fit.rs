@@ -1,0 +1,474 @@
+//! `tabulate fit`
+
+use std::path::{Path, PathBuf};
+
+use ::fit::data::{Cantilever, Column, Doubt, Format, Role, Segments};
+use ::fit::report::{UnitOf, report};
+use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, Scope, WarningKind};
+use anyhow::{Context, anyhow, bail, ensure};
+use clap::ValueHint;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use interp::Table;
+use units::Dimension;
+
+use super::experiments::{FreeArguments, KnownArguments};
+use super::indentation::{Noise, Range, ReferenceArguments};
+use super::picture::PictureArguments;
+use super::reading::{doubted, measured, typed, with_doubts};
+use super::setting::{Given, check_units, unit_of};
+use super::{experiments, indentation, object, table};
+use crate::cli::allow::{self, Allowed};
+use crate::cli::json;
+use crate::cli::note;
+use crate::cli::output::Output;
+use crate::cli::print;
+use crate::cli::quantity::{length, number, read};
+use crate::cli::table_name::{self, TableName};
+use crate::printable;
+
+/// The number of files above which a note says that a fit of all together is slow.
+const MANY_FILES: usize = 100;
+
+/// Find moduli and work of adhesion from measured contacts, with their errors
+///
+/// Each DATA file is a table of text: cells between tabs, semicolons, commas or spaces, a decimal
+/// point or comma, comment lines (#, % or //) and other lines before the headings. Columns are
+/// recognised by headings with a unit, such as `Force [mN]`, `Radius (um)`, `height_nm`,
+/// `Piezo/nm`; --column names others. Without a unit, the names contact_radius, penetration, load,
+/// force, time, height, `height (measured)`, `height (piezo)`, contact_stiffness, contact_area, phase_shift
+/// and loss_stiffness are in SI units, all others an error.
+/// A heading of one of these with error, std, sd, sigma or uncertainty, such as `load error [mN]`
+/// and `radius_std`, is the column of its standard deviations. Each curve has a file of its own; its
+/// segments may have headings of their own. The stiffness and the sensitivity of the cantilever are
+/// those that the head of the file names, unless flags give others.
+///
+/// A contact stiffness (--kind stiffness-radius, stiffness-load, stiffness-depth) is that of a pinned
+/// contact line, as nanoindenters (CSM) and dynamic AFMs measure it. With a column of its phase or of
+/// its loss part, the modulus of the film is the absolute value of a complex one, and the report gives
+/// the loss tangent.
+///
+/// Loads are positive in compression; heights are smaller when the cantilever is closer to the
+/// sample: contact point - height = penetration + force/stiffness.
+///
+/// A film is looked up in the table. A stack of layers (--stack) is solved directly, which takes
+/// some tenths of a second, and the modulus and the thickness of its layers can be free; or it is
+/// looked up where --stack names a table of the stack.
+///
+/// Values that the fit needs and that are not given are an error that lists them. A value of the bodies
+/// is fixed unless it is free (--free). A free modulus of sphere or film, if the other
+/// is known, and a free work of adhesion need no value: the fit takes its start from the data.
+///
+/// With --relaxation the film relaxes in time. The points of a file are an approach, a hold and a
+/// retract without adhesion; they give the modulus of the film and its relaxation function. The effect
+/// of the film thickness is exact. A gel also relaxes by flow of its solvent, and that is no law of the
+/// material: its time grows like the square of the contact radius. Fit curves of two radii: a material
+/// has the same relaxation times at both.
+///
+/// With --friction stick, surfaces that have touched never slide, and each contact is solved directly;
+/// without it, a warning says where full friction would change the modulus by more than its standard
+/// error.
+///
+/// Which points are in contact is read from the data: points up to the jump of pull-off are in
+/// contact, those after it are the baseline. With several files, the parameters are common to all
+/// files unless they are the file's own: a global fit of films of several thicknesses is
+/// --value film-thickness=1um,10um.
+///
+/// The exit status is 0 only if the fit has converged, all values have finite errors, and at most a
+/// third of the points in contact is left out.
+#[derive(clap::Args)]
+#[command(after_help = crate::cli::examples!(
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um",
+    "tabulate fit crates/fit/data/lens.csv --specimen paper --film-thickness 30um --noise 2uN --json",
+    "tabulate fit crates/fit/data/primer.csv --specimen paper --stack tables/stacks/primer.toml",
+))]
+pub struct Arguments {
+    /// The measurements: tables of text
+    #[arg(required = true, value_name = "DATA", value_hint = ValueHint::FilePath)]
+    data: Vec<PathBuf>,
+    /// The two quantities that were measured [default: the only ones that the columns fit]
+    #[arg(long, value_parser = kinds())]
+    kind: Option<Kind>,
+    /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
+    /// penetration, height, deflection, segment, time, contact_stiffness, contact_area, phase_shift and
+    /// loss_stiffness, or with _error a column of standard deviations: load_error. The number of the column may stand for the heading, with `extend` or `retract`
+    /// after it for one direction; a minus before it turns the sign
+    #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
+    columns: Vec<Column>,
+    /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
+    #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
+    sensitivity: Option<f64>,
+    /// Where the directions of points come from: a column segment, phase or direction, comments
+    /// `segment: retract` or headings of the file (file), or the turn of the height, penetration or load
+    /// that is the abscissa, and at contact radii the largest ordinate (split). auto: from the file, and
+    /// heights without a direction are split
+    #[arg(long, default_value = "auto", value_parser = one_of([
+        ("auto", Segments::Auto),
+        ("file", Segments::File),
+        ("split", Segments::Split),
+    ]))]
+    segments: Segments,
+    /// Keep the points of one direction only
+    #[arg(long, value_parser = one_of(Direction::ALL.map(|one| (one.name(), one))))]
+    only: Option<Direction>,
+    /// Keep the points whose radius, penetration, height or load lies in a range: 60nm..250nm
+    #[arg(long, value_name = "LEAST..MOST", value_parser = indentation::range, allow_hyphen_values = true)]
+    between: Option<Range>,
+    #[command(flatten)]
+    known: KnownArguments,
+    #[command(flatten)]
+    free: FreeArguments,
+    #[command(flatten)]
+    reference: ReferenceArguments,
+    /// Value and standard error of a quantity that is not free, in SI units:
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
+    /// be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// to the first order, as one of several independent errors. --prior instead lets the data move
+    /// a free value
+    #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
+    given: Vec<Given>,
+    /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%), one or one for each file [default: that
+    /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
+    /// residuals]
+    #[arg(
+        long,
+        value_name = "S",
+        value_delimiter = ',',
+        value_parser = indentation::noise,
+        allow_hyphen_values = true
+    )]
+    noise: Vec<Noise>,
+    /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
+    /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
+    /// the model: the variance of a point is that of its load plus (slope x S)^2
+    #[arg(
+        long,
+        visible_alias = "radius-noise",
+        value_name = "S",
+        value_delimiter = ',',
+        value_parser = length,
+        allow_hyphen_values = true
+    )]
+    abscissa_noise: Vec<f64>,
+    /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
+    #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
+    robust: Option<Loss>,
+    /// Intervals from the profile of the likelihood, at a level such as 0.95
+    #[arg(long, value_name = "LEVEL", value_parser = number, allow_hyphen_values = true)]
+    intervals: Option<f64>,
+    #[arg(
+        long,
+        default_value = "embedded",
+        help = table_name::HELP,
+        value_hint = ValueHint::FilePath
+    )]
+    table: TableName,
+    /// Units of the report: film-modulus=MPa [default: such that numbers are above 1]
+    #[arg(
+        long,
+        value_name = "NAME=UNIT,...",
+        value_parser = unit_of,
+        value_delimiter = ',',
+        conflicts_with = "json"
+    )]
+    units: Vec<UnitOf>,
+    /// Print a JSON object in SI units instead of the report
+    ///
+    /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
+    /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
+    /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
+    /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
+    /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
+    /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
+    /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
+    /// own is a list. With --intervals each parameter has an "interval".
+    #[arg(long)]
+    json: bool,
+    /// Write data, fit, residual and branch of every point here
+    #[arg(long, value_name = "FILE.csv")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    picture: PictureArguments,
+}
+
+/// Parses the name of a kind.
+pub fn kinds() -> impl TypedValueParser<Value = Kind> {
+    one_of(Kind::ALL.map(|kind| (kind.name(), kind)))
+}
+
+/// Parses one of several names.
+pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    choices: [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(choices.map(|(name, _)| name)).map(move |given| {
+        let chosen = choices.iter().find(|(name, _)| *name == given);
+        chosen.expect("clap accepts these names only").1
+    })
+}
+
+/// Reads the sensitivity of a deflection.
+fn sensitivity(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::LengthPerVoltage))
+}
+
+impl Arguments {
+    fn format(&self) -> anyhow::Result<Format> {
+        let between = self.between.as_ref().map(|range| range.of(self.kind));
+        Ok(Format {
+            between: between.transpose()?,
+            kind: self.kind,
+            columns: self.columns.clone(),
+            cantilever: Cantilever {
+                stiffness: self.known.stiffness,
+                sensitivity: self.sensitivity,
+            },
+            segments: self.segments,
+            only: self.only,
+            keep_pauses: self.known.relaxing.is_given(),
+        })
+    }
+}
+
+/// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
+fn further_doubts(fit: &Fit, timed: bool) -> String {
+    let others = fit.warnings.iter();
+    let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
+    let texts: String = others
+        .map(|warning| format!("\nwarning: {}", warning.text))
+        .collect();
+    format!("{texts}\n{}", next_steps(fit, timed))
+        .trim_end()
+        .to_owned()
+}
+
+/// Returns the flags that follow from the warnings, a line each.
+fn next_steps(fit: &Fit, timed: bool) -> String {
+    let steps = [
+        (
+            WarningKind::Saturated,
+            "points of a saturated detector: let their lines begin with #",
+        ),
+        (
+            WarningKind::NoiseNotSeen,
+            "the noise of the ordinates: --noise 2uN, or a column of it",
+        ),
+        (
+            WarningKind::UnequalNoise,
+            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it",
+        ),
+        (
+            WarningKind::Hysteresis,
+            "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
+             (points without a direction: --segments split)",
+        ),
+        (
+            WarningKind::Plasticity,
+            "what remains after unloading: keep the rows of unloading above half of the largest \
+             load, and --only retract --free film-modulus,contact-point",
+        ),
+    ];
+    let in_time = (
+        WarningKind::Hysteresis,
+        "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
+         fractional-zener (see `tabulate fit --help`)",
+    );
+    let steps = steps.iter().chain(timed.then_some(&in_time));
+    let steps = steps.filter(|(kind, _)| fit.warns_of(*kind));
+    steps.map(|(_, step)| format!("{step}\n")).collect()
+}
+
+/// Accepts a file to write, if one is asked for.
+fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
+    path.map(|_| Output::beside(path, inputs)?.no_table())
+        .transpose()
+}
+
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let inputs: Vec<&Path> = arguments
+        .data
+        .iter()
+        .map(PathBuf::as_path)
+        .chain(arguments.known.bodies.files().into_iter().flatten())
+        .chain(arguments.table.path())
+        .chain(arguments.reference.reference.as_deref())
+        .collect();
+    ensure!(
+        arguments.csv.is_none() || arguments.csv.as_deref() != arguments.picture.path(),
+        "--csv and --plot name the same file; choose two names"
+    );
+    let csv = output(arguments.csv.as_deref(), &inputs)?;
+    let plot = output(arguments.picture.path(), &inputs)?;
+    let files = arguments.data.len() + usize::from(arguments.reference.reference.is_some());
+    for (flag, noises) in [
+        ("--noise", arguments.noise.len()),
+        ("--abscissa-noise", arguments.abscissa_noise.len()),
+    ] {
+        ensure!(
+            noises <= 1 || noises == files,
+            "{flag}: {noises} values for {files} files; give one, or one for each file"
+        );
+    }
+    let format = arguments.format()?;
+    let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
+    let mut times = Vec::new();
+    for path in arguments.data.iter().chain(&arguments.reference.reference) {
+        let reading = measured(path, &format)?;
+        measurements.push(reading.measurement);
+        beside.push((reading.errors, reading.loads, reading.phases));
+        times.push(reading.times);
+        notes.push(reading.notes);
+    }
+    let reference = measurements.split_off(arguments.data.len()).pop();
+    let mut experiments = arguments.known.experiments(measurements, &times)?;
+    if let Some(measurement) = reference {
+        let reference = &arguments.reference;
+        experiments.push(reference.experiment(measurement, &experiments[0])?);
+    }
+    for ((i, experiment), (errors, loads, phases)) in experiments.iter_mut().enumerate().zip(beside)
+    {
+        let kind = experiment.measurement.kind;
+        experiment.indentation.loads = loads;
+        experiment.indentation.phases = phases;
+        if kind == Kind::ForceHeight {
+            let of_file = notes[i].cantilever.stiffness;
+            experiment.stiffness = experiment.stiffness.or(of_file);
+        }
+        for Given {
+            quantity, value, ..
+        } in &arguments.given
+        {
+            if i >= arguments.data.len() && experiment.set_fixed(*quantity, *value).is_err() {
+                // A reference sample has no film.
+                continue;
+            }
+            let set = experiment.set_fixed(*quantity, *value);
+            set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
+        }
+        // A flag stands for a column.
+        experiment.errors = errors;
+        if let Some(noise) = arguments.noise.get(i).or(arguments.noise.first()) {
+            experiment.noise = Some(noise.of(kind)?);
+            experiment.errors.ordinate.clear();
+        }
+        let of_file = arguments.abscissa_noise.get(i);
+        if let Some(noise) = of_file.or(arguments.abscissa_noise.first()) {
+            experiment.abscissa_noise = *noise;
+            experiment.errors.abscissa.clear();
+        }
+        experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
+    }
+    let values = arguments.known.all_values()?;
+    let system = &arguments.known.bodies.system;
+    for given in &arguments.given {
+        given.accept_once(system, &values)?;
+    }
+    let free = arguments.free.of(&experiments, &values, system)?;
+    let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
+    if arguments.data.len() > MANY_FILES && free.iter().any(|one| one.scope == Scope::Own) {
+        note(&format!(
+            "{} files are fitted together, and some parameters are each file's own: the time grows with more than the square of \
+             the number of files. Files that have no parameter in common can be fitted one by one, by a loop in the shell.",
+            arguments.data.len()
+        ));
+    }
+    arguments.reference.check(&free)?;
+    if parameters.contains(&Parameter::BaselineSlope) {
+        let is_other = |doubt: &Doubt| !matches!(doubt, Doubt::Tilt { .. });
+        let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
+        lists.for_each(|doubts| doubts.retain(is_other));
+    }
+    let set: Vec<Parameter> = values.iter().map(|one| one.parameter).collect();
+    arguments
+        .known
+        .relaxing
+        .ask(&experiments[0], &[parameters, set].concat())?;
+    experiments::forget_shapes(&mut experiments, &free);
+    let mut columns = notes.iter().flat_map(|notes| &notes.columns);
+    let from_deflection = columns.any(|column| column.role == Role::Deflection);
+    if from_deflection
+        && free
+            .iter()
+            .any(|free| free.parameter == Parameter::Stiffness)
+    {
+        bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
+    }
+    ensure!(
+        arguments.known.history.sphere_poisson_ratio.is_none()
+            || arguments.known.history.sticks()?.is_some()
+            || free
+                .iter()
+                .any(|free| free.parameter == Parameter::SphereModulus),
+        "--sphere-poisson-ratio: Young's modulus of the sphere follows from its reduced modulus, \
+         which is not free; free it, --free sphere-modulus, or let the surfaces stick, --friction \
+         stick, or leave the Poisson ratio out"
+    );
+    let in_heights = |one: &Experiment| one.measurement.kind == Kind::ForceHeight;
+    ensure!(
+        from_deflection
+            || experiments.iter().any(in_heights)
+            || arguments.known.stiffness.is_none() && arguments.sensitivity.is_none(),
+        "--stiffness and --sensitivity are those of a cantilever, and no file has heights or deflections: leave \
+         them out, or name the columns, --column height=.."
+    );
+    check_units(&arguments.units, &free)?;
+    arguments.known.ask(&experiments, &free, &arguments.given)?;
+    let allowed = &arguments.known.bodies.allow;
+    for experiment in &experiments {
+        allow::magnitudes(&experiment.magnitudes(), allowed)
+            .with_context(|| experiment.measurement.name.clone())
+            .map_err(|error| with_doubts(error, &experiments, &notes))?;
+    }
+    let table = arguments.table.read()?;
+    let table: &Table = &table;
+    let options = Options {
+        loss: arguments.robust.unwrap_or(Loss::Squares),
+        profile_level: arguments.intervals,
+        known: arguments.given.iter().map(Given::known).collect(),
+        fixed_values: true,
+        allow_left_out: allowed.contains(&Allowed::LeftOut),
+        ..Options::default()
+    };
+    let fit = ::fit::fit(table, &experiments, &free, &options)
+        .map_err(|error| doubted(error, &experiments, &notes))?;
+    let timed = experiments
+        .iter()
+        .any(|one| !one.times.is_empty() && one.relaxing.is_none());
+    if fit.converged {
+        allow::magnitudes(&fit.magnitudes(), allowed)
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, timed)))
+            .map_err(|error| with_doubts(error, &experiments, &notes))?;
+    }
+    // A picture that cannot be drawn is told before anything is written.
+    let drawn = arguments.picture.drawn(&fit, &experiments)?;
+    if let Some(csv) = csv {
+        csv.write(&table::csv(&fit, &experiments)?)?;
+    }
+    if let (Some(plot), Some(drawn)) = (plot, drawn) {
+        plot.write(&drawn)?;
+    }
+    if arguments.json {
+        json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
+    } else {
+        let mut report = report(&fit, &experiments, &notes, &arguments.units);
+        for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
+            let Some(remedy) = doubt.remedy() else {
+                continue;
+            };
+            let cause = match doubt {
+                Doubt::Sign(_) => "sign is wrong",
+                Doubt::Tilt { .. } => "baseline is tilted",
+                _ => "directions are wrong",
+            };
+            let step = format!("if the {cause}, {}\n", typed(&remedy));
+            if !report.ends_with(&step) {
+                report += &step;
+            }
+        }
+        report += &next_steps(&fit, timed);
+        print(printable::lines(&report).as_bytes())?;
+    }
+    ensure!(
+        fit.converged,
+        "the fit did not converge; free fewer parameters, or give starts (--value) and bounds"
+    );
+    Ok(())
+}
