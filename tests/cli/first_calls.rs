@@ -14,10 +14,14 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         ("twice", "r [um],z [nm]\nmeasured,measured"),
         ("steep", "r [um],z"),
         ("wide", "r,z"),
+        ("swapped", "z [um],r [um]"),
+        ("cells", "r,z\n0um,0um"),
     ] {
         let points = "0,0\n0.5,12.5\n1,50\n2,200\n3,450\n";
         workdir.write(&format!("{name}.csv"), format!("{headings}\n{points}"));
     }
+    workdir.write("latin.csv", b"r [\xb5m],z [\xb5m]\n0,0\n1,1\n");
+    workdir.write("raised.csv", "r [um],z [um]\n1,5\n2,6\n3,8\n");
     workdir.refuses(format!(
         "
         1 | pull-off --stiffness 0.1N/m | --control spring
@@ -34,7 +38,11 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | curve --interaction-range 5nm --work-of-adhesion 0 | leave out --interaction-range
         1 | curve --interaction-range 5nm --to 120um | 0.00012 m; smaller contact radius
         1 | pull-off --probe profile --profile steep.csv | largest z of the profile over its largest r = 1.5e8; units of r and z
-        1 | pull-off --probe profile --profile twice.csv | line 2; not two numbers
+        1 | pull-off --probe profile --profile twice.csv | line 2; not two numbers; r [um],z [um]
+        1 | pull-off --probe profile --profile cells.csv | line 2; not two numbers; r [um],z [um]
+        1 | pull-off --probe profile --profile swapped.csv | line 1; z and r; exchange
+        1 | pull-off --probe profile --profile latin.csv | latin.csv; UTF-8; save it
+        1 | pull-off --probe profile --profile raised.csv | line 3; lowest point
         1 | pull-off --probe profile --profile wide.csv | largest r of the profile = 3 m; 3 um
         1 | solve --a-over-t 1 --e1-over-e2 1 --nu1 0.3 --e0-over-e2 1 --sphere-modulus 2MPa | --sphere-modulus; --stack
         1 | simulate --specimen paper --kind force-height --from=-1um --to=1um --noise 1nN --stiffness 0.1 | moves away; the height is smaller
@@ -56,7 +64,22 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {film} --relaxation power-law | load-radius; leave out --relaxation
         "
     ));
-    assert_eq!(workdir.files(), ["steep.csv", "twice.csv", "wide.csv"]);
+    let profiles = [
+        "cells", "latin", "raised", "steep", "swapped", "twice", "wide",
+    ];
+    assert_eq!(workdir.files(), profiles.map(|name| format!("{name}.csv")));
+}
+
+/// The usual radii of a curve end within the points of a profile.
+#[test]
+fn a_profile_needs_no_other_flag() {
+    let workdir = workdir!();
+    workdir.write("tip.csv", "r [um],z [um]\n0,0\n1,0.05\n2,0.2\n3,0.45\n");
+    let text =
+        workdir.succeed("curve --probe profile --profile tip.csv --points 3 --film-modulus 1GPa");
+    let radii = Data::parse("curve", &text);
+    let radii: Vec<f64> = radii.cases().map(|row| row.get("contact_radius")).collect();
+    assert_eq!(radii.last(), Some(&2.7e-6), "{text}");
 }
 
 /// The usual radii of a curve end where an attraction of a short range is solved.

@@ -4,7 +4,7 @@ use acceptance::{
     Contacts, Data, assert_cases, assert_names, json, material, solid, table, workdir,
 };
 use contact::{Contact, Input};
-use interp::{Parameter, Probe, System};
+use interp::{Probe, System};
 use solve::solve_power_laws;
 
 use crate::{TWO_QUANTITIES, solved};
@@ -297,7 +297,9 @@ fn query_prints_the_derivatives_that_the_table_knows() {
             case.get(&name("a_over_t")),
             gradient.slopes().get(quantity) / 3.3
         );
-        let by_film = gradient.by(Parameter::E1OverE2).expect("an axis");
+        let by_film = gradient
+            .by(interp::MaterialParameter::E1OverE2)
+            .expect("an axis");
         assert_eq!(case.get(&name("e1_over_e2")), by_film.get(quantity));
         // The scene fixes it; a rigid substrate changes nothing.
         assert_eq!(case.text(&name("nu1")), "");

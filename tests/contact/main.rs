@@ -11,6 +11,7 @@ mod half_space;
 mod hostile;
 mod moving_stiffness;
 mod outside;
+mod profile;
 mod rings;
 mod shapes;
 mod sphere_radius;

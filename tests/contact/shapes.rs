@@ -392,6 +392,53 @@ fn neglected_effects_that_are_larger_than_the_shape_are_named() {
     assert!((part / at.shape - 1.0).abs() < 0.1, "{part}, {at:?}");
 }
 
+/// The effect of the shape on films on a rigid base under a rigid sphere of ten contact radii, beside values of another
+/// program, by Galerkin's method for the moments of the stress under a flat punch.
+#[test]
+fn the_effect_of_the_shape_is_known_on_thin_films() {
+    for (nu1, a_over_t, expected) in [
+        (0.5, 0.01, 1.01e-3),
+        (0.5, 1.0, 2.20e-3),
+        (0.5, 10.0, 2.80e-3),
+        (0.5, 20.0, 2.73e-3),
+        (0.49, 5.0, 2.36e-3),
+        (0.3, 10.0, 1.72e-3),
+    ] {
+        let (a, radius) = (1e-6, 1e-5);
+        let of = |probe| {
+            let film = solid(1e6, nu1);
+            let base = solid(f64::INFINITY, 0.3);
+            looked_up(&rigid_probe(probe, film, a / a_over_t, base))
+        };
+        let found = of(Probe::Paraboloid { radius })
+            .validity(a)
+            .expect("in range");
+        let error = found.shape / expected - 1.0;
+        // The values have three digits.
+        assert!(error.abs() < 5e-3, "{nu1}, {a_over_t}: {}", found.shape);
+        let of_sphere = of(Probe::Sphere { radius }).validity(a).expect("in range");
+        assert!(
+            (of_sphere.shape / found.shape - 1.0).abs() < 1e-2,
+            "{of_sphere:?}"
+        );
+    }
+}
+
+/// The surface of a stiff solid does not move sideways under a soft lens.
+#[test]
+fn a_soft_lens_on_glass_has_no_displacement_sideways() {
+    let glass = solid(70e9, 0.2);
+    let lens = HalfSpace {
+        probe: Probe::Paraboloid { radius: 1e-3 },
+        sphere_modulus: 2e6,
+        solid: glass,
+    };
+    let at = Contact::half_space(&lens).expect("possible").validity(5e-5);
+    let at = at.expect("in range");
+    assert!(at.sideways < 1e-6, "{at:?}");
+    assert_eq!(at.neglected(), []);
+}
+
 #[test]
 fn every_shape_is_made_of_its_name_and_numbers() {
     let profile = [0.0, 0.0, 1e-6, 1e-7, 2e-6, 4e-7];

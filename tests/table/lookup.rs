@@ -2,8 +2,8 @@
 //! pieces of its curves.
 
 use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, geometric, larger, low_rank, material, table};
-use interp::Parameter;
 use interp::{Description, Quantity, Table};
+use interp::{MaterialParameter, Parameter};
 
 /// What a lookup drops, and how long its pieces are, depends on the tolerance of the table.
 /// Derivatives with respect to `nu1` magnify it most near 0.5.
@@ -44,7 +44,11 @@ fn what_a_lookup_leaves_out_hardly_shows_at_the_ends_of_the_table_either() {
                 values,
                 (a.values().get(quantity) / value - 1.0).abs() / tolerance,
             );
-            let parameters = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2];
+            let parameters = [
+                MaterialParameter::E1OverE2,
+                MaterialParameter::Nu1,
+                MaterialParameter::E0OverE2,
+            ];
             for ((worst, parameter), unit) in derivatives.iter_mut().zip(parameters).zip(units) {
                 let [a, b] =
                     [&a, &b].map(|gradient| gradient.by(parameter).expect("an axis").get(quantity));

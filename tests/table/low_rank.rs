@@ -6,8 +6,8 @@ use acceptance::{
     BOX, Contacts, RIGID_SPHERE, all_bits, assert_names, error_at, larger, low_rank, shipped,
     table, workdir, write_hdf5,
 };
-use interp::Parameter;
 use interp::{Description, Quantity, Table};
+use interp::{MaterialParameter, Parameter};
 use tabulate::table::compress;
 
 const TWO_AXES: &str = "
@@ -80,7 +80,7 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
                     .expect("inside")
             };
             let [ours, theirs] = [&low_rank, &dense].map(gradient);
-            for parameter in [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2] {
+            for parameter in MaterialParameter::ALL {
                 let (Ok(ours), Ok(by)) = (ours.by(parameter), theirs.by(parameter)) else {
                     assert!(
                         ours.by(parameter).is_err() && theirs.by(parameter).is_err(),

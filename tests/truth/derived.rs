@@ -4,7 +4,7 @@ use acceptance::{
     Data, geometric, larger, material, paper_system, relative_error, solid, solved, table,
 };
 use contact::Contact;
-use interp::{Curve, Description, Error, Parameter, Quantity, System, Table};
+use interp::{Curve, Description, Error, MaterialParameter, Parameter, Quantity, System, Table};
 use solve::solve;
 
 /// The tolerance of the tables of one material.
@@ -264,14 +264,18 @@ fn contacts_and_gradients_are_those_of_direct_solves() {
             let exact = direct(x, parameters);
             let error = relative_error(&gradient.values(), &exact);
             errors[0] = larger(errors[0], error);
-            let along = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2];
+            let along = [
+                MaterialParameter::E1OverE2,
+                MaterialParameter::Nu1,
+                MaterialParameter::E0OverE2,
+            ];
             for (i, parameter) in along.into_iter().enumerate() {
                 // The unit of `nu1` is the range on which the quantities change.
                 let unit = match parameter {
-                    Parameter::Nu1 => 1.0 - 2.0 * parameters[1] + 1.0 / (1.0 + x * x),
+                    MaterialParameter::Nu1 => 1.0 - 2.0 * parameters[1] + 1.0 / (1.0 + x * x),
                     _ => parameters[i],
                 };
-                let step = if parameter == Parameter::Nu1 {
+                let step = if parameter == MaterialParameter::Nu1 {
                     1e-4
                 } else {
                     1e-3 * unit

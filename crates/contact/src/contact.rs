@@ -99,7 +99,7 @@ impl Contact {
         let wanted = parameters_of(system, inputs);
         Self::new(
             system,
-            table.curve_with_derivatives(&system.material()?, wanted)?,
+            table.curve_with_derivatives(&system.material()?, &wanted)?,
         )
     }
 

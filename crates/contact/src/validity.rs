@@ -5,10 +5,9 @@ use std::f64::consts::PI;
 use super::cohesive_zone::short;
 use crate::Error;
 use crate::{Contact, Control};
-#[cfg(doc)]
-use interp::Probe;
 use interp::check::finite_result;
 use interp::check::positive;
+use interp::{Probe, System};
 
 /// The geometry of a contact, compared with the assumptions of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,12 +19,20 @@ pub struct Validity {
     /// half-space).
     pub a_over_r: f64,
     /// The part by which the load at a given penetration falls if a sphere stands for its
-    /// paraboloid, about `delta0/(10 R)` on a half-space and on films; 0 without a radius of
-    /// curvature. It is the effect that [`Probe::Sphere`] adds.
+    /// paraboloid, to the first order in `(a/R)^2`; 0 for other probes. It is the effect that
+    /// [`Probe::Sphere`] adds.
+    ///
+    /// A sphere is its paraboloid and `r^4/(8 R^3)`, whose load `F4` and penetration `delta4` lower the
+    /// load `F0` by the part `(S delta4 - F4)/F0`: the load at a given penetration is stationary at the
+    /// contact radius. On a half-space it is `delta0/(10 R)`, on thin films up to ten times as much. On
+    /// stacks of layers that of the half-space is taken, and outside the nodes of the curve the
+    /// part of `(a/R)^2` at the nearest one.
     pub shape: f64,
     /// The part by which the load at a given penetration rises because the surface moves sideways
-    /// under the sloping probe, which the model neglects: `3/(4 pi) (1 - 2 nu)/(1 - nu) a/R`, with
-    /// the Poisson ratio of the film or half-space.
+    /// under the sloping probe, which the model neglects: `3/(4 pi) (1 - 2 nu)/(1 - nu) a/R` times
+    /// `1 - probe_share`, with the Poisson ratio of the film or half-space. An elastic probe is taken
+    /// as incompressible, because the model does not know its Poisson ratio; one of the Poisson ratio
+    /// `nu2` lowers the effect by the same expression with `nu2`, times `probe_share`.
     ///
     /// It follows from the displacement `u_r` of Hertz's contact on a half-space, which meets the
     /// shape at `r + u_r`. On a thin film it is an order of magnitude only. Under cones the effect
@@ -247,18 +254,41 @@ impl Contact {
         };
         let (solid, sphere_modulus) = self.touched();
         let compressible = (1.0 - 2.0 * solid.poisson()) / (1.0 - solid.poisson());
-        let radius = self.mechanics().sphere_radius();
+        let probe_share = self.mechanics().sphere_film_modulus() / sphere_modulus;
+        let shape = match *self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => self
+                .shape_on_film(a, radius)
+                .unwrap_or(0.1 * without / radius),
+            _ => 0.0,
+        };
         Ok(Validity {
             a_over_r,
-            shape: if radius.is_finite() {
-                0.1 * without / radius
-            } else {
-                0.0
-            },
-            sideways: 0.75 / PI * compressible * a_over_r,
-            probe_share: self.mechanics().sphere_film_modulus() / sphere_modulus,
+            shape,
+            sideways: 0.75 / PI * compressible * a_over_r * (1.0 - probe_share),
+            probe_share,
             film,
         })
+    }
+
+    /// Returns [`Validity::shape`] of a sphere on a film; `None` where it is not known.
+    fn shape_on_film(&self, a: f64, radius: f64) -> Option<f64> {
+        let (system, curve) = self.system().zip(self.curve())?;
+        let [from, to] = curve.range().map(|x| x * system.film_thickness);
+        let at = a.clamp(from, to);
+        // As high as it is wide, so that nothing over- or underflows.
+        let quartic = Probe::PowerLaw {
+            coefficient: at.powi(-3),
+            exponent: 4.0,
+        };
+        let system = System {
+            probe: quartic,
+            ..system.clone()
+        };
+        let added = Contact::new(&system, curve.clone()).ok()?;
+        let added = added.adhesionless(at).ok()?;
+        let lost = self.stiffness(at).ok()? * added.penetration - added.load;
+        let part = lost / self.adhesionless_load(at).ok()? * (at / radius).powi(3) / 8.0;
+        Some(part * (a / at).powi(2))
     }
 
     /// Compares an attraction of work of adhesion `w` (J/m^2) and range `interaction_range`, `z0`

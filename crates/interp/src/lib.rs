@@ -84,8 +84,8 @@ pub use curve::{BelowNodes, Curve, QuantityGradient, StackShape};
 pub use error::Error;
 pub use force_curve::ForceCurve;
 pub use material::{
-    Elastic, HalfSpace, Material, Normalisation, Parameter, Probe, Profile, Quantities, Quantity,
-    SubstratePoissonRatio, System,
+    Elastic, HalfSpace, Material, MaterialParameter, Normalisation, Parameter, Probe, Profile,
+    Quantities, Quantity, SubstratePoissonRatio, System,
 };
 pub use mechanics::{LoadAndPenetration, Mechanics};
 pub use table::{Certificate, Description, Table, Tile, is_packed, schema};

@@ -192,7 +192,7 @@ def test_what_the_exact_shape_neglects_is_named():
     # Es*/E2*, with 1/Es* = 1/E1* + 1/E2*.
     share = 1 / (1 + 2e6 / film.reduced_modulus)
     assert many.probe_share[0] == pytest.approx(share, rel=1e-12)
-    expected = 0.75 / pi * (1 - 0.4) / (1 - 0.2) * 0.2
+    expected = 0.75 / pi * (1 - 0.4) / (1 - 0.2) * 0.2 * (1 - share)
     assert many.sideways[0] == pytest.approx(expected, rel=1e-12)
     half_space = on_half_space(Sphere(radius=1e-5)).validity(2e-6)
     assert half_space.strain is None

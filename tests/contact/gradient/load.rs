@@ -3,7 +3,7 @@
 use acceptance::{larger, paper_system, shipped, solid};
 use contact::Error;
 use contact::{Contact, Input};
-use interp::{HalfSpace, Mechanics, Parameter, Probe, System, Table};
+use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 
 use super::{SHARES, derivatives};
@@ -181,10 +181,12 @@ fn what_is_not_known_is_an_error_that_names_it() {
         .curve_with_gradient(&paper_system(1e-6).material().expect("physical"))
         .expect("inside");
     let gradient = curve.gradient(1.0).expect("inside");
-    assert!(matches!(
-        gradient.by(Parameter::AOverT),
-        Err(interp::Error::FixedParameter("a_over_t"))
-    ));
+    let [modulus, fixed @ ..] = MaterialParameter::ALL;
+    assert!(gradient.by(modulus).is_ok());
+    for parameter in fixed {
+        let error = gradient.by(parameter).expect_err("fixed");
+        assert!(matches!(error, interp::Error::FixedParameter(name) if name == parameter.name()));
+    }
     for x in [1e4, f64::NAN] {
         let error = curve.gradient(x).expect_err("outside");
         let axis = Parameter::AOverT.name();

@@ -1,7 +1,7 @@
 //! The quantities as functions of a/t, the moduli and the Poisson ratios.
 
 use acceptance::{Contacts, larger, material};
-use interp::{Parameter, Quantities, Quantity, QuantityGradient, Table};
+use interp::{MaterialParameter, Quantities, Quantity, QuantityGradient, Table};
 
 use super::{SHARES, derivatives, direct};
 
@@ -180,8 +180,8 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
             derivatives(0.005, nu0 > 0.48, |h| log(x, [e1, nu1, e0, nu0 + h])),
         ];
         let alone: [QuantityGradient; 4] = std::array::from_fn(|number| {
-            let wanted = std::array::from_fn(|other| other == number);
-            let curve = table.curve_with_derivatives(&own, wanted).expect("inside");
+            let wanted = [MaterialParameter::ALL[number]];
+            let curve = table.curve_with_derivatives(&own, &wanted).expect("inside");
             curve.gradient(x).expect("inside")
         });
         let found = [[gradient; 4], alone].map(|[of_e1, of_nu1, of_e0, of_nu0]| {
@@ -190,10 +190,10 @@ fn worst_misses(points: &[(f64, [f64; 4])]) -> [f64; 5] {
             };
             [
                 of_e1.slopes().to_array(),
-                by(of_e1, Parameter::E1OverE2).map(|rate| rate * e1),
-                by(of_nu1, Parameter::Nu1),
-                by(of_e0, Parameter::E0OverE2).map(|rate| rate * e0),
-                of_nu0.by_nu0().expect("axes").to_array(),
+                by(of_e1, MaterialParameter::E1OverE2).map(|rate| rate * e1),
+                by(of_nu1, MaterialParameter::Nu1),
+                by(of_e0, MaterialParameter::E0OverE2).map(|rate| rate * e0),
+                by(of_nu0, MaterialParameter::Nu0),
             ]
         });
         let units = [1.0, 1.0, scale, 1.0, 1.0];
@@ -243,23 +243,23 @@ fn derivatives_of_the_quantities_are_those_of_the_interpolant() {
             derivatives(1e-3, false, |h| log(x * h.exp(), parameters)),
         );
         compare(
-            by(Parameter::E1OverE2),
+            by(MaterialParameter::E1OverE2),
             e1,
             derivatives(1e-3, false, |h| log(x, [e1 * h.exp(), nu1, e0, nu0])),
         );
         compare(
-            by(Parameter::E0OverE2),
+            by(MaterialParameter::E0OverE2),
             e0,
             derivatives(1e-3, false, |h| log(x, [e1, nu1, e0 * h.exp(), nu0])),
         );
         if !near {
             compare(
-                by(Parameter::Nu1),
+                by(MaterialParameter::Nu1),
                 1.0,
                 derivatives(1e-4, false, |h| log(x, [e1, nu1 + h, e0, nu0])),
             );
             compare(
-                gradient.by_nu0().expect("axes"),
+                by(MaterialParameter::Nu0),
                 1.0,
                 derivatives(1e-4, false, |h| log(x, [e1, nu1, e0, nu0 + h])),
             );

@@ -2,6 +2,7 @@
 //! that normalises the contact and to the parameters of its material.
 
 use super::Input;
+use interp::MaterialParameter::{self, E0OverE2, E1OverE2, Nu0, Nu1};
 use interp::{HalfSpace, LoadAndPenetration, System};
 
 /// Returns the derivatives of a contact with a half-space, of which the `compound` modulus `E*` is
@@ -24,47 +25,48 @@ pub(super) fn of_half_space(
     Some(by_modulus.times(factor))
 }
 
-/// Returns which derivatives with respect to parameters of the material, numbered as for [`of_coated`],
-/// those with respect to `inputs` need.
-pub(crate) fn parameters_of(system: &System, inputs: &[Input]) -> [bool; 4] {
+/// Returns the parameters of the material whose derivatives those with respect to `inputs` need.
+pub(crate) fn parameters_of(system: &System, inputs: &[Input]) -> Vec<MaterialParameter> {
     let is_asked_for = |input: Input| inputs.contains(&input);
     let rigid = system.sphere_modulus == f64::INFINITY;
     let of_sphere = !rigid && is_asked_for(Input::SphereModulus);
     let of_film = is_asked_for(Input::FilmModulus);
-    [
-        of_sphere || !rigid && of_film,
-        is_asked_for(Input::FilmPoisson),
-        of_sphere || rigid && of_film || is_asked_for(Input::SubstrateModulus),
-        is_asked_for(Input::SubstratePoisson),
-    ]
+    let is_needed = |parameter: &MaterialParameter| match parameter {
+        E1OverE2 => of_sphere || !rigid && of_film,
+        Nu1 => is_asked_for(Input::FilmPoisson),
+        E0OverE2 => of_sphere || rigid && of_film || is_asked_for(Input::SubstrateModulus),
+        Nu0 => is_asked_for(Input::SubstratePoisson),
+    };
+    let all = MaterialParameter::ALL.into_iter();
+    all.filter(is_needed).collect()
 }
 
 /// Returns the derivatives of a coated contact; `None` if they are not known. `by_modulus` holds those
 /// with respect to the logarithm of the modulus that normalises, and `by` returns those with respect to
-/// a parameter by number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
+/// `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`.
 #[inline(always)]
 pub(super) fn of_coated(
     system: &System,
     input: Input,
     by_modulus: LoadAndPenetration,
-    by: impl Fn(usize) -> Option<LoadAndPenetration>,
+    by: impl Fn(MaterialParameter) -> Option<LoadAndPenetration>,
 ) -> Option<LoadAndPenetration> {
     let (film, substrate) = (system.film.young(), system.substrate.young());
     let rigid = system.sphere_modulus == f64::INFINITY;
     Some(match (input, rigid) {
         (Input::SphereModulus, false) => {
-            let others = by(0)?.plus(by(2)?);
+            let others = by(E1OverE2)?.plus(by(E0OverE2)?);
             by_modulus.minus(others).times(1.0 / system.sphere_modulus)
         }
-        (Input::FilmModulus, false) => by(0)?.times(1.0 / film),
-        (Input::FilmModulus, true) => by_modulus.minus(by(2)?).times(1.0 / film),
-        (Input::FilmPoisson, false) => by(1)?,
+        (Input::FilmModulus, false) => by(E1OverE2)?.times(1.0 / film),
+        (Input::FilmModulus, true) => by_modulus.minus(by(E0OverE2)?).times(1.0 / film),
+        (Input::FilmPoisson, false) => by(Nu1)?,
         (Input::FilmPoisson, true) => {
             let own = by_modulus.times(logarithmic_slope(system.film.poisson()));
-            own.plus(by(1)?)
+            own.plus(by(Nu1)?)
         }
-        (Input::SubstrateModulus, _) => by(2)?.times(1.0 / substrate),
-        (Input::SubstratePoisson, _) => by(3)?,
+        (Input::SubstrateModulus, _) => by(E0OverE2)?.times(1.0 / substrate),
+        (Input::SubstratePoisson, _) => by(Nu0)?,
         // The modulus of a rigid sphere.
         _ => LoadAndPenetration::ZERO,
     })

@@ -4,8 +4,8 @@ use super::{Derivatives, Input, elastic};
 use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
-use crate::shape::Shape;
-use interp::{LoadAndPenetration, Quantities, QuantityGradient};
+use crate::shape::{Shape, ShapeChange};
+use interp::{LoadAndPenetration, MaterialParameter, Quantities, QuantityGradient};
 
 impl Contact {
     /// Returns the terms of load and penetration at contact radius `a` and work of adhesion `w`, from
@@ -142,13 +142,13 @@ impl Terms<'_> {
     }
 
     /// Returns the derivatives with respect to an elastic constant from those with respect to the
-    /// logarithm of the modulus that normalises and to a parameter of the material by number.
+    /// logarithm of the modulus that normalises and to a parameter of the material.
     #[inline(always)]
     fn by_elastic_constant(
         &self,
         input: Input,
         by_modulus: LoadAndPenetration,
-        by_parameter: impl Fn(usize) -> Option<LoadAndPenetration>,
+        by_parameter: impl Fn(MaterialParameter) -> Option<LoadAndPenetration>,
     ) -> Option<LoadAndPenetration> {
         match &self.contact.bodies {
             Bodies::Coated { system, .. } => {
@@ -214,7 +214,7 @@ impl Terms<'_> {
                 }
             }
             Shape::Punch => LoadAndPenetration::ZERO,
-            Shape::Solved(_) => self.contact.by_size(self.a).ok()?,
+            Shape::Solved(_) => self.contact.by(ShapeChange::Size, self.a).ok()?,
         };
         Some(by_size.times(1.0 / self.contact.probe().radius()?))
     }
@@ -244,7 +244,7 @@ impl Terms<'_> {
             },
             Shape::Solved(_) => {
                 let (_, slopes) = self.contact.adhesionless_and_slopes(self.a).ok()?;
-                let size = self.contact.by_size(self.a).ok()?;
+                let size = self.contact.by(ShapeChange::Size, self.a).ok()?;
                 LoadAndPenetration {
                     load: 2.0 * load - slopes.load - size.load,
                     penetration: penetration - slopes.penetration - size.penetration,
@@ -259,10 +259,10 @@ impl Terms<'_> {
         Some(sum.times(1.0 / t))
     }
 
-    /// Returns the derivatives with respect to a parameter of the material by number, at a fixed
+    /// Returns the derivatives with respect to a parameter of the material, at a fixed
     /// modulus that normalises.
     #[inline(always)]
-    fn by_parameter(&self, parameter: usize) -> Option<LoadAndPenetration> {
+    fn by_parameter(&self, parameter: MaterialParameter) -> Option<LoadAndPenetration> {
         let gradient = self.gradient?;
         let [pi0, eeq, gamma, delta0] = gradient.relative(parameter)?;
         let es = gradient.scale(parameter);
@@ -273,7 +273,10 @@ impl Terms<'_> {
                 penetration: penetration * delta0,
             },
             Shape::Solved(_) => {
-                let own = self.contact.by_parameter(parameter, self.a).ok()?;
+                let own = self
+                    .contact
+                    .by(ShapeChange::Material(parameter), self.a)
+                    .ok()?;
                 LoadAndPenetration {
                     load: load * es + own.load,
                     ..own

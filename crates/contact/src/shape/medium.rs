@@ -1,7 +1,7 @@
 //! What the contact of any shape needs of a material: `Gamma` and `Eeq` at all `x = a/t` from 0.
 
 use crate::Error;
-use interp::{Curve, Quantity};
+use interp::{Curve, MaterialParameter, Quantity};
 
 /// The largest third-order part of the thick film at the first point of the solution, over the
 /// tolerance.
@@ -51,11 +51,11 @@ pub(super) struct At {
     pub eeq: f64,
 }
 
-/// A parameter of the material by number, as in `QuantityGradient::relative`, with respect to which
+/// A parameter of the material, as in `QuantityGradient::relative`, with respect to which
 /// the derivatives of a medium are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Change {
-    parameter: usize,
+    parameter: MaterialParameter,
     thick: Thick,
 }
 
@@ -88,7 +88,11 @@ impl Medium {
 
     /// Returns what the derivatives with respect to a parameter of the material need. `curve` is that
     /// of this medium, with derivatives.
-    pub(super) fn change(&self, curve: &Curve, parameter: usize) -> Result<Change, Error> {
+    pub(super) fn change(
+        &self,
+        curve: &Curve,
+        parameter: MaterialParameter,
+    ) -> Result<Change, Error> {
         let [pi0, eeq, ..] = curve.over_es_by(parameter, self.first)?;
         let Thick { alpha, u } = self.thick;
         let by_u = (1.0 + u) * pi0;

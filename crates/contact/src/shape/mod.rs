@@ -20,3 +20,4 @@ mod solved;
 pub(super) mod transform;
 
 pub(super) use self::shape::Shape;
+pub(super) use self::solved::ShapeChange;

@@ -6,7 +6,7 @@ use interp::LoadAndPenetration;
 use interp::{Curve, Elastic, Probe, Quantities, Quantity, System};
 
 use super::even_powers::{EvenPowers, EvenShape, LARGEST_A_OVER_R};
-use super::solved::{SIZE, Solved};
+use super::solved::{ShapeChange, Solved};
 use super::transform::{Transform, kappa};
 use crate::Contact;
 use crate::Error;
@@ -313,19 +313,15 @@ impl Contact {
     }
 
     /// Returns the derivatives of load and penetration without adhesion with respect to a parameter
-    /// of the material by number, at a fixed modulus of sphere and film.
+    /// of the material, at a fixed modulus of sphere and film, or to the logarithm of all lengths of the shape.
     ///
     /// It is not inlined, because shapes that do not need it would take its registers.
     #[inline(never)]
-    pub(crate) fn by_parameter(
-        &self,
-        parameter: usize,
-        a: f64,
-    ) -> Result<LoadAndPenetration, Error> {
+    pub(crate) fn by(&self, change: ShapeChange, a: f64) -> Result<LoadAndPenetration, Error> {
         match (&self.shape, self.curve()) {
             (Shape::Solved(solved), Some(curve)) => {
                 let t = self.film_thickness();
-                let [penetration, load] = solved.by(curve, parameter, a / t)?;
+                let [penetration, load] = solved.by(curve, change, a / t)?;
                 Ok(LoadAndPenetration {
                     load: self.mechanics.sphere_film_modulus() * t * t * load,
                     penetration: t * penetration,
@@ -333,12 +329,6 @@ impl Contact {
             }
             _ => Ok(LoadAndPenetration::ZERO),
         }
-    }
-
-    /// Returns the derivatives of load and penetration without adhesion with respect to the
-    /// logarithm of all lengths of the shape.
-    pub(crate) fn by_size(&self, a: f64) -> Result<LoadAndPenetration, Error> {
-        self.by_parameter(SIZE, a)
     }
 
     /// Returns the thickness of the film, m; infinity on a half-space.

@@ -27,12 +27,16 @@ use super::moments::{Curvature, Integrals};
 use super::polynomial::{POINTS, basis_on, points_on};
 use super::transform::{Knot, Transform};
 use crate::Error;
-use interp::{Curve, Parameter};
+use interp::{Curve, MaterialParameter, Parameter};
 
-/// The number of parameters of the material.
-const PARAMETERS: usize = 4;
-/// The number of the derivative with respect to the size of the shape.
-pub(super) const SIZE: usize = PARAMETERS;
+/// What a contact with a shape is differentiated with respect to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ShapeChange {
+    /// A parameter of the material, as in `QuantityGradient::relative`.
+    Material(MaterialParameter),
+    /// The logarithm of all lengths of the shape.
+    Size,
+}
 
 /// Between radii with no knot above this part of the smaller one, the integrals are as smooth as the
 /// coefficients.
@@ -44,7 +48,7 @@ pub(crate) struct Solved {
     shape: Arc<Outline>,
     own: Arc<Expanded>,
     /// The derivatives with respect to the parameters of the material, made when they are needed.
-    by: Arc<[OnceLock<(Change, Expanded)>; PARAMETERS]>,
+    by: Arc<[OnceLock<(Change, Expanded)>; MaterialParameter::ALL.len()]>,
 }
 
 /// A shape by its transform and its curvature.
@@ -256,13 +260,11 @@ impl Solved {
         }
     }
 
-    /// Returns the derivatives of penetration and load with respect to a parameter by number: those
-    /// of the material as in `QuantityGradient::relative`, or [`SIZE`].
-    pub(super) fn by(&self, curve: &Curve, parameter: usize, x: f64) -> Result<[f64; 2], Error> {
-        if parameter == SIZE {
-            self.by_size(x)
-        } else {
-            self.by_parameter(curve, parameter, x)
+    /// Returns the derivatives of penetration and load.
+    pub(super) fn by(&self, curve: &Curve, change: ShapeChange, x: f64) -> Result<[f64; 2], Error> {
+        match change {
+            ShapeChange::Material(parameter) => self.by_parameter(curve, parameter, x),
+            ShapeChange::Size => self.by_size(x),
         }
     }
 
@@ -297,9 +299,14 @@ impl Solved {
     }
 
     /// Returns the derivatives with respect to a parameter of the material.
-    fn by_parameter(&self, curve: &Curve, parameter: usize, x: f64) -> Result<[f64; 2], Error> {
+    fn by_parameter(
+        &self,
+        curve: &Curve,
+        parameter: MaterialParameter,
+        x: f64,
+    ) -> Result<[f64; 2], Error> {
         let field = &self.own.field;
-        let cell = &self.by[parameter];
+        let cell = &self.by[parameter as usize];
         if cell.get().is_none() {
             let change = field.medium.change(curve, parameter)?;
             let derivative = Expanded::new(self.shape.clone(), Field::derivative(field, change));

@@ -9,8 +9,8 @@ use contact::{
     CohesiveZone, Contact, CrackTip, Hysteresis, JkrFit, JkrPoint, RateDependent, TimedState,
 };
 use interp::{
-    Certificate, Curve, Elastic, Error, HalfSpace, Material, Mechanics, Parameter, Probe,
-    Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
+    Certificate, Curve, Elastic, Error, HalfSpace, Material, MaterialParameter, Mechanics,
+    Parameter, Probe, Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
 };
 use low_rank::{IntegerTrain, Malformed};
 use piecewise::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
@@ -79,13 +79,10 @@ pub const FUNCTIONS: &[Function] = &[
     ("Curve::gradient", &[1.75, 0.5, 1e5, 0.25, 2.0], |x| {
         let curve = Table::embedded().curve_with_gradient(&material(x)?)?;
         let gradient = curve.gradient(x[4])?;
-        let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2]
-            .map(|parameter| gradient.by(parameter));
-        let by = by.into_iter().chain([
-            gradient.by_nu0(),
-            Ok(gradient.values()),
-            Ok(gradient.slopes()),
-        ]);
+        let by = MaterialParameter::ALL.map(|parameter| gradient.by(parameter));
+        let by = by
+            .into_iter()
+            .chain([Ok(gradient.values()), Ok(gradient.slopes())]);
         Ok(by
             .collect::<Result<Vec<_>, Error>>()?
             .iter()

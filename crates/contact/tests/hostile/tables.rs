@@ -2,8 +2,8 @@
 
 use contact::Contact;
 use interp::{
-    Certificate, Description, Elastic, Error, Material, Parameter, Probe, Quantity,
-    SubstratePoissonRatio, System, Table, Tile,
+    Certificate, Description, Elastic, Error, Material, MaterialParameter, Parameter, Probe,
+    Quantity, SubstratePoissonRatio, System, Table, Tile,
 };
 use low_rank::IntegerTrain;
 
@@ -279,11 +279,8 @@ pub fn look_up(table: &Table) -> Result<(), Error> {
         let Ok(gradient) = curve.gradient(x) else {
             continue;
         };
-        let derivatives = Parameter::ALL
-            .map(|parameter| gradient.by(parameter))
-            .into_iter()
-            .chain([gradient.by_nu0()]);
-        for derivative in derivatives.flatten() {
+        let derivatives = MaterialParameter::ALL.map(|parameter| gradient.by(parameter));
+        for derivative in derivatives.into_iter().flatten() {
             assert!(
                 derivative.to_array().iter().all(|value| value.is_finite()),
                 "{derivative:?} at {x:?}"

@@ -5,7 +5,7 @@ use fearless_simd::{Level, dispatch, f64x4};
 use piecewise::{FUNCTION_TERMS, Piecewise, SPLINE_TERMS};
 
 use crate::material::one_minus_square;
-use crate::{Error, Material, Normalisation, Parameter, Quantities, Quantity};
+use crate::{Error, Material, MaterialParameter, Normalisation, Quantities, Quantity};
 
 /// The derivatives of a curve with respect to the parameters of its material, on every piece.
 #[derive(Clone, Debug)]
@@ -58,10 +58,11 @@ impl Sensitivities {
         &self.material
     }
 
-    /// Returns the derivatives, with respect to a parameter of the material asked for by number, of the logarithms of
-    /// `Pi0`, `Eeq` and `Gamma` over `es` at `x`, and of the last one also the logarithmic slope; `None` if they are
-    /// not known.
-    pub(crate) fn over_es(&self, x: f64, parameter: usize) -> Option<[f64; 4]> {
+    /// Returns the derivatives, with respect to a parameter of the material asked for as in
+    /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es` at `x`, and of the last
+    /// one also the logarithmic slope; `None` if they are not known.
+    pub(crate) fn over_es(&self, x: f64, parameter: MaterialParameter) -> Option<[f64; 4]> {
+        let parameter = parameter as usize;
         let mut sums = [0.0; 4];
         for (by_table, factors) in self.by_table.iter().zip(&self.factors) {
             if factors[parameter] != 0.0 {
@@ -193,64 +194,39 @@ impl QuantityGradient {
         self.slopes
     }
 
-    /// Returns the derivatives with respect to `e1_over_e2`, `nu1` or `e0_over_e2` of the material asked for, with all
-    /// other parameters fixed.
+    /// Returns the derivatives with respect to a parameter of the material asked for, with all other parameters fixed;
+    /// with respect to `nu0` by the [equivalent](Material::with_substrate_poisson_ratio) of the material.
     ///
     /// They are 0 with respect to an infinite `e0_over_e2`. The derivatives with respect to `a_over_t` are the
-    /// [slopes](QuantityGradient::slopes) divided by `a_over_t`.
+    /// [slopes](QuantityGradient::slopes) divided by `a_over_t`. In the embedded table those with respect to `nu0` are
+    /// wrong by up to 2e-5 of the quantity (2000 random contacts beside direct solves).
     ///
     /// # Errors
     /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the curve was made
-    /// without them; for a parameter that is none of these three; and for an `e1_over_e2` of 0, where the normalisation
-    /// changes.
-    pub fn by(&self, parameter: Parameter) -> Result<Quantities, Error> {
-        let unknown = Error::FixedParameter(parameter.name());
-        let (index, modulus) = match parameter {
-            Parameter::AOverT
-            | Parameter::E1sOverEinfs
-            | Parameter::E0sOverE2s
-            | Parameter::E0OverE1 => {
-                return Err(unknown);
-            }
-            Parameter::E1OverE2 if self.material.e1_over_e2() == 0.0 => return Err(unknown),
-            Parameter::E1OverE2 => (0, self.material.e1_over_e2()),
-            Parameter::Nu1 => (1, 1.0),
-            Parameter::E0OverE2 => (2, self.material.e0_over_e2()),
+    /// without them; and for an `e1_over_e2` of 0, where the normalisation changes.
+    pub fn by(&self, parameter: MaterialParameter) -> Result<Quantities, Error> {
+        let modulus = match parameter {
+            MaterialParameter::E1OverE2 => self.material.e1_over_e2(),
+            MaterialParameter::E0OverE2 => self.material.e0_over_e2(),
+            MaterialParameter::Nu1 | MaterialParameter::Nu0 => 1.0,
         };
-        let relative = self.relative(index).ok_or(unknown)?;
-        Ok(self.absolute(relative.map(|derivative| derivative / modulus)))
-    }
-
-    /// Returns the derivatives with respect to the Poisson ratio of the substrate, by the
-    /// [equivalent](Material::with_substrate_poisson_ratio) of the material.
-    ///
-    /// In the embedded table they are wrong by up to 2e-5 of the quantity (2000 random contacts beside direct solves).
-    ///
-    /// # Errors
-    /// [`Error::FixedParameter`] if the scene of the table fixes a parameter that they need, or the
-    /// curve was made without them.
-    pub fn by_nu0(&self) -> Result<Quantities, Error> {
-        Ok(self.absolute(self.relative(3).ok_or(Error::FixedParameter("nu0"))?))
-    }
-
-    /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect to a parameter by
-    /// number: `ln e1_over_e2`, `nu1`, `ln e0_over_e2`, `nu0`.
-    #[inline]
-    pub fn relative(&self, parameter: usize) -> Option<[f64; 4]> {
-        self.known[parameter].then_some(self.relative[parameter])
-    }
-
-    /// Returns the derivative of `ln es` with respect to a parameter, numbered as in [`Self::relative`].
-    #[inline]
-    pub const fn scale(&self, parameter: usize) -> f64 {
-        self.scale[parameter]
-    }
-
-    /// Turns derivatives of logarithms into derivatives.
-    fn absolute(&self, relative: [f64; 4]) -> Quantities {
+        let known = self.relative(parameter).filter(|_| modulus != 0.0);
+        let relative = known.ok_or(Error::FixedParameter(parameter.name()))?;
         let values = self.values.to_array();
-        Quantities::from_array(std::array::from_fn(|quantity| {
-            values[quantity] * relative[quantity]
-        }))
+        let by = |quantity: usize| values[quantity] * (relative[quantity] / modulus);
+        Ok(Quantities::from_array(std::array::from_fn(by)))
+    }
+
+    /// Returns the derivatives of the logarithms of the quantities, if they are known, with respect to
+    /// `ln e1_over_e2`, `nu1`, `ln e0_over_e2` or `nu0`.
+    #[inline]
+    pub fn relative(&self, parameter: MaterialParameter) -> Option<[f64; 4]> {
+        self.known[parameter as usize].then_some(self.relative[parameter as usize])
+    }
+
+    /// Returns the derivative of `ln es` with respect to a parameter as in [`Self::relative`].
+    #[inline]
+    pub const fn scale(&self, parameter: MaterialParameter) -> f64 {
+        self.scale[parameter as usize]
     }
 }

@@ -8,7 +8,7 @@ use piecewise::{FUNCTION_TERMS, Piecewise, SPLINE_TERMS};
 
 use crate::curve::asymptotics::Expansion;
 use crate::curve::thick_film::{LARGEST, fifth_order};
-use crate::{Curve, Error, Quantities};
+use crate::{Curve, Error, MaterialParameter, Quantities};
 
 /// `Pi0` and `Delta0` of another shape than a paraboloid below the nodes of a curve, on thick films.
 pub trait BelowNodes: fmt::Debug + Send + Sync {
@@ -103,13 +103,17 @@ impl Curve {
         self.accuracy.map(|accuracy| accuracy.tolerance)
     }
 
-    /// Returns the derivatives, with respect to a parameter by number as in
+    /// Returns the derivatives, with respect to a parameter as in
     /// `QuantityGradient::relative`, of the logarithms of `Pi0`, `Eeq` and `Gamma` over `es`
     /// between the nodes, and of the last one also the derivative with respect to `a_over_t`.
     ///
     /// # Errors
     /// [`Error::NoGradient`], [`Error::FixedParameter`], and [`Error::OutsideTable`] between no nodes.
-    pub fn over_es_by(&self, parameter: usize, a_over_t: f64) -> Result<[f64; 4], Error> {
+    pub fn over_es_by(
+        &self,
+        parameter: MaterialParameter,
+        a_over_t: f64,
+    ) -> Result<[f64; 4], Error> {
         let sensitivities = self.sensitivities.as_ref().ok_or(Error::NoGradient)?;
         let x = self
             .inside(a_over_t)

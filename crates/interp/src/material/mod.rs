@@ -7,6 +7,7 @@
 
 pub(crate) mod equivalence;
 mod material;
+mod material_parameter;
 mod parameter;
 mod probe;
 mod profile;
@@ -17,6 +18,7 @@ pub(crate) use material::{ROUNDING, one_minus_square, poisson_ratio};
 
 pub use equivalence::SubstratePoissonRatio;
 pub use material::{Material, Normalisation};
+pub use material_parameter::MaterialParameter;
 pub use parameter::Parameter;
 pub use probe::Probe;
 pub use profile::Profile;

@@ -14,7 +14,8 @@ use crate::table::stored_tiles::StoredTiles;
 use crate::table::tensor_spline::TensorSpline;
 use crate::table::tiles;
 use crate::{
-    Certificate, Curve, Description, Error, Material, Parameter, Quantity, StackShape, Tile,
+    Certificate, Curve, Description, Error, Material, MaterialParameter, Parameter, Quantity,
+    StackShape, Tile,
 };
 
 /// Values of the quantities on a grid of (`a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`).
@@ -375,7 +376,7 @@ impl Table {
     /// # Errors
     /// As [`Table::curve`].
     pub fn curve_with_gradient(&self, material: &Material) -> Result<Curve, Error> {
-        self.curve_with_derivatives(material, [true; 4])
+        self.curve_with_derivatives(material, &MaterialParameter::ALL)
     }
 
     /// Makes the curve of `material` with those of its derivatives with respect to `ln e1_over_e2`,
@@ -389,9 +390,10 @@ impl Table {
     pub fn curve_with_derivatives(
         &self,
         material: &Material,
-        wanted: [bool; 4],
+        wanted: &[MaterialParameter],
     ) -> Result<Curve, Error> {
         self.accept_films()?;
+        let wanted = MaterialParameter::ALL.map(|parameter| wanted.contains(&parameter));
         self.lookup()
             .curve_with_derivatives(&self.axes, &self.description, material, wanted)
     }

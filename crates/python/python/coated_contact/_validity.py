@@ -34,12 +34,15 @@ class Validity(OneLine):
         the part ``(a/R)^2 / 3`` and more (Sneddon, Int. J. Eng. Sci. 3, 47, 1965).
     shape : float or numpy.ndarray
         The part by which the load at a given penetration falls if a sphere stands for its
-        paraboloid; 0 without a radius of curvature. ``Sphere`` adds this effect.
+        paraboloid, to the first order in ``(a/R)^2``; 0 for other probes. ``Sphere`` adds this
+        effect. It is ``delta0/(10 R)`` on a half-space, and up to ten times as much on thin films.
+        On a stack it is that of the half-space.
     sideways : float or numpy.ndarray
         The part by which the load at a given penetration rises because the surface moves sideways
-        under the sloping probe, which the model neglects: ``3/(4 pi) (1 - 2 nu)/(1 - nu) a/R``. It
-        follows from the displacements of Hertz's contact; on a thin film it is an order of
-        magnitude.
+        under the sloping probe, which the model neglects: ``3/(4 pi) (1 - 2 nu)/(1 - nu) a/R``
+        times ``1 - probe_share``. It follows from the displacements of Hertz's contact; on a thin
+        film it is an order of magnitude. An elastic probe is taken as incompressible, because the
+        model does not know its Poisson ratio.
     probe_share : float or numpy.ndarray
         The share of the probe in the compliance of probe and film, or half-space.
     a_over_t : float, numpy.ndarray or None
@@ -82,8 +85,8 @@ class Validity(OneLine):
         """Return the part by which full friction would raise the load of a punch of this radius.
 
         It is ``stick_stiffening - 1``: two solves for each contact radius, made when they are asked
-        for. Under a sphere on an incompressible film the load at equal penetration rises by half to
-        0.9 of it.
+        for. Under a sphere on an incompressible film the load at equal penetration rises by 0.45 to
+        0.99 of it.
 
         Parameters
         ----------

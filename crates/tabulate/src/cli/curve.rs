@@ -187,14 +187,17 @@ fn note_lift_off(rows: &[Vec<f64>]) {
 
 impl Arguments {
     /// Returns the smallest and the largest contact radius (m): those asked for, or those of the
-    /// paper's lens, reduced for a smaller sphere and to those that are solved with stick, or with an attraction
+    /// paper's lens, reduced for a smaller sphere or profile and to those that are solved with stick, or with an attraction
     /// of finite range.
     fn radii(&self, bodies: &Bodies) -> [f64; 2] {
         const USUAL: [f64; 2] = [1e-6, 1.5e-4];
-        let most = match bodies.system.probe {
+        /// The part of a profile beyond which it says little of its shape.
+        const OF_PROFILE: f64 = 0.9;
+        let most = match &bodies.system.probe {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => {
                 Validity::WARNING_A_OVER_R * radius
             }
+            Probe::Profile(profile) => OF_PROFILE * profile.end(),
             _ => f64::INFINITY,
         };
         let most = if self.history.is_stuck() {

@@ -10,6 +10,7 @@ use interp::{Probe, Profile};
 use units::{Dimension, Unit};
 
 use super::quantity::number;
+use crate::input;
 
 /// The shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -133,7 +134,7 @@ impl ProbeArguments {
 /// Reads a measured shape: two columns, r and z, with or without a line of headings. Lines that
 /// begin with # are comments.
 fn profile(path: &Path) -> anyhow::Result<Profile> {
-    let text = fs::read_to_string(path)?;
+    let text = String::from_utf8(fs::read(path)?).map_err(|_| input::not_utf8())?;
     let cells = |line: &str| -> Vec<String> {
         let cells = line.split([',', ';', '\t']).map(str::trim);
         cells.map(str::to_owned).collect()
@@ -159,15 +160,31 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
                 numbers.push(i + 1);
             }
             _ if units.is_none() && points.is_empty() => {
+                let begins = |heading: &str, letter| heading.to_lowercase().starts_with(letter);
+                ensure!(
+                    !(begins(r, 'z') && begins(z, 'r')),
+                    "line {}: the columns are z and r: exchange them, r comes first",
+                    i + 1
+                );
                 units = Some([unit(r)?, unit(z)?]);
             }
-            _ => bail!("line {}: {line:?} is not two numbers", i + 1),
+            _ => bail!(
+                "line {}: {line:?} is not two numbers with decimal points; units are in a line of headings before them, \
+                 such as r [um],z [um]",
+                i + 1
+            ),
         }
     }
+    let off_axis = points.first().is_some_and(|point| point[0] > 0.0);
+    let before = if off_axis {
+        " (the point r = 0, z = 0 is put before the first one: heights count from the lowest point of the probe)"
+    } else {
+        ""
+    };
     Profile::new(&points).map_err(|error| match error {
         interp::Error::Profile { row, reason } => match numbers.get(row.wrapping_sub(1)) {
-            Some(line) => anyhow!("line {line}: {reason}"),
-            None => anyhow!("{reason}"),
+            Some(line) => anyhow!("line {line}: {reason}{before}"),
+            None => anyhow!("{reason}{before}"),
         },
         other => other.into(),
     })

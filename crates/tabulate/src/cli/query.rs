@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use anyhow::ensure;
 use clap::ValueHint;
-use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
+use interp::{MaterialParameter, Parameter, Quantity, SubstratePoissonRatio, Table};
 
 use super::note;
 use super::output::Output;
@@ -130,9 +130,7 @@ fn look_up(
     };
     if gradient {
         let gradient = curve.gradient(x)?;
-        let by = [Parameter::E1OverE2, Parameter::Nu1, Parameter::E0OverE2]
-            .map(|parameter| gradient.by(parameter).ok());
-        let by = [by[0], by[1], by[2], gradient.by_nu0().ok()];
+        let by = MaterialParameter::ALL.map(|parameter| gradient.by(parameter).ok());
         let derivatives = |quantity| {
             let [e1, nu1, e0, nu0] = by.map(|derivatives| Some(derivatives?.get(quantity)));
             let slope = gradient.slopes().get(quantity);

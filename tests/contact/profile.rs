@@ -1,0 +1,86 @@
+//! Measured shapes of probes.
+
+use interp::{Error, Profile};
+
+#[test]
+fn evenly_spaced_points_of_a_paraboloid_give_the_paraboloid() {
+    let points: Vec<[f64; 2]> = (0..20)
+        .map(|i| 1e-7 * f64::from(i))
+        .map(|r| [r, r * r / 2e-6])
+        .collect();
+    let profile = Profile::new(&points).expect("convex");
+    for &[r, slope] in profile.slopes() {
+        assert!((slope - r / 1e-6).abs() < 1e-12, "{r}: {slope}");
+    }
+    assert_eq!(profile.end(), points[19][0]);
+    let without_origin = Profile::new(&points[1..]).expect("convex");
+    assert_eq!(without_origin, profile);
+}
+
+#[test]
+fn errors_name_the_row() {
+    let row = |points: &[[f64; 2]]| match Profile::new(points) {
+        Err(Error::Profile { row, .. }) => row,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(row(&[]), 0);
+    assert_eq!(row(&[[0.0, 0.0]]), 1);
+    assert_eq!(row(&[[0.0, 0.0], [1.0, 1.0], [2.0, 1.5]]), 3);
+    assert_eq!(row(&[[0.0, 0.0], [1.0, 1.0], [1.0, 2.5]]), 3);
+    assert_eq!(row(&[[1.0, 1.0], [2.0, f64::NAN]]), 2);
+    assert_eq!(row(&[[0.0, 0.0], [1.0, -1.0]]), 2);
+    assert_eq!(row(&[[0.0, 1.0], [1.0, 1.0]]), 2);
+    assert_eq!(row(&[[-1.0, 1.0], [1.0, 2.0]]), 1);
+    let many: Vec<[f64; 2]> = (0..201)
+        .map(|i| [f64::from(i), f64::from(i).powi(2)])
+        .collect();
+    assert_eq!(row(&many), 201);
+}
+
+/// Points of a cone, and of a sphere that goes over into a cone, in numbers of few digits are taken, and differ from
+/// exact ones by no more than the rounding of a chord.
+#[test]
+fn rounded_numbers_of_straight_flanks_are_taken() {
+    let angle = 70_f64.to_radians();
+    let cone = |r: f64| r / angle.tan();
+    let radius = 0.2;
+    let joint = radius * angle.cos();
+    let tip = |r: f64| {
+        let sphere = |r: f64| radius - (radius * radius - r * r).sqrt();
+        if r < joint {
+            sphere(r)
+        } else {
+            sphere(joint) + (r - joint) / angle.tan()
+        }
+    };
+    let shapes: [&dyn Fn(f64) -> f64; 2] = [&cone, &tip];
+    for shape in shapes {
+        for decimals in [3, 4, 6, 9, 12] {
+            let rounded = |value: f64| -> f64 {
+                let text = format!("{value:.decimals$}");
+                text.parse::<f64>().expect("a number") * 1e-6
+            };
+            let radii = (0..=40).map(|i| 0.1 * f64::from(i));
+            let points: Vec<[f64; 2]> = radii
+                .clone()
+                .map(|r| [rounded(r), rounded(shape(r))])
+                .collect();
+            let profile = Profile::new(&points).expect("convex but for rounding");
+            for r in radii.filter(|r| (0.6..4.0).contains(r)) {
+                let error = profile.slope(r * 1e-6) - 1.0 / angle.tan();
+                // Two heights are rounded, at a distance of 0.1.
+                let allowed = 1e-9 + 10.0 * 0.1_f64.powi(decimals as i32);
+                assert!(error.abs() <= allowed, "{decimals} {r}: {error}");
+            }
+        }
+    }
+}
+
+/// Only the last digits may fail to be convex.
+#[test]
+fn what_is_not_convex_is_refused() {
+    let bump =
+        |height: f64| Profile::new(&[[0.0, 0.0], [1.0, 1.0 + height], [2.0, 2.0], [3.0, 3.0]]);
+    assert!(bump(2.9e-3).is_ok());
+    assert!(matches!(bump(3.1e-3), Err(Error::Profile { row: 3, .. })));
+}
