@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use acceptance::{number, workdir};
+use acceptance::{estimate, number, workdir};
 
 /// The reduced modulus of a solid of 1 MPa with a Poisson ratio of 0.5 under a rigid probe, Pa, the
 /// work of adhesion, J/m^2, and the reading of the penetration at first touch, m.
@@ -97,4 +97,29 @@ fn files_of_half_spaces_give_the_closed_forms() {
     assert!((modulus / 1e6 - 1.0).abs() > 0.01);
     let missing = format!("fit cone.csv --probe cone {common}");
     workdir.refuses(format!("1 | {missing} | --probe cone needs --half-angle"));
+}
+
+/// A cone adheres weakly: the points that tell it are few, and the logarithm of a work of adhesion does not come back
+/// from 0.
+#[test]
+fn weak_adhesion_under_a_cone_is_found() {
+    let workdir = workdir!();
+    let bodies = "--probe cone --half-angle 70 --sphere-modulus inf --film-poisson-ratio 0.5 --film-thickness 5um \
+         --substrate-modulus 70GPa --substrate-poisson-ratio 0.25";
+    for seed in [0, 2, 4] {
+        workdir.simulate(format!(
+            "--kind load-penetration --from=-0.5um --to 1um --points 60 --noise 0.2nN --work-of-adhesion 0.2mJ/m^2 \
+             --film-modulus 20kPa --seed {seed} {bodies} -o cone.csv"
+        ));
+        let found = workdir.json(format!(
+            "fit cone.csv {bodies} --noise 0.2nN --free film-modulus,work-of-adhesion,contact-point,load-offset --json"
+        ));
+        for (name, truth) in [("film_modulus", 20e3), ("work_of_adhesion", 0.2e-3)] {
+            let [value, error] = estimate(&found, name);
+            assert!(
+                (value - truth).abs() < 3.0 * error,
+                "{seed} {name}: {value} {error}"
+            );
+        }
+    }
 }

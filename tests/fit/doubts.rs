@@ -203,6 +203,27 @@ fn points_far_from_the_fit_are_listed() {
     assert_eq!(flagged.map(|point| point.line).collect::<Vec<_>>(), [22]);
 }
 
+/// A zero of the balance that the data hardly tell, but that changes the work of adhesion by many of its errors.
+#[test]
+fn a_small_offset_that_misleads_is_named() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 5e-6, &LENS);
+    (lens.radii, lens.points) = ([42e-6, 130e-6], [20, 0]);
+    lens.truth.load_offset = 25e-6;
+    let (mut named, mut wrong) = (0, 0);
+    let exact = lens.exact();
+    for seed in 0..40 {
+        let mut experiment = lens.measured(&exact, seed);
+        experiment.load_offset = 0.0;
+        let found = fitted(&experiment, &lens.free);
+        let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
+        wrong += i32::from((work.value - 0.04).abs() > 5.0 * work.standard_error);
+        let kinds = [WarningKind::OffsetWanted, WarningKind::OffsetHinted];
+        named += i32::from(kinds.into_iter().any(|kind| found.warns_of(kind)));
+    }
+    println!("{wrong} of 40 are wrong, {named} named");
+    assert!(wrong >= 38 && named >= 24, "{wrong} {named}");
+}
+
 #[test]
 fn contacts_outside_the_model_are_warned_of() {
     let free = [Parameter::FilmModulus];

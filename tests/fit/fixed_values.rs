@@ -192,6 +192,7 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
         fit::WarningKind::PoorFit,
         fit::WarningKind::Outliers,
         fit::WarningKind::OffsetWanted,
+        fit::WarningKind::OffsetHinted,
         fit::WarningKind::LargeStrain,
         fit::WarningKind::StructuredResiduals,
     ];

@@ -258,6 +258,7 @@ impl Contact {
         let shape = match *self.probe() {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => self
                 .shape_on_film(a, radius)
+                .filter(|part| part.is_finite())
                 .unwrap_or(0.1 * without / radius),
             _ => 0.0,
         };

@@ -91,8 +91,8 @@ pub enum Error {
     /// A fit that leaves out most of what was measured.
     #[error(
         "{experiment}: {left_out} of {in_contact} points in contact are left out, more than a third: \
-         {reasons}. Check the units, the fixed values, the zeros of the instrument and the model, or \
-         allow points to be left out"
+         {reasons}. Check the units, the fixed values and the model, free the zeros of the instrument that are not \
+         known to be 0, such as contact-point and baseline, or allow points to be left out"
     )]
     LeftOut {
         /// The name of the measurement.
@@ -126,7 +126,8 @@ pub enum Error {
     #[error(
         "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
          are positive in compression), and the stiffness of a cantilever, which is too small if the \
-         force grows faster with the height than by this stiffness; or give a start"
+         force grows faster with the height than by this stiffness; free the zeros of the instrument that are \
+         not known to be 0, such as contact-point and baseline; or give a start"
     )]
     NoStart {
         /// The name of the measurement.

@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
 use crate::contacts_on_layers::Solvers;
-use crate::error::{Failure, OrRaise as _, of_points, unknown};
+use crate::error::{Failure, of_points, unknown};
 use crate::experiment::{Given, all};
 use crate::indentation::loss;
 use crate::interruption::interruptible;
@@ -39,16 +39,16 @@ pub fn fit_together<'py>(
     fixed_values: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let known = known.iter().map(|(name, error)| {
-        let quantity = fixed(name)?;
+        let quantity = fixed(py, name)?;
         Ok(Known {
             quantity,
             error: *error,
         })
     });
-    let known: Result<Vec<Known>, fit::Error> = known.collect();
+    let known: PyResult<Vec<Known>> = known.collect();
     let (options, allow_magnitudes) = options(given_options)?;
     let options = Options {
-        known: known.or_raise(py)?,
+        known: known?,
         fixed_values,
         ..options
     };

@@ -3,7 +3,7 @@
 use fit::{Fixed, Free, Parameter, Scope};
 use pyo3::prelude::*;
 
-use crate::error::OrRaise as _;
+use crate::error::{Failure, OrRaise as _};
 
 /// A free parameter, as the attributes of the Python class.
 #[derive(FromPyObject)]
@@ -37,9 +37,16 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
 }
 
 /// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.
-pub fn fixed(name: &str) -> Result<Fixed, fit::Error> {
+pub fn fixed(py: Python<'_>, name: &str) -> PyResult<Fixed> {
     let plain = Fixed::parse(&name.replace('_', "-")).or_else(|| Fixed::parse(name));
-    plain.map_or_else(|| parameter(name).map(Fixed::Parameter), Ok)
+    let found = plain.or_else(|| parameter(name).ok().map(Fixed::Parameter));
+    found.ok_or_else(|| {
+        let text = format!(
+            "{name:?} is no value of a fit: give sphere_radius, substrate_modulus, substrate_poisson_ratio or a \
+             parameter that is not free, such as film_thickness"
+        );
+        Failure::of_words("FitError", &text).raise(py)
+    })
 }
 
 /// Returns the name in Python of a value taken as given.

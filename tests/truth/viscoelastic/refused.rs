@@ -253,6 +253,10 @@ fn mistakes() {
     let rate = RateDependent::new(slow, 1e-6, 0.6).expect("a law");
     let history = contact.history(&law).expect("a law");
     history.receding(rate).refused("speed; Hysteresis");
+    let history = contact.history(&law).expect("a law");
+    history
+        .at(depth, &CYCLES, &[0.5, 0.2], None)
+        .refused("time 2; 0.2 s; 0.5 s; ascending");
     let adhesive = contact.history(&law).expect("a law");
     let adhesive = adhesive
         .receding(Hysteresis::new(0.0, 1e-6).expect("a law"))

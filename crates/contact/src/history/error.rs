@@ -65,6 +65,18 @@ pub enum HistoryError {
         /// The time of the point before it, s.
         before: f64,
     },
+    /// Times asked for that fall.
+    #[error(
+        "time {number} of those asked for is {time:?} s and the one before it {before:?} s: give them in ascending order"
+    )]
+    Times {
+        /// The number of the time, from 1.
+        number: usize,
+        /// The time, s.
+        time: f64,
+        /// The time before it, s.
+        before: f64,
+    },
     /// A program that is too short or too long.
     #[error(
         "the program takes {value:?} s, and programs from 1e-50 to 1e50 s are followed: give its times in seconds"

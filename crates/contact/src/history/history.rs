@@ -228,7 +228,7 @@ impl<'a, L: CrackTip> History<'a, L> {
             return Err(HistoryError::Tolerance { value });
         }
         if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
-            return Err(HistoryError::Order {
+            return Err(HistoryError::Times {
                 number: i + 2,
                 time: times[i + 1],
                 before: times[i],

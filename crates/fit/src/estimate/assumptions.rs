@@ -100,8 +100,8 @@ fn add(
             WarningKind::LargeContact,
             format!(
                 "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by 3 % and more; fit the exact sphere, \
-                 which is a probe of its own",
+                 which changes the penetration by up to 3 % at this limit, and more above it; fit the exact sphere, which is a \
+                 probe of its own",
                 validity.a_over_r,
                 Validity::WARNING_A_OVER_R
             ),

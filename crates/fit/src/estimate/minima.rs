@@ -5,6 +5,7 @@ use std::rc::Rc;
 use interp::Table;
 
 use super::doubts::BEYOND_CHANCE;
+use super::no_adhesion;
 use super::problem::{Assigned, Basin, Ending, Problem};
 use super::search::{COARSE, Data, PATIENCE, hold_back, is_bad, settle, thin};
 use super::slot::{Slot, slots};
@@ -17,6 +18,9 @@ use crate::{Branch, Error, Experiment, Free, Loss, Parameter};
 const FACTORS: [f64; 2] = [0.05, 20.0];
 /// The thicknesses of a film, over the largest contact radius, from which a fit starts.
 const THICKNESSES: [f64; 2] = [0.1, 1.0];
+/// The changes of the load by adhesion, over the range of the loads, from which a fit starts whose work of adhesion
+/// ended at 0. Its logarithm does not come back from there.
+const ADHESION: [f64; 2] = [0.1, 0.5];
 /// The most evaluations over the number of parameters + 1 of a fit from another start.
 const FEWER: usize = 12;
 /// A minimum is no better than one found before it if its sum of squares is smaller by less than this:
@@ -46,8 +50,8 @@ pub(crate) struct Rival {
 
 /// Finds the best minimum, and its rivals.
 ///
-/// The first start is enough where its end describes the data and tells all moduli, thicknesses and
-/// works of adhesion to [`super::valley`]'s small errors. Else other starts are tried, and the
+/// The first start is enough where its end describes the data, tells all moduli, thicknesses and
+/// works of adhesion to [`super::valley`]'s small errors, and has no work of adhesion that ended at 0. Else other starts are tried, and the
 /// valley of the least known value is followed to both sides.
 pub(crate) fn minimum<'a>(
     table: &'a Table,
@@ -73,7 +77,11 @@ pub(crate) fn minimum<'a>(
         Some((slot, uncertainty.relative_error(slot)))
     });
     let from_data = without_starts(data, free);
-    let needs_others = is_bad || doubtful.is_some() || from_data.is_some() || is_film_free(free);
+    let ended_at_zero =
+        |(first, _): &(Problem<'_>, Ending)| !no_adhesion::ended_at_zero(first).is_empty();
+    let lost_adhesion = first.as_ref().is_ok_and(ended_at_zero);
+    let needs_others =
+        is_bad || doubtful.is_some() || from_data.is_some() || is_film_free(free) || lost_adhesion;
     let (first, failure) = match first {
         Ok(first) if !needs_others => {
             let evaluations = first.0.evaluations;
@@ -89,6 +97,9 @@ pub(crate) fn minimum<'a>(
     let mut variations = variations(free, &few, is_bad);
     if from_data.is_some() {
         variations.insert(0, Variation::None);
+    }
+    if lost_adhesion {
+        variations.extend(ADHESION.map(Variation::Adhesion));
     }
     // A start where the model has no contact is no start.
     let mut starts: Vec<Problem<'_>> = variations

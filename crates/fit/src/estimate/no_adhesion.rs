@@ -7,7 +7,7 @@ use contact::Contact;
 use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::range;
-use crate::{Experiment, Kind, Parameter, WarningKind};
+use crate::{Error, Experiment, Kind, Parameter, WarningKind};
 
 /// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
 const NO_ADHESION: f64 = 1.4e-4;
@@ -30,17 +30,26 @@ pub(super) fn is_none(
             .is_ok_and(|stiffness| by_adhesion(stiffness) < NO_ADHESION * range(experiment))
 }
 
-/// Warns of works of adhesion that ended at 0, which their logarithms never reach.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
-    for (i, slot) in problem.slots.iter().enumerate() {
-        let parameter = slot.parameter;
-        if !matches!(
-            parameter,
+/// Returns the work of adhesion that changes the load at the contact radius `a` by a `part` of the range of the
+/// loads, as in [`is_none`].
+pub(super) fn work_of_part(
+    experiment: &Experiment,
+    contact: &Contact,
+    a: f64,
+    part: f64,
+) -> Result<f64, Error> {
+    let stiffness = contact.stiffness(a)?;
+    Ok((part * range(experiment) / a).powi(2) / (4.0 * PI * stiffness))
+}
+
+/// Lists the slots of the works of adhesion that ended at 0, which their logarithms never reach.
+pub(super) fn ended_at_zero(problem: &Problem<'_>) -> Vec<usize> {
+    let is_at_zero = |&i: &usize| {
+        let (slot, value) = (&problem.slots[i], problem.value(i));
+        let is_work = matches!(
+            slot.parameter,
             Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
-        ) {
-            continue;
-        }
-        let value = problem.value(i);
+        );
         let mut own = (problem.assigned.iter().enumerate())
             .filter(|(e, _)| slot.experiment.is_none_or(|own| own == *e));
         let ended = |e: usize, experiment: &Experiment| {
@@ -48,15 +57,22 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
             let contact = problem.contact(&experiment.bodies, false).ok()?;
             Some(is_none(experiment, &contact, a, value))
         };
-        if own.all(|(e, assigned)| ended(e, &assigned.experiment) == Some(true)) {
-            warnings.add(
-                WarningKind::AtBound,
-                format!(
-                    "{parameter} = {value:.1e} J/m^2 ended at 0, its bound: these data show no \
-                     adhesion, and neither its standard error nor those of the other parameters \
-                     hold there; fix it at 0, give it a prior, or measure the pull-off"
-                ),
-            );
-        }
+        is_work && own.all(|(e, assigned)| ended(e, &assigned.experiment) == Some(true))
+    };
+    (0..problem.slots.len()).filter(is_at_zero).collect()
+}
+
+/// Warns of works of adhesion that ended at 0.
+pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
+    for i in ended_at_zero(problem) {
+        let (parameter, value) = (problem.slots[i].parameter, problem.value(i));
+        warnings.add(
+            WarningKind::AtBound,
+            format!(
+                "{parameter} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
+                 show no adhesion, and neither its standard error nor those of the other parameters \
+                 hold there; fix it at 0, give it a prior, or measure the pull-off"
+            ),
+        );
     }
 }

@@ -333,6 +333,9 @@ pub enum WarningKind {
     CoarseSteps,
     /// A zero of the instrument that is not fitted but wanted by the data.
     OffsetWanted,
+    /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
+    /// its standard errors.
+    OffsetHinted,
     /// Approach and retract do not have one work of adhesion.
     MixedBranches,
     /// A loop between loading and unloading that the model does not make.
@@ -407,6 +410,7 @@ impl WarningKind {
             Self::Saturated => "saturated",
             Self::CoarseSteps => "coarse-steps",
             Self::OffsetWanted => "offset-wanted",
+            Self::OffsetHinted => "offset-hinted",
             Self::MixedBranches => "mixed-branches",
             Self::Hysteresis => "hysteresis",
             Self::Plasticity => "plasticity",

@@ -5,6 +5,7 @@ use interp::Table;
 
 use super::indentation;
 use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
+use super::no_adhesion;
 use super::problem::{Assigned, Problem};
 use super::relaxing_start;
 use super::slot::Slot;
@@ -36,6 +37,8 @@ pub(crate) enum Variation {
     Times(Parameter, f64),
     /// The thickness of the film is a multiple of the largest contact radius.
     Thickness(f64),
+    /// The work of adhesion changes the load of the widest contact by a part of the range of the loads.
+    Adhesion(f64),
 }
 
 /// Gives the slots the starts that the data show, and returns the problem there.
@@ -106,6 +109,7 @@ pub(crate) fn problem<'a>(
             at.experiment
                 .replace(Parameter::FilmThickness, part * largest)?;
         }
+        let largest = found.as_ref().map(|found| found.largest[0]);
         let mut starts = match found {
             Some(found) => starts(table, &mut at, found, matched, is_unknown)?,
             None if is_stiffness => indentation::starts(table, &mut at, matched, is_unknown)?,
@@ -128,6 +132,13 @@ pub(crate) fn problem<'a>(
             && let Some(thickness) = at.experiment.get(Parameter::FilmThickness)
         {
             starts.push((Parameter::FilmThickness, thickness));
+        }
+        if let Variation::Adhesion(part) = variation
+            && let Some(a) = largest
+        {
+            let contact = at.experiment.bodies.contact(table, None)?;
+            let work = no_adhesion::work_of_part(&one.experiment, &contact, a, part)?;
+            starts.push((Parameter::WorkOfAdhesion, work));
         }
         for &(parameter, slot) in &own {
             let coordinate = slots[slot].coordinate.with_unit(unit(one, parameter));

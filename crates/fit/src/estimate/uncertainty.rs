@@ -101,6 +101,16 @@ impl Uncertainty {
         column - &self.orthonormal * self.orthonormal.tr_mul(column)
     }
 
+    /// Returns the changes of the values found, in their standard errors, that follow a change of the residuals.
+    pub fn changes_in_errors(&self, change: &DVector<f64>) -> Vec<f64> {
+        let by = self.jacobian.tr_mul(change);
+        let changes = -self.factor.tr_mul(&(&self.factor * by));
+        let relative = changes.iter().enumerate();
+        relative
+            .map(|(i, change)| change / self.relative_error(i))
+            .collect()
+    }
+
     /// Returns the standard error of a value over its size.
     pub fn relative_error(&self, slot: usize) -> f64 {
         self.covariance[(slot, slot)].sqrt()

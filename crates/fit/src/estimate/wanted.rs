@@ -14,6 +14,11 @@ use crate::{Branch, Direction, Loss, Parameter, WarningKind};
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
 const LEFT: f64 = 1e-3;
+/// A zero of an instrument is named already from this number of its standard errors on, which chance reaches in one fit
+/// of 2000, if it would change a value found by more than [`MISLED`] standard errors of that value. The two may be so
+/// correlated that an offset misleads before it is told by chi^2.
+const HINT: f64 = 3.5;
+const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
 const FEWEST: usize = 5;
 /// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal
@@ -62,9 +67,13 @@ pub(super) fn add(
             if parameter == Parameter::WorkOfAdhesion || (is_level && level_named) {
                 continue;
             }
-            let gain = columns.of(parameter, |_| true);
-            let gain = gain.and_then(|column| score.gain(&column));
-            if let Some(gain) = gain.filter(Gain::is_significant) {
+            let Some(column) = columns.of(parameter, |_| true) else {
+                continue;
+            };
+            let Some(gain) = score.gain(&column) else {
+                continue;
+            };
+            if gain.is_significant() {
                 level_named |= is_level;
                 warnings.add(
                     WarningKind::OffsetWanted,
@@ -76,6 +85,28 @@ pub(super) fn add(
                         parameter.unit()
                     ),
                 );
+            } else if gain.significance > HINT * HINT && parameter != Parameter::BaselineSlope {
+                let changes = uncertainty.changes_in_errors(&(column * gain.change));
+                let found = problem.slots.iter().zip(changes);
+                let most = found.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
+                if let Some((slot, change)) = most
+                    && change.abs() > MISLED
+                {
+                    level_named |= is_level;
+                    warnings.add(
+                        WarningKind::OffsetHinted,
+                        format!(
+                            "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
+                             standard errors. It would change {} by {:+.0} standard errors of the value found: free it, \
+                             unless its value is known",
+                            gain.change,
+                            parameter.unit(),
+                            gain.significance.sqrt(),
+                            slot.parameter,
+                            change
+                        ),
+                    );
+                }
             }
         }
         if has_one_work {

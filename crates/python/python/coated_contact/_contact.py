@@ -197,8 +197,8 @@ class Contact(Native):
 
         It is the stiffness of slow loading, in equilibrium at a work of adhesion. A small fast
         oscillation, under which the line stays, measures :meth:`stiffness`. Without adhesion both
-        are equal. K is 0 at the pull-off under a load, and negative below it. A flat punch, whose
-        contact line cannot move, has none.
+        are equal. K is 0 at the pull-off under a load, and negative from there to the pull-off
+        under a displacement. A flat punch, whose contact line cannot move, has none.
 
         Parameters
         ----------
