@@ -57,7 +57,7 @@ pub struct Row {
     pub saved_seconds: Option<f64>,
     /// Size of the whole scene's file less `bytes`.
     pub saved_bytes: i64,
-    /// Median over the scene of the error of the load, see [`errors`].
+    /// Median over the scene of the error of the load, see [`errors`](super::errors).
     pub median_error: f64,
     /// Largest error of the load over the scene.
     pub worst_error: f64,

@@ -12,7 +12,7 @@ use crate::large_contact::LARGE_CONTACT;
 use crate::printable;
 
 /// Returns the HTML page of a table: its range, its certificate, force curves that the page
-/// computes, and the `illustrations`, which are those of [`figures()`].
+/// computes, and the `illustrations`, which are those of [`figures`](super::figures()).
 ///
 /// The page opens with the `probe`, a paraboloid, a sphere or a flat punch, between which its user
 /// chooses if the table answers all quantities.
