@@ -167,3 +167,54 @@ fn a_mistake_about_layers_is_named_with_the_names_there_are() {
         "
     ));
 }
+
+/// Pull-offs on stacks whose reach is rounded, and on layers that are one film: by an integral equation of another
+/// program, and on layers of the base's material by JKR, `-1.5 pi w R`.
+#[test]
+fn pull_offs_on_stacks_are_found_up_to_the_reach() {
+    let workdir = workdir!();
+    let stack = |base: &str, layer: &str, count: usize| {
+        format!(
+            "base = {base}\n{}",
+            format!("[[layers]]\n{layer}\n").repeat(count)
+        )
+    };
+    let silicon = "{ young_modulus = 2e11, poisson_ratio = 0.25 }";
+    let rubber = "young_modulus = 3.5e6\npoisson_ratio = 0.5";
+    let primer = "[[layers]]\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6";
+    let primed = format!("base = {silicon}\n{primer}\n[[layers]]\n{rubber}\nthickness = 1e-7\n");
+    let parts = stack(silicon, &format!("{rubber}\nthickness = 1e-8"), 100);
+    let same = "{ young_modulus = 3.5e6, poisson_ratio = 0.5 }";
+    let same = stack(same, &format!("{rubber}\nthickness = 1e-8"), 3);
+    let jkr = -1.5 * std::f64::consts::PI * 0.04 * 1e-3;
+    for (text, expected) in [(primed, -1.94032e-4), (parts, -1.88967e-4), (same, jkr)] {
+        workdir.write("stack.toml", text);
+        let printed = workdir.succeed("pull-off --specimen paper --stack stack.toml");
+        let (_, rest) = printed.split_once("= ").expect("the load comes first");
+        let load = rest.lines().next().expect("a line");
+        let load: f64 = load.parse().expect("a number");
+        assert!(
+            (load / expected - 1.0).abs() < 1e-5,
+            "{load}, not {expected}"
+        );
+    }
+}
+
+/// A stack file has no units: moduli that no solid has are named.
+#[test]
+fn moduli_without_their_unit_are_named() {
+    let workdir = workdir!();
+    let layer = "[[layers]]\nyoung_modulus = 72\npoisson_ratio = 0.17\nthickness = 5e-7\n";
+    workdir.write(
+        "gpa.toml",
+        format!("base = {{ young_modulus = 170, poisson_ratio = 0.28 }}\n{layer}"),
+    );
+    for command in [
+        "curve --stack gpa.toml --sphere-radius 10um --sphere-modulus 1147GPa --to 1um --points 2",
+        "solve --stack gpa.toml --sphere-modulus 1147GPa --a-over-t 1",
+    ] {
+        let run = workdir.run(command);
+        assert_eq!(run.status, 0, "{run:?}");
+        assert_names(&run.stderr, "gpa.toml; 72.0 Pa; 72e6; 72e9");
+    }
+}

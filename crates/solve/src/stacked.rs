@@ -150,7 +150,7 @@ pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
     } else {
         MOST_A_OVER_TOP
     };
-    let reach = most / thickness_over_top;
+    let reach = stack.reach(MOST_A_OVER_TOP);
     if a_over_t <= reach {
         return Ok(());
     }

@@ -2,10 +2,10 @@
 
 use contact::Contact;
 use interp::{HalfSpace, System};
-use solve::stack::Stack;
+use solve::stack::{MOST_A_OVER_TOP, Stack};
 use solve::{A_OVER_T, Error, stack_curve};
 
-use super::layered::{Cause, Layered, LayeredSolver};
+use super::layered::{Cause, Layered, LayeredSolver, MARGIN, Reach};
 
 /// The relative tolerance of the quantities. Differences of contacts, which stand for derivatives,
 /// need a smaller one than a fit alone.
@@ -86,10 +86,12 @@ impl LayeredSolver for DirectSolver {
         }
         let stack = stack_of(layered)?;
         let (thickness, top) = (stack.thickness(), stack.top().thickness);
-        let end = layered
-            .reach
-            .needed
-            .max(layered.reach.expected.min(OVER_TOP * top));
+        let Reach { needed, expected } = layered.reach;
+        let [usual, most] = [OVER_TOP, MOST_A_OVER_TOP].map(|over| stack.reach(over) * thickness);
+        // What is needed holds a margin, which need not be solved.
+        let end = needed
+            .min(most.max(needed / MARGIN))
+            .max(expected.min(usual));
         let begin = (BEGIN * top / thickness).max(A_OVER_T[0]);
         let range = [begin, end / thickness];
         let curve = stack_curve(&stack, layered.sphere_modulus, range, TOLERANCE)?;

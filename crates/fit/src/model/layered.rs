@@ -18,7 +18,7 @@ const LONGEST_NAME: usize = 40;
 
 /// The factor by which the largest contact radius at a measured radius is exceeded, so that the
 /// slopes there are known.
-const MARGIN: f64 = 1.2;
+pub(super) const MARGIN: f64 = 1.2;
 
 /// The contact radius over `sqrt(R D)` that no contact is expected to exceed on the way `D`, the
 /// range of the penetrations or heights. Of a thin incompressible layer on a rigid base without

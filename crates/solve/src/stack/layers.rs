@@ -4,6 +4,7 @@ use interp::{Elastic, Material, Probe, StackShape, System};
 
 use super::interface::Interface;
 use crate::Error;
+use crate::domain::A_OVER_T;
 
 /// The largest contact radius over the thickness of the top layer for which a stack is solved.
 /// Neighbouring layers of one material count as one.
@@ -232,6 +233,19 @@ impl Stack {
     /// Tells whether there is a single layer, bonded to the base: a film.
     pub(crate) fn is_film(&self) -> bool {
         self.layers.len() == 1 && self.is_bonded()
+    }
+
+    /// Returns the `a/t`, with the thickness of all layers, of a contact of `a_over_top` times the thickness of the top
+    /// layer. Neighbours of one material are one layer, and of layers that are one film in all it is the largest `a/t`
+    /// of a film.
+    pub fn reach(&self, a_over_top: f64) -> f64 {
+        let merged = self.merged();
+        let most = if merged.is_film() {
+            A_OVER_T[1]
+        } else {
+            a_over_top
+        };
+        most / (self.thickness() / merged.top().thickness)
     }
 
     /// Returns the same body with as few layers as possible: neighbours of one material that are

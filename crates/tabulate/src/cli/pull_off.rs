@@ -215,9 +215,8 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
         let curve_to = |tolerance| match &bodies.stack {
             Some(layers) => {
                 let stack = layers.stack();
-                let top = stack.top().thickness / stack.thickness();
-                let widest = to.min(over_top * top);
-                let range = [from.min(over_top * top * 1e-3), widest];
+                let reach = stack.reach(over_top);
+                let range = [from.min(1e-3 * reach), to.min(reach)];
                 layers.curve(system.sphere_modulus, range, tolerance)
             }
             None => Ok(curve(&system.material()?, [from, to], tolerance)?),

@@ -38,14 +38,15 @@ pub fn read(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
     any(text)?.of(wanted).map_err(|error| error.to_string())
 }
 
+/// The modulus (Pa) below which hardly any solid is, and a number needs a unit.
+pub const PLAIN_MODULUS: f64 = 1e3;
+
 /// Reads the value of a quantity, as [`read`]. A small modulus needs a unit: MPa or GPa were probably
 /// meant.
 pub fn value(text: &str, wanted: Option<Dimension>) -> Result<f64, String> {
-    /// The modulus (Pa) below which hardly any solid is.
-    const SMALL: f64 = 1e3;
     let value = read(text, wanted)?;
     let number = text.trim();
-    let is_small = wanted == Some(Dimension::Modulus) && value > 0.0 && value < SMALL;
+    let is_small = wanted == Some(Dimension::Modulus) && value > 0.0 && value < PLAIN_MODULUS;
     if is_small && number.parse::<f64>().is_ok() {
         return Err(format!(
             "{number} has no unit and is in Pa, softer than almost all solids: write {number}kPa, {number}MPa or \

@@ -8,6 +8,8 @@ use std::sync::Arc;
 use anyhow::Context;
 use interp::Curve;
 
+use super::note;
+use super::quantity::PLAIN_MODULUS;
 use super::table_name::TableName;
 use crate::stack::NamedStack;
 use crate::table::StackTable;
@@ -66,11 +68,29 @@ impl Layers {
 /// Reads a stack file or a table. An error names the file, and the layer if it is about one.
 pub fn read(path: &Path) -> anyhow::Result<Layers> {
     if !is_table(path).unwrap_or(false) {
-        return Ok(Layers::Text(NamedStack::read(path)?));
+        let named = NamedStack::read(path)?;
+        note_soft(path, &named);
+        return Ok(Layers::Text(named));
     }
     let table = TableName::File(path.to_owned()).read()?;
     let table = StackTable::new(&table).with_context(|| printable::path(path))?;
     Ok(Layers::Table(Arc::new(table.into_owned())))
+}
+
+/// Notes on standard error that a modulus is that of no usual solid: a stack file has no units.
+fn note_soft(path: &Path, named: &NamedStack) {
+    let stack = &named.stack;
+    let moduli = stack.layers().iter().map(|layer| layer.solid.young());
+    let soft = moduli
+        .chain([stack.base().young()])
+        .find(|&young| young < PLAIN_MODULUS);
+    if let Some(young) = soft {
+        note(&format!(
+            "{}: a Young's modulus is {young:?} Pa, softer than almost all solids. Stack files are in SI units: if MPa are \
+             meant, write {young}e6, and {young}e9 for GPa.",
+            printable::path(path)
+        ));
+    }
 }
 
 /// Returns whether a file begins as a table does. A pipe, which can be read once only, is none.
