@@ -120,6 +120,7 @@ fn weak_adhesion_under_a_cone_is_found() {
                 (value - truth).abs() < 3.0 * error,
                 "{seed} {name}: {value} {error}"
             );
+            assert!(error < 0.5 * truth, "{seed} {name}: {value} {error}");
         }
     }
 }

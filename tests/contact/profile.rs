@@ -76,9 +76,31 @@ fn rounded_numbers_of_straight_flanks_are_taken() {
     }
 }
 
-/// Only the last digits may fail to be convex.
+/// Only as much as rounding makes may fail to be convex, and the error names the row where the slope falls.
 #[test]
 fn what_is_not_convex_is_refused() {
+    // A cone of three decimals, whose slopes fall in many rows, with a bump in one.
+    let rounded = |r: f64| (364.0 * r).round() * 1e-3;
+    let radii = (0..=40).map(|i| 0.1 * f64::from(i));
+    let mut cone: Vec<[f64; 2]> = radii.map(|r| [r, rounded(r)]).collect();
+    assert!(Profile::new(&cone).is_ok());
+    cone[30][1] += 0.03;
+    assert!(matches!(
+        Profile::new(&cone),
+        Err(Error::Profile { row: 32, .. })
+    ));
+    // The end of a tip of 7 um is not rewritten.
+    let tip = [
+        [0.0, 0.0],
+        [5e-3, 6e-3],
+        [20e-3, 8e-3],
+        [60e-3, 12e-3],
+        [20.0, 7.0],
+    ];
+    assert!(matches!(
+        Profile::new(&tip),
+        Err(Error::Profile { row: 3, .. })
+    ));
     let bump =
         |height: f64| Profile::new(&[[0.0, 0.0], [1.0, 1.0 + height], [2.0, 2.0], [3.0, 3.0]]);
     assert!(bump(2.9e-3).is_ok());

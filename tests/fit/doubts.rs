@@ -209,7 +209,7 @@ fn a_small_offset_that_misleads_is_named() {
     let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 5e-6, &LENS);
     (lens.radii, lens.points) = ([42e-6, 130e-6], [20, 0]);
     lens.truth.load_offset = 25e-6;
-    let (mut named, mut wrong) = (0, 0);
+    let (mut named, mut hinted, mut wrong) = (0, 0, 0);
     let exact = lens.exact();
     for seed in 0..40 {
         let mut experiment = lens.measured(&exact, seed);
@@ -217,11 +217,14 @@ fn a_small_offset_that_misleads_is_named() {
         let found = fitted(&experiment, &lens.free);
         let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
         wrong += i32::from((work.value - 0.04).abs() > 5.0 * work.standard_error);
+        hinted += i32::from(found.warns_of(WarningKind::OffsetHinted));
         let kinds = [WarningKind::OffsetWanted, WarningKind::OffsetHinted];
         named += i32::from(kinds.into_iter().any(|kind| found.warns_of(kind)));
     }
-    println!("{wrong} of 40 are wrong, {named} named");
-    assert!(wrong >= 38 && named >= 24, "{wrong} {named}");
+    assert!(
+        wrong >= 38 && named >= 24 && hinted >= 8,
+        "{wrong} {named} {hinted}"
+    );
 }
 
 #[test]

@@ -24,9 +24,10 @@ pub struct Validity {
     ///
     /// A sphere is its paraboloid and `r^4/(8 R^3)`, whose load `F4` and penetration `delta4` lower the
     /// load `F0` by the part `(S delta4 - F4)/F0`: the load at a given penetration is stationary at the
-    /// contact radius. On a half-space it is `delta0/(10 R)`, on thin films up to ten times as much. On
-    /// stacks of layers that of the half-space is taken, and outside the nodes of the curve the
-    /// part of `(a/R)^2` at the nearest one.
+    /// contact radius. On a half-space it is `delta0/(10 R)`, on thin films up to ten times as much as
+    /// this expression. It is this expression on stacks of layers and under full friction, where the
+    /// quartic is not known; outside the nodes of the curve the part of `(a/R)^2` at the nearest one is
+    /// taken.
     pub shape: f64,
     /// The part by which the load at a given penetration rises because the surface moves sideways
     /// under the sloping probe, which the model neglects: `3/(4 pi) (1 - 2 nu)/(1 - nu) a/R` times

@@ -135,10 +135,12 @@ pub(crate) fn problem<'a>(
         }
         if let Variation::Adhesion(part) = variation
             && let Some(a) = largest
+            && one.experiment.measurement.kind != Kind::PenetrationRadius
         {
             let contact = at.experiment.bodies.contact(table, None)?;
             let work = no_adhesion::work_of_part(&one.experiment, &contact, a, part)?;
             starts.push((Parameter::WorkOfAdhesion, work));
+            starts.push((Parameter::WorkOfAdhesionReceding, work));
         }
         for &(parameter, slot) in &own {
             let coordinate = slots[slot].coordinate.with_unit(unit(one, parameter));

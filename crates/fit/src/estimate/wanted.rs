@@ -14,10 +14,10 @@ use crate::{Branch, Direction, Loss, Parameter, WarningKind};
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
 const LEFT: f64 = 1e-3;
-/// A zero of an instrument is named already from this number of its standard errors on, which chance reaches in one fit
-/// of 2000, if it would change a value found by more than [`MISLED`] standard errors of that value. The two may be so
-/// correlated that an offset misleads before it is told by chi^2.
+/// A zero of an instrument is named already from this number of its standard errors on, if it would mislead: the values
+/// found may be so correlated with it that chi^2 does not tell. For each zero, chance reaches it in one fit of 2000.
 const HINT: f64 = 3.5;
+/// The change of a value found, in its standard errors, from which on a zero misleads.
 const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
 const FEWEST: usize = 5;
@@ -97,8 +97,7 @@ pub(super) fn add(
                         WarningKind::OffsetHinted,
                         format!(
                             "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
-                             standard errors. It would change {} by {:+.0} standard errors of the value found: free it, \
-                             unless its value is known",
+                             standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
                             gain.change,
                             parameter.unit(),
                             gain.significance.sqrt(),

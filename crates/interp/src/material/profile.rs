@@ -6,16 +6,18 @@ use crate::Error;
 
 /// The largest number of points of a profile.
 const MOST_POINTS: usize = 200;
-/// The largest distance of a point above the convex hull over the height of the profile, for the rounding of text.
-const ROUNDING: f64 = 1e-3;
+/// The largest distance of a point above the convex hull, for the rounding of text: over the height of the profile, and
+/// over that of the point.
+const OF_HEIGHT: f64 = 1e-3;
+const OF_POINT: f64 = 0.05;
 
 /// The measured shape of a probe with rotational symmetry, as points `(r, z)`.
 ///
 /// The points are smoothed by this rule: the slope `dz/dr` is 0 on the axis, it is that of the straight
 /// line between two points midway between them, and it is a linear function of `r` in between. Beyond the last middle it continues linearly to the
 /// last point. So the slope is continuous, the shape is convex if the points are, and evenly
-/// spaced points of a paraboloid give the paraboloid. Points that lie above the convex hull of all by at most 1e-3 of
-/// the height of the profile are lowered to it: rounded numbers of a straight flank are not convex.
+/// spaced points of a paraboloid give the paraboloid. Points that lie above the convex hull of all by at most 1e-3 of the
+/// height of the profile and 5 % of their own are lowered to it: rounded numbers of a straight flank are not convex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// The radii (m) at which the slope bends, ascending from 0, and the slopes there.
@@ -51,7 +53,6 @@ impl Profile {
         let mut before = origin;
         // The corners of the convex hull.
         let mut hull = vec![origin];
-        let mut falls = None;
         for (i, &[r, z]) in rest.iter().enumerate() {
             let row = i + 1 + usize::from(on_axis);
             if !(r.is_finite() && z.is_finite() && origin[1].is_finite()) {
@@ -60,13 +61,12 @@ impl Profile {
             if r <= before[0] {
                 return refuse(row, "r must be positive and larger than in the row before");
             }
-            if !(chord(before, [r, z]) >= 0.0 && chord(before, [r, z]).is_finite()) {
+            if !(0.0..f64::INFINITY).contains(&chord(before, [r, z])) {
                 return refuse(row, "z must not fall from the axis to the edge");
             }
             while let [.., first, last] = hull[..]
                 && chord(last, [r, z]) < chord(first, last)
             {
-                falls = falls.or(Some(row));
                 hull.pop();
             }
             before = [r, z];
@@ -78,16 +78,17 @@ impl Profile {
         }
         let mut chords: Vec<[f64; 2]> = Vec::with_capacity(rest.len());
         let (mut corner, mut before) = (0, origin);
-        for &[r, z] in rest {
-            let ([from, to], slope) = (
-                [hull[corner], hull[corner + 1]],
-                chord(hull[corner], hull[corner + 1]),
-            );
-            if z - from[1] - slope * (r - from[0]) > ROUNDING * height
-                && let Some(row) = falls
-            {
+        for (i, &[r, z]) in rest.iter().enumerate() {
+            let (from, to) = (hull[corner], hull[corner + 1]);
+            let slope = chord(from, to);
+            let allowed = (OF_HEIGHT * height).min(OF_POINT * (z - origin[1]));
+            if z - from[1] - slope * (r - from[0]) > allowed {
+                let falls =
+                    |three: &[[f64; 2]]| chord(three[1], three[2]) < chord(three[0], three[1]);
+                let all: Vec<[f64; 2]> = [origin].into_iter().chain(rest.iter().copied()).collect();
+                let after = all[i..].windows(3).position(falls);
                 return refuse(
-                    row,
+                    i + after.map_or(1, |after| after + 2) + usize::from(on_axis),
                     "the slope is smaller than before: the profile must be convex; smooth it, or \
                      leave out points",
                 );

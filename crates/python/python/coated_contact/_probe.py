@@ -21,7 +21,7 @@ class Probe(Native):
     :class:`PowerLaw`, :class:`Cone`, :class:`RoundedCone`, :class:`FlatPunch`,
     :class:`FlatEndedCone` and :class:`Profile`. Only the contact without adhesion depends on the
     shape; film, substrate and the elasticity of the probe enter as for a sphere. All shapes are
-    convex, such that a contact is one disc.
+    convex, such that a contact is one disc; rounded numbers of a straight flank are taken.
 
     A shape whose lengths or angle cannot be raises an InputError.
     """

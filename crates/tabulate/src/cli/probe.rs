@@ -160,9 +160,15 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
                 numbers.push(i + 1);
             }
             _ if units.is_none() && points.is_empty() => {
-                let begins = |heading: &str, letter| heading.to_lowercase().starts_with(letter);
+                let word = |heading: &str| {
+                    heading
+                        .to_lowercase()
+                        .split(['_', '/', ' ', '[', '('])
+                        .next()
+                        .map(str::to_owned)
+                };
                 ensure!(
-                    !(begins(r, 'z') && begins(z, 'r')),
+                    word(r).as_deref() != Some("z") || word(z).as_deref() != Some("r"),
                     "line {}: the columns are z and r: exchange them, r comes first",
                     i + 1
                 );
@@ -183,8 +189,9 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
     };
     Profile::new(&points).map_err(|error| match error {
         interp::Error::Profile { row, reason } => match numbers.get(row.wrapping_sub(1)) {
-            Some(line) => anyhow!("line {line}: {reason}{before}"),
-            None => anyhow!("{reason}{before}"),
+            Some(line) if row <= 2 => anyhow!("line {line}: {reason}{before}"),
+            Some(line) => anyhow!("line {line}: {reason}"),
+            None => anyhow!("{reason}"),
         },
         other => other.into(),
     })
