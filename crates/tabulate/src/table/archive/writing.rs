@@ -5,7 +5,6 @@ use std::path::Path;
 
 use interp::Table;
 
-use super::datasets;
 use crate::{Error, output};
 
 /// Whether this program writes HDF5: it was built with the feature `hdf5`.
@@ -58,7 +57,7 @@ pub fn write(table: &Table, path: &Path) -> Result<(), Error> {
 #[cfg(feature = "hdf5")]
 fn fill(table: &Table, path: &Path) -> io::Result<()> {
     // The library tells a full disk in the middle of a long text.
-    datasets::fill(table, path).map_err(|error| match error.to_string() {
+    super::datasets::fill(table, path).map_err(|error| match error.to_string() {
         text if text.contains("No space left on device") => {
             io::Error::new(io::ErrorKind::StorageFull, "No space left on device")
         }
