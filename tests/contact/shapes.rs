@@ -428,15 +428,20 @@ fn the_effect_of_the_shape_is_known_on_thin_films() {
 #[test]
 fn a_soft_lens_on_glass_has_no_displacement_sideways() {
     let glass = solid(70e9, 0.2);
-    let lens = HalfSpace {
-        probe: Probe::Paraboloid { radius: 1e-3 },
-        sphere_modulus: 2e6,
-        solid: glass,
-    };
-    let at = Contact::half_space(&lens).expect("possible").validity(5e-5);
-    let at = at.expect("in range");
-    assert!(at.sideways < 1e-6, "{at:?}");
-    assert_eq!(at.neglected(), []);
+    for probe in [
+        Probe::Paraboloid { radius: 1e-3 },
+        Probe::Cone { half_angle: 1.52 },
+    ] {
+        let lens = HalfSpace {
+            probe,
+            sphere_modulus: 2e6,
+            solid: glass,
+        };
+        let at = Contact::half_space(&lens).expect("possible").validity(5e-5);
+        let at = at.expect("in range");
+        assert!(at.sideways < 1e-6, "{at:?}");
+        assert_eq!(at.neglected(), []);
+    }
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! A system with the curve of its material: load, penetration, stiffness and stress intensity at a
 //! contact radius.
 
+use std::sync::OnceLock;
+
 use super::line_energy::LineEnergy;
 use crate::Error;
 use crate::Input;
@@ -43,6 +45,9 @@ pub struct Contact {
     pub(crate) mechanics: Mechanics,
     pub(crate) bodies: Bodies,
     pub(crate) shape: Shape,
+    /// The contact of a quartic with the same bodies, made at the first question about the size of the shape; none where
+    /// it is not known.
+    pub(crate) quartic: OnceLock<Option<Box<Self>>>,
 }
 
 /// A state of a contact: its radius, its load and its penetration.
@@ -136,6 +141,7 @@ impl Contact {
                 curve,
             },
             shape,
+            quartic: OnceLock::new(),
         })
     }
 
@@ -160,6 +166,7 @@ impl Contact {
             mechanics: Mechanics::half_space(system)?,
             bodies: Bodies::HalfSpace(system.clone()),
             shape: Shape::on_half_space(&system.probe),
+            quartic: OnceLock::new(),
         })
     }
 

@@ -97,12 +97,16 @@ impl Validity {
     /// paraboloid, in the order of [`Neglected`]. While there is one, the exact shape gains nothing
     /// for loads at given penetrations.
     ///
-    /// The displacement sideways is compared with [`Validity::shape`] itself. An elastic probe
+    /// The displacement sideways is compared with [`Validity::shape`] itself, and with 0.1 % under a
+    /// probe that is no sphere. An elastic probe
     /// counts above an `a/R` of 0.1 if its share of the compliance is above 0.1, and the strain of
     /// the film counts above 0.1: at a large `a/t` it is no longer small before `a/R` matters.
     pub fn neglected(&self) -> Vec<Neglected> {
         let mut all = Vec::new();
-        if self.sideways > self.shape {
+        /// Of a probe whose shape is exact.
+        const UNSEEN: f64 = 1e-3;
+        let shape = if self.shape > 0.0 { self.shape } else { UNSEEN };
+        if self.sideways > shape {
             all.push(Neglected::Sideways);
         }
         if self.is_large_contact() && self.probe_share > Self::SMALL {
@@ -274,23 +278,28 @@ impl Contact {
 
     /// Returns [`Validity::shape`] of a sphere on a film; `None` where it is not known.
     fn shape_on_film(&self, a: f64, radius: f64) -> Option<f64> {
-        let (system, curve) = self.system().zip(self.curve())?;
-        let [from, to] = curve.range().map(|x| x * system.film_thickness);
+        let quartic = self.quartic.get_or_init(|| self.on_quartic().map(Box::new));
+        let (quartic, t) = (quartic.as_ref()?, self.system()?.film_thickness);
+        let [from, to] = self.curve()?.range().map(|x| x * t);
         let at = a.clamp(from, to);
-        // As high as it is wide, so that nothing over- or underflows.
-        let quartic = Probe::PowerLaw {
-            coefficient: at.powi(-3),
+        let added = quartic.adhesionless(at).ok()?;
+        let lost = self.stiffness(at).ok()? * added.penetration - added.load;
+        let part = lost / self.adhesionless_load(at).ok()? * (t / radius).powi(3) / 8.0;
+        Some(part * (a / at).powi(2))
+    }
+
+    /// Returns the contact of the probe `r^4/t^3` with the same bodies; `None` where it is not known.
+    fn on_quartic(&self) -> Option<Self> {
+        let (system, curve) = self.system().zip(self.curve())?;
+        let probe = Probe::PowerLaw {
+            coefficient: system.film_thickness.powi(-3),
             exponent: 4.0,
         };
         let system = System {
-            probe: quartic,
+            probe,
             ..system.clone()
         };
-        let added = Contact::new(&system, curve.clone()).ok()?;
-        let added = added.adhesionless(at).ok()?;
-        let lost = self.stiffness(at).ok()? * added.penetration - added.load;
-        let part = lost / self.adhesionless_load(at).ok()? * (at / radius).powi(3) / 8.0;
-        Some(part * (a / at).powi(2))
+        Self::new(&system, curve.clone()).ok()
     }
 
     /// Compares an attraction of work of adhesion `w` (J/m^2) and range `interaction_range`, `z0`

@@ -141,25 +141,17 @@ pub fn stack_curve(
 /// # Errors
 /// [`Error::StackReach`]
 pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
-    let merged = stack.merged();
-    let layers = merged.layers().len();
-    let thickness_over_top = stack.thickness() / merged.top().thickness;
-    // A film is solved by the methods for films.
-    let most = if merged.is_film() {
-        A_OVER_T[1]
-    } else {
-        MOST_A_OVER_TOP
-    };
     let reach = stack.reach(MOST_A_OVER_TOP);
     if a_over_t <= reach {
         return Ok(());
     }
+    let merged = stack.merged();
     Err(Error::StackReach {
         a_over_t,
         reach,
-        most,
-        thickness_over_top,
-        layers,
+        most: merged.most(MOST_A_OVER_TOP),
+        thickness_over_top: stack.thickness() / merged.top().thickness,
+        layers: merged.layers().len(),
     })
 }
 

@@ -240,12 +240,16 @@ impl Stack {
     /// of a film.
     pub fn reach(&self, a_over_top: f64) -> f64 {
         let merged = self.merged();
-        let most = if merged.is_film() {
+        merged.most(a_over_top) / (self.thickness() / merged.top().thickness)
+    }
+
+    /// Returns `a_over_top`, but of a film the largest `a/t` of films, which are solved by other methods.
+    pub(crate) fn most(&self, a_over_top: f64) -> f64 {
+        if self.is_film() {
             A_OVER_T[1]
         } else {
             a_over_top
-        };
-        most / (self.thickness() / merged.top().thickness)
+        }
     }
 
     /// Returns the same body with as few layers as possible: neighbours of one material that are

@@ -240,10 +240,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .map_err(|error| doubted(error, &[], &[]))?;
     let text = csv(&made)?;
     arguments.known.name_example(&experiments[0]);
-    for warning in made.broken_assumptions(&table).unwrap_or_default() {
+    output.write(&text)?;
+    for warning in made.broken_assumptions(&table)? {
         note(&warning.text);
     }
-    output.write(&text)
+    Ok(())
 }
 
 /// Returns the measurement to be made, without ordinates.
