@@ -61,9 +61,10 @@ class Validity(OneLine):
         there is an error. None on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
-        ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %), ``elastic_probe`` (an elastic probe is no
-        half-space; above an a/R and a share of 0.1) and ``strain`` (above 0.1). While there is one,
-        ``Sphere`` in place of ``Paraboloid`` gains nothing for loads at given penetrations.
+        ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %),
+        ``elastic_probe`` (an elastic probe is no half-space; above an a/R and a share of 0.1) and
+        ``strain`` (above 0.1). While there is one, ``Sphere`` in place of ``Paraboloid`` gains
+        nothing for loads at given penetrations.
     """
 
     a_over_r: Any
