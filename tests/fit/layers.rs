@@ -1,11 +1,9 @@
 //! Fits of contacts on stacks of layers.
 
-use std::sync::Arc;
-
 use acceptance::{larger, solid};
 use fit::{
-    Bodies, Experiment, Fit, Free, Kind, LayerName, Layered, Loss, NamedLayer, Parameter, Reach,
-    WarningKind,
+    Bodies, Experiment, Fit, Free, Interrupt, Kind, LayerName, Layered, Loss, NamedLayer,
+    Parameter, Reach, Solver, WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
@@ -35,7 +33,8 @@ pub fn on_layers(system: &System, layers: &[NamedLayer]) -> Bodies {
             needed: 0.0,
             expected: 0.0,
         },
-        solver: Arc::new(fit::DirectSolver),
+        solver: Solver::Direct,
+        interrupt: Interrupt::default(),
     })
 }
 

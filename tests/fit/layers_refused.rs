@@ -2,13 +2,10 @@
 
 use std::slice;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use acceptance::Refused;
-use contact::Contact;
-use fit::{
-    Bodies, Cause, Experiment, Free, Interruptible, Kind, Layered, LayeredSolver, Parameter,
-};
+use fit::{Bodies, Experiment, Free, Interrupt, Kind, Parameter};
 use interp::Probe;
 
 use crate::imagined::{Imagined, fit_all};
@@ -65,51 +62,34 @@ fn a_cone_on_layers_is_refused() {
     fit_all(&[experiment], &lens.free).refused("stack; paraboloid");
 }
 
-/// Counts the contacts that it makes, and is interrupted during one of them.
-#[derive(Debug)]
-struct Counted {
-    made: AtomicUsize,
-    last: usize,
-    interrupted: Arc<AtomicBool>,
-}
-
-impl LayeredSolver for Counted {
-    fn contact(&self, bodies: &Layered) -> Result<Contact, Cause> {
-        if self.made.fetch_add(1, Ordering::Relaxed) + 1 == self.last {
-            self.interrupted.store(true, Ordering::Relaxed);
-        }
-        fit::DirectSolver.contact(bodies)
-    }
-}
-
 #[test]
-fn an_interrupted_fit_makes_no_further_contact() {
+fn an_interrupted_fit_is_an_error_and_ends() {
     let primer = Parameter::LayerModulus(named("primer"));
     let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
     let experiment = with_reach(lens.measured(&lens.exact(), 1));
     let contacts_until = |last: usize| {
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let counted = Arc::new(Counted {
-            made: AtomicUsize::new(0),
-            last,
-            interrupted: interrupted.clone(),
-        });
+        // Asked before each contact; from the contact after `last` on, nobody waits.
+        let asked = Arc::new(AtomicUsize::new(0));
         let mut experiment = experiment.clone();
         let Bodies::Layered(layered) = &mut experiment.bodies else {
             unreachable!("a lens is on layers")
         };
-        layered.solver = Arc::new(Interruptible {
-            solver: counted.clone(),
-            interrupted,
-        });
+        let count = Arc::clone(&asked);
+        layered.interrupt = Interrupt::when(move || count.fetch_add(1, Ordering::Relaxed) >= last);
         let found = fit_all(&[experiment], &lens.free);
-        let made = counted.made.load(Ordering::Relaxed);
-        assert!(made >= last || found.is_ok(), "{found:?}");
-        made
+        let asked = asked.load(Ordering::Relaxed);
+        if last == usize::MAX {
+            found.expect("nobody interrupts it");
+        } else {
+            found.refused("interrupted");
+        }
+        asked
     };
     let all = contacts_until(usize::MAX);
     assert!(all > 10, "{all}");
-    for last in [1, 2, all / 2, all] {
-        assert_eq!(contacts_until(last), last);
+    for last in [0, 1, 2, all / 2, all - 1] {
+        // An interrupted fit does not start anew.
+        let refused = contacts_until(last) - last;
+        assert!((1..2 * all).contains(&refused), "{refused} after {last}");
     }
 }

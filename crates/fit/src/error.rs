@@ -3,8 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::Parameter;
-use crate::model::Cause;
+use crate::{LayerName, Parameter};
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -213,7 +212,21 @@ pub enum Error {
     History(#[from] contact::HistoryError),
     /// A contact on a stack of layers that cannot be computed.
     #[error(transparent)]
-    Layers(Cause),
+    Layers(#[from] solve::Error),
+    /// A layer with a name that a stack cannot have.
+    #[error("layer {name}: {what}")]
+    Layer {
+        /// The name.
+        name: LayerName,
+        /// A sentence with the value and the allowed range.
+        what: String,
+    },
+    /// Other layers than those of the table.
+    #[error("the layers are not those of the table: {0}")]
+    OtherLayers(&'static str),
+    /// A contact that nobody waits for: see [`Interrupt`](crate::Interrupt).
+    #[error("the fit is interrupted")]
+    Interrupted,
     /// A contact that cannot be computed.
     #[error(transparent)]
     Contact(#[from] contact::Error),

@@ -76,9 +76,8 @@ pub use estimate::{
     fit, forecast, starts_from_data,
 };
 pub use model::{
-    AreaFunction, Bodies, Branch, Cause, ContactDepth, DirectSolver, Direction, Experiment, Fixed,
-    Free, Indentation, Interruptible, Kind, Known, LayerName, Layered, LayeredSolver, Loss,
-    LossAngle, MOST_COEFFICIENTS, Measurement, NamedLayer, Options, Parameter, Point, PointErrors,
-    Prediction, Prior, Reach, Relaxing, Scope, StickSolver, simulate, simulate_experiment,
-    stack_of, system_on,
+    AreaFunction, Bodies, Branch, ContactDepth, Direction, Experiment, Fixed, Free, Indentation,
+    Interrupt, Kind, Known, LayerName, Layered, Loss, LossAngle, MOST_COEFFICIENTS, Measurement,
+    NamedLayer, Options, Parameter, Point, PointErrors, Prediction, Prior, Reach, Relaxing, Scope,
+    Solver, simulate, simulate_experiment,
 };

@@ -1,9 +1,9 @@
 //! What makes the contacts of experiments on layers, and of films to which the sphere sticks.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use fit::{Interruptible, LayeredSolver, StickSolver};
+use fit::{Interrupt, Solver};
 use pyo3::prelude::*;
 
 use crate::error::unknown;
@@ -13,10 +13,10 @@ pub fn stick(
     friction: &str,
     sphere_poisson_ratio: f64,
     advancing: f64,
-) -> PyResult<Option<StickSolver>> {
+) -> PyResult<Option<Solver>> {
     match friction {
         "none" => Ok(None),
-        "stick" => Ok(Some(StickSolver {
+        "stick" => Ok(Some(Solver::Stick {
             sphere_poisson_ratio,
             advancing,
         })),
@@ -25,31 +25,25 @@ pub fn stick(
 }
 
 /// Makes the contacts on layers until a flag is set.
-#[derive(Clone)]
-pub struct Solvers {
-    frictionless: Arc<dyn LayeredSolver>,
+pub struct ContactsOnLayers {
+    /// What makes contacts without friction.
+    pub frictionless: Solver,
     /// Whether no further contact is made.
     pub interrupted: Arc<AtomicBool>,
 }
 
-impl Solvers {
+impl ContactsOnLayers {
     /// Makes contacts without friction by a solver.
-    pub fn new(frictionless: Arc<dyn LayeredSolver>) -> Self {
+    pub fn new(frictionless: Solver) -> Self {
         Self {
             frictionless,
             interrupted: Arc::default(),
         }
     }
 
-    /// Returns the solver of an experiment.
-    pub fn of(&self, stick: Option<StickSolver>) -> Arc<dyn LayeredSolver> {
-        let solver = stick.map_or_else(
-            || Arc::clone(&self.frictionless),
-            |stick| Arc::new(stick) as Arc<dyn LayeredSolver>,
-        );
-        Arc::new(Interruptible {
-            solver,
-            interrupted: Arc::clone(&self.interrupted),
-        })
+    /// Returns what tells whether no further contact is made.
+    pub fn interrupt(&self) -> Interrupt {
+        let interrupted = Arc::clone(&self.interrupted);
+        Interrupt::when(move || interrupted.load(Ordering::Relaxed))
     }
 }

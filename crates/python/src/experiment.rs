@@ -1,11 +1,9 @@
 //! The experiments of fits and forecasts, from the attributes of the Python class.
 
-use std::sync::Arc;
-
 use ::solve::stack::Layer;
 use fit::{
-    Bodies, Direction, Experiment, Kind, Layered, LayeredSolver, Measurement, NamedLayer, Point,
-    PointErrors, Reach, Relaxing,
+    Bodies, Direction, Experiment, Kind, Layered, Measurement, NamedLayer, Point, PointErrors,
+    Reach, Relaxing, Solver,
 };
 use interp::System;
 use numpy::PyReadonlyArray1;
@@ -13,7 +11,7 @@ use pyo3::prelude::*;
 use tabulate::stack::NamedStack;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
-use crate::contacts_on_layers::{Solvers, stick};
+use crate::contacts_on_layers::{ContactsOnLayers, stick};
 use crate::error::{OrRaise as _, unknown};
 use crate::history::{LawNumbers, law};
 use crate::indentation::GivenIndentation;
@@ -76,12 +74,16 @@ enum GivenBodies<'py> {
 }
 
 /// Makes experiments; the `solvers` make their contacts if they are on layers or stick.
-pub fn all(py: Python<'_>, given: &[Given<'_>], solvers: &Solvers) -> PyResult<Vec<Experiment>> {
+pub fn all(
+    py: Python<'_>,
+    given: &[Given<'_>],
+    solvers: &ContactsOnLayers,
+) -> PyResult<Vec<Experiment>> {
     given.iter().map(|given| one(py, given, solvers)).collect()
 }
 
 /// Makes an experiment; one of the `solvers` makes its contacts if they are on layers or stick.
-pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Experiment> {
+pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyResult<Experiment> {
     let kind = Kind::ALL
         .into_iter()
         .find(|kind| kind.name() == given.kind)
@@ -112,21 +114,20 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Exp
         points: points.collect(),
     };
     let stick = stick(&given.friction, given.sphere_poisson_ratio, given.advancing)?;
-    let solver = solvers.of(stick);
     let bodies = match &given.bodies {
         GivenBodies::Coated(system) if stick.is_some() => {
             let system = &system.get().0;
             // The film is a single layer without a name.
             let layer = Layer::bonded(system.film, system.film_thickness);
             let layers = vec![NamedLayer { name: None, layer }];
-            layered(system, layers, &measurement, solver)
+            layered(system, layers, &measurement, stick, solvers)
         }
         GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
         GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
             let NativeStackSystem { named, system } = layers.get();
             let layers = named_layers(named).or_raise(py)?;
-            layered(system, layers, &measurement, solver)
+            layered(system, layers, &measurement, stick, solvers)
         }
     };
     let given_noise = given.noise.as_ref().map(GivenNoise::read).transpose()?;
@@ -163,12 +164,14 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &Solvers) -> PyResult<Exp
     Ok(made)
 }
 
-/// Makes the layers of an experiment, whose contacts a solver makes.
+/// Makes the layers of an experiment, whose contacts are made with full friction by `stick`, or
+/// without friction.
 fn layered(
     system: &System,
     layers: Vec<NamedLayer>,
     measurement: &Measurement,
-    solver: Arc<dyn LayeredSolver>,
+    stick: Option<Solver>,
+    solvers: &ContactsOnLayers,
 ) -> Bodies {
     Bodies::Layered(Layered {
         reach: Reach::of(measurement, &system.probe),
@@ -176,7 +179,8 @@ fn layered(
         sphere_modulus: system.sphere_modulus,
         base: system.substrate,
         layers,
-        solver,
+        solver: stick.unwrap_or_else(|| solvers.frictionless.clone()),
+        interrupt: solvers.interrupt(),
     })
 }
 

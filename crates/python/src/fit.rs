@@ -14,7 +14,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
-use crate::contacts_on_layers::Solvers;
+use crate::contacts_on_layers::ContactsOnLayers;
 use crate::error::{Failure, of_points, unknown};
 use crate::experiment::{Given, all};
 use crate::indentation::loss;
@@ -53,7 +53,7 @@ pub fn fit_together<'py>(
         ..options
     };
     let table = table.get();
-    let solvers = Solvers::new(table.layered_solver(py)?);
+    let solvers = ContactsOnLayers::new(table.solver(py)?);
     let experiments = all(py, &experiments, &solvers)?;
     let free = frees(py, free)?;
     let found = interruptible(py, &solvers.interrupted, || {
@@ -105,7 +105,7 @@ pub fn fit_map<'py>(
         ..options
     };
     let table = table.get();
-    let solvers = Solvers::new(table.layered_solver(py)?);
+    let solvers = ContactsOnLayers::new(table.solver(py)?);
     let free = frees(py, free)?;
     let results = PyList::empty(py);
     for (block, curves) in experiments.chunks(BLOCK).enumerate() {

@@ -1,10 +1,8 @@
 //! What is known of a measurement of contact stiffness, from Python.
 
-use std::sync::Arc;
-
 use fit::{
-    AreaFunction, Bodies, ContactDepth, DirectSolver, Error, Experiment, Indentation, Layered,
-    Reach,
+    AreaFunction, Bodies, ContactDepth, Error, Experiment, Indentation, Interrupt, Layered, Reach,
+    Solver,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -64,7 +62,8 @@ impl GivenIndentation {
             sphere_modulus: half_space.sphere_modulus,
             base: half_space.solid,
             layers: Vec::new(),
-            solver: Arc::new(DirectSolver),
+            solver: Solver::Direct,
+            interrupt: Interrupt::default(),
         });
         Ok(())
     }

@@ -2,16 +2,15 @@
 //! errors of planned experiments.
 
 use std::slice;
-use std::sync::Arc;
 
-use fit::DirectSolver;
+use fit::Solver;
 use fit::{Branch, Error};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Output;
-use crate::contacts_on_layers::Solvers;
+use crate::contacts_on_layers::ContactsOnLayers;
 use crate::error::{OrRaise as _, unknown};
 use crate::experiment::{Given, all, one};
 use crate::fit::{accept_magnitudes, estimates, warnings};
@@ -49,7 +48,7 @@ pub fn branches(
     free: Vec<String>,
 ) -> PyResult<Vec<&'static str>> {
     // No contact is made.
-    let experiment = one(py, &given, &Solvers::new(Arc::new(DirectSolver)))?;
+    let experiment = one(py, &given, &ContactsOnLayers::new(Solver::Direct))?;
     let free: Result<Vec<_>, Error> = free.iter().map(|name| parameter(name)).collect();
     let free = free.or_raise(py)?;
     let branches = experiment.branches(&free).or_raise(py)?;
@@ -67,7 +66,7 @@ pub fn predict<'py>(
     parameters: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let experiment = one(py, &given, &Solvers::new(table.layered_solver(py)?))?;
+    let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
     let parameters: Result<Vec<_>, Error> = parameters.iter().map(|name| parameter(name)).collect();
     let parameters = parameters.or_raise(py)?;
     let branches = branches.map(|names| of_names(&names)).transpose()?;
@@ -98,7 +97,7 @@ pub fn simulate<'py>(
     allow_magnitudes: bool,
 ) -> PyResult<[Output<'py>; 3]> {
     let table = table.get();
-    let experiment = one(py, &given, &Solvers::new(table.layered_solver(py)?))?;
+    let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
     let accepted = accept_magnitudes(slice::from_ref(&experiment), allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;
     let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
@@ -122,7 +121,7 @@ pub fn forecast<'py>(
     allow_magnitudes: bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table = table.get();
-    let solvers = Solvers::new(table.layered_solver(py)?);
+    let solvers = ContactsOnLayers::new(table.solver(py)?);
     let experiments = all(py, &experiments, &solvers)?;
     let accepted = accept_magnitudes(&experiments, allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;

@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use fit::DirectSolver;
-use fit::LayeredSolver;
+use fit::Solver;
 use interp::{Curve, Error, Material, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
@@ -37,13 +36,14 @@ impl Table {
 
     /// Returns what makes contacts on layers: lookups in a table of a stack, solves beside a table of
     /// films.
-    pub fn layered_solver(&self, py: Python<'_>) -> PyResult<Arc<dyn LayeredSolver>> {
-        let table = self.get();
-        if !table.is_of_stack() {
-            return Ok(Arc::new(DirectSolver));
+    pub fn solver(&self, py: Python<'_>) -> PyResult<Solver> {
+        match &self.0 {
+            Source::Own(table) if table.is_of_stack() => Ok(Solver::Table {
+                stack: StackTable::new(table).or_raise(py)?.stack().clone(),
+                table: Arc::clone(table),
+            }),
+            Source::Own(_) | Source::Embedded => Ok(Solver::Direct),
         }
-        let table = StackTable::new(table).or_raise(py)?;
-        Ok(Arc::new(table.into_owned()))
     }
 
     /// Takes a table.

@@ -41,8 +41,24 @@ const MOST_RESTARTS: usize = 8;
 /// [`Error`] for points, parameters or options that cannot be used; [`Error::LeftOut`] if more than
 /// a third of the points in contact is left out, unless [`Options::allow_left_out`];
 /// [`Error::NotDetermined`] for a minimum at which a standard error is not finite. A fit that does
-/// not converge is no error: see [`Fit::converged`].
+/// not converge is no error: see [`Fit::converged`]. [`Error::Interrupted`] if an
+/// [`Interrupt`](crate::Interrupt) was requested.
 pub fn fit(
+    table: &Table,
+    experiments: &[Experiment],
+    free: &[Free],
+    options: &Options,
+) -> Result<Fit, Error> {
+    let found = to_the_end(table, experiments, free, options);
+    // Without its contacts a fit ends early, as one that does not converge.
+    if experiments.iter().any(Experiment::is_interrupted) {
+        return Err(Error::Interrupted);
+    }
+    found
+}
+
+/// Fits, and takes refused contacts for states that do not exist.
+fn to_the_end(
     table: &Table,
     experiments: &[Experiment],
     free: &[Free],

@@ -185,9 +185,7 @@ impl Bodies {
             }
             (Self::Coated(system), None) => Contact::in_table(table, system)?,
             (Self::HalfSpace(half_space), _) => Contact::half_space(half_space)?,
-            (Self::Layered(layered), _) => {
-                layered.solver.contact(layered).map_err(Error::Layers)?
-            }
+            (Self::Layered(layered), _) => super::solver::contact(layered)?,
         })
     }
 }
@@ -413,6 +411,11 @@ impl Experiment {
             ),
             _ => None,
         }
+    }
+
+    /// Tells whether nobody waits any longer for the contacts of the experiment.
+    pub(crate) fn is_interrupted(&self) -> bool {
+        matches!(&self.bodies, Bodies::Layered(layered) if layered.interrupt.is_requested())
     }
 
     /// Returns why a parameter has no effect on this experiment, if it has none.

@@ -1,15 +1,13 @@
-//! A probe on a stack of layers, whose contacts another crate computes.
+//! A probe on a stack of layers.
 
 use std::fmt;
 use std::str::FromStr;
-use std::sync::Arc;
 
 use arrayvec::ArrayString;
-use contact::Contact;
 use interp::{Elastic, Probe};
 use solve::stack::{Interface, Layer, Stack};
 
-use super::{Kind, Measurement, Parameter};
+use super::{Interrupt, Kind, Measurement, Parameter, Solver};
 use crate::Error;
 use crate::statistics::extremes;
 
@@ -130,35 +128,10 @@ impl Reach {
     }
 }
 
-/// Why a contact on layers cannot be computed.
-pub type Cause = Box<dyn std::error::Error + Send + Sync>;
-
-/// Makes contacts on layers: [`DirectSolver`](crate::DirectSolver) by solves,
-/// `tabulate::table::StackTable` by lookups in a table of the stack.
-pub trait LayeredSolver: fmt::Debug + Send + Sync {
-    /// Makes the contact of a probe on layers. It needs no derivatives, because those of a fit are
-    /// differences of contacts.
-    ///
-    /// # Errors
-    /// Why there is no such contact, as a sentence for the user.
-    fn contact(&self, bodies: &Layered) -> Result<Contact, Cause>;
-
-    /// Returns why no modulus or thickness of a layer can be free, if none can, in words for the user.
-    fn why_layers_are_fixed(&self) -> Option<&'static str> {
-        None
-    }
-
-    /// Returns why the contacts have no work of adhesion of their own on retract, if they have none.
-    fn why_not_receding(&self) -> Option<&'static str> {
-        None
-    }
-}
-
 /// A probe on a stack of layers on a base.
 #[derive(Clone, Debug)]
 pub struct Layered {
-    /// The shape of the probe. [`DirectSolver`](crate::DirectSolver) and `tabulate::table::StackTable`
-    /// take [`Probe::Paraboloid`] and [`Probe::FlatPunch`].
+    /// The shape of the probe: [`Probe::Paraboloid`] or [`Probe::FlatPunch`].
     pub probe: Probe,
     /// The reduced modulus `E2*` of the probe, Pa; infinity is rigid.
     pub sphere_modulus: f64,
@@ -168,8 +141,10 @@ pub struct Layered {
     pub layers: Vec<NamedLayer>,
     /// Up to which contact radii contacts are needed.
     pub reach: Reach,
-    /// Makes the contact.
-    pub solver: Arc<dyn LayeredSolver>,
+    /// How contacts are made.
+    pub solver: Solver,
+    /// Whether somebody no longer waits for the contacts.
+    pub interrupt: Interrupt,
 }
 
 impl PartialEq for Layered {

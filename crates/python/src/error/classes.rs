@@ -245,7 +245,10 @@ impl From<fit::Error> for Failure {
                 value,
                 allowed,
             } => of.about(&name, value).allowed(&allowed),
-            Error::Layers(cause) => cause.into(),
+            Error::Layers(error) => error.into(),
+            Error::Layer { .. } | Error::OtherLayers(_) | Error::Interrupted => {
+                Self::new("InputError", &error)
+            }
             Error::Times {
                 measurement,
                 line,
@@ -276,24 +279,6 @@ impl From<fit::Error> for Failure {
                 ..of
             },
             _ => of,
-        }
-    }
-}
-
-impl From<fit::Cause> for Failure {
-    /// The error of `fit::DirectSolver`, which tells the layer by its name.
-    fn from(cause: fit::Cause) -> Self {
-        let cause = match cause.downcast::<::solve::Error>() {
-            Ok(error) => return (*error).into(),
-            Err(cause) => cause,
-        };
-        let cause = match cause.downcast::<::contact::Error>() {
-            Ok(error) => return (*error).into(),
-            Err(cause) => cause,
-        };
-        match cause.downcast::<Error>() {
-            Ok(error) => (*error).into(),
-            Err(cause) => Self::new("InputError", &*cause),
         }
     }
 }

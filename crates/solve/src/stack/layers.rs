@@ -1,6 +1,6 @@
 //! The layers, what a stack may be, and what a contact needs to know of it.
 
-use interp::{Elastic, Material, Probe, StackShape, System};
+use interp::{Curve, Elastic, Material, Probe, StackShape, System, Table};
 
 use super::interface::Interface;
 use crate::Error;
@@ -165,6 +165,16 @@ impl Stack {
             film_thickness: self.thickness(),
             substrate: self.base,
         }
+    }
+
+    /// Looks up the curve of this stack under a sphere of reduced modulus `sphere_modulus` (Pa;
+    /// infinity is rigid) in a table, which is one of this stack.
+    ///
+    /// # Errors
+    /// Those of [`Stack::material`] and [`Table::stack_curve`].
+    pub fn curve_in(&self, table: &Table, sphere_modulus: f64) -> Result<Curve, Error> {
+        let e1_over_e2 = self.material(sphere_modulus)?.e1_over_e2();
+        Ok(table.stack_curve(e1_over_e2, self.shape())?)
     }
 
     /// Returns the material of the solid that the sphere touches and the base, under a sphere of

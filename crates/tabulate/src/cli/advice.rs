@@ -32,9 +32,11 @@ fn of_contact<'a>(cause: &'a (dyn std::error::Error + 'static)) -> Option<&'a co
     if let Some(::solve::Error::Contact(error)) = cause.downcast_ref() {
         return Some(error);
     }
-    #[cfg(feature = "fit")]
-    if let Some(::fit::Error::Contact(error)) = cause.downcast_ref() {
-        return Some(error);
+    #[cfg(feature = "figures")]
+    match cause.downcast_ref() {
+        Some(::fit::Error::Contact(error)) => return Some(error),
+        Some(::fit::Error::Layers(error)) => return of_contact(error),
+        _ => {}
     }
     if let Some(contact::HistoryError::Contact(error)) = cause.downcast_ref() {
         return Some(error);

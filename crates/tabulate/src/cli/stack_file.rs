@@ -3,7 +3,6 @@
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
-use std::sync::Arc;
 
 use anyhow::Context;
 use interp::Curve;
@@ -33,7 +32,7 @@ pub enum Layers {
     /// Of a TOML file. Contacts are solved.
     Text(NamedStack),
     /// Of a table. Contacts are looked up.
-    Table(Arc<StackTable<'static>>),
+    Table(StackTable<'static>),
 }
 
 impl Layers {
@@ -74,7 +73,7 @@ pub fn read(path: &Path) -> anyhow::Result<Layers> {
     }
     let table = TableName::File(path.to_owned()).read()?;
     let table = StackTable::new(&table).with_context(|| printable::path(path))?;
-    Ok(Layers::Table(Arc::new(table.into_owned())))
+    Ok(Layers::Table(table.into_owned()))
 }
 
 /// Notes on standard error that a modulus is that of no usual solid: a stack file has no units.

@@ -3,8 +3,6 @@
 use std::borrow::Cow;
 
 use contact::Contact;
-#[cfg(feature = "fit")]
-use fit::{Cause, Layered, LayeredSolver};
 use interp::{Curve, Parameter, SubstratePoissonRatio, System, Table};
 
 use crate::Error;
@@ -77,6 +75,11 @@ impl<'a> StackTable<'a> {
         }
     }
 
+    /// Returns the table.
+    pub fn table(&self) -> &Table {
+        &self.table
+    }
+
     /// Returns the stack.
     pub const fn stack(&self) -> &Stack {
         &self.named.stack
@@ -91,10 +94,9 @@ impl<'a> StackTable<'a> {
     /// infinity is rigid): what [`stack_curve`](solve::stack_curve) solves for.
     ///
     /// # Errors
-    /// Those of [`Stack::material`] and [`Table::stack_curve`].
+    /// Those of [`Stack::curve_in`].
     pub fn curve(&self, sphere_modulus: f64) -> Result<Curve, Error> {
-        let e1_over_e2 = self.stack().material(sphere_modulus)?.e1_over_e2();
-        Ok(self.table.stack_curve(e1_over_e2, self.stack().shape())?)
+        Ok(self.stack().curve_in(&self.table, sphere_modulus)?)
     }
 
     /// Looks up the curve of the stack under a sphere of radius `sphere_radius` (m) and reduced
@@ -105,30 +107,5 @@ impl<'a> StackTable<'a> {
     pub fn contact(&self, sphere_radius: f64, sphere_modulus: f64) -> Result<Contact, Error> {
         let system: System = self.stack().system(sphere_radius, sphere_modulus);
         Ok(Contact::new(&system, self.curve(sphere_modulus)?)?)
-    }
-}
-
-/// Why the layers of a fit cannot vary.
-#[cfg(feature = "fit")]
-const ONE_STACK: &str = "its table is of one stack. To vary a layer, do without the table: name a stack \
-    file, or solve the layers directly";
-
-#[cfg(feature = "fit")]
-impl LayeredSolver for StackTable<'static> {
-    /// Looks the contact up.
-    ///
-    /// # Errors
-    /// A sentence for other layers than those of the table; the errors of [`StackTable::curve`] and
-    /// of [`Contact::new`].
-    fn contact(&self, layered: &Layered) -> Result<Contact, Cause> {
-        if fit::stack_of(layered)? != self.named.stack {
-            return Err(format!("the layers are not those of the table: {ONE_STACK}").into());
-        }
-        let system = fit::system_on(layered, &self.named.stack);
-        Ok(Contact::new(&system, self.curve(layered.sphere_modulus)?)?)
-    }
-
-    fn why_layers_are_fixed(&self) -> Option<&'static str> {
-        Some(ONE_STACK)
     }
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Direction, Experiment, Free, Kind, LayerName, Layered, LayeredSolver, Measurement,
-    NamedLayer, Parameter, Point, Reach, Scope, StickSolver, starts_from_data,
+    Bodies, Direction, Experiment, Free, Interrupt, Kind, LayerName, Layered, Measurement,
+    NamedLayer, Parameter, Point, Reach, Scope, Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
@@ -18,7 +18,6 @@ use crate::cli::friction::HistoryArguments;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, SystemArguments, Value};
-use fit::DirectSolver;
 use solve::stack::Layer;
 
 /// The flags of known values.
@@ -145,10 +144,10 @@ impl KnownArguments {
             if advancing < 1.0 {
                 measurements.iter().try_for_each(recedes)?;
             }
-            let solver: Arc<dyn LayeredSolver> = Arc::new(StickSolver {
+            let solver = Solver::Stick {
                 sphere_poisson_ratio: nu2,
                 advancing,
-            });
+            };
             // A film is a single layer without a name.
             let film = || {
                 vec![NamedLayer {
@@ -167,7 +166,8 @@ impl KnownArguments {
                     sphere_modulus: system.sphere_modulus,
                     base: system.substrate,
                     layers: layers.clone(),
-                    solver: Arc::clone(solver),
+                    solver: solver.clone(),
+                    interrupt: Interrupt::default(),
                 })
             } else if self.half_space {
                 Bodies::HalfSpace(HalfSpace {
@@ -239,10 +239,13 @@ fn is_of_shape(value: Value) -> bool {
 }
 
 /// Returns the layers of a stack for fits, with what makes their contacts.
-fn layers(layers: &Layers) -> anyhow::Result<(Vec<NamedLayer>, Arc<dyn LayeredSolver>)> {
-    let solver: Arc<dyn LayeredSolver> = match layers {
-        Layers::Text(_) => Arc::new(DirectSolver),
-        Layers::Table(table) => table.clone(),
+fn layers(layers: &Layers) -> anyhow::Result<(Vec<NamedLayer>, Solver)> {
+    let solver = match layers {
+        Layers::Text(_) => Solver::Direct,
+        Layers::Table(table) => Solver::Table {
+            stack: table.stack().clone(),
+            table: Arc::new(table.table().clone()),
+        },
     };
     let layer = |(layer, name): (&Layer, &Option<String>)| {
         let name = name.as_deref().map(str::parse::<LayerName>).transpose();

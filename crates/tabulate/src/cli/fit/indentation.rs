@@ -1,11 +1,10 @@
 //! The flags of a contact stiffness: the indenter, its contact depth, and a reference sample.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use ::fit::{
-    AreaFunction, Bodies, ContactDepth, DirectSolver, Experiment, Free, Indentation, Kind, Layered,
-    Measurement, Parameter, Reach, Scope,
+    AreaFunction, Bodies, ContactDepth, Experiment, Free, Indentation, Interrupt, Kind, Layered,
+    Measurement, Parameter, Reach, Scope, Solver,
 };
 use anyhow::{Context, ensure};
 use clap::ValueHint;
@@ -228,7 +227,8 @@ impl ReferenceArguments {
             sphere_modulus,
             base: solid,
             layers: Vec::new(),
-            solver: Arc::new(DirectSolver),
+            solver: Solver::Direct,
+            interrupt: Interrupt::default(),
         });
         let mut experiment = Experiment::new(measurement, bodies);
         experiment.indentation = film.indentation.clone();

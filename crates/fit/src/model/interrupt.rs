@@ -1,0 +1,27 @@
+//! Contacts that somebody may stop waiting for.
+
+use std::fmt;
+use std::sync::Arc;
+
+/// Asked before every contact on [layers](crate::Layered), and at the end of a fit: once the answer is
+/// yes, no contact is made, and the fit ends at once. The default answers no.
+#[derive(Clone, Default)]
+pub struct Interrupt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
+
+impl Interrupt {
+    /// Asks a function, on the threads of the fit.
+    pub fn when(is_requested: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        Self(Some(Arc::new(is_requested)))
+    }
+
+    /// Asks whether the contacts are no longer waited for.
+    pub(super) fn is_requested(&self) -> bool {
+        self.0.as_ref().is_some_and(|ask| ask())
+    }
+}
+
+impl fmt::Debug for Interrupt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Interrupt")
+    }
+}

@@ -1,0 +1,210 @@
+//! The ways in which contacts on layers are made.
+
+use std::sync::Arc;
+
+use contact::Contact;
+use interp::{Curve, HalfSpace, System, Table};
+use solve::stack::{MOST_A_OVER_TOP, Stack};
+use solve::stick::{MOST_OF_TIP, StickCurves, Sticking};
+use solve::{A_OVER_T, stack_curve};
+
+use super::layered::{Layered, MARGIN, Reach};
+use crate::Error;
+
+/// The relative tolerance of the quantities that are solved for. Differences of contacts, which stand
+/// for derivatives, need a smaller one than a fit alone.
+const TOLERANCE: f64 = 1e-8;
+
+/// Where solved curves begin: the contact radius over the thickness of the top layer. It is so small
+/// that no measured point is below.
+const BEGIN: f64 = 1e-4;
+
+/// The contact radius over the thickness of the top layer up to which curves go that may end earlier.
+/// Wider contacts take much longer.
+const OVER_TOP: f64 = 300.0;
+
+/// The same with full friction.
+const OVER_TOP_STICKING: f64 = 10.0;
+
+/// How contacts on [layers](Layered) are made.
+///
+/// ```
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use fit::{Bodies, Experiment, Free, Kind, Layered, Measurement, NamedLayer, Parameter, Point};
+/// use fit::Reach;
+/// use interp::{Elastic, Probe, Table};
+/// use solve::stack::Layer;
+///
+/// // Radii (m) of a contact, and loads (N) that are to be fitted.
+/// let radii = [5e-5, 7e-5, 9e-5, 1.1e-4, 1.3e-4];
+/// let loads = [-1.825e-4, 3.92e-5, 6.480e-4, 1.7797e-3, 3.5612e-3];
+/// let point = |(abscissa, ordinate)| Point { line: 0, abscissa, ordinate, direction: None };
+/// let measurement = Measurement {
+///     name: "lens.csv".into(),
+///     kind: Kind::LoadRadius,
+///     points: radii.into_iter().zip(loads).map(point).collect(),
+/// };
+/// let layer = |name: &str, modulus: f64, thickness: f64| {
+///     let layer = Layer::bonded(Elastic::new(modulus, 0.5)?, thickness);
+///     Ok::<_, fit::Error>(NamedLayer { name: Some(name.parse()?), layer })
+/// };
+/// let probe = Probe::Paraboloid { radius: 1e-3 };
+/// let bodies = Bodies::Layered(Layered {
+///     reach: Reach::of(&measurement, &probe),
+///     probe,
+///     sphere_modulus: 2e6,
+///     base: Elastic::new(2e11, 0.25)?,
+///     layers: vec![layer("primer", 5e5, 2.5e-6)?, layer("film", 3.5e6, 7.5e-6)?],
+///     solver: fit::Solver::Direct,
+///     interrupt: fit::Interrupt::default(),
+/// });
+/// let free: [Parameter; 2] = ["sphere-modulus".parse()?, "work-of-adhesion".parse()?];
+/// let found = fit::fit(
+///     Table::embedded(), // no contact on layers needs it
+///     &[Experiment::new(measurement, bodies)],
+///     &free.map(Free::new),
+///     &fit::Options::default(),
+/// )?;
+/// let modulus = found.estimate(Parameter::SphereModulus).expect("it is free");
+/// assert!((modulus.value / 2e6 - 1.0).abs() < 0.01);
+/// # Ok(()) }
+/// ```
+///
+#[derive(Clone, Debug)]
+pub enum Solver {
+    /// By direct solves without friction.
+    ///
+    /// The quantities are within 1e-8, from contact radii of 1e-4 of the thickness of the top layer to
+    /// the expected reach of the contacts, or to 300 times the thickness of the top layer where that is
+    /// less, but at least to the reach that is needed.
+    Direct,
+    /// By direct solves of a sphere that sticks to the layers with full friction. A film is a single
+    /// layer without a name.
+    ///
+    /// Points stick when they are touched. The work of adhesion of the experiment is the one with which
+    /// the contact recedes; it has grown with `advancing` times this work, and a fit that finds the work
+    /// keeps the ratio. The quantities are within 1e-8, up to contact radii of 30 times the thickness of
+    /// the top layer. Dundurs' beta of sphere and top layer must be 0:
+    /// [`Sticking::grown`](solve::stick::Sticking::grown).
+    Stick {
+        /// The Poisson ratio of the sphere; a rigid sphere needs none.
+        sphere_poisson_ratio: f64,
+        /// The work of adhesion with which the contact has grown over that with which it recedes, 0 to
+        /// 1: 1 is a contact with one work of adhesion, 0 one that was pressed on without attraction.
+        /// Below 1 the states are those of a contact that recedes, and no approach is described.
+        advancing: f64,
+    },
+    /// By lookups in a table of these layers, which cannot vary. `tabulate::table::StackTable` tells the
+    /// stack of a table.
+    Table {
+        /// The layers of the table.
+        stack: Stack,
+        /// The table.
+        table: Arc<Table>,
+    },
+}
+
+impl Solver {
+    /// Returns why no modulus or thickness of a layer can be free, if none can.
+    pub(crate) const fn why_layers_are_fixed(&self) -> Option<&'static str> {
+        match self {
+            Self::Direct | Self::Stick { .. } => None,
+            Self::Table { .. } => Some(ONE_STACK),
+        }
+    }
+
+    /// Returns why the contacts have no work of adhesion of their own on retract, if they have none.
+    pub(crate) const fn why_not_receding(&self) -> Option<&'static str> {
+        match self {
+            Self::Direct | Self::Table { .. } => None,
+            Self::Stick { .. } => Some(
+                "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
+                 keeps: give this ratio to the solver, and points of retract only",
+            ),
+        }
+    }
+}
+
+/// Why the layers of a table cannot vary.
+const ONE_STACK: &str = "its table is of one stack. To vary a layer, do without the table: name a stack \
+    file, or solve the layers directly";
+
+/// Makes the contact of a probe on layers. It has no derivatives: those of a fit are differences of
+/// contacts.
+///
+/// # Errors
+/// [`Error::Interrupted`]; [`Error::Layer`] for a layer with a name; [`Error::OtherLayers`]; those of
+/// the solve and of the lookup, and of [`Contact::new`].
+pub(super) fn contact(layered: &Layered) -> Result<Contact, Error> {
+    if layered.interrupt.is_requested() {
+        return Err(Error::Interrupted);
+    }
+    if layered.layers.is_empty() {
+        // The base alone, as a reference sample.
+        return Ok(Contact::half_space(&HalfSpace {
+            probe: layered.probe.clone(),
+            sphere_modulus: layered.sphere_modulus,
+            solid: layered.base,
+        })?);
+    }
+    let stack = stack_of(layered)?;
+    let system = System {
+        probe: layered.probe.clone(),
+        ..stack.system(1.0, layered.sphere_modulus)
+    };
+    Ok(Contact::new(&system, curve(layered, &stack)?)?)
+}
+
+/// Makes the curve of the layers.
+fn curve(layered: &Layered, stack: &Stack) -> Result<Curve, Error> {
+    let (thickness, top) = (stack.thickness(), stack.shape().top);
+    let Reach { needed, expected } = layered.reach;
+    Ok(match &layered.solver {
+        Solver::Direct => {
+            let [usual, most] =
+                [OVER_TOP, MOST_A_OVER_TOP].map(|over| stack.reach(over) * thickness);
+            // What is needed holds a margin, which need not be solved.
+            let end = needed
+                .min(most.max(needed / MARGIN))
+                .max(expected.min(usual));
+            let range = [
+                (BEGIN * stack.top().thickness / thickness).max(A_OVER_T[0]),
+                end / thickness,
+            ];
+            stack_curve(stack, layered.sphere_modulus, range, TOLERANCE)?
+        }
+        &Solver::Stick {
+            sphere_poisson_ratio,
+            advancing,
+        } => {
+            let end = (needed / thickness)
+                .max((expected / thickness).min(OVER_TOP_STICKING * top))
+                .min(MOST_OF_TIP * top);
+            let sticking = Sticking::on_stack(stack, layered.sphere_modulus, sphere_poisson_ratio)?;
+            let range = [(BEGIN * top).min(0.1 * end), end];
+            StickCurves::new(&sticking, range, TOLERANCE)?.receding(advancing)?
+        }
+        Solver::Table { stack: of, table } => {
+            if of != stack {
+                return Err(Error::OtherLayers(ONE_STACK));
+            }
+            stack.curve_in(table, layered.sphere_modulus)?
+        }
+    })
+}
+
+/// Returns the layers as a stack. An error has the name of the layer.
+fn stack_of(layered: &Layered) -> Result<Stack, Error> {
+    layered.stack().map_err(|error| match error {
+        solve::Error::Layer {
+            layer, ref what, ..
+        } => match layered.layers[layer - 1].name {
+            Some(name) => Error::Layer {
+                name,
+                what: what.clone(),
+            },
+            None => error.into(),
+        },
+        error => error.into(),
+    })
+}
