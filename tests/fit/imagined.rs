@@ -9,8 +9,8 @@ use acceptance::{Contacts, paper_system, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::data::Format;
 use fit::{
-    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Options, Parameter,
-    Point, Warning, WarningKind,
+    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Numbering, Options,
+    Parameter, Point, Warning, WarningKind,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
@@ -56,6 +56,7 @@ pub fn measurement(kind: Kind, points: Vec<Point>) -> Measurement {
     Measurement {
         name: "imagined.csv".into(),
         kind,
+        numbering: Numbering::Lines,
         points,
     }
 }

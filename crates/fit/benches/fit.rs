@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 use contact::Relaxation;
 use criterion::{Criterion, criterion_group, criterion_main};
 use fit::{
-    Bodies, Direction, Experiment, Free, Kind, Measurement, Options, Parameter, Point, Relaxing,
-    fit, simulate,
+    Bodies, Direction, Experiment, Free, Kind, Measurement, Numbering, Options, Parameter, Point,
+    Relaxing, fit, simulate,
 };
 use interp::{Elastic, Probe, System, Table};
 
@@ -36,6 +36,7 @@ fn measured(experiment: Experiment, kind: Kind, [from, to]: [f64; 2], noise: f64
         measurement: Measurement {
             name: "curve".into(),
             kind,
+            numbering: Numbering::Lines,
             points: (0..POINTS).map(point).collect(),
         },
         noise: Some(noise),
@@ -52,6 +53,7 @@ fn nothing() -> Measurement {
     Measurement {
         name: String::new(),
         kind: Kind::LoadRadius,
+        numbering: Numbering::Lines,
         points: Vec::new(),
     }
 }
@@ -126,6 +128,7 @@ fn gel() -> (Experiment, Vec<Free>) {
     plan.measurement = Measurement {
         name: "gel".into(),
         kind: Kind::LoadPenetration,
+        numbering: Numbering::Lines,
         points: (1..).zip(&plan.times).map(point).collect(),
     };
     let law = |exponent| {

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::{LayerName, Parameter};
+use crate::{LayerName, Numbering, Parameter};
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -20,11 +20,13 @@ pub enum Error {
     )]
     NoDerivatives,
     /// A measured point that cannot be.
-    #[error("{measurement}, line {line}: {name} = {value:?} must be {allowed}")]
+    #[error("{measurement}, {numbering} {line}: {name} = {value:?} must be {allowed}")]
     Point {
         /// The name of the measurement.
         measurement: String,
-        /// The line of the point.
+        /// What the number of the point counts.
+        numbering: Numbering,
+        /// The number of the point.
         line: u64,
         /// The name of the quantity.
         name: &'static str,
@@ -176,8 +178,8 @@ pub enum Error {
     },
     /// Points without times, where the bodies relax.
     #[error(
-        "{experiment}: its points have no times, on which the forces of bodies that relax depend: give a \
-         column of times, or the interval between points"
+        "{experiment}: its points have no times, on which the forces of bodies that relax depend: give \
+         each point its time"
     )]
     NoTimes {
         /// The name of the measurement.
@@ -194,13 +196,15 @@ pub enum Error {
     },
     /// Times that do not rise.
     #[error(
-        "{measurement}, line {line}: time = {time:?} s follows {before:?} s, and times must rise: where the \
-         bodies relax, points are in the order measured, and times go on from one segment to the next"
+        "{measurement}, {numbering} {line}: time = {time:?} s follows {before:?} s, and times must rise: where \
+         the bodies relax, points are in the order measured, and times go on from approach to retract"
     )]
     Times {
         /// The name of the measurement.
         measurement: String,
-        /// The line of the point.
+        /// What the number of the point counts.
+        numbering: Numbering,
+        /// The number of the point.
         line: u64,
         /// Its time, s.
         time: f64,

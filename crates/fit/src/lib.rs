@@ -8,7 +8,7 @@
 //! are SI. Loads are positive in compression.
 //!
 //! ```
-//! use fit::{Bodies, Experiment, Free, Kind, Measurement, Options, Parameter, Point};
+//! use fit::{Bodies, Experiment, Free, Kind, Measurement, Numbering, Options, Parameter, Point};
 //! use interp::{Elastic, System, Table, Probe};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -30,6 +30,7 @@
 //! let measurement = Measurement {
 //!     name: "lens.csv".into(),
 //!     kind: Kind::LoadRadius,
+//!     numbering: Numbering::Lines,
 //!     points: (0..4).map(point).collect(),
 //! };
 //! let experiment = Experiment::new(measurement, Bodies::Coated(system));
@@ -78,6 +79,6 @@ pub use estimate::{
 pub use model::{
     AreaFunction, Bodies, Branch, ContactDepth, Direction, Experiment, Fixed, Free, Indentation,
     Interrupt, Kind, Known, LayerName, Layered, Loss, LossAngle, MOST_COEFFICIENTS, Measurement,
-    NamedLayer, Options, Parameter, Point, PointErrors, Prediction, Prior, Reach, Relaxing, Scope,
-    Solver, simulate, simulate_experiment,
+    NamedLayer, Numbering, Options, Parameter, Point, PointErrors, Prediction, Prior, Reach,
+    Relaxing, Scope, Solver, simulate, simulate_experiment,
 };

@@ -2,8 +2,8 @@
 
 use ::solve::stack::Layer;
 use fit::{
-    Bodies, Direction, Experiment, Kind, Layered, Measurement, NamedLayer, Point, PointErrors,
-    Reach, Relaxing, Solver,
+    Bodies, Direction, Experiment, Kind, Layered, Measurement, NamedLayer, Numbering, Point,
+    PointErrors, Reach, Relaxing, Solver,
 };
 use interp::System;
 use numpy::PyReadonlyArray1;
@@ -111,6 +111,7 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyR
     let measurement = Measurement {
         name: given.name.clone(),
         kind,
+        numbering: Numbering::Points,
         points: points.collect(),
     };
     let stick = stick(&given.friction, given.sphere_poisson_ratio, given.advancing)?;

@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
 use crate::contacts_on_layers::ContactsOnLayers;
-use crate::error::{Failure, of_points, unknown};
+use crate::error::{Failure, unknown};
 use crate::experiment::{Given, all};
 use crate::indentation::loss;
 use crate::interruption::interruptible;
@@ -64,7 +64,7 @@ pub fn fit_together<'py>(
     // The points come from arrays, which have no headings.
     let notes = vec![Notes::default(); experiments.len()];
     let report = report(&found, &experiments, &notes, &[]);
-    result.set_item("report", of_points(&report))?;
+    result.set_item("report", report)?;
     let fitted = experiments.iter().enumerate();
     let fitted = fitted.map(|(i, experiment)| points(py, &found, i, experiment));
     result.set_item("experiments", fitted.collect::<PyResult<Vec<_>>>()?)?;
@@ -161,7 +161,9 @@ fn checked_fit(
 
 /// Says that abscissae or ordinates may count in the opposite sense, as is said of files when they are read.
 fn opposite(experiment: &Experiment) -> Option<String> {
-    let Measurement { name, kind, points } = &experiment.measurement;
+    let Measurement {
+        name, kind, points, ..
+    } = &experiment.measurement;
     let what = match opposite_sense(*kind, points)? {
         [true, true] => "abscissa and ordinate",
         [true, false] => "the abscissa",
@@ -240,7 +242,7 @@ fn summary<'py>(py: Python<'py>, found: &Fit) -> PyResult<Bound<'py, PyDict>> {
 
 /// Returns the kinds and the texts of warnings.
 pub fn warnings(found: &[Warning]) -> Vec<(&'static str, String)> {
-    let words = |warning: &Warning| (warning.kind.name(), of_points(&warning.text));
+    let words = |warning: &Warning| (warning.kind.name(), warning.text.clone());
     found.iter().map(words).collect()
 }
 

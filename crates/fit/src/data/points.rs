@@ -10,7 +10,7 @@ use super::number::{Cell, DecimalMark};
 use super::segment::split;
 use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
-use crate::{Direction, Kind, Measurement, Point, PointErrors};
+use crate::{Direction, Kind, Measurement, Numbering, Point, PointErrors};
 
 /// The number of rows that begin with a number, from which on a word there is none of a point.
 const ENOUGH: u32 = 3;
@@ -186,6 +186,7 @@ pub fn join(
         measurement: Measurement {
             name: name.to_owned(),
             kind,
+            numbering: Numbering::Lines,
             points: all.points,
         },
         errors: all.errors,

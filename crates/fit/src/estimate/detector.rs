@@ -1,6 +1,6 @@
 //! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
 
-use super::doubts::{Warnings, lines};
+use super::doubts::Warnings;
 use super::problem::Assigned;
 use crate::statistics::extremes;
 use crate::{Branch, FittedExperiment, FittedPoint, WarningKind};
@@ -60,7 +60,7 @@ pub(super) fn add(
                      where the fit changes by {change:.1e} {unit}: the detector may be at the end \
                      of its range; if so, leave these points out, in {}",
                     own.len(),
-                    lines(&own)
+                    assigned.experiment.measurement.numbering.names(&own)
                 ),
             );
         }

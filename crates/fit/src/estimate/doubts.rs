@@ -20,35 +20,3 @@ impl Warnings {
         self.0
     }
 }
-
-/// The most groups of lines of a file that a doubt names.
-const SHOWN: usize = 10;
-
-/// Names ascending lines of a file, such as `line 3` or `lines 3, 5, 8 to 12`; of many, the first ones.
-pub(super) fn lines(numbers: &[u64]) -> String {
-    let groups: Vec<String> = numbers
-        .chunk_by(|one, next| *next == one + 1)
-        .map(|group| match *group {
-            [first, _, .., last] => format!("{first} to {last}"),
-            [first, last] => format!("{first}, {last}"),
-            _ => group[0].to_string(),
-        })
-        .collect();
-    let more = if groups.len() > SHOWN { ", ..." } else { "" };
-    let plural = if numbers.len() == 1 { "" } else { "s" };
-    let shown = groups.len().min(SHOWN);
-    format!("line{plural} {}{more}", groups[..shown].join(", "))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn neighbouring_lines_are_one_group() {
-        assert_eq!(lines(&[7]), "line 7");
-        assert_eq!(lines(&[3, 4, 8, 9, 10, 20]), "lines 3, 4, 8 to 10, 20");
-        let apart: Vec<u64> = (1..=11).map(|i| 2 * i).collect();
-        assert!(lines(&apart).ends_with("18, 20, ..."));
-    }
-}

@@ -3,7 +3,7 @@
 use super::minima::Minimum;
 use super::problem::Assigned;
 use super::search::{Data, End, ends};
-use crate::{Branch, Error, LeftOut, LeftOutReason};
+use crate::{Branch, Error, LeftOut, LeftOutReason, Numbering};
 
 /// The largest part of the points in contact that may be left out unless more are allowed.
 const MOST: f64 = 1.0 / 3.0;
@@ -81,11 +81,12 @@ pub(super) fn accept(data: &Data, left_out: &[Vec<LeftOut>]) -> Result<(), Error
     for (whole, groups) in data.assigned.iter().zip(left_out) {
         let [contacts, lost] = in_contact(whole, groups);
         if lost as f64 > MOST * contacts as f64 {
+            let measurement = &whole.experiment.measurement;
             return Err(Error::LeftOut {
-                experiment: whole.experiment.measurement.name.clone(),
+                experiment: measurement.name.clone(),
                 left_out: lost,
                 in_contact: contacts,
-                reasons: text(groups),
+                reasons: text(groups, measurement.numbering),
             });
         }
     }
@@ -93,11 +94,11 @@ pub(super) fn accept(data: &Data, left_out: &[Vec<LeftOut>]) -> Result<(), Error
 }
 
 /// Returns the groups in words.
-pub(crate) fn text(groups: &[LeftOut]) -> String {
+pub(crate) fn text(groups: &[LeftOut], numbering: Numbering) -> String {
     let one = |group: &LeftOut| {
         let [first, last] = group.lines;
         format!(
-            "{} {} (lines {first} to {last})",
+            "{} {} ({numbering}s {first} to {last})",
             group.points,
             group.reason.text()
         )

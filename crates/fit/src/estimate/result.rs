@@ -143,7 +143,7 @@ pub struct LeftOut {
     pub reason: LeftOutReason,
     /// How many there are.
     pub points: usize,
-    /// The first and the last of their lines.
+    /// The first and the last of their numbers.
     pub lines: [u64; 2],
 }
 

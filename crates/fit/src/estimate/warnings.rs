@@ -2,7 +2,7 @@
 
 use contact::magnitude::LARGEST_WORK;
 
-use super::doubts::{Warnings, lines};
+use super::doubts::Warnings;
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Ending, Problem};
@@ -63,7 +63,7 @@ pub(super) fn warnings(
             let unequal = agreement::add(&mut warnings, fit, problem, beside);
             prior::add(&mut warnings, problem, uncertainty, &residuals);
             noise::add(&mut warnings, problem, uncertainty);
-            outliers(&mut warnings, fit, &unequal);
+            outliers(&mut warnings, fit, data, &unequal);
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
@@ -306,8 +306,9 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 
 /// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in
 /// contact than off contact: a robust loss would take the baseline for the rule, and the contact for outliers.
-fn outliers(warnings: &mut Warnings, fit: &Fit, unequal: &[bool]) {
-    for (fitted, unequal) in fit.experiments.iter().zip(unequal) {
+fn outliers(warnings: &mut Warnings, fit: &Fit, data: &Data, unequal: &[bool]) {
+    let experiments = fit.experiments.iter().zip(&data.assigned).zip(unequal);
+    for ((fitted, whole), unequal) in experiments {
         let remedy = if *unequal {
             ""
         } else {
@@ -326,7 +327,7 @@ fn outliers(warnings: &mut Warnings, fit: &Fit, unequal: &[bool]) {
                 fitted.name,
                 far.len(),
                 counting.count(),
-                lines(&far)
+                whole.experiment.measurement.numbering.names(&far)
             ),
         );
     }
@@ -346,7 +347,7 @@ fn left_out(warnings: &mut Warnings, fit: &Fit, data: &Data) {
                     "{}: {lost} of {contacts} points in contact do not count; of all points are left \
                      out: {}",
                     fitted.name,
-                    text(&fitted.left_out)
+                    text(&fitted.left_out, whole.experiment.measurement.numbering)
                 ),
             );
         }

@@ -145,6 +145,7 @@ impl Experiment {
     ) -> Error {
         Error::Point {
             measurement: self.measurement.name.clone(),
+            numbering: self.measurement.numbering,
             line,
             name,
             value,

@@ -1,5 +1,10 @@
 //! What was measured: the points of one experiment, in SI units.
 
+use std::fmt;
+
+/// The most groups of numbers that a sentence names.
+const SHOWN: usize = 10;
+
 /// The two quantities that a measurement pairs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -106,10 +111,46 @@ impl Direction {
     }
 }
 
+/// What the numbers of the points count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbering {
+    /// The lines of a file, from 1.
+    Lines,
+    /// The items of an array, from 0.
+    Points,
+}
+
+impl fmt::Display for Numbering {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Lines => "line",
+            Self::Points => "point",
+        })
+    }
+}
+
+impl Numbering {
+    /// Names numbers that rise, such as `line 3` or `lines 3, 5, 8 to 12`; of many, the first ones.
+    pub(crate) fn names(self, numbers: &[u64]) -> String {
+        let groups: Vec<String> = numbers
+            .chunk_by(|one, next| *next == one + 1)
+            .map(|group| match *group {
+                [first, _, .., last] => format!("{first} to {last}"),
+                [first, last] => format!("{first}, {last}"),
+                _ => group[0].to_string(),
+            })
+            .collect();
+        let more = if groups.len() > SHOWN { ", ..." } else { "" };
+        let plural = if numbers.len() == 1 { "" } else { "s" };
+        let shown = groups.len().min(SHOWN);
+        format!("{self}{plural} {}{more}", groups[..shown].join(", "))
+    }
+}
+
 /// One measured point, in SI units. Loads and forces are positive in compression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// The line of the file that the point comes from, counted from 1.
+    /// The number of the point, by the [`Numbering`] of the measurement.
     pub line: u64,
     /// The contact radius, penetration or height (m), or the load (N), by the [`Kind`].
     pub abscissa: f64,
@@ -126,6 +167,23 @@ pub struct Measurement {
     pub name: String,
     /// The two quantities.
     pub kind: Kind,
+    /// What the numbers of the points count.
+    pub numbering: Numbering,
     /// The points.
     pub points: Vec<Point>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Numbering;
+
+    #[test]
+    fn neighbouring_numbers_are_one_group() {
+        let lines = |numbers: &[u64]| Numbering::Lines.names(numbers);
+        assert_eq!(lines(&[7]), "line 7");
+        assert_eq!(lines(&[3, 4, 8, 9, 10, 20]), "lines 3, 4, 8 to 10, 20");
+        let apart: Vec<u64> = (1..=11).map(|i| 2 * i).collect();
+        assert!(lines(&apart).ends_with("18, 20, ..."));
+        assert_eq!(Numbering::Points.names(&[0, 1, 2]), "points 0 to 2");
+    }
 }

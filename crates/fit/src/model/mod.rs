@@ -45,7 +45,7 @@ pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};
 pub use interrupt::Interrupt;
 pub use layered::{LayerName, Layered, NamedLayer, Reach};
-pub use measurement::{Direction, Kind, Measurement, Point};
+pub use measurement::{Direction, Kind, Measurement, Numbering, Point};
 pub use parameter::Parameter;
 pub(crate) use predicted::Predicted;
 pub use prediction::Prediction;

@@ -146,6 +146,7 @@ impl Experiment {
             if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
                 return Err(Error::Times {
                     measurement: name.clone(),
+                    numbering: self.measurement.numbering,
                     line: points[i + 1].line,
                     time: pair[1],
                     before: pair[0],

@@ -31,7 +31,7 @@ const OVER_TOP_STICKING: f64 = 10.0;
 /// ```
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// use fit::{Bodies, Experiment, Free, Kind, Layered, Measurement, NamedLayer, Parameter, Point};
-/// use fit::Reach;
+/// use fit::{Numbering, Reach};
 /// use interp::{Elastic, Probe, Table};
 /// use solve::stack::Layer;
 ///
@@ -42,6 +42,7 @@ const OVER_TOP_STICKING: f64 = 10.0;
 /// let measurement = Measurement {
 ///     name: "lens.csv".into(),
 ///     kind: Kind::LoadRadius,
+///     numbering: Numbering::Lines,
 ///     points: radii.into_iter().zip(loads).map(point).collect(),
 /// };
 /// let layer = |name: &str, modulus: f64, thickness: f64| {

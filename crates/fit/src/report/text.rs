@@ -50,12 +50,11 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
         out += &format!("\n{:<1$} {young}\n", "sphere", NAME + 2);
     }
     out += &format!("\n{}\n", agreement(fit, experiments));
-    for one in fit
-        .experiments
-        .iter()
-        .filter(|one| !one.left_out.is_empty())
-    {
-        out += &format!("{}: left out {}\n", one.name, left_out_text(&one.left_out));
+    for (one, experiment) in fit.experiments.iter().zip(experiments) {
+        if !one.left_out.is_empty() {
+            let groups = left_out_text(&one.left_out, experiment.measurement.numbering);
+            out += &format!("{}: left out {groups}\n", one.name);
+        }
     }
     let of_kinds = indentation::lines(fit, experiments);
     for text in of_kinds

@@ -2,7 +2,7 @@
 
 use interp::Error;
 
-use super::{Failure, of_points};
+use super::Failure;
 
 /// Returns the functions that help after an error, if there are some.
 fn advice(error: &Error) -> Option<&'static str> {
@@ -231,14 +231,11 @@ impl From<fit::Error> for Failure {
         match error {
             Error::Contact(error) => error.into(),
             Error::Point {
-                measurement,
-                line,
                 name,
                 value,
                 allowed,
-            } => of.about(name, value).allowed(allowed).saying(&format!(
-                "{measurement}, point {line}: {name} = {value:?} must be {allowed}"
-            )),
+                ..
+            } => of.about(name, value).allowed(allowed),
             Error::Constant { name, value, .. } => of.about(name, value),
             Error::Setting {
                 name,
@@ -249,24 +246,9 @@ impl From<fit::Error> for Failure {
             Error::Layer { .. } | Error::OtherLayers(_) | Error::Interrupted => {
                 Self::new("InputError", &error)
             }
-            Error::Times {
-                measurement,
-                line,
-                time,
-                before,
-            } => of.about("time", time).saying(&format!(
-                "{measurement}, point {line}: time = {time:?} s follows {before:?} s, and times must rise: \
-                 where the bodies relax, points are in the order measured, and times go on from one way to \
-                 the next"
-            )),
-            Error::NoTimes { experiment } => of.saying(&format!(
-                "{experiment}: its points have no times, on which the forces of bodies that relax depend: \
-                 give the experiment time, in s, one for each point"
-            )),
-            Error::LeftOut { .. } => {
-                let text = of_points(&error.to_string());
-                of.saying(&format!("{text}: allow=(\"left-out\",)"))
-            }
+            Error::Times { time, .. } => of.about("time", time),
+            Error::NoTimes { .. } => of.saying(&format!("{error}, in s, as Experiment(time=...)")),
+            Error::LeftOut { .. } => of.saying(&format!("{error}: allow=(\"left-out\",)")),
             Error::DifferentBodies { .. } => of.saying(&format!(
                 "{error}: all_relax=True states that all bodies relax"
             )),

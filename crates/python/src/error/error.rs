@@ -227,10 +227,3 @@ pub fn other_stack() -> Failure {
 pub fn unknown(what: &str, word: &str) -> PyErr {
     PyValueError::new_err(format!("{word:?} is not a {what}"))
 }
-
-/// Returns a text that speaks of the points of arrays, by their numbers, where that of the program
-/// speaks of the lines of a file.
-pub fn of_points(text: &str) -> String {
-    text.replace(", in lines ", ", in points ")
-        .replace("(lines ", "(points ")
-}

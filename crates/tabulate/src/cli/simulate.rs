@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use ::fit::data::{Role, roles};
 use ::fit::report::{self, UnitOf};
 use ::fit::{
-    Direction, Experiment, Forecast, Kind, Measurement, Point, forecast, simulate_experiment,
+    Direction, Experiment, Forecast, Kind, Measurement, Numbering, Point, forecast,
+    simulate_experiment,
 };
 use anyhow::{Context, bail, ensure};
 use clap::builder::TypedValueParser;
@@ -271,6 +272,7 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
     Measurement {
         name: "the experiment".into(),
         kind,
+        numbering: Numbering::Lines,
         points: arguments.ways().iter().flat_map(way).collect(),
     }
 }

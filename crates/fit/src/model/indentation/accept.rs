@@ -131,8 +131,8 @@ impl Experiment {
             None => Ok(()),
             Some(point) => Err(Error::setting(
                 format!(
-                    "the retract of {}, line {}",
-                    self.measurement.name, point.line
+                    "the retract of {}, {} {}",
+                    self.measurement.name, self.measurement.numbering, point.line
                 ),
                 point.abscissa,
                 "left out: while a sample is unloaded its load and its depth do not tell the \
