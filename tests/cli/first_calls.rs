@@ -20,6 +20,16 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         let points = "0,0\n0.5,12.5\n1,50\n2,200\n3,450\n";
         workdir.write(&format!("{name}.csv"), format!("{headings}\n{points}"));
     }
+    let bodies = "--sphere-radius 1mm --film-thickness 30um --film-poisson-ratio 0.5 --substrate-modulus 2e11 \
+                  --substrate-poisson-ratio 0.25";
+    let without = format!("fit {lens} {bodies} --sphere-modulus 2MPa --film-modulus 3.5MPa");
+    let sliding =
+        format!("fit {lens} {bodies} --interface sliding --free film.modulus,work-of-adhesion");
+    let depths = "simulate --specimen paper --kind stiffness-depth --from 40nm --to 300nm --noise 1% --hardness 1GPa";
+    workdir.write(
+        "loads.csv",
+        "load,contact_stiffness\n1e-3,100\n2e-3,140\n4e-3,200\n",
+    );
     workdir.write("latin.csv", b"r [\xb5m],z [\xb5m]\n0,0\n1,1\n");
     workdir.write("raised.csv", "r [um],z [um]\n1,5\n2,6\n3,8\n");
     workdir.refuses(format!(
@@ -57,6 +67,23 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {film} --stiffness 0.1 | --stiffness; cantilever
         1 | {film} --sensitivity 50nm/V | --sensitivity; cantilever
         1 | {film} --units film-modulus=MPa | --units film-modulus; free
+        1 | {film} --units sphere-modulus=MPa --units sphere-modulus=kPa | --units sphere-modulus; twice
+        1 | {film} --value load-offset=1uN --value load-offset=2uN | --value load-offset; twice
+        1 | {film} --prior sphere-modulus=1MPa+-1kPa --prior sphere-modulus=5MPa+-1kPa | --prior sphere-modulus; one of them
+        1 | {film} --own sphere-modulus --shared sphere-modulus | --own sphere-modulus and --shared sphere-modulus
+        1 | {film} --value contact-point=1um | --value contact-point has no effect; leave it out
+        1 | {film} --value hardness=1MPa | --value hardness has no effect; leave it out
+        1 | {film} --interface sliding --known film.thickness=100um+-10um | --film-thickness; film.thickness; two values
+        1 | {sliding} --sphere-modulus inf | --film-modulus; guess
+        1 | {sliding} --sphere-modulus inf --value film.modulus=10kPa --known film.thickness=1um+-1nm | two values
+        1 | {film} --friction stick --work-of-adhesion-receding 0.2 --value work-of-adhesion=0.1 | --value work-of-adhesion; as a flag
+        1 | {film} --friction stick --work-of-adhesion-receding 0.2 --known work-of-adhesion=0.1+-0.01 | --known work-of-adhesion; as a flag
+        1 | {without} --friction stick --work-of-adhesion-receding 0.2 | --work-of-adhesion is missing; has grown
+        1 | {film} --friction stick --known film-poisson-ratio=0.5+-0.01 | film-poisson-ratio; can vary
+        1 | {depths} --probe cone --half-angle 45 | --half-angle 45.0; area function; --area 3.141593
+        1 | {depths} --sphere-radius 1um | --sphere-radius; area function
+        2 | simulate --specimen paper --kind stiffness-radius --from 20um --to 100um --noise 1% --loss-tangent 0.1 --json | --loss-tangent; --json
+        1 | fit loads.csv --specimen paper --between 1mm..5mm | length; force
         1 | {film} --known film-thickness=2e-5+-1e-6 | 3e-5; 2e-5; two values
         2 | {film} --value sphere-modulus=2 | 2MPa; 2Pa
         2 | {film} --known substrate-modulus=70+-1 | 70GPa
@@ -65,7 +92,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         "
     ));
     let profiles = [
-        "cells", "latin", "raised", "steep", "swapped", "twice", "wide",
+        "cells", "latin", "loads", "raised", "steep", "swapped", "twice", "wide",
     ];
     assert_eq!(workdir.files(), profiles.map(|name| format!("{name}.csv")));
 }

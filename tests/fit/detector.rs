@@ -125,7 +125,7 @@ fn readings_of_a_contact_stiffness_are_doubted_in_its_unit() {
         for noise in [None, Some(1e-2)] {
             experiment.noise = noise;
             let sound = through(&experiment, &free, |y| y);
-            assert_no_doubts(&sound, &[]);
+            assert_no_doubts(&sound, &[WarningKind::Friction]);
             let at_the_top = through(&experiment, &free, |y| y.min(0.8 * most));
             let said = text(&at_the_top, WarningKind::Saturated);
             assert!(
@@ -135,7 +135,7 @@ fn readings_of_a_contact_stiffness_are_doubted_in_its_unit() {
             assert!(said.contains(" N/m, where the fit changes by "), "{said}");
             // Steps of 0.01 N/m are fine beside 1 %, though 0.01 is the noise.
             let fine = through(&experiment, &free, |y| 0.01 * (y / 0.01).round());
-            assert_no_doubts(&fine, &[]);
+            assert_no_doubts(&fine, &[WarningKind::Friction]);
         }
         let experiment = noisy(&exact, 2e-3, seed);
         let step = 0.04 * most;

@@ -100,6 +100,10 @@ fn changes_are_those_of_fits_with_other_values() {
     let names = "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio \
                  film-thickness stiffness";
     assert_as_refits("probe", &experiment, &probe.free, Loss::Squares, names);
+    // Of a deflection the forces are as uncertain as the stiffness.
+    let mut experiment = experiment;
+    experiment.from_deflection = true;
+    assert_as_refits("deflection", &experiment, &probe.free, Loss::Squares, names);
     // A half-space: Hertz's modulus is that of (1 - nu^2) E/(1 - nu^2), so that 1 % of the radius
     // is -0.5 % of the modulus in closed form.
     let free = [Parameter::FilmModulus];
@@ -131,6 +135,45 @@ fn changes_are_those_of_fits_with_other_values() {
     let of_poisson = change(poisson);
     let expected = -2.0 * 0.45 * 0.01 / (1.0 - 0.45 * 0.45);
     assert!((of_poisson / expected - 1.0).abs() < 1e-3, "{of_poisson}");
+}
+
+/// Force and deflection of one spring: the penetration does not depend on its stiffness, so that modulus
+/// and work of adhesion follow the stiffness in proportion.
+#[test]
+fn of_a_deflection_the_stiffness_scales_the_modulus() {
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    let probe = Imagined::probe(Course::Approach, 5e-5, &free);
+    let mut experiment = probe.measured(&probe.exact(), 1);
+    // With a rigid sphere and substrate the modulus of the film is the only one.
+    if let Bodies::Coated(system) = &mut experiment.bodies {
+        system.substrate = acceptance::solid(f64::INFINITY, 0.25);
+    }
+    experiment.from_deflection = true;
+    let stiffness = experiment.stiffness.expect("that of a cantilever");
+    let known = Known {
+        quantity: Fixed::Parameter(Parameter::Stiffness),
+        error: 0.05 * stiffness,
+    };
+    let here = found(&experiment, &probe.free, |options| {
+        options.known = vec![known]
+    });
+    for i in 0..2 {
+        let estimate = &here.estimates[i];
+        let part = here.fixed_values[0].changes[i] / estimate.value;
+        assert!((part - 0.01).abs() < 3e-4, "{estimate:?}: {part}");
+        assert!(
+            estimate.standard_error > 0.05 * estimate.value,
+            "{estimate:?}"
+        );
+    }
+    let mut free = probe.free.clone();
+    free.push(Free::new(Parameter::Stiffness));
+    fit_with(&experiment, &free, |_| ()).refused("stiffness; deflection; standard error");
 }
 
 #[test]

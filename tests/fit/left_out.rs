@@ -205,3 +205,26 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
     }
     assert!(ended > 0);
 }
+
+/// A free work of adhesion has no value yet: whether it stands as 0 or as another number, the points near
+/// the ends of the branches are the same, and so is the result.
+#[test]
+fn the_value_of_a_free_work_of_adhesion_does_not_count() {
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+    ];
+    let probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+    let exact = probe.exact();
+    for seed in 0..20 {
+        let mut experiment = probe.measured(&exact, seed);
+        let [none, other] = [0.0, 1.0].map(|work| {
+            experiment.work_of_adhesion = work;
+            let found = fit_all(std::slice::from_ref(&experiment), &probe.free).expect("sound");
+            found.estimates
+        });
+        assert_eq!(none, other, "seed {seed}");
+    }
+}

@@ -167,7 +167,7 @@ fn what_cannot_be_fitted_is_refused_with_the_reason() {
     let with = |change| with_free(change, &free);
     with(|one| one.times[7] = one.times[6]).refused("line 8; times must rise");
     with(|one| one.times[7] = f64::NAN).refused("line 8; times must rise");
-    with(|one| one.times.clear()).refused("no times; column");
+    with(|one| one.times.clear()).refused("no times; give each point its time");
     with(|one| one.times.truncate(9)).refused("number of times; 60");
     with(|one| one.work_of_adhesion = 0.01)
         .refused("work of adhesion; crack tip; without adhesion");

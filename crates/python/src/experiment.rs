@@ -32,6 +32,7 @@ pub struct Given<'py> {
     baseline: f64,
     baseline_slope: f64,
     stiffness: Option<f64>,
+    from_deflection: bool,
     noise: Option<GivenNoise<'py>>,
     abscissa_noise: GivenNoise<'py>,
     indentation: Option<GivenIndentation>,
@@ -142,6 +143,7 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyR
         baseline: given.baseline,
         baseline_slope: given.baseline_slope,
         stiffness: given.stiffness,
+        from_deflection: given.from_deflection,
         noise,
         abscissa_noise: abscissa_noise.unwrap_or(0.0),
         errors: PointErrors {

@@ -72,6 +72,7 @@ pub fn read_file<'py>(
     }
     if measurement.kind == Kind::ForceHeight {
         fields.set_item("stiffness", notes.cantilever.stiffness)?;
+        fields.set_item("from_deflection", notes.has_deflection())?;
     }
     fields.set_item("reading", reading(&measurement, &notes))?;
     let doubts = notes.doubts.iter().map(|doubt| match doubt.remedy() {

@@ -245,7 +245,7 @@ fn simulated_phases_give_their_loss_tangent_back() {
     let workdir = workdir!();
     let bodies = |modulus: &str| {
         format!(
-            "--specimen paper --sphere-modulus 1100GPa --sphere-radius 1um --film-modulus {modulus} \
+            "--specimen paper --sphere-modulus 1100GPa --film-modulus {modulus} \
              --film-poisson-ratio 0.2 --film-thickness 500nm --substrate-modulus 170GPa"
         )
     };

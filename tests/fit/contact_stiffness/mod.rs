@@ -122,7 +122,7 @@ fn stiffness_at_contact_radii() {
         std::slice::from_ref(&exact),
         (0.02, true),
         &[FilmModulus],
-        &[],
+        &[WarningKind::Friction],
     );
     let both = [FilmModulus, FilmThickness];
     recover(
@@ -130,7 +130,7 @@ fn stiffness_at_contact_radii() {
         &[exact],
         (0.02, false),
         &both,
-        &[],
+        &[WarningKind::Friction],
     );
 }
 
@@ -151,7 +151,7 @@ fn stiffness_at_loads_with_one_hardness() {
         &[exact],
         (0.01, true),
         &free,
-        &[],
+        &[WarningKind::Friction],
     );
 }
 
@@ -233,7 +233,7 @@ fn stiffness_at_depths_with_a_reference_sample() {
     );
     let bare = Contact::half_space(&system.without_film()).expect("physical");
     let reference = at_depths(on_layers(&system, &[]), &bare, &known, 1.2e10);
-    let definition = [WarningKind::ContactDepth];
+    let definition = [WarningKind::ContactDepth, WarningKind::Friction];
     recover(
         "stiffness, depth",
         std::slice::from_ref(&film),

@@ -113,6 +113,15 @@ pub struct Notes {
     pub doubts: Vec<Doubt>,
 }
 
+impl Notes {
+    /// Tells whether forces are a deflection times the stiffness of the cantilever.
+    pub fn has_deflection(&self) -> bool {
+        self.columns
+            .iter()
+            .any(|column| column.role == Role::Deflection)
+    }
+}
+
 impl fmt::Display for FromHead<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {

@@ -55,6 +55,18 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
     Ok(())
 }
 
+/// Refuses a known error of a value that cannot vary: it would make the standard errors NaN.
+pub(super) fn accept_changes(values: &[FixedValue]) -> Result<(), Error> {
+    let cannot_vary =
+        |one: &&FixedValue| one.error.is_some() && one.changes.iter().any(|change| change.is_nan());
+    values.iter().find(cannot_vary).map_or(Ok(()), |one| {
+        let name = format!("the known {}", one.quantity.name());
+        let allowed = "of a value that can vary, and there are no contacts with 1 % more or less of this one: \
+                       it is that of a table, or at the end of what is solved; leave its error out";
+        Err(Error::setting(name, one.value, allowed))
+    })
+}
+
 /// Returns what changes of given values do: of those `known`, and of all that matter if `all` are
 /// asked for.
 pub(super) fn effects(

@@ -14,8 +14,12 @@ const TOLERANCE: f64 = 1e-6;
 /// The Poisson ratio of a sphere of which none is known.
 const USUAL_POISSON_RATIO: f64 = 0.5;
 
-/// Warns where full friction changes the modulus by more than its standard error, with the modulus
-/// at both ends. `a` is the largest contact radius, m.
+/// Warns where full friction changes the modulus by more than its standard error. `a` is the largest
+/// contact radius, m.
+///
+/// A flat punch has no smaller stiffness with friction than without, and a sphere that is pressed on gains
+/// less: where contact radii are measured, the moduli at both ends are bounds. At a given penetration or
+/// load friction changes the contact radius, too, and the load more than that of a punch.
 pub(super) fn add(
     warnings: &mut Warnings,
     experiment: &Experiment,
@@ -54,15 +58,23 @@ pub(super) fn add(
     } else {
         [other, modulus.value]
     };
+    let parameter = modulus.parameter;
+    let kind = experiment.measurement.kind;
+    let abscissa = kind.names()[0];
+    let bounds = if kind.at_radii() || kind.is_stiffness() && !experiment.is_elastic_load() {
+        format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
+    } else {
+        format!(
+            "at a given {abscissa} it also changes the contact radius, and no bound of {parameter} follows"
+        )
+    };
     warnings.add(
         WarningKind::Friction,
         format!(
-            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %. This \
-             is an upper bound of its effect on the load, and changes {parameter} by more than its standard error: \
-             {parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction); fit with both, or use \
-             contacts that are less wide beside the film",
+            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %, and \
+             changes {parameter} by more than its standard error: {bounds}; fit with both, or use contacts that are less \
+             wide beside the film",
             digits(1e2 * (ratio - 1.0)),
-            parameter = modulus.parameter,
         ),
     );
 }

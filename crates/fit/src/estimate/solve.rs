@@ -95,6 +95,7 @@ fn to_the_end(
         options,
         (intervals, without_film, left_out, relaxations),
     );
+    fixed_values::accept_changes(&fit.fixed_values)?;
     for (one, loss) in fit.experiments.iter_mut().zip(losses) {
         one.loss = loss;
     }
@@ -196,6 +197,21 @@ pub(crate) fn prepare(
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let work = experiment.work_of_adhesion;
             experiment.work_of_adhesion_receding.get_or_insert(work);
+        }
+        if experiment.from_deflection && is_free(Parameter::Stiffness) {
+            return Err(Error::NotApplicable {
+                parameter: Parameter::Stiffness,
+                experiment: experiment.measurement.name.clone(),
+                reason: "it turns a deflection into a force: fix it, and state its standard error"
+                    .into(),
+            });
+        }
+        for work in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
+            // The value of a free parameter does not count; with 0 the points near the end of a branch
+            // would be read as those of a contact without adhesion.
+            if is_free(work) && experiment.get(work) == Some(0.0) {
+                experiment.set(work, f64::MIN_POSITIVE)?;
+            }
         }
         let adhesive = is_free(Parameter::WorkOfAdhesion)
             || is_free(Parameter::WorkOfAdhesionReceding)

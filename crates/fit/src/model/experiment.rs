@@ -218,6 +218,9 @@ pub struct Experiment {
     pub baseline_slope: f64,
     /// The stiffness of the cantilever, N/m, which [`Kind::ForceHeight`] needs.
     pub stiffness: Option<f64>,
+    /// Whether the forces are this stiffness times a measured deflection. Then another stiffness
+    /// changes the forces, too.
+    pub from_deflection: bool,
     /// The standard deviation of an ordinate, in N or m, and of a contact stiffness relative to it
     /// (0.01 is 1 %); `None` if it is to be estimated from the residuals.
     pub noise: Option<f64>,
@@ -248,6 +251,7 @@ impl Experiment {
             baseline: 0.0,
             baseline_slope: 0.0,
             stiffness: None,
+            from_deflection: false,
             noise: None,
             abscissa_noise: 0.0,
             errors: PointErrors {
@@ -360,7 +364,7 @@ impl Experiment {
             Parameter::ContactPoint => self.contact_point = value,
             Parameter::Baseline => self.baseline = value,
             Parameter::BaselineSlope => self.baseline_slope = value,
-            Parameter::Stiffness => self.stiffness = Some(value),
+            Parameter::Stiffness => self.set_stiffness(value),
             Parameter::Hardness => self.indentation.hardness = Some(value),
             Parameter::TipRounding => self.indentation.tip_rounding = value,
             Parameter::FrameCompliance => self.indentation.frame_compliance = value,
@@ -375,6 +379,20 @@ impl Experiment {
             _ => self.bodies = self.bodies.clone().with(parameter, value)?,
         }
         Ok(())
+    }
+
+    /// Replaces the stiffness of the cantilever, and with it the forces that are deflections times it.
+    fn set_stiffness(&mut self, value: f64) {
+        if let (true, Some(before)) = (self.from_deflection, self.stiffness) {
+            let by = value / before;
+            for point in &mut self.measurement.points {
+                point.ordinate *= by;
+            }
+            for error in &mut self.errors.ordinate {
+                *error *= by;
+            }
+        }
+        self.stiffness = Some(value);
     }
 
     /// Returns why these bodies do not have a parameter, if they do not have it.
@@ -419,7 +437,7 @@ impl Experiment {
     }
 
     /// Returns why a parameter has no effect on this experiment, if it has none.
-    pub(crate) fn why_without_effect(&self, parameter: Parameter) -> Option<Cow<'static, str>> {
+    pub fn why_without_effect(&self, parameter: Parameter) -> Option<Cow<'static, str>> {
         if let Some(reason) = self.why_not_there(parameter) {
             return Some(reason);
         }

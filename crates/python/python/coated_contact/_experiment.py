@@ -121,6 +121,10 @@ class Experiment(Remade, OneLine):
         The slope of the force that is read without a contact, N/m.
     stiffness : float, optional
         Stiffness of the cantilever, N/m, which ``"force-height"`` needs.
+    from_deflection : bool
+        Whether the ordinates are this ``stiffness`` times a measured deflection, as
+        :func:`read_experiment` finds; then what is known of the stiffness holds for the forces,
+        too. Another stiffness needs other ordinates: read the file again.
     noise : float or array_like, optional
         Standard deviation of an ordinate, N or m, or one for each point; None estimates it from
         the residuals. One number for a contact stiffness is relative to it, 0.01 is 1 %.
@@ -171,6 +175,7 @@ class Experiment(Remade, OneLine):
     baseline: float = 0.0
     baseline_slope: float = 0.0
     stiffness: float | None = None
+    from_deflection: bool = False
     noise: Any = None
     abscissa_noise: Any = 0.0
     friction: Literal["none", "stick"] = "none"
@@ -189,14 +194,22 @@ class Experiment(Remade, OneLine):
             raise TypeError(f"indentation must be an Indentation, not {self.indentation!r}")
         if self.relaxation is not None and not isinstance(self.relaxation, Relaxation):
             raise TypeError(f"relaxation must be a Relaxation, not {self.relaxation!r}")
-        if not isinstance(self.all_relax, bool):
-            raise TypeError(f"all_relax must be True or False, not {self.all_relax!r}")
+        for name in ("all_relax", "from_deflection"):
+            if not isinstance(getattr(self, name), bool):
+                raise TypeError(f"{name} must be True or False, not {getattr(self, name)!r}")
         if not isinstance(self.system, System | HalfSpace | StackSystem):
             raise TypeError(
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
             )
         one_of("friction", self.friction, ("none", "stick"))
         check_friction(self.friction, self.sphere_poisson_ratio, self.advancing)
+        if self.friction == "stick" and self.work_of_adhesion_receding is not None:
+            raise FitError(
+                "work_of_adhesion_receding has no effect with friction: give work_of_adhesion, with "
+                "which the contact recedes, and advancing, the ratio to it of that with which it "
+                "has grown",
+                axis="work_of_adhesion_receding",
+            )
         if self.friction == "stick" and isinstance(self.system, HalfSpace):
             raise FitError(
                 "friction on a half-space is not fitted (none at a Poisson ratio of 0.5): "

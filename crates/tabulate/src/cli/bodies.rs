@@ -36,7 +36,7 @@ pub struct BodiesArguments {
     #[command(flatten)]
     pub system: SystemArguments,
     #[command(flatten)]
-    interface: InterfaceArguments,
+    pub interface: InterfaceArguments,
     /// Accept these, which are errors otherwise
     #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
     pub allow: Vec<Allowed>,

@@ -87,13 +87,17 @@ pub fn interface(word: Option<Word>, springs: Option<[f64; 2]>) -> Interface {
 }
 
 impl InterfaceArguments {
+    /// Tells whether the film is a layer of its own, because it is not bonded.
+    pub fn is_layer(&self) -> bool {
+        !interface(self.interface, self.interface_stiffness).is_bonded()
+    }
+
     /// Returns the film on its substrate as a stack of one layer; `None` if it is bonded.
     pub fn stack(&self, system: &System) -> anyhow::Result<Option<NamedStack>> {
         let interface = interface(self.interface, self.interface_stiffness);
-        if interface.is_bonded() {
-            return Ok(None);
-        }
-        one_film(system, interface).map(Some)
+        self.is_layer()
+            .then(|| one_film(system, interface))
+            .transpose()
     }
 }
 

@@ -106,12 +106,13 @@ pub struct Arguments {
         value_name = "NAME=UNIT,...",
         value_parser = unit_of,
         value_delimiter = ',',
-        requires = "expect"
+        requires = "expect",
+        conflicts_with = "loss_tangent"
     )]
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
     /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "warnings": [{"kind", "text"}]}
-    #[arg(long, requires = "expect")]
+    #[arg(long, requires = "expect", conflicts_with = "loss_tangent")]
     json: bool,
     /// Write here instead of to standard output
     #[arg(short, long, value_name = "DATA.csv", conflicts_with = "json")]

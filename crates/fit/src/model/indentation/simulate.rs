@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::{Branch, Error, Experiment, Kind};
 
@@ -47,6 +48,9 @@ impl Experiment {
         let depths = self.measurement.points.iter().map(|point| point.abscissa);
         let deepest = depths.fold(0.0, f64::max);
         let samples = self.samples(contact_of, of.thinning * 1.2 * deepest)?;
+        // Below it nothing is solved.
+        let of_sample = |sample: &Sample| sample.contact().contact_radius_range()[0];
+        let smallest = samples.iter().map(of_sample).fold(0.0, f64::max);
         let (mut loads, mut phases) = (Vec::new(), Vec::new());
         for i in 0..self.measurement.points.len() {
             let target = self.measurement.points[i].abscissa;
@@ -60,7 +64,8 @@ impl Experiment {
                 let h = of.indented(contact_depth, load, stiffness);
                 Ok::<_, Error>((h + of.frame_compliance * load, load, read, phase))
             };
-            let [mut low, mut high] = RADII.map(f64::ln);
+            let [least, most] = RADII;
+            let [mut low, mut high] = [least.max(smallest), most].map(f64::ln);
             for _ in 0..BISECTIONS {
                 let middle = 0.5 * (low + high);
                 // No contact is wider than the reach of the sample.

@@ -15,6 +15,7 @@ use super::setting::{Bounds, Given, Known, Values};
 use super::value::{fixed, parameter, questions};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
+use crate::cli::interface::FILM;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, SystemArguments, Value};
@@ -52,7 +53,7 @@ impl KnownArguments {
     fn missing(&self) -> Vec<Value> {
         let mut missing = self.bodies.missing(self.half_space);
         let of = |parameter| self.values.iter().rfind(|set| set.parameter == parameter);
-        missing.retain(|value| parameter(*value).and_then(of).is_none());
+        missing.retain(|value| parameter(*value, self.layer()).and_then(of).is_none());
         if self.relaxing.is_given() {
             missing.retain(|value| *value != Value::WorkOfAdhesion);
         }
@@ -72,12 +73,28 @@ impl KnownArguments {
 
     /// Returns the values given by --value and by the flags of the law.
     pub fn all_values(&self) -> anyhow::Result<Vec<Values>> {
+        for (i, one) in self.values.iter().enumerate() {
+            ensure!(
+                self.values[..i]
+                    .iter()
+                    .all(|before| before.parameter != one.parameter),
+                "--value {} is given twice: leave one out, or give one value for each file, \
+                 NAME=VALUE,VALUE",
+                one.parameter
+            );
+        }
         let of_law = self
             .relaxing
             .values()?
             .into_iter()
             .map(|(_, values)| values);
         Ok(self.values.iter().cloned().chain(of_law).collect())
+    }
+
+    /// Returns the name of the film as a layer, if an interface makes it one.
+    pub fn layer(&self) -> Option<LayerName> {
+        let is_layer = self.bodies.interface.is_layer();
+        is_layer.then(|| FILM.parse().expect("a name of a layer"))
     }
 
     /// Asks for all that a fit of experiments needs and nobody gives. The values of free parameters
@@ -90,13 +107,15 @@ impl KnownArguments {
     ) -> anyhow::Result<()> {
         let is_free = |value: Value| {
             let free = |parameter| free.iter().any(|one| one.parameter == parameter);
-            parameter(value).is_some_and(free)
+            parameter(value, self.layer()).is_some_and(free)
         };
         let is_known = |value: &Value| {
             let starts = |parameter| starts_from_data(parameter, experiments, free);
             self.bodies.system.specimen.is_some()
-                || parameter(*value).is_some_and(starts)
-                || given.iter().any(|one| one.quantity == fixed(*value))
+                || parameter(*value, self.layer()).is_some_and(starts)
+                || given
+                    .iter()
+                    .any(|one| one.quantity == fixed(*value, self.layer()))
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));
@@ -113,8 +132,23 @@ impl KnownArguments {
                 one.measurement.name
             ));
         }
-        lines.extend(questions(&missing, is_free, self.half_space));
+        lines.extend(questions(&missing, self.layer(), is_free, self.half_space));
         ensure!(lines.is_empty(), lines.join("\n"));
+        Ok(())
+    }
+
+    /// Accepts the works of adhesion of a contact that sticks and recedes with a work of its own: both
+    /// are flags, because the ratio of the two belongs to the contact.
+    fn accept_two_works(&self) -> anyhow::Result<()> {
+        let system = &self.bodies.system;
+        let value = self.values.iter().find(|one| is_work(one.parameter));
+        if let Some(Values { parameter, .. }) = value {
+            bail!("--value {parameter}: {TWO_WORKS}");
+        }
+        ensure!(
+            system.given(Value::WorkOfAdhesion).is_some() || system.specimen.is_some(),
+            "--work-of-adhesion is missing: {TWO_WORKS}"
+        );
         Ok(())
     }
 
@@ -139,6 +173,9 @@ impl KnownArguments {
                  has no effect, and for other ones it is not solved; leave out --half-space or \
                  --friction"
             );
+            if self.history.work_of_adhesion_receding.is_some() {
+                self.accept_two_works()?;
+            }
             let advancing;
             (work_of_adhesion, advancing) = self.history.works(work_of_adhesion)?;
             if advancing < 1.0 {
@@ -210,12 +247,44 @@ impl KnownArguments {
             }
             Ok(experiment)
         };
-        measurements
+        let experiments: Vec<Experiment> = measurements
             .into_iter()
             .enumerate()
             .map(experiment)
-            .collect()
+            .collect::<anyhow::Result<_>>()?;
+        if experiments
+            .iter()
+            .all(|one| one.measurement.kind == Kind::StiffnessDepth)
+        {
+            self.bodies.system.accept_no_shape()?;
+        }
+        for Values { parameter, values } in &self.values {
+            let mut reasons = experiments
+                .iter()
+                .map(|one| one.why_without_effect(*parameter));
+            // A body without an end of its stiffness has no modulus to be found, but it has this value.
+            if values.iter().all(|value| value.is_finite())
+                && let Some(reason) = reasons.next().flatten()
+                && reasons.all(|reason| reason.is_some())
+            {
+                bail!("--value {parameter} has no effect: {reason}; leave it out");
+            }
+        }
+        Ok(experiments)
     }
+}
+
+/// What holds of the works of adhesion of a contact that sticks and recedes with a work of its own.
+pub const TWO_WORKS: &str = "with --friction stick and --work-of-adhesion-receding give --work-of-adhesion, with which the \
+    contact has grown, as a flag: the ratio of both belongs to the contact. The work of adhesion that is found or \
+    known is the receding one";
+
+/// Tells whether a parameter is a work of adhesion.
+pub const fn is_work(parameter: Parameter) -> bool {
+    matches!(
+        parameter,
+        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
+    )
 }
 
 /// Refuses points of approach, which a contact that recedes with a work of adhesion of its own does
@@ -313,20 +382,32 @@ impl FreeArguments {
         let names = if self.free.is_empty() {
             let mut names = usual(experiments);
             // It is no place to start from, but that there is no adhesion.
-            if given.given(Value::WorkOfAdhesion) == Some(0.0) {
+            if given.given(Value::WorkOfAdhesion) == Some(0.0)
+                && experiments.iter().all(|one| one.work_of_adhesion == 0.0)
+            {
                 names.retain(|&name| name != Parameter::WorkOfAdhesion);
             }
             names
         } else {
             self.free.clone()
         };
-        let lists = [("--own", &self.own), ("--shared", &self.shared)];
+        /// The flags of lists of parameters, which exclude each other.
+        const SCOPES: [&str; 2] = ["--own", "--shared"];
+        let lists = [(SCOPES[0], &self.own), (SCOPES[1], &self.shared)];
         let settings = self.bounds.iter().map(|set| ("--bounds", set.parameter));
         let settings = settings.chain(self.prior.iter().map(|set| ("--prior", set.parameter)));
         let listed = lists
             .iter()
             .flat_map(|(flag, list)| list.iter().map(move |name| (*flag, *name)));
-        for (flag, parameter) in settings.chain(listed) {
+        let settings: Vec<_> = settings.chain(listed).collect();
+        for (i, &(flag, parameter)) in settings.iter().enumerate() {
+            let mut before = settings[..i].iter();
+            if let Some((other, _)) = before.find(|&&(other, name)| {
+                name == parameter
+                    && (other == flag || SCOPES.contains(&other) && SCOPES.contains(&flag))
+            }) {
+                bail!("{other} {parameter} and {flag} {parameter}: give one of them");
+            }
             if !names.contains(&parameter) {
                 let names: Vec<_> = names.iter().map(|name| name.name()).collect();
                 bail!(

@@ -2,20 +2,22 @@
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Doubt, Format, Role, Segments};
+use ::fit::data::{Cantilever, Column, Doubt, Format, Notes, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{Direction, Experiment, Fit, Kind, Loss, Options, Parameter, Scope, WarningKind};
+use ::fit::{
+    Direction, Experiment, Fit, Fixed, Kind, Loss, Options, Parameter, Scope, WarningKind,
+};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 use units::Dimension;
 
-use super::experiments::{FreeArguments, KnownArguments};
+use super::experiments::{FreeArguments, KnownArguments, TWO_WORKS, is_work};
 use super::indentation::{Noise, Range, ReferenceArguments};
 use super::picture::PictureArguments;
 use super::reading::{doubted, measured, typed, with_doubts};
-use super::setting::{Given, check_units, unit_of};
+use super::setting::{Given, Values, check_units, unit_of};
 use super::{experiments, indentation, object, table};
 use crate::cli::allow::{self, Allowed};
 use crate::cli::json;
@@ -211,6 +213,22 @@ fn sensitivity(text: &str) -> Result<f64, String> {
 }
 
 impl Arguments {
+    /// Returns the stiffness of the cantilever of a file, by its number, as a flag gives it.
+    fn stiffness(&self, values: &[Values], file: usize) -> Option<f64> {
+        let known = self
+            .given
+            .iter()
+            .find(|one| one.quantity == Fixed::Parameter(Parameter::Stiffness));
+        let own = values
+            .iter()
+            .find(|one| one.parameter == Parameter::Stiffness);
+        let own = own.and_then(|one| one.values.get(file).or(one.values.first()));
+        known
+            .map(|one| one.value)
+            .or(own.copied())
+            .or(self.known.stiffness)
+    }
+
     fn format(&self) -> anyhow::Result<Format> {
         let between = self.between.as_ref().map(|range| range.of(self.kind));
         Ok(Format {
@@ -307,11 +325,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             "{flag}: {noises} values for {files} files; give one, or one for each file"
         );
     }
-    let format = arguments.format()?;
+    let values = arguments.known.all_values()?;
+    let mut format = arguments.format()?;
     let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     let mut times = Vec::new();
-    for path in arguments.data.iter().chain(&arguments.reference.reference) {
+    let paths = arguments.data.iter().chain(&arguments.reference.reference);
+    for (i, path) in paths.enumerate() {
+        format.cantilever.stiffness = arguments.stiffness(&values, i);
         let reading = measured(path, &format)?;
+        if let Some(between) = &arguments.between {
+            between.of(Some(reading.measurement.kind))?;
+        }
         measurements.push(reading.measurement);
         beside.push((reading.errors, reading.loads, reading.phases));
         times.push(reading.times);
@@ -331,11 +355,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         if kind == Kind::ForceHeight {
             let of_file = notes[i].cantilever.stiffness;
             experiment.stiffness = experiment.stiffness.or(of_file);
+            experiment.from_deflection = notes[i].has_deflection();
         }
         for Given {
             quantity, value, ..
         } in &arguments.given
         {
+            if let Fixed::Parameter(parameter) = quantity
+                && is_work(*parameter)
+                && arguments.known.history.work_of_adhesion_receding.is_some()
+            {
+                bail!("--known {parameter}: {TWO_WORKS}");
+            }
             if i >= arguments.data.len() && experiment.set_fixed(*quantity, *value).is_err() {
                 // A reference sample has no film.
                 continue;
@@ -356,10 +387,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
     }
-    let values = arguments.known.all_values()?;
     let system = &arguments.known.bodies.system;
     for given in &arguments.given {
-        given.accept_once(system, &values)?;
+        given.accept_once(system, arguments.known.layer(), &values)?;
     }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
@@ -382,15 +412,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .relaxing
         .ask(&experiments[0], &[parameters, set].concat())?;
     experiments::forget_shapes(&mut experiments, &free);
-    let mut columns = notes.iter().flat_map(|notes| &notes.columns);
-    let from_deflection = columns.any(|column| column.role == Role::Deflection);
-    if from_deflection
-        && free
-            .iter()
-            .any(|free| free.parameter == Parameter::Stiffness)
-    {
-        bail!("the stiffness cannot be free where it turns a deflection into a force: fix it");
-    }
     ensure!(
         arguments.known.history.sphere_poisson_ratio.is_none()
             || arguments.known.history.sticks()?.is_some()
@@ -403,7 +424,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let in_heights = |one: &Experiment| one.measurement.kind == Kind::ForceHeight;
     ensure!(
-        from_deflection
+        notes.iter().any(Notes::has_deflection)
             || experiments.iter().any(in_heights)
             || arguments.known.stiffness.is_none() && arguments.sensitivity.is_none(),
         "--stiffness and --sensitivity are those of a cantilever, and no file has heights or deflections: leave \

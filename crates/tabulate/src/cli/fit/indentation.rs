@@ -93,6 +93,15 @@ impl IndentationArguments {
                 kind.name()
             ));
         }
+        if kind == Kind::StiffnessRadius && self.hardness.is_some() {
+            return Some(
+                "--hardness tells contact radii, and stiffness-radius measures them: leave it out"
+                    .into(),
+            );
+        }
+        if self.contact_depth == Some(ContactDepth::Loubet) && self.epsilon.is_some() {
+            return Some("--epsilon is for --contact-depth oliver-pharr: leave it out".into());
+        }
         let of_depth = [
             ("--epsilon", self.epsilon.is_some()),
             ("--area", !self.area.is_empty()),
@@ -297,11 +306,16 @@ pub fn range(text: &str) -> Result<Range, String> {
 }
 
 impl Range {
-    /// Returns the ends in SI units, as lengths or, of kinds at loads, as forces.
+    /// Returns the ends in SI units, as lengths or, of kinds at loads, as forces. Of a kind that is not
+    /// known yet their own units tell.
     pub fn of(&self, kind: Option<Kind>) -> anyhow::Result<[f64; 2]> {
-        let dimension = kind.map_or(Dimension::Length, |kind| {
-            ::fit::data::roles(kind)[0].dimension()
-        });
+        let is_of = |dimension| self.0.iter().all(|end| end.of(Some(dimension)).is_ok());
+        let own = if is_of(Dimension::Length) {
+            Dimension::Length
+        } else {
+            Dimension::Force
+        };
+        let dimension = kind.map_or(own, |kind| ::fit::data::roles(kind)[0].dimension());
         let end = |quantity: &Quantity| quantity.of(Some(dimension)).context("--between");
         let [least, most] = [end(&self.0[0])?, end(&self.0[1])?];
         ensure!(

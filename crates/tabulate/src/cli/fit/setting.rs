@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use ::fit::report::UnitOf;
-use ::fit::{Fixed, Free, Parameter};
+use ::fit::{Fixed, Free, LayerName, Parameter};
 use anyhow::ensure;
 use units::Dimension;
 
@@ -51,10 +51,15 @@ impl Given {
     }
 
     /// Refuses a quantity to which a flag gives another value, or --value one for each file.
-    pub fn accept_once(&self, system: &SystemArguments, values: &[Values]) -> anyhow::Result<()> {
+    pub fn accept_once(
+        &self,
+        system: &SystemArguments,
+        layer: Option<LayerName>,
+        values: &[Values],
+    ) -> anyhow::Result<()> {
         let (name, known) = (self.quantity.name(), self.value);
         let mut flags = Value::ALL.into_iter();
-        if let Some(value) = flags.find(|&value| fixed(value) == self.quantity)
+        if let Some(value) = flags.find(|&value| fixed(value, layer) == self.quantity)
             && let Some(other) = system.given(value)
         {
             ensure!(
@@ -160,7 +165,14 @@ pub fn unit_of(text: &str) -> Result<UnitOf, String> {
 
 /// Refuses a unit of a parameter that is not found.
 pub fn check_units(units: &[UnitOf], free: &[Free]) -> anyhow::Result<()> {
-    for unit in units {
+    for (i, unit) in units.iter().enumerate() {
+        ensure!(
+            units[..i]
+                .iter()
+                .all(|before| before.parameter != unit.parameter),
+            "--units {} is given twice: leave one out",
+            unit.parameter
+        );
         ensure!(
             free.iter().any(|free| free.parameter == unit.parameter),
             "--units {}: the fit does not find it: name a free parameter",

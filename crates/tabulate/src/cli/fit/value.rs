@@ -1,11 +1,21 @@
 //! The values of the bodies as a fit takes them, and what it asks where one is missing.
 
-use ::fit::{Fixed, Parameter};
+use ::fit::{Fixed, LayerName, Parameter};
 
 use crate::cli::system::Value;
 
-/// Returns the value of a fit that one of the bodies is.
-pub const fn fixed(value: Value) -> Fixed {
+/// Returns the value of a fit that one of the bodies is. A film with an interface is the `layer`.
+pub const fn fixed(value: Value, layer: Option<LayerName>) -> Fixed {
+    match (value, layer) {
+        (Value::FilmThickness, Some(name)) => Fixed::Parameter(Parameter::LayerThickness(name)),
+        (Value::FilmModulus, Some(name)) => Fixed::Parameter(Parameter::LayerModulus(name)),
+        (Value::FilmPoissonRatio, Some(name)) => Fixed::NamedPoissonRatio(name),
+        _ => of_film(value),
+    }
+}
+
+/// Returns the value of a fit that one of the bodies is, where the film is bonded.
+const fn of_film(value: Value) -> Fixed {
     match value {
         Value::SphereRadius => Fixed::SphereRadius,
         Value::SphereModulus => Fixed::Parameter(Parameter::SphereModulus),
@@ -19,8 +29,8 @@ pub const fn fixed(value: Value) -> Fixed {
 }
 
 /// Returns the parameter of a fit that a value is, if there is one.
-pub const fn parameter(value: Value) -> Option<Parameter> {
-    match fixed(value) {
+pub const fn parameter(value: Value, layer: Option<LayerName>) -> Option<Parameter> {
+    match fixed(value, layer) {
         Fixed::Parameter(parameter) => Some(parameter),
         _ => None,
     }
@@ -59,15 +69,16 @@ const fn question(value: Value) -> &'static str {
 /// the fit only starts from the value. A `half_space` is known to have no film.
 pub fn questions(
     missing: &[Value],
+    layer: Option<LayerName>,
     guessed: impl Fn(Value) -> bool,
     half_space: bool,
 ) -> Vec<String> {
     let question = |&value: &Value| {
-        let further = match parameter(value) {
+        let further = match parameter(value, layer) {
             _ if guessed(value) => {
                 ". It is free, and the fit starts from it: a guess will do".into()
             }
-            Some(modulus @ Parameter::FilmModulus) => {
+            Some(modulus @ (Parameter::FilmModulus | Parameter::LayerModulus(_))) => {
                 format!(". If the data are to tell it, name {modulus} in --free")
             }
             _ => String::new(),
