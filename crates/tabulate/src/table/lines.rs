@@ -211,7 +211,7 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 /// The lines are all edges of the box, and 40 random ones for each of the other axes. A random line
 /// has each of the other parameters at an end of its range with a probability of one half. The
 /// points have the first value of the range of `along`.
-pub fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
+fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
     const RANDOM: usize = 40;
     const OVERSHOOT: f64 = 0.5;
     const SEED: u64 = 4;
@@ -284,7 +284,7 @@ fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Err
 ///
 /// # Errors
 /// Those of the solve.
-pub fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
+fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
     let material = scene.material(values)?;
     let stack = scene.stack.as_ref().map(|named| &named.stack);
     let solved = solve_for_table(a_over_t, &material, stack, scene.tolerance)?;

@@ -39,9 +39,8 @@ pub use extent::Extent;
 pub use generate::{
     Generated, Here, Keep, Observer, Options, Solver, generate, generate_with, journal_of,
 };
-pub use lines::{lines, logarithms};
 pub use of_stack::StackTable;
-pub use placement::{EVENNESS, Placement, places};
+pub use placement::Placement;
 pub use plan::Plan;
 pub use scene::{Scene, random_points};
 pub use scene_text::DEFAULT_NU0;

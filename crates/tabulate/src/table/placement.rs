@@ -31,13 +31,13 @@ pub enum Placement {
 ///
 /// Boxes whose quantities are smooth up to their ends need even nodes. Boxes that end in a steep
 /// region need nodes that crowd towards their ends.
-pub const EVENNESS: [f64; 4] = [0.0, 0.9, 0.95, 0.98];
+pub(super) const EVENNESS: [f64; 4] = [0.0, 0.9, 0.95, 0.98];
 
 impl Placement {
     /// Returns the nodes, ascending, with exact ends.
     ///
     /// # Panics
-    /// As [`places`].
+    /// If there are fewer than 2 nodes or `evenness` is not in `[0, 1]`.
     pub fn nodes(&self, parameter: Parameter) -> Vec<f64> {
         match *self {
             Self::Fixed(value) => vec![value],
@@ -63,7 +63,7 @@ impl Placement {
 ///
 /// # Panics
 /// If `count` is below 2 or `evenness` is not in `[0, 1]`.
-pub fn places(count: usize, evenness: f64) -> Vec<f64> {
+pub(super) fn places(count: usize, evenness: f64) -> Vec<f64> {
     assert!(
         count >= 2 && (0.0..=1.0).contains(&evenness),
         "{count} nodes, evenness {evenness}"

@@ -98,7 +98,7 @@ impl Plan {
     /// Returns the four parameters with their nodes.
     ///
     /// # Panics
-    /// For a plan that [`Plan::new`] has not made, as [`places`](super::places).
+    /// For a plan that [`Plan::new`] has not made, as [`Placement::nodes`].
     pub fn axes(&self) -> [(Parameter, Vec<f64>); 4] {
         self.parameters.map(|parameter| {
             let placement = &self.placements[parameter.dimension()];
