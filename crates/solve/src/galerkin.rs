@@ -122,7 +122,7 @@ pub fn shared_abscissae<'a, C: SurfaceCompliance + 'a>(
 }
 
 /// Estimates the time for one contact roughly, in microseconds, to choose between methods: a fit to
-/// the bench `accuracy`.
+/// measured times.
 pub fn cost(x: f64, tolerance: f64) -> f64 {
     let digits = -tolerance.ln() * x;
     5.0 + 0.035 * digits + 2.5e-5 * digits * digits
