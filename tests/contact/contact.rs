@@ -344,19 +344,3 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     assert!(range.is_jkr() && range.is_short_beside(1e-10) && !range.is_short_beside(1e-11));
     assert!(!contact.zone_size(w, 1e-6).expect("physical").is_jkr());
 }
-
-#[test]
-fn many_loads_are_those_of_one_after_the_other() {
-    let contact = looked_up(&paper_system(1e-5));
-    let radii: Vec<f64> = (1..=100).map(|i| 1e-6 * f64::from(i)).collect();
-    let mut loads = vec![0.0; radii.len()];
-    let written = contact.load_at_all(&radii, 0.04, &mut loads);
-    written.expect("inside");
-    for (&a, load) in radii.iter().zip(&loads) {
-        assert_eq!(*load, contact.load(a, 0.04).expect("inside"));
-    }
-    assert!(matches!(
-        contact.load_at_all(&radii, 0.04, &mut loads[1..]),
-        Err(Error::Table(interp::Error::InvalidArgument { .. }))
-    ));
-}

@@ -42,7 +42,6 @@ fn every_function_refuses_a_radius_that_is_not_below_the_spheres() {
             let w = 6e-5;
             refuses(contact.load(a, w).map(drop), a);
             refuses(contact.load(a, 0.0).map(drop), a);
-            refuses(contact.load_at_all(&[1e-5, a], w, &mut [0.0; 2]), a);
             refuses(contact.load_and_penetration(a, w).map(drop), a);
             refuses(contact.stiffness(a).map(drop), a);
             refuses(contact.stress_intensity(a, w).map(drop), a);

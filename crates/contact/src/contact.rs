@@ -212,20 +212,6 @@ impl Contact {
         Ok(finite_result(a, without - lowered)?)
     }
 
-    /// Writes into `loads` the load (N) at each of the contact `radii` (m), in their order, at work
-    /// of adhesion `w` (J/m^2).
-    ///
-    /// # Errors
-    /// [`interp::Error::InvalidArgument`] unless `loads` is as long as `radii`; else as [`Contact::load`]
-    /// at the first radius that has an error. The loads before it are written.
-    pub fn load_at_all(&self, radii: &[f64], w: f64, loads: &mut [f64]) -> Result<(), Error> {
-        interp::Error::same_length(radii, loads)?;
-        for (load, &a) in loads.iter_mut().zip(radii) {
-            *load = self.load(a, w)?;
-        }
-        Ok(())
-    }
-
     /// Returns load (N) and penetration (m, positive when the sphere moves in) at contact radius
     /// `a` (m) and work of adhesion `w` (J/m^2).
     ///

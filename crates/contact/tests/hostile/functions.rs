@@ -137,13 +137,6 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::load", &[6e-5, 0.04], |x| {
         each(x, |contact| loads(contact, x[0], x[1]))
     }),
-    ("Contact::load_at_all", &[6e-5, 5e-5, 0.04], |x| {
-        each(x, |contact| {
-            let mut loads = [0.0; 2];
-            contact.load_at_all(&x[..2], x[2], &mut loads)?;
-            Ok(loads.to_vec())
-        })
-    }),
     ("Contact::stiffness", &[6e-5], |x| {
         each(x, |contact| Ok(vec![contact.stiffness(x[0])?]))
     }),

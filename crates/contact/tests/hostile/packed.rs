@@ -405,16 +405,13 @@ fn evaluating_a_contact_does_not_allocate() {
     };
     let contact = Contact::in_table_with_gradient(Table::embedded(), &system).expect("inside");
     let curve = contact.curve().expect("on a film");
-    let (radii, mut loads) = ([4e-5, 6.5e-5], [0.0; 2]);
     let allocated = measure(|| {
         curve.quantities_and_slopes(6.5).expect("inside");
         curve
             .quantity_at_all(Quantity::Eeq, &[1.0, 1e-5], &mut [0.0; 2])
             .expect("inside or beyond");
+        contact.load(6.5e-5, 0.04).expect("inside");
         contact.load_and_penetration(6.5e-5, 0.04).expect("inside");
-        contact
-            .load_at_all(&radii, 0.04, &mut loads)
-            .expect("inside");
         contact.gradient(6.5e-5, 0.04).expect("inside");
         contact
             .energy_release_rate_at_load(6.5e-5, 0.0)

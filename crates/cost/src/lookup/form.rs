@@ -1,8 +1,7 @@
 //! The forms that hold in the whole box of a table: tables, direct solves, and half-spaces of some
 //! modulus.
 
-use contact::Contact;
-use interp::{Curve, Material, Parameter, Probe, Quantities, Quantity, System, Table};
+use interp::{Curve, Material, Parameter, Quantities, Quantity, Table};
 
 use super::linear::{Linear, Multilinear};
 use super::load::{Errors, Load, loads};
@@ -121,14 +120,8 @@ impl Scene<'_> {
         let (_, material) = self.points[0];
         let curve = table.curve(&material)?;
         let radii: Vec<f64> = self.points.iter().map(|point| point.0).collect();
-        let contact = contact(curve.clone())?;
-        let w = work_of_adhesion(&contact, radii[0])?;
         let timer = self.timer;
         let times = [
-            (
-                "a new material's curve",
-                timer.of_new_ones(self.points, |(_, material)| table.curve(material)),
-            ),
             (
                 NEW,
                 timer.of_new_ones(self.points, |(x, material)| {
@@ -141,34 +134,6 @@ impl Scene<'_> {
                 FURTHER,
                 timer.per_one(&radii, |&x| {
                     curve.quantity(Quantity::Pi0, x).unwrap_or(f64::NAN)
-                }),
-            ),
-            (
-                "a further point, all four",
-                timer.per_one(&radii, |&x| {
-                    curve
-                        .quantities(x)
-                        .map_or(f64::NAN, |four| four.to_array().iter().sum())
-                }),
-            ),
-            (
-                "a further point, load",
-                timer.per_one(&radii, |&x| contact.load(x, w).unwrap_or(f64::NAN)),
-            ),
-            (
-                "a point of a slice",
-                timer.per_point(radii.len(), &|values| {
-                    curve
-                        .quantity_at_all(Quantity::Pi0, &radii, values)
-                        .expect("the points are on the curve")
-                }),
-            ),
-            (
-                "a point of a slice, load",
-                timer.per_point(radii.len(), &|values| {
-                    contact
-                        .load_at_all(&radii, w, values)
-                        .expect("the points are on the curve")
                 }),
             ),
         ];
@@ -293,17 +258,4 @@ fn spline(curve: &Curve, quantity: Quantity) -> Result<impl Fn(f64) -> f64, Erro
             .clamped_sample(Parameter::AOverT.coordinate(x))
             .expect("the spline has keys")
     })
-}
-
-/// Returns the contact of a curve, with a film of 1 m under a sphere wider than any contact.
-fn contact(curve: Curve) -> Result<Contact, Error> {
-    let system = System::of_material(curve.material(), Probe::Paraboloid { radius: 1e9 });
-    Ok(Contact::new(&system, curve)?)
-}
-
-/// Returns a work of adhesion that makes the adhesive part of the load small at the contact radius
-/// `a`.
-fn work_of_adhesion(contact: &Contact, a: f64) -> Result<f64, Error> {
-    let edge = 0.01 * contact.load(a, 0.0)? / a;
-    Ok(contact.mechanics().energy_release_rate(a, edge))
 }

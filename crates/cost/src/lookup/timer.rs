@@ -24,12 +24,6 @@ impl Timer {
         self.0.seconds(SECONDS, all) / cases.len() as f64
     }
 
-    /// Returns the mean time of `work` on one of `count` points, which it does all at once.
-    pub fn per_point(self, count: usize, work: &dyn Fn(&mut [f64])) -> f64 {
-        let mut values = vec![0.0; count];
-        self.0.seconds(SECONDS, || work(black_box(&mut values))) / count as f64
-    }
-
     /// Returns the mean time of solves, which differ by a factor of a thousand. Each is timed by
     /// itself, as other programs interrupt long runs.
     pub fn of_solves<T, R>(self, cases: &[T], work: impl Fn(&T) -> R) -> f64 {
