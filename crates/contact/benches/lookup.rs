@@ -1,14 +1,11 @@
 //! Measures the time to make a curve and to evaluate it. Only ratios within one run are meaningful:
 //! `cargo bench -p coated-contact-contact`.
 
-use std::env;
 use std::hint::black_box;
-use std::process::Command;
 
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
-use criterion::{Criterion, criterion_group};
-use interp::{Curve, Elastic, Material, Parameter, Probe, Quantity, System, Table};
-use splines::{Interpolation, Key, Spline};
+use criterion::{Criterion, criterion_group, criterion_main};
+use interp::{Elastic, Material, Probe, Quantity, System, Table};
 
 fn lookup(criterion: &mut Criterion) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/paper.bin");
@@ -37,22 +34,6 @@ fn lookup(criterion: &mut Criterion) {
         b.iter(|| table.curve(black_box(&material)))
     });
     let low_rank = Table::embedded();
-    let embedded_curve = low_rank.curve(&material).expect("in the table");
-    for (what, held) in [
-        ("all four", [true; 4]),
-        ("gamma", [false, false, true, false]),
-    ] {
-        let table = of_one_material(low_rank, &embedded_curve, held);
-        table.curve(&material).expect("in the table");
-        criterion.bench_function(
-            &format!("curve of the table of one material, {what}"),
-            |b| b.iter(|| table.curve(black_box(&material))),
-        );
-        criterion.bench_function(
-            &format!("curve with derivatives of the table of one material, {what}"),
-            |b| b.iter(|| table.curve_with_gradient(black_box(&material))),
-        );
-    }
     let dense = low_rank.expand().expect("the nodes fit in memory");
     for (form, table) in [("low-rank", low_rank), ("dense", &dense)] {
         table.curve(&material).expect("in the table");
@@ -69,35 +50,8 @@ fn lookup(criterion: &mut Criterion) {
     criterion.bench_function("curve of any material, four axes, low-rank", |b| {
         b.iter(|| low_rank.curve(black_box(any())))
     });
-    // The part that the shape adds to a new material.
-    for (what, probe) in [
-        ("paraboloid", Probe::Paraboloid { radius: 1e-5 }),
-        ("sphere", Probe::Sphere { radius: 1e-5 }),
-    ] {
-        let system = System {
-            probe,
-            ..system.clone()
-        };
-        criterion.bench_function(&format!("contact of a new material, {what}"), |b| {
-            b.iter(|| Contact::in_table(low_rank, black_box(&system)))
-        });
-    }
     criterion.bench_function("curve with derivatives, four axes, low-rank", |b| {
         b.iter(|| low_rank.curve_with_gradient(black_box(&material)))
-    });
-    // The cost of a search among the pieces of a curve, which the curve itself avoids: one value
-    // among as many keys at these points.
-    let key = |i: i32| {
-        let u = 0.022 * f64::from(i) - 6.907_755;
-        Key::new(
-            u,
-            u,
-            Interpolation::StrokeBezier(u - 0.022 / 3.0, u + 0.022 / 3.0),
-        )
-    };
-    let spline = Spline::from_vec((0..630).map(key).collect());
-    criterion.bench_function("search and one value, splines", |b| {
-        b.iter(|| spline.clamped_sample(black_box(point().ln())))
     });
     let mut values = vec![0.0; points.len()];
     criterion.bench_function("one quantity at a thousand points", |b| {
@@ -143,29 +97,6 @@ fn lookup(criterion: &mut Criterion) {
     });
 }
 
-/// Returns the table of one material that holds some quantities of `curve` at the nodes of `table`.
-/// Its curve is made from the coefficients over `ln(a/t)` alone.
-fn of_one_material(table: &Table, curve: &Curve, held: [bool; 4]) -> Table {
-    let nodes = table.axis(Parameter::AOverT);
-    let material = curve.material();
-    let axes = [
-        (Parameter::AOverT, nodes.to_vec()),
-        (Parameter::E1OverE2, vec![material.e1_over_e2()]),
-        (Parameter::Nu1, vec![material.nu1()]),
-        (Parameter::E0OverE2, vec![material.e0_over_e2()]),
-    ];
-    let at_nodes = |quantity: Quantity| {
-        let values = nodes.iter().map(|&x| curve.quantity(quantity, x));
-        held[quantity as usize].then(|| values.map(|value| value.expect("a node")).collect())
-    };
-    Table::new(
-        table.description().clone(),
-        axes,
-        Quantity::ALL.map(at_nodes),
-    )
-    .expect("sound")
-}
-
 /// Returns the `i`-th point of an additive recurrence over the axes of the embedded table.
 fn material_of_the_box(i: i32) -> Material {
     // The inverse powers of the root of `x^4 = x + 1`.
@@ -180,38 +111,5 @@ fn material_of_the_box(i: i32) -> Material {
     .expect("physical")
 }
 
-/// The variable of the environment with which this program is a process that looks one contact up
-/// (`lookup`), or that does nothing.
-const CHILD: &str = "FIRST_LOOKUP";
-
-/// Measures a process that looks one material up in the embedded table, beside one that does nothing.
-fn first_lookup(criterion: &mut Criterion) {
-    let program = env::current_exe().expect("this program");
-    for (name, task) in [
-        ("empty process", "nothing"),
-        ("process with its first lookup", "lookup"),
-    ] {
-        criterion.bench_function(name, |b| {
-            b.iter(|| {
-                let status = Command::new(&program).env(CHILD, task).status();
-                assert!(status.expect("this program runs").success());
-            });
-        });
-    }
-}
-
-criterion_group!(benches, lookup, first_lookup);
-
-fn main() {
-    match env::var(CHILD).as_deref() {
-        Ok("lookup") => {
-            let material = Material::new(1.75, 0.5, 1e5, 0.25).expect("physical");
-            black_box(Table::embedded().curve(&material)).expect("in the table");
-        }
-        Ok(_) => {}
-        Err(_) => {
-            benches();
-            Criterion::default().configure_from_args().final_summary();
-        }
-    }
-}
+criterion_group!(benches, lookup);
+criterion_main!(benches);
