@@ -1,7 +1,7 @@
 //! What full friction changes in the system of the paper: stiffness, load and pull-off load with
 //! stick over those without friction, against the thickness of the film.
 
-use contact::{Contact, Control};
+use contact::{Contact, Control, root};
 use interp::{Curve, Material};
 
 use super::paper::{WORK_OF_ADHESION, system};
@@ -72,16 +72,9 @@ pub fn data() -> Result<Vec<Vec<Point>>, Error> {
 fn load_at_equal_penetration([stick, slide]: &[Curve; 2], x: f64) -> Result<f64, Error> {
     let without = slide.quantities(x)?;
     let deep = x * x * without.delta0;
-    let [mut low, mut high] = [0.9 * x, (1.1 * x).min(A_OVER_T[1])];
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if middle * middle * stick.quantities(middle)?.delta0 < deep {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Ok(low.powi(3) * stick.quantities(low)?.pi0 / (x.powi(3) * without.pi0))
+    let excess = |x: f64| Ok::<_, Error>(x * x * stick.quantities(x)?.delta0 - deep);
+    let wider = root(excess, 0.9 * x, (1.1 * x).min(A_OVER_T[1]))?;
+    Ok(wider.powi(3) * stick.quantities(wider)?.pi0 / (x.powi(3) * without.pi0))
 }
 
 /// Returns the pull-off load with stick over that without friction, of a film of thickness `t`;

@@ -1,5 +1,9 @@
 //! The area function of an indenter.
 
+use std::convert::Infallible;
+
+use contact::root;
+
 use crate::Error;
 
 /// The most coefficients: those of `h^2, h, h^(1/2), h^(1/4), .. h^(1/128)`.
@@ -75,22 +79,13 @@ impl AreaFunction {
         NANOMETRE * (area / std::f64::consts::PI).sqrt()
     }
 
-    /// Returns the contact depth (m) at a contact radius (m), by bisection; NaN where no depth up to
-    /// 1 m has it.
+    /// Returns the contact depth (m) at a contact radius (m); NaN where no depth from 1 fm to 1 m has
+    /// it.
     pub(super) fn depth(&self, radius: f64) -> f64 {
-        /// The bisections of the logarithm of a depth.
-        const BISECTIONS: usize = 120;
-        let [mut low, mut high] = [1e-15_f64.ln(), 0.0];
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            // A depth without an area is too small.
-            if self.radius(middle.exp()) >= radius {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        let depth = high.exp();
+        // A depth without an area is too small: the largest ignores a NaN.
+        let excess = |u: f64| Ok::<_, Infallible>(self.radius(u.exp()).max(0.0) - radius);
+        let Ok(u) = root(excess, 1e-15_f64.ln(), 0.0);
+        let depth = u.exp();
         let is_it = (self.radius(depth) / radius - 1.0).abs() < 1e-9;
         if is_it { depth } else { f64::NAN }
     }
