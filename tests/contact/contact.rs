@@ -293,7 +293,6 @@ fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
             stiffness / expected
         );
         assert!((stiffness / expected - 1.0).abs() <= 0.01);
-        assert_eq!(film.is_confined(), nu1 == 0.5);
     }
 }
 
@@ -303,7 +302,7 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     let validity = contact.validity(5e-5).expect("physical");
     let film = validity.film.expect("coated");
     assert!((validity.a_over_r - 0.05).abs() < 1e-15 && !validity.is_large_contact());
-    assert!((film.a_over_t - 5.0).abs() < 1e-14 && film.in_range && film.is_confined());
+    assert!((film.a_over_t - 5.0).abs() < 1e-14 && film.in_range);
     assert_eq!(film.compressibility, 0.0);
     let wide = System {
         probe: Probe::Paraboloid { radius: 0.1 },
@@ -312,8 +311,6 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     let wide = looked_up(&wide);
     let validity = wide.validity(0.011).expect("physical");
     assert!(validity.is_large_contact() && !validity.film.expect("coated").in_range);
-    let thick = contact.validity(0.9e-5).expect("physical").film;
-    assert!(!thick.expect("coated").is_confined());
     let system = System {
         film: solid(3.5e6, 0.3),
         ..paper_system(1e-5)
@@ -322,7 +319,6 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     let film = compressible.validity(1e-4).expect("physical").film;
     let film = film.expect("coated");
     assert!(relative(film.compressibility, 3.0 / 16.0 * 0.4 / 0.7 * 100.0) < 1e-13);
-    assert!(!film.is_confined());
     assert_eq!(half_space().validity(5e-5).expect("physical").film, None);
     // Between rigid bodies the film has all of the penetration, that of an elastic foundation.
     let system = System {
@@ -341,6 +337,6 @@ fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     // Dugdale: pi K_I^2 / (8 stress^2).
     let k = contact.stress_intensity(5e-5, w).expect("in range");
     assert!((range.cohesive_zone / (PI * k * k / 8.0 / (w / z0).powi(2)) - 1.0).abs() < 1e-13);
-    assert!(range.is_jkr() && range.is_short_beside(1e-10) && !range.is_short_beside(1e-11));
+    assert!(range.is_jkr());
     assert!(!contact.zone_size(w, 1e-6).expect("physical").is_jkr());
 }

@@ -170,14 +170,13 @@ fn the_identities_between_the_quantities_hold() {
 
 /// What a contact says of a stack that is not bonded, and how wide it may be.
 #[test]
-fn a_film_that_slides_is_never_confined_and_has_the_reach_of_stacks() {
+fn a_film_that_slides_has_no_compressibility_and_has_the_reach_of_stacks() {
     let sliding = film(rigid(), (1.0, 0.5), Interface::Sliding);
     assert!(sliding.compressibility().is_nan());
     let curve = stack_curve(&sliding, INFINITY, [0.1, 10.0], 1e-8).expect("within reach");
     let contact = Contact::new(&sliding.system(1e3, INFINITY), curve).expect("its own curve");
     let validity = contact.validity(5.0).expect("a radius");
-    let film_validity = validity.film.expect("a film");
-    assert!(film_validity.compressibility.is_nan() && !film_validity.is_confined());
+    assert!(validity.film.expect("a film").compressibility.is_nan());
     // Beyond the nodes nothing continues the curve.
     assert!(contact.load(20.0, 0.1).is_err());
 

@@ -59,7 +59,9 @@ pub struct FilmValidity {
     /// `3 pi G1 a^4/(8 t^3)` on a rigid base. In the second the film cannot move sideways:
     /// `2 pi G1 a^2 (1 - nu1)/((1 - 2 nu1) t)`. Above 1, a thin film deforms by a change of its
     /// volume. Below 1, it behaves as incompressible, and its stress reaches deep into the contact.
-    /// Near 1, every digit of `1/2 - nu1` counts (Johnson, *Contact Mechanics*, 5.8).
+    /// Near 1, every digit of `1/2 - nu1` counts (Johnson, *Contact Mechanics*, 5.8). Where `a/t` is
+    /// above 1 and this is below 1, the film is confined: under tension a soft one may cavitate or
+    /// finger instead of separating at a round edge, which the model does not describe.
     ///
     /// For a stack of layers it is the same ratio, of all layers together
     /// ([`Curve::of_stack`](interp::Curve::of_stack)), and `a/t` is with their whole thickness. It is
@@ -135,20 +137,6 @@ pub enum Neglected {
     Strain,
 }
 
-impl FilmValidity {
-    /// The `a/t` above which a film is confined.
-    pub const CONFINED_A_OVER_T: f64 = 1.0;
-
-    /// Tells whether the film is thin beside the contact and can only yield sideways: `a/t` above
-    /// [`FilmValidity::CONFINED_A_OVER_T`] and [`FilmValidity::compressibility`] below 1.
-    ///
-    /// Under tension a soft film of this kind may cavitate or finger instead of separating at a
-    /// round edge. The model does not describe that.
-    pub fn is_confined(&self) -> bool {
-        self.a_over_t > Self::CONFINED_A_OVER_T && self.compressibility < 1.0
-    }
-}
-
 /// The size of the cohesive zone in which the attraction acts. The model assumes JKR's limit, in which
 /// it is zero.
 #[derive(Clone, Copy, Debug)]
@@ -170,18 +158,9 @@ impl ZoneSize<'_> {
     /// Interface Sci. 192, 326, 1997).
     pub const JKR: f64 = 5.0;
 
-    /// The largest part of a contact radius or film thickness that counts as small.
-    pub const SMALL_ZONE: f64 = 0.1;
-
     /// Tells whether Tabor's parameter is at least [`ZoneSize::JKR`].
     pub fn is_jkr(&self) -> bool {
         self.tabor >= Self::JKR
-    }
-
-    /// Tells whether the cohesive zone is at most [`ZoneSize::SMALL_ZONE`] of a `length`
-    /// (m), such as contact radius or film thickness.
-    pub fn is_short_beside(&self, length: f64) -> bool {
-        self.cohesive_zone <= Self::SMALL_ZONE * length
     }
 
     /// Returns the part by which the pull-off load of JKR is too small, for Dugdale's law and to

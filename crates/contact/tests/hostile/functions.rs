@@ -182,7 +182,6 @@ pub const FUNCTIONS: &[Function] = &[
     ("Contact::zone_size", &[0.04, 1e-9], |x| {
         each(x, |contact| {
             let range = contact.zone_size(x[0], x[1])?;
-            let _ = range.is_short_beside(x[1]);
             let error = range.pull_off_error().unwrap_or_default();
             Ok(vec![range.tabor, range.cohesive_zone, error])
         })
