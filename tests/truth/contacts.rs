@@ -11,10 +11,8 @@ use solve::{Method, solve};
 const DECADES: std::ops::RangeInclusive<i32> = 3..=12;
 /// The smallest significant difference from a reference: both are rounded, and so are the inputs.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// The least share of random contacts whose true error is at most the stated one. Measured: all of
-/// 4972.
-const HONEST: f64 = 0.999;
-/// The largest ratio of a true error to the stated one. Measured: 1.00.
+/// The largest ratio of a true error to the stated one, of any contact. Measured: 1.00, and 0.55 of random
+/// ones.
 const FAR_ABOVE: f64 = 10.0;
 /// The largest ratio of a stated error to the true one, for a share [`MOSTLY`] of the answers.
 const CAUTIOUS: f64 = 1e3;
@@ -109,7 +107,7 @@ fn stated_errors_bound_the_true_ones() {
     println!(
         "{bounded} of {random} random contacts have a true error up to the stated one; the largest true error of all contacts is {worst:.2} of the stated one"
     );
-    assert!(bounded as f64 >= HONEST * f64::from(random));
+    assert_eq!(bounded, random);
     assert!(worst <= FAR_ABOVE);
 }
 

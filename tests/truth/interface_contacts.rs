@@ -1,15 +1,14 @@
-//! Limits and identities of contacts on films that slide, or that springs join.
+//! Limits of contacts on films that slide, or that springs join.
 
-use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use acceptance::{larger, layer, solid, springs, stack};
+use acceptance::{layer, springs, stack};
 use contact::Contact;
 use interp::Quantities;
 use solve::stack::{Interface, Stack};
 use solve::{Error, solve_stack, stack_curve};
 
-use crate::identities::residuals;
-use crate::interface_limits::{INFINITY, film, rigid, samples, slope_at_zero, solved};
+use crate::interface_limits::{INFINITY, film, rigid, solved};
 
 /// The first order of small contacts of a film that slides on a rigid base, `Eeq/es = 1 + (es/e1)
 /// 0.743302500450015 x`, at any Poisson ratio: extrapolated from two radii. Measured: 1.6e-6.
@@ -56,35 +55,6 @@ fn wide_contacts_of_a_sliding_film_on_a_rigid_base_are_springs() {
         ];
         println!("c at {x}: {found:?}");
         assert!(found.iter().all(|c| (c - C).abs() <= 1.0 / x), "{found:?}");
-    }
-}
-
-/// The first order in `t/a` on an elastic base, with `X1` of the groups.
-#[test]
-fn wide_contacts_approach_the_bare_base_with_the_slope_of_the_groups() {
-    const C0: f64 = LN_2 + 0.577_215_664_901_532_9;
-    let sphere = 2.0;
-    for stack in samples(solid(3.0, 0.3)) {
-        let material = stack.material(sphere).expect("physical");
-        let limit = material.thin_film_limit();
-        let a = limit.eeq * slope_at_zero(&stack) / (PI * material.film_modulus());
-        let remainders = [40.0, 120.0].map(|x: f64| {
-            let q = solve_stack(x, &stack, sphere, 1e-9)
-                .expect("within reach")
-                .quantities;
-            let bracket = |offset: f64| a * (x.ln() + C0 - offset);
-            // `C` by each quantity.
-            let c = [
-                x * (1.0 - q.eeq / limit.eeq) - bracket(0.0),
-                x * (1.0 - q.pi0 / limit.pi0) / 3.0 - bracket(1.0),
-                x * (1.0 - q.delta0) / 2.0 - bracket(2.0),
-            ];
-            let of_gamma = q.gamma / limit.gamma - 1.0 + a / (2.0 * x);
-            [of_gamma, (c[0] - c[1]) / x, (c[0] - c[2]) / x].map(f64::abs)
-        });
-        // `(ln x/x)^2` falls to 0.19.
-        let [near, far] = remainders.map(|all| all.into_iter().fold(0.0, f64::max));
-        assert!(far <= 0.25 * near + 1e-8, "{remainders:?}: {stack:?}");
     }
 }
 
@@ -143,29 +113,6 @@ fn the_effect_of_sliding_is_that_of_the_table() {
             );
         }
     }
-}
-
-/// As `identities.rs`. Measured: 2.3e-14 and 7.8e-15.
-#[test]
-fn the_identities_between_the_quantities_hold() {
-    let [mut energy, mut load] = [0.0; 2];
-    for base in [rigid(), solid(3.0, 0.3)] {
-        for stack in samples(base) {
-            for (x, sphere) in [(0.3, 1.0), (2.0, INFINITY)] {
-                let material = stack.material(sphere).expect("physical");
-                let es = material.sphere_film_modulus();
-                let values = |x: f64| {
-                    let solution = solve_stack(x, &stack, sphere, 1e-13).expect("within reach");
-                    solution.quantities.to_array()
-                };
-                let [first, second, ..] = residuals(x, es, values);
-                energy = larger(energy, first);
-                load = larger(load, second);
-            }
-        }
-    }
-    println!("largest residuals: energy {energy:.1e}, load {load:.1e}");
-    assert!(energy <= 2e-13 && load <= 2e-13);
 }
 
 /// What a contact says of a stack that is not bonded, and how wide it may be.

@@ -77,24 +77,6 @@ proptest! {
         prop_assert!(identities.into_iter().all(|error| error.abs() < 1e-6), "{identities:?}");
     }
 
-    /// The equivalent of the equivalent is the material itself, and an equivalent keeps the reduced
-    /// moduli (Dundurs).
-    #[test]
-    fn an_equivalent_material_has_the_same_moduli(material in material(), nu0 in -0.9..=0.5) {
-        let Ok(equivalent) = material.with_substrate_poisson_ratio(nu0) else { return Ok(()) };
-        let again = equivalent.with_substrate_poisson_ratio(material.nu0()).expect("where it came from");
-        let pairs = [
-            (equivalent.film_modulus(), material.film_modulus()),
-            (equivalent.substrate_modulus(), material.substrate_modulus()),
-            (again.e1_over_e2(), material.e1_over_e2()),
-            (again.e0_over_e2(), material.e0_over_e2()),
-            (1.0 - again.nu1(), 1.0 - material.nu1()),
-        ];
-        for (found, expected) in pairs {
-            prop_assert!((found / expected - 1.0).abs() < 1e-14, "{found} instead of {expected}");
-        }
-    }
-
     /// Adhesion lowers load and penetration, and their energy release rate is the work of adhesion.
     #[test]
     fn adhesion_pulls_and_its_energy_is_released(system in system(), x in magnitude(-2.99..=2.99), pull in magnitude(-3.0..=1.0)) {
