@@ -37,26 +37,6 @@ fn an_offset_that_is_not_fitted_is_missed() {
     assert_warns(&found, WarningKind::OffsetWanted, "load-offset; free it");
     lens.free.push(Free::new(Parameter::LoadOffset));
     assert_no_doubts(&fitted(&experiment, &lens.free), &[]);
-    // A contact point and a baseline are missed, too.
-    let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
-    let exact = probe.exact();
-    for (parameter, change) in [
-        (Parameter::ContactPoint, 5e-8),
-        (Parameter::Baseline, 4e-10),
-        (Parameter::BaselineSlope, 2e-3),
-    ] {
-        let mut experiment = probe.measured(&exact, 1);
-        let truth = experiment.get(parameter).expect("a value");
-        experiment
-            .set(parameter, truth + change)
-            .expect("any value");
-        // The wrong contact point leaves more than a third of the points beyond the end of the branch.
-        let found = fit_with(&experiment, &probe.free, |options| {
-            options.allow_left_out = true
-        });
-        let words = format!("{parameter}; free it");
-        assert_warns(&found.expect("sound"), WarningKind::OffsetWanted, &words);
-    }
 }
 
 #[test]
