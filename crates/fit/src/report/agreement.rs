@@ -1,6 +1,6 @@
 //! How well a fit agrees with the data: chi^2, the noise, and what few points leave of it.
 
-use super::unit::{decimals, scaled};
+use super::unit::three_digits;
 use crate::statistics::student_deviations;
 use crate::{Experiment, Fit, Kind};
 
@@ -17,13 +17,13 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         let abscissa = match experiment.abscissa_noise {
             0.0 => String::new(),
             noise if kind == Kind::StiffnessLoad => {
-                format!(", of the abscissa {}", amount(noise, "N"))
+                format!(", of the abscissa {}", three_digits(noise, "N"))
             }
-            noise => format!(", of the abscissa {}", amount(noise, "m")),
+            noise => format!(", of the abscissa {}", three_digits(noise, "m")),
         };
         let noise = match kind {
             kind if kind.is_stiffness() => format!("{:.2} %", 1e2 * experiment.noise),
-            kind => amount(experiment.noise, kind.ordinate_unit()),
+            kind => three_digits(experiment.noise, kind.ordinate_unit()),
         };
         format!("{noise}{ordinate}{abscissa}")
     });
@@ -33,17 +33,6 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
         None => format!("noise {noise}; {freedom}{}", if_few(fit.degrees_of_freedom)),
     }
-}
-
-/// Returns a number with three digits and its unit.
-fn amount(value: f64, unit: &str) -> String {
-    let (unit, size) = scaled(unit, value);
-    let number = value / size;
-    if number < 1e-3 {
-        return format!("{value:.2e} {unit}");
-    }
-    let decimals = decimals(number, 0.1 * number);
-    format!("{number:.decimals$} {unit}")
 }
 
 fn degrees_of_freedom(number: usize) -> String {

@@ -1,7 +1,7 @@
 //! What the values that a fit takes as given do to its result.
 
 use super::text::{NAME, name};
-use super::unit::scaled;
+use super::unit::{decimals_of_three, scaled};
 use crate::{Estimate, Fit, FixedValue};
 
 /// The smallest width of a column.
@@ -74,6 +74,6 @@ fn cell(estimate: &Estimate, change: f64) -> String {
     }
     let (unit, size) = scaled(estimate.parameter.unit(), change);
     let number = change / size;
-    let decimals = (2.0 - number.abs().max(1e-3).log10().floor()).clamp(0.0, 5.0) as usize;
+    let decimals = decimals_of_three(number);
     format!("{number:+.decimals$} {unit}").trim_end().to_owned()
 }

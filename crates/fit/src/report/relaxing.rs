@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use contact::Relaxation;
 
-use super::unit::scaled;
+use super::unit::three_digits;
 use crate::{Experiment, Fit};
 
 /// Returns the law, and when its modulus is that of the bodies.
@@ -13,7 +13,7 @@ pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         return Vec::new();
     };
     let modulus = match relaxing.law {
-        Relaxation::PowerLaw { time, .. } => format!("moduli after {}", text(time, "s")),
+        Relaxation::PowerLaw { time, .. } => format!("moduli after {}", three_digits(time, "s")),
         _ => "instantaneous moduli".to_owned(),
     };
     let bodies = if relaxing.all_bodies {
@@ -32,9 +32,13 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
         let Some(found) = fitted.relaxation else {
             continue;
         };
-        let [first, middle, last] = found
-            .moduli
-            .map(|[time, modulus]| format!("{} after {}", text(modulus, "Pa"), text(time, "s")));
+        let [first, middle, last] = found.moduli.map(|[time, modulus]| {
+            format!(
+                "{} after {}",
+                three_digits(modulus, "Pa"),
+                three_digits(time, "s")
+            )
+        });
         lines.push(format!(
             "{}: Young's modulus {first}, {middle}, {last}",
             fitted.name
@@ -45,17 +49,9 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
                  largest value and fall from there",
                 fitted.name,
                 experiment.measurement.kind.names()[0],
-                text(found.made_monotone, "m")
+                three_digits(found.made_monotone, "m")
             ));
         }
     }
     lines
-}
-
-/// Writes a number with three digits and its unit.
-fn text(value: f64, si: &str) -> String {
-    let (unit, size) = scaled(si, value);
-    let number = value / size;
-    let decimals = (2.0 - number.abs().log10().floor()).clamp(0.0, 2.0) as usize;
-    format!("{number:.decimals$} {unit}")
 }

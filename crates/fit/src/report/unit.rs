@@ -67,6 +67,22 @@ pub fn with_error(value: f64, error: f64) -> String {
     format!("{value:.decimals$} +- {error:.decimals$}")
 }
 
+/// Returns a number with three digits and its unit.
+pub fn three_digits(value: f64, unit: &str) -> String {
+    let (unit, size) = scaled(unit, value);
+    let number = value / size;
+    if number < 1e-3 {
+        return format!("{value:.2e} {unit}");
+    }
+    let decimals = decimals_of_three(number);
+    format!("{number:.decimals$} {unit}")
+}
+
+/// Returns the number of decimals that shows three digits of a number, at most five.
+pub fn decimals_of_three(number: f64) -> usize {
+    decimals(number, 0.1 * number.abs().max(1e-3))
+}
+
 /// Returns the number of decimals that shows two digits of the error.
 pub fn decimals(value: f64, error: f64) -> usize {
     let smallest = if error > 0.0 && error.is_finite() {
