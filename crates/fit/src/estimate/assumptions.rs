@@ -76,7 +76,7 @@ fn add(
 ) {
     let name = &experiment.measurement.name;
     // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
-    if experiment.measurement.kind.is_stiffness() && !experiment.is_elastic_load() {
+    if !experiment.has_shape(false) {
         friction::add(warnings, experiment, contact, a, estimates);
         return;
     }

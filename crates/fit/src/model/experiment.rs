@@ -121,6 +121,12 @@ impl Bodies {
         }
     }
 
+    /// Returns the modulus of the film, or of the top layer if it has a name.
+    pub fn modulus_of_top(&self) -> Parameter {
+        self.top_name()
+            .map_or(Parameter::FilmModulus, Parameter::LayerModulus)
+    }
+
     /// Tells whether the contacts of these bodies have exact derivatives.
     pub(crate) const fn has_derivatives(&self) -> bool {
         !matches!(self, Self::Layered(_))

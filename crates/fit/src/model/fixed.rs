@@ -143,9 +143,7 @@ impl Experiment {
                     (parameter.is_positive() || one.is_poisson_ratio())
                         && self.why_without_effect(*parameter).is_none()
                 }
-                Fixed::SphereRadius => {
-                    !self.measurement.kind.is_stiffness() || self.is_elastic_load()
-                }
+                Fixed::SphereRadius => self.has_shape(false),
                 _ => !in_table,
             };
             let is_usual = |value: f64| one.is_poisson_ratio() || value > 0.0;

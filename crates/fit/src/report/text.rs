@@ -223,7 +223,7 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     }
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
     let has_hardness = fit.estimate(Parameter::Hardness).is_some();
-    let has_shape = !kind.is_stiffness() || experiment.is_elastic_load() && !has_hardness;
+    let has_shape = experiment.has_shape(has_hardness);
     if let Some(radius) = probe.radius().filter(|_| has_shape) {
         rows.push(("sphere-radius".into(), text(radius, "m")));
     }

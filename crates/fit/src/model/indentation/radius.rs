@@ -71,8 +71,13 @@ impl Experiment {
         })
     }
 
-    /// Tells whether the contact radii follow from loads by elasticity, so that the shape of the
-    /// probe and the work of adhesion matter.
+    /// Tells whether the shape of the probe and the work of adhesion matter: everywhere but for a contact
+    /// stiffness whose contact radii do not follow from loads by elasticity.
+    pub const fn has_shape(&self, hardness_is_free: bool) -> bool {
+        !self.measurement.kind.is_stiffness() || self.is_elastic_load() && !hardness_is_free
+    }
+
+    /// Tells whether the contact radii of a contact stiffness follow from loads by elasticity.
     pub(crate) const fn is_elastic_load(&self) -> bool {
         matches!(self.measurement.kind, Kind::StiffnessLoad) && self.indentation.hardness.is_none()
     }

@@ -9,7 +9,7 @@ use ::fit::{
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
-use super::indentation::{IndentationArguments, forget_shape, has_no_shape};
+use super::indentation::{IndentationArguments, forget_shape};
 use super::relaxing::{self, RelaxingArguments};
 use super::setting::{Bounds, Given, Known, Values};
 use super::value::{fixed, parameter, questions};
@@ -64,7 +64,7 @@ impl KnownArguments {
     pub fn name_example(&self, experiment: &Experiment) {
         if self.bodies.system.specimen.is_none() {
             let mut missing = self.missing();
-            if has_no_shape(experiment, &[]) {
+            if !experiment.has_shape(false) {
                 missing.retain(|value| !is_of_shape(*value));
             }
             system::name_example(&missing);
@@ -119,7 +119,8 @@ impl KnownArguments {
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));
-        if experiments.iter().all(|one| has_no_shape(one, free)) {
+        let hardness = frees_hardness(free);
+        if !experiments.iter().any(|one| one.has_shape(hardness)) {
             missing.retain(|value| !is_of_shape(*value));
         }
         let mut lines = Vec::new();
@@ -455,14 +456,14 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
         .iter()
         .all(|one| one.measurement.kind.is_stiffness())
     {
-        return vec![modulus_of_top(&experiments[0].bodies)];
+        return vec![experiments[0].bodies.modulus_of_top()];
     }
     let modulus = if experiments.iter().any(is_rigid) {
-        modulus_of_top(&experiments[0].bodies)
+        experiments[0].bodies.modulus_of_top()
     } else {
         Parameter::SphereModulus
     };
-    if let Some(free) = relaxing::usual(experiments, modulus_of_top(&experiments[0].bodies)) {
+    if let Some(free) = relaxing::usual(experiments, experiments[0].bodies.modulus_of_top()) {
         return free;
     }
     let mut free = Vec::new();
@@ -484,20 +485,17 @@ fn usual(experiments: &[Experiment]) -> Vec<Parameter> {
     free
 }
 
-/// Returns the modulus of the film, or of the top layer if it has a name.
-fn modulus_of_top(bodies: &Bodies) -> Parameter {
-    let top = match bodies {
-        Bodies::Layered(layered) => layered.layers.last().and_then(|top| top.name),
-        _ => None,
-    };
-    top.map_or(Parameter::FilmModulus, Parameter::LayerModulus)
-}
-
 /// Leaves the shape of the probe and the adhesion out of experiments in which they do not matter.
 pub fn forget_shapes(experiments: &mut [Experiment], free: &[Free]) {
+    let hardness = frees_hardness(free);
     for experiment in experiments {
-        if has_no_shape(experiment, free) {
+        if !experiment.has_shape(hardness) {
             forget_shape(experiment);
         }
     }
+}
+
+/// Tells whether the hardness is free.
+fn frees_hardness(free: &[Free]) -> bool {
+    free.iter().any(|one| one.parameter == Parameter::Hardness)
 }

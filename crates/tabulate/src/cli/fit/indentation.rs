@@ -143,16 +143,6 @@ impl IndentationArguments {
     }
 }
 
-/// Tells whether elasticity does not tell the contact radii of a contact stiffness, so that neither
-/// the shape of the probe nor the work of adhesion matters.
-pub fn has_no_shape(experiment: &Experiment, free: &[Free]) -> bool {
-    let kind = experiment.measurement.kind;
-    let is_free = free.iter().any(|one| one.parameter == Parameter::Hardness);
-    let is_elastic =
-        kind == Kind::StiffnessLoad && experiment.indentation.hardness.is_none() && !is_free;
-    kind.is_stiffness() && !is_elastic
-}
-
 /// Takes a probe whose radius limits no contact.
 pub fn forget_shape(experiment: &mut Experiment) {
     /// The radius of the largest lens, m.
