@@ -96,40 +96,44 @@ mod tests {
             })
         };
         let members = [
-            member("interp", "crates/interp", &["serde"]),
-            member(TABULATE, "crates/tabulate", &["interp"]),
-            member("acceptance", "tests", &["interp", TABULATE]),
+            member("contact", "crates/contact", &["serde"]),
+            member(TABULATE, "crates/tabulate", &["contact"]),
+            member("acceptance", "tests", &["contact", TABULATE]),
         ];
         let cases: [(&[&str], &str, Option<&str>); 15] = [
             (&["bench"], "/w", Some(TABULATE)),
             (&["bench", "--workspace"], "/w", Some(TABULATE)),
-            (&["bench", "-p", "interp"], "/w", None),
-            (&["bench", "-pinterp"], "/w", None),
+            (&["bench", "-p", "contact"], "/w", None),
+            (&["bench", "-pcontact"], "/w", None),
             (
-                &["bench", "--package", "interp", "--bench", "lookup"],
+                &["bench", "--package", "contact", "--bench", "lookup"],
                 "/w",
                 None,
             ),
-            (&["bench", "--package=interp@0.1.0"], "/w", None),
+            (&["bench", "--package=contact@0.1.0"], "/w", None),
             (
-                &["bench", "-p", "interp", "-p", TABULATE],
+                &["bench", "-p", "contact", "-p", TABULATE],
                 "/w",
                 Some(TABULATE),
             ),
             (&["bench", "-p", TABULATE], "/w", Some(TABULATE)),
             (&["test", "-p", "acceptance"], "/w", Some("tabulate")),
-            (&["test", "--workspace"], "/w/crates/interp", Some(TABULATE)),
             (
-                &["test", "-p", TABULATE],
-                "/w/crates/interp",
+                &["test", "--workspace"],
+                "/w/crates/contact",
                 Some(TABULATE),
             ),
-            (&["test"], "/w/crates/interp/src", None),
+            (
+                &["test", "-p", TABULATE],
+                "/w/crates/contact",
+                Some(TABULATE),
+            ),
+            (&["test"], "/w/crates/contact/src", None),
             (&["test"], "/w/crates", Some(TABULATE)),
             // The arguments of the program are none of cargo's.
-            (&["run", "-p", "interp", "--", "-p", TABULATE], "/w", None),
+            (&["run", "-p", "contact", "--", "-p", TABULATE], "/w", None),
             (
-                &["run", "-p", TABULATE, "--", "-p", "interp"],
+                &["run", "-p", TABULATE, "--", "-p", "contact"],
                 "/w",
                 Some(TABULATE),
             ),

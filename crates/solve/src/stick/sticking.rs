@@ -357,11 +357,6 @@ impl GrownContact {
     pub fn error(&self) -> f64 {
         self.error
     }
-
-    /// Returns the number of punches.
-    pub fn punches(&self) -> usize {
-        self.growth.points.at.len()
-    }
 }
 
 /// The number of times that a punch is refined.
