@@ -6,7 +6,6 @@ import re
 import subprocess
 from dataclasses import replace
 from inspect import signature
-from math import inf
 from pathlib import Path
 
 import numpy as np
@@ -24,7 +23,6 @@ from coated_contact import (
     Profile,
     RoundedCone,
     Sphere,
-    Springs,
     Stack,
     System,
     Table,
@@ -150,30 +148,6 @@ def rows(name):
 def system_of(row):
     """The system of a row of systems.csv."""
     return make_system(**{name: float(row[name]) for name in signature(make_system).parameters})
-
-
-def stack_of(row, unit=1.0, length=1.0):
-    """The stack of a row of reference values, whose interfaces are bonded unless it has them."""
-
-    def solid(young, poisson=0.25):
-        return Elastic(young_modulus=float(young) * unit, poisson_ratio=float(poisson))
-
-    def interface(text):
-        """Read ``bonded``, ``sliding`` or ``kt:kn``."""
-        if ":" not in text:
-            return text
-        tangential, normal = map(float, text.split(":"))
-        return Springs(tangential_stiffness=tangential, normal_stiffness=normal)
-
-    layers = [layer.split(":") for layer in row["layers"].split("|")]
-    joined = row.get("interfaces", "|".join(["bonded"] * len(layers))).split("|")
-    return Stack(
-        base=solid(inf) if row["base"] == "rigid" else solid(*row["base"].split(":")),
-        layers=[
-            Layer(material=solid(*of), thickness=float(t) * length, interface=interface(text))
-            for (*of, t), text in zip(layers, joined, strict=True)
-        ],
-    )
 
 
 @pytest.fixture(scope="session")

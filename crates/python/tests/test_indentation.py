@@ -49,37 +49,17 @@ def test_a_flat_punch_has_no_moving_stiffness() -> None:
     assert np.isnan(contact.moving_stiffness(1e-6, 0.1, errors="nan"))
 
 
-@pytest.mark.parametrize(
-    ("kind", "abscissa", "known", "free"),
-    [
-        ("stiffness-radius", np.linspace(5e-8, 1e-6, 30), {}, ["film_modulus"]),
-        (
-            "stiffness-load",
-            np.linspace(1e-4, 2e-2, 30),
-            {"hardness": 1e10},
-            ["film_modulus", "hardness"],
-        ),
-        ("stiffness-load", np.linspace(1e-4, 2e-2, 30), {}, ["film_modulus"]),
-        (
-            "stiffness-depth",
-            np.linspace(4e-8, 2.2e-7, 30),
-            {"hardness": 1e10, "tip_rounding": 6e-9, "thinning": 0.333},
-            ["film_modulus"],
-        ),
-    ],
-)
-def test_simulated_stiffnesses_are_found_again(
-    kind: str, abscissa: np.ndarray, known: dict[str, float], free: list[str]
-) -> None:
+def test_simulated_stiffnesses_at_loads_are_found_again() -> None:
+    free = ["film_modulus", "hardness"]
     plan = Experiment(
-        kind=kind,
-        abscissa=abscissa,
+        kind="stiffness-load",
+        abscissa=np.linspace(1e-4, 2e-2, 30),
         system=system(),
-        indentation=Indentation(beta=1.034, **known),
+        indentation=Indentation(beta=1.034, hardness=1e10),
         noise=0.01,
     )
     made = simulate(plan, noise=0.01, seed=3)
-    assert (made.indentation.loads is not None) == (kind == "stiffness-depth")
+    assert made.indentation.loads is None
     found = fit(made, free)
     assert found.converged
     assert abs(found.params["film_modulus"] - 7.2e10) < 3.5 * found.stderr["film_modulus"]
@@ -97,6 +77,7 @@ def test_a_reference_sample_tells_tip_and_frame() -> None:
     )
     bare = replace(film, system=silicon, indentation=replace(berkovich, reference=True))
     made = [simulate(one, noise=0.003, seed=i) for i, one in enumerate([film, bare])]
+    assert made[0].indentation.loads is not None
     found = fit(made, ["film_modulus", "tip_rounding", "frame_compliance"])
     for name, truth in [
         ("film_modulus", 7.2e10),

@@ -68,13 +68,6 @@ def test_several_terms_have_names() -> None:
     assert found.derivatives["relaxation_time.2"] == pytest.approx(slope, abs=1e-3 * largest)
 
 
-def test_a_loop_in_time_asks_for_a_relaxation() -> None:
-    made = replace(simulate(plan(), noise=1e-10, seed=1), relaxation=None)
-    found = fit(made, ["film_modulus", "contact_point"], allow=("left-out",))
-    texts = " ".join(warning.text for warning in found.warnings)
-    assert "relaxation function" in texts
-
-
 @pytest.mark.parametrize(
     ("known", "words"),
     [

@@ -1,4 +1,4 @@
-"""Independent values: direct solves by another program, JKR in closed form, Rust bit for bit."""
+"""JKR in closed form, and Rust bit for bit."""
 
 from math import pi
 
@@ -9,18 +9,6 @@ from coated_contact import Contact, Elastic, Experiment, HalfSpace, Spring, Tabl
 from conftest import rows, system_of
 
 SYSTEMS = rows("systems")
-
-
-def test_every_system_of_the_catalogue_is_answered():
-    """Errors are relative to the sizes of the two terms of eq. 9, which may cancel."""
-    assert len(SYSTEMS) > 90
-    for row in SYSTEMS:
-        contact = Table.embedded().contact(system_of(row))
-        a, w = float(row["contact_radius"]), float(row["work_of_adhesion"])
-        found = dict(zip(("load", "penetration"), contact.load_and_penetration(a, w), strict=True))
-        for name, value in found.items():
-            error = abs(value - float(row[name])) / float(row[f"{name}_scale"])
-            assert error <= 1e-6, (row, name)
 
 
 @pytest.fixture(scope="module")
