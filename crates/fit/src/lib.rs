@@ -41,24 +41,7 @@
 //! # Ok(()) }
 //! ```
 //!
-//! # What is measured and what is fitted
-//!
-//! The ordinates have the noise. Errors of the abscissae, where they are given, count by the slope
-//! of the model: each point has the effective variance `sigma_y^2 + (dy/dx)^2 sigma_x^2`.
-//!
-//! | [`Kind`] | ordinate |
-//! |---|---|
-//! | `LoadRadius` | `F(a) + load offset` |
-//! | `PenetrationRadius` | `delta(a) + contact point` |
-//! | `LoadPenetration` | `F + load offset + baseline + slope (x - contact point)` at the penetration `x - contact point` |
-//! | `ForceHeight` | `F + load offset + baseline + slope (x - contact point)` at `contact point - x = delta + F/k` |
-//! | `StiffnessRadius`, `StiffnessLoad`, `StiffnessDepth` | `S` of a line that stays, at a contact radius: see [`Indentation`] |
-//!
-//! `F` is 0 where the data show no contact. Which points are in contact is read from the data, not
-//! from the model: see [`Branch`].
-//!
-//! [`Experiment::predictions`] evaluates the model for other methods of fitting, with its
-//! derivatives, and [`Likelihood`] the logarithm of the likelihood.
+//! The README tells what can be measured and fitted, and what the result holds.
 
 #![forbid(unsafe_code)]
 

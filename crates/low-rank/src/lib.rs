@@ -46,20 +46,9 @@
 //! # Ok::<(), compress::NotReached>(())
 //! ```
 //!
-//! The crate knows nothing of what the functions mean. `interp` keeps the logarithms of the
-//! quantities of a contact in it.
-//!
-//! * [`IntegerTrain`]: the parts, their bounds, and their code in a file. Parts from a file may be
-//!   hostile: whatever they are, there is a [`Malformed`] error or a train whose values are finite.
-//! * [`coarser`]: a train in fewer and smaller integers, where a larger error is enough.
-//! * [`PreparedTrain`]: evaluation. It drops what is far below a tolerance. [`Needs`] says before what
-//!   memory and work it takes.
-//! * [`DenseSpline`]: the same evaluation of values that are held in full.
-//! * [`cover_once`]: whether boxes of two variables, each with a train of its own, cover them once.
-//! * `compress` (feature `compress`): the train of values on a grid.
-//! * [`chebyshev`]: the polynomials of a box.
-//! * [`add_rows`]: weighted sums of rows, of which interpolation consists.
-//! * [`once`]: values that are made at their first use, also in the child of a fork.
+//! The crate knows nothing of what the functions mean. The README lists its types. Parts of a train from
+//! a file may be hostile: whatever they are, there is a [`Malformed`] error or a train whose values are
+//! finite.
 
 #![forbid(unsafe_code)]
 

@@ -9,16 +9,7 @@
 //!                  of solves  at sampled points
 //! ```
 //!
-//! Data flows from left to right, and never back. The modules of the crate:
-//!
-//! | module | holds |
-//! |---|---|
-//! | [`stack`] | stacks of layers as TOML |
-//! | [`table`] | from a scene to a certified table, and its files |
-//! | [`measure`] | measurements that make tables |
-//! | [`plot`] | the figures |
-//! | [`report`] | the page about a table |
-//! | [`cli`] | the program `tabulate` |
+//! Data flows from left to right, and never back.
 //!
 //! The program is behind the feature `cli`, and `measure`, `plot` and `report` are behind the feature
 //! `figures`; both are on by default.
