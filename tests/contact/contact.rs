@@ -296,6 +296,51 @@ fn the_compressibility_is_the_ratio_of_a_thin_films_two_stiffnesses() {
     }
 }
 
+/// A cone on a stiff film on a soft substrate: the penetration without adhesion falls from some radius
+/// on, because the film has lifted off inside. Under a paraboloid it never does.
+#[test]
+fn validity_says_that_a_stiff_film_lifts_off() {
+    let cone = Probe::Cone { half_angle: 1.4 };
+    let paraboloid = Probe::Paraboloid { radius: 1e-3 };
+    for (probe, young, at) in [
+        (&cone, 2e9, Some(1e-6)),
+        (&cone, 2e7, None),
+        (&paraboloid, 2e9, None),
+    ] {
+        let contact = looked_up(&System {
+            probe: probe.clone(),
+            sphere_modulus: f64::INFINITY,
+            film: solid(young, 0.3),
+            film_thickness: 1e-6,
+            substrate: solid(2e6, 0.5),
+        });
+        let depth = |a: f64| {
+            contact
+                .load_and_penetration(a, 0.0)
+                .expect("in the table")
+                .1
+        };
+        let radii: Vec<f64> = (1..400).map(|i| 1e-8 * 1.02_f64.powi(i)).collect();
+        let first = radii
+            .windows(2)
+            .find(|pair| depth(pair[1]) < depth(pair[0]));
+        let deepest = first.map(|pair| pair[0]);
+        let lifts_off = |a: f64| {
+            let film = contact.validity(a).expect("in the table").film;
+            film.expect("coated").lifts_off
+        };
+        assert_eq!(deepest.is_some(), at.is_some(), "{probe:?}");
+        match deepest.zip(at) {
+            Some((deepest, about)) => {
+                assert!(relative(deepest, about) < 0.2, "{deepest:?}");
+                assert!(!lifts_off(0.95 * deepest) && lifts_off(1.2 * deepest));
+                assert!(lifts_off(2e-5), "once lifted off, always");
+            }
+            None => assert!(!lifts_off(2e-5), "{probe:?}"),
+        }
+    }
+}
+
 #[test]
 fn validity_says_how_large_thin_and_short_ranged_a_contact_is() {
     let contact = coated(1e-5);

@@ -77,6 +77,11 @@ pub struct FilmValidity {
     /// Whether `a/t` is between the first and the last node of the table or curve. Beyond them an
     /// expansion is used, or there is an error.
     pub in_range: bool,
+    /// Whether the penetration without adhesion falls somewhere up to this radius while the contact grows.
+    /// No contact without adhesion does that: the film is so much stiffer than the substrate that it
+    /// lifts off inside the contact, which is not modelled, and the loads from there on are wrong.
+    /// Paraboloids have no such contact, cones have one from a contrast of some 100 on.
+    pub lifts_off: bool,
 }
 
 impl Validity {
@@ -232,6 +237,7 @@ impl Contact {
                     compressibility,
                     strain,
                     in_range,
+                    lifts_off: self.lifts_off(a, system),
                 })
             }
             None => None,
@@ -252,6 +258,28 @@ impl Contact {
             sideways: 0.75 / PI * compressible * a_over_r * (1.0 - probe_share),
             probe_share,
             film,
+        })
+    }
+
+    /// Returns [`FilmValidity::lifts_off`] at contact radius `a` (m).
+    fn lifts_off(&self, a: f64, system: &System) -> bool {
+        /// The radii at which the penetration is compared with the next one.
+        const RADII: u32 = 48;
+        /// The part of the film thickness below which a contact is one on a half-space.
+        const THICK: f64 = 0.2;
+        /// The part of a penetration that is not due to the tolerance of tables.
+        const CLEAR: f64 = 1e-6;
+        let from = THICK * system.film_thickness;
+        let is_possible = system.film.reduced() > system.substrate.reduced();
+        if !is_possible || a <= from || self.is_punch() {
+            return false;
+        }
+        let radius = |i: u32| from * (a / from).powf(f64::from(i) / f64::from(RADII));
+        let mut last = f64::NAN;
+        (0..=RADII).any(|i| {
+            let before = last;
+            last = self.adhesionless_penetration(radius(i)).unwrap_or(f64::NAN);
+            last < (1.0 - CLEAR) * before
         })
     }
 

@@ -116,7 +116,7 @@ pub enum Error {
         parameters: String,
     },
     /// A model that cannot be evaluated where the fit starts.
-    #[error("{experiment}, where the fit starts: {cause}; give another start")]
+    #[error("{experiment}, where the fit starts: {cause}{}", other_start(cause))]
     Start {
         /// The name of the measurement.
         experiment: String,
@@ -128,7 +128,8 @@ pub enum Error {
         "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
          are positive in compression), and the stiffness of a cantilever, which is too small if the \
          force grows faster with the height than by this stiffness; free the zeros of the instrument that are \
-         not known to be 0, such as contact-point and baseline; or give a start"
+         not known to be 0, such as contact-point and baseline; check the noise, if it is given: it must be smaller than \
+         the loads; or give a start"
     )]
     NoStart {
         /// The name of the measurement.
@@ -250,6 +251,16 @@ impl Error {
 impl From<interp::Error> for Error {
     fn from(error: interp::Error) -> Self {
         Self::Contact(error.into())
+    }
+}
+
+/// Returns the next step after an error of the contact where a fit starts: another table, whose error
+/// names it, or another start.
+fn other_start(cause: &Error) -> &'static str {
+    use interp::Error::{Normalisation, NotOfStack, OfStack};
+    match cause {
+        Error::Contact(contact::Error::Table(OfStack | NotOfStack | Normalisation { .. })) => "",
+        _ => "; give another start",
     }
 }
 

@@ -279,9 +279,12 @@ impl Contact {
         number("a_over_t", |film| film.a_over_t)?;
         number("compressibility", |film| film.compressibility)?;
         number("strain", |film| film.strain)?;
-        let column = rows.iter().map(film);
-        let in_range = column.map(|film| film.is_some_and(|film| film.in_range));
-        fields.set_item("in_range", PyArray1::from_iter(py, in_range))?;
+        let flag = |name, of: fn(FilmValidity) -> bool| {
+            let column = rows.iter().map(|row| film(row).is_some_and(of));
+            fields.set_item(name, PyArray1::from_iter(py, column))
+        };
+        flag("in_range", |film| film.in_range)?;
+        flag("lifts_off", |film| film.lifts_off)?;
         let neglected = PyDict::new(py);
         for (name, effect) in [
             ("sideways", Neglected::Sideways),

@@ -61,7 +61,7 @@ pub(super) fn add(
     let parameter = modulus.parameter;
     let kind = experiment.measurement.kind;
     let abscissa = kind.names()[0];
-    let bounds = if kind.at_radii() || kind.is_stiffness() && !experiment.is_elastic_load() {
+    let bounds = if kind.at_radii() || !experiment.has_shape(false) {
         format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
     } else {
         format!(

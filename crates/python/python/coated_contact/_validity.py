@@ -59,6 +59,11 @@ class Validity(OneLine):
     in_range : bool, numpy.ndarray or None
         Whether a/t is between the nodes of the table or curve. Beyond them an expansion is used, or
         there is an error. None on a half-space.
+    lifts_off : bool, numpy.ndarray or None
+        Whether the penetration without adhesion falls somewhere up to this radius while the contact
+        grows: the film is so much stiffer than the substrate that it lifts off inside the contact,
+        under cones from a contrast of some 100 on. That is not modelled, and the loads without
+        adhesion are wrong from there on. None on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
         ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %),
@@ -75,6 +80,7 @@ class Validity(OneLine):
     compressibility: Any
     strain: Any
     in_range: Any
+    lifts_off: Any
     neglected: dict[str, Any]
     _contact: Contact = field(repr=False)
     _contact_radius: ArrayLike = field(repr=False)
@@ -225,7 +231,8 @@ def validity(
     neglected = found.pop("neglected")
     fields = {name: _plain(array.reshape(shape)) for name, array in found.items()}
     if isinstance(contact.system, HalfSpace):
-        fields.update(dict.fromkeys(("a_over_t", "compressibility", "strain", "in_range")))
+        of_film = ("a_over_t", "compressibility", "strain", "in_range", "lifts_off")
+        fields.update(dict.fromkeys(of_film))
     return Validity(
         **fields,
         neglected={name: _plain(array.reshape(shape)) for name, array in neglected.items()},

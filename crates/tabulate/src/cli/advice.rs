@@ -4,24 +4,31 @@ use interp::{Error, Parameter};
 
 /// Returns the commands that help after an error, if there are some.
 pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
-    error.chain().find_map(|cause| {
-        if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
-            return Some(
-                "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
+    error.chain().find_map(of_cause)
+}
+
+/// Returns the commands that help after one cause of an error.
+fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
+    #[cfg(feature = "figures")]
+    if let Some(::fit::Error::Start { cause, .. }) = cause.downcast_ref() {
+        return of_cause(cause.as_ref());
+    }
+    if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
+        return Some(
+            "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
                  --sphere-modulus inf and --substrate-modulus inf",
-            );
+        );
+    }
+    let of_table = match (of_contact(cause), cause.downcast_ref()) {
+        (Some(contact::Error::LongZone { .. }), _) => {
+            return Some("`tabulate pull-off --interaction-range` solves it");
         }
-        let of_table = match (of_contact(cause), cause.downcast_ref()) {
-            (Some(contact::Error::LongZone { .. }), _) => {
-                return Some("`tabulate pull-off --interaction-range` solves it");
-            }
-            (Some(contact::Error::Table(error)), _) | (_, Some(crate::Error::Table(error))) => {
-                Some(error)
-            }
-            _ => cause.downcast_ref(),
-        };
-        of_table.and_then(commands)
-    })
+        (Some(contact::Error::Table(error)), _) | (_, Some(crate::Error::Table(error))) => {
+            Some(error)
+        }
+        _ => cause.downcast_ref(),
+    };
+    of_table.and_then(commands)
 }
 
 /// Returns the error of a contact that a cause is, or holds.

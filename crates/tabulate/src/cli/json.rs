@@ -11,7 +11,7 @@ pub fn print(object: &impl Serialize) -> anyhow::Result<()> {
     super::print((printable::json(&serde_json::to_string(object)?) + "\n").as_bytes())
 }
 
-/// A number: the text `inf` if it is infinite, null if it is NaN.
+/// A number: the text `inf` or `-inf` if it is infinite, null if it is NaN.
 #[derive(Clone, Copy)]
 pub struct Number(pub f64);
 
@@ -19,6 +19,7 @@ impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.0 {
             f64::INFINITY => serializer.serialize_str("inf"),
+            f64::NEG_INFINITY => serializer.serialize_str("-inf"),
             // NaN becomes null.
             value => serializer.serialize_f64(value),
         }

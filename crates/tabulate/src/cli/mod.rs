@@ -154,7 +154,9 @@ fn explain(answer: clap::Error) -> anyhow::Result<ExitCode> {
     if answer.use_stderr() {
         // There is nowhere else to say that standard error is closed.
         let _ = answer.print();
-        if let Some(ContextValue::String(name)) = answer.get(ContextKind::InvalidSubcommand)
+        // With all commands the name is that of another one's subcommand.
+        if cfg!(not(feature = "figures"))
+            && let Some(ContextValue::String(name)) = answer.get(ContextKind::InvalidSubcommand)
             && OF_FIGURES.contains(&name.as_str())
         {
             note(&format!(

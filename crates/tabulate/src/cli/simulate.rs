@@ -111,7 +111,8 @@ pub struct Arguments {
     )]
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
-    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "warnings": [{"kind", "text"}]}
+    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "warnings": [{"kind", "text"}]}. An
+    /// infinite number is the text "inf", and one that is not known null
     #[arg(long, requires = "expect", conflicts_with = "loss_tangent")]
     json: bool,
     /// Write here instead of to standard output
@@ -191,6 +192,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         !arguments.kind.is_stiffness() || !arguments.ways().contains(&Some(Direction::Retract)),
         "--segments: a contact stiffness is measured on the way to the larger contact: leave it out, or give \
          --segments approach"
+    );
+    ensure!(
+        arguments.hold.is_none() || arguments.ways() != RETRACT,
+        "--hold follows an approach, and there is none: leave it out, or give --segments cycle"
     );
     let measurement = plan(arguments, [from, to]);
     arguments.known.history.needs_poisson_ratio()?;

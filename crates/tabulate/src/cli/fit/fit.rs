@@ -182,7 +182,8 @@ pub struct Arguments {
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
-    /// own is a list. With --intervals each parameter has an "interval".
+    /// own is a list. With --intervals each parameter has an "interval". An infinite number is the text
+    /// "inf", and one that is not known null.
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
