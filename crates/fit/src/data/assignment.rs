@@ -47,6 +47,10 @@ pub fn assign(
         format,
         untold,
     };
+    // A heading that is not there is an error, also where the kind needs no such column.
+    for column in &format.columns {
+        columns.named(column)?;
+    }
     let kind = columns.kind()?;
     let mut pairs = Vec::new();
     for direction in DIRECTIONS {

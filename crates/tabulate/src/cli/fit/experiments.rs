@@ -166,6 +166,11 @@ impl KnownArguments {
             mut work_of_adhesion,
             ..
         } = self.bodies.read()?;
+        ensure!(
+            !(self.half_space && self.indentation.thins()),
+            "--thinning makes a film thinner under the tip, and a half-space has none: leave it out, or leave out \
+             --half-space"
+        );
         let mut layers = stack.as_ref().map(layers).transpose()?;
         if let Some(nu2) = self.history.sticks()? {
             ensure!(

@@ -67,6 +67,11 @@ fn compliance(text: &str) -> Result<f64, String> {
 }
 
 impl IndentationArguments {
+    /// Tells whether the film is thinner under the tip.
+    pub fn thins(&self) -> bool {
+        self.thinning.is_some_and(|part| part != 0.0)
+    }
+
     /// Names a flag that is given.
     fn given(&self) -> Option<&'static str> {
         [
