@@ -84,7 +84,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {depths} --sphere-radius 1um | --sphere-radius; area function
         2 | simulate --specimen paper --kind stiffness-radius --from 20um --to 100um --noise 1% --loss-tangent 0.1 --json | --loss-tangent; --json
         1 | simulate --specimen paper --kind load-penetration --segments retract --hold 1s --sample-interval 0.1s --from -1um --to 1um --noise 1uN | --hold; --segments cycle
-        1 | {film} --column penetration=depth[nm] | no column is "depth[nm]"; penetration
+        1 | {film} --column penetration=depth[nm] | no column is; depth[nm]; penetration
         1 | {depths} --half-space --thinning 0.333 | --thinning; half-space
         1 | fit loads.csv --specimen paper --between 1mm..5mm | length; force
         1 | {film} --known film-thickness=2e-5+-1e-6 | 3e-5; 2e-5; two values

@@ -3,14 +3,20 @@
 use interp::{Normalisation, Probe, System};
 
 use crate::Error;
+use crate::cohesive::CohesiveState;
 use crate::cohesive::annulus::Annulus;
 use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::surface::Surface;
-use crate::cohesive::{CohesiveState, REACH};
 use crate::compliance::Compliance;
 use crate::layered::LayeredCompliance;
 use crate::stack::Stack;
 use crate::symbol::Symbol;
+
+/// The radii, over the thickness of the top layer, of contacts and of annuli that are solved.
+pub const REACH: f64 = 120.0;
+
+/// The smallest radius of a contact, over the thickness of the top layer, that is solved.
+pub const SMALLEST: f64 = 1e-12;
 
 /// A sphere on a coated substrate with an attraction of finite range.
 #[derive(Clone, Debug)]

@@ -51,11 +51,5 @@ mod states;
 mod surface;
 mod waves;
 
-pub use attraction::Cohesive;
+pub use attraction::{Cohesive, REACH, SMALLEST};
 pub use contact::CohesiveState;
-
-/// The radii, over the thickness of the top layer, of contacts and of annuli that are solved.
-pub const REACH: f64 = 120.0;
-
-/// The smallest radius of a contact, over the thickness of the top layer, that is solved.
-pub const SMALLEST: f64 = 1e-12;

@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(help = table_name::HELP, value_hint = ValueHint::FilePath)]
     table: TableName,
     /// Number of points [default: 2500 for each axis]
-    #[arg(long, value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
+    #[arg(long, value_parser = value_parser!(u32).range(1..=super::points::MOST_POINTS))]
     points: Option<u32>,
     /// Seed of the random points [default: another than the certificate's]
     #[arg(long)]
@@ -148,7 +148,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             certified
                 .points
                 .saturating_mul(MORE)
-                .clamp(ENOUGH as u64, super::MOST_POINTS.unsigned_abs())
+                .clamp(ENOUGH as u64, super::points::MOST_POINTS.unsigned_abs())
         );
     }
     Ok(())

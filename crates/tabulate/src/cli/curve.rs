@@ -73,7 +73,7 @@ pub struct Arguments {
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Number of contact radii, equally spaced
-    #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::MOST_POINTS))]
+    #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::points::MOST_POINTS))]
     points: u32,
     /// Relative tolerance of direct solves [default: 1e-8]
     #[arg(long, conflicts_with_all = ["table", "interaction_range"], value_parser = quantity::number, allow_hyphen_values = true)]

@@ -72,7 +72,7 @@ pub struct Arguments {
     #[arg(long, value_name = "SECONDS", value_parser = number, allow_hyphen_values = true)]
     budget: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
-    #[arg(long, value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
+    #[arg(long, value_parser = value_parser!(u32).range(1..=super::points::MOST_POINTS))]
     certificate_points: Option<u32>,
     /// Seed of the random points of the certificate
     #[arg(long, default_value_t = 1)]

@@ -17,7 +17,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let mut program = super::Arguments::command();
+    let mut program = super::command::Arguments::command();
     program.build();
     let mut command = &program;
     for word in &arguments.command {

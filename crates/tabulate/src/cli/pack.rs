@@ -40,7 +40,7 @@ pub struct Arguments {
     #[arg(long, value_parser = number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
-    #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..=super::MOST_POINTS))]
+    #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..=super::points::MOST_POINTS))]
     points: Option<u32>,
     /// Seed of the random points [default: another than the table's]
     #[arg(long, requires = "tolerance")]

@@ -14,6 +14,10 @@ use crate::input::{self, Limited, Room};
 use crate::printable;
 use solve::parallel::try_map;
 
+/// The largest number of points of a certificate or a comparison: they are held in memory, 200
+/// bytes each.
+pub const MOST_POINTS: i64 = 1_000_000;
+
 /// One point to solve or look up.
 #[derive(Clone, Copy)]
 pub struct Point {

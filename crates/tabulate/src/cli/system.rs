@@ -9,7 +9,7 @@ use anyhow::{Context, ensure};
 use clap::ValueEnum;
 use interp::{Elastic, System};
 
-use super::probe::{ProbeArguments, Shape};
+use super::probe::ProbeArguments;
 use super::quantity::{force_per_length, length, modulus, number};
 
 /// The flags of a system.
@@ -164,30 +164,6 @@ impl SystemArguments {
             Value::SubstratePoissonRatio => self.substrate_poisson_ratio,
             Value::WorkOfAdhesion => self.work_of_adhesion,
         }
-    }
-
-    /// Refuses a shape of the probe at depths, where the area function tells the contact radii.
-    pub fn accept_no_shape(&self) -> anyhow::Result<()> {
-        const WHY: &str =
-            "at depths the area function tells the contact radii, and not the shape of the probe";
-        if let Some(half_angle) = self.shape.half_angle {
-            let area = std::f64::consts::PI * half_angle.to_radians().tan().powi(2);
-            anyhow::bail!(
-                "--half-angle {half_angle:?}: {WHY}: leave out --probe and --half-angle, and give --area {area:.6} for \
-                 a cone of this angle"
-            );
-        }
-        anyhow::ensure!(
-            self.shape.probe == Shape::Paraboloid && self.sphere_radius.is_none(),
-            "--{}: {WHY}: leave it out, and give --area, such as --area -3.14159,6283.19 for a sphere of R = 1 um \
-             (-pi h^2 + 2 pi R h, with h and R in nm)",
-            if self.sphere_radius.is_some() {
-                "sphere-radius"
-            } else {
-                "probe"
-            }
-        );
-        Ok(())
     }
 
     /// Returns a value, that of the paper where it is not given.

@@ -1,124 +1,14 @@
 //! All artefacts of a release in one folder, each tried where nothing else of the project is.
 //!
-//! `metadata` checks what describes the release, `packages` puts the packages of Rust in order,
+//! `artefacts` makes them. `metadata` checks what describes the release, `packages` puts the packages of Rust in order,
 //! `zig` compiles for every Linux, `trial` tries the artefacts, `bom` lists what is compiled into them.
 
+mod artefacts;
 mod bom;
 mod metadata;
 mod packages;
 mod trial;
 mod zig;
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-use crate::{hdf5, selection, succeed, wheel, workspace};
-
-/// The version of the release.
-const VERSION: &str = env!("CARGO_PKG_VERSION");
-/// The package of the C interface.
-const C: &str = "coated-contact-c";
-/// The target without a C library of the system, and that with the one of 2014.
-const STATIC: &str = "x86_64-unknown-linux-musl";
-const OLD_LINUX: &str = "x86_64-unknown-linux-gnu";
-
-/// Checks the metadata of a release: version, citation, archive, recipe, list of what is compiled in, and
-/// the order of its packages.
-pub fn check() -> Result<(), String> {
-    metadata::check()?;
-    bom::write(&workspace::target()?.join("tools"))?;
-    println!("xtask: the packages of a release, in order:");
-    for name in packages::in_order()? {
-        println!("  {name} {VERSION}");
-    }
-    Ok(())
-}
-
-/// Makes all artefacts of a release in `dist` of the target directory, and tries each.
-pub fn dist() -> Result<(), String> {
-    metadata::check()?;
-    let folder = workspace::target()?.join("dist");
-    workspace::clear(&folder)?;
-    workspace::make(&folder)?;
-    let zig = zig::Zig::fetch()?;
-
-    let [wheel, source] = wheel::release(zig.folder())?;
-    let [wheel, source] = [put(&wheel, &folder)?, put(&source, &folder)?];
-    metadata::recipe_of(&source, &folder.join("recipe.yaml"))?;
-
-    let features = format!("{}/hdf5-static", selection::TABULATE);
-    let made = zig.build(STATIC, selection::TABULATE, &["--features", &features])?;
-    let program = archive(
-        &folder,
-        &format!("tabulate-{VERSION}-x86_64-linux"),
-        &[
-            (made.join("tabulate"), ""),
-            (here("crates/tabulate/README.md"), ""),
-        ],
-    )?;
-
-    let made = zig.build(OLD_LINUX, C, &[])?;
-    let library = archive(
-        &folder,
-        &format!("{C}-{VERSION}-x86_64-linux"),
-        &[
-            (made.join("libcoated_contact.so"), "lib"),
-            (made.join("libcoated_contact.a"), "lib"),
-            (here("crates/capi/include/coated_contact.h"), "include"),
-            (here("crates/capi/examples/force.c"), "examples"),
-            (here("crates/capi/README.md"), ""),
-        ],
-    )?;
-
-    packages::pack(&folder)?;
-    bom::write(&folder)?;
-    trial::all(&wheel, &source, &program, &library)?;
-    succeed(
-        Command::new("sh")
-            .args(["-c", "sha256sum -- *.* */*.crate > SHA256SUMS"])
-            .current_dir(&folder),
-    )?;
-    println!("xtask: the release is in {}", folder.display());
-    Ok(())
-}
-
-/// Packs files, each into a folder of its archive, with the licences, and returns the path of the
-/// archive.
-fn archive(folder: &Path, name: &str, files: &[(PathBuf, &str)]) -> Result<PathBuf, String> {
-    let staging = workspace::target()?.join("tools").join(name);
-    workspace::clear(&staging)?;
-    let licences = ["LICENSE-MIT", "LICENSE-APACHE"].map(|name| (here(name), ""));
-    for (file, within) in files.iter().chain(&licences) {
-        put(file, &workspace::make(&staging.join(within))?)?;
-    }
-    let path = folder.join(format!("{name}.tar.gz"));
-    // The bytes depend on the content alone.
-    succeed(
-        Command::new("tar")
-            .args(["--sort=name", "--mtime=@0", "--owner=0", "--group=0"])
-            .args(["--numeric-owner", "--use-compress-program=gzip -n9", "-cf"])
-            .args([&path, Path::new("-C")])
-            .arg(staging.parent().expect("a folder in the tools"))
-            .arg(name),
-    )?;
-    workspace::clear(&staging)?;
-    Ok(path)
-}
-
-/// Copies a file into a folder, and returns its new path.
-fn put(file: &Path, folder: &Path) -> Result<PathBuf, String> {
-    let copy = folder.join(file.file_name().expect("a file has a name"));
-    fs::copy(file, &copy).map_err(|e| at(file, &e))?;
-    Ok(copy)
-}
-
-/// Returns the path of a file of the workspace.
-fn here(path: &str) -> PathBuf {
-    workspace::root().join(path)
-}
-
-/// Names the file in an error.
-fn at(path: &Path, error: &std::io::Error) -> String {
-    format!("{}: {error}", path.display())
-}
+use artefacts::{C, OLD_LINUX, STATIC, VERSION, at, here, put};
+pub use artefacts::{check, dist};

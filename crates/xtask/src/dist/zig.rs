@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{OLD_LINUX, hdf5};
-use crate::{python, succeed, workspace};
+use super::OLD_LINUX;
+use crate::{hdf5, python, succeed, workspace};
 
 /// zig, and the command by which cargo compiles with it.
 const PACKAGES: [&str; 2] = ["cargo-zigbuild==0.24.1", "ziglang==0.15.2"];

@@ -40,7 +40,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = TOLERANCE, value_parser = number, allow_hyphen_values = true, conflicts_with = "data")]
     tolerance: f64,
     /// Number of random points at which loads are compared
-    #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..=crate::cli::MOST_POINTS), conflicts_with = "data")]
+    #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..=crate::cli::points::MOST_POINTS), conflicts_with = "data")]
     points: u32,
     #[command(flatten)]
     rows: Rows,

@@ -9,7 +9,7 @@ use ::fit::{
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
-use super::indentation::{IndentationArguments, forget_shape};
+use super::indentation::{IndentationArguments, accept_no_shape, forget_shape};
 use super::relaxing::{self, RelaxingArguments};
 use super::setting::{Bounds, Given, Known, Values};
 use super::value::{fixed, parameter, questions};
@@ -262,7 +262,7 @@ impl KnownArguments {
             .iter()
             .all(|one| one.measurement.kind == Kind::StiffnessDepth)
         {
-            self.bodies.system.accept_no_shape()?;
+            accept_no_shape(&self.bodies.system)?;
         }
         for Values { parameter, values } in &self.values {
             let mut reasons = experiments

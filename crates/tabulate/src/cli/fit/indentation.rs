@@ -6,13 +6,15 @@ use ::fit::{
     AreaFunction, Bodies, ContactDepth, Experiment, Free, Indentation, Interrupt, Kind, Layered,
     Measurement, Parameter, Reach, Scope, Solver,
 };
-use anyhow::{Context, ensure};
+use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
 use interp::{Elastic, Probe};
 use units::{Dimension, Quantity};
 
 use super::one_of;
+use crate::cli::probe::Shape;
 use crate::cli::quantity::{any, length, modulus, number, read};
+use crate::cli::system::{SystemArguments, Value};
 
 /// The heading of these flags in the help.
 const HEADING: &str = "Contact stiffness";
@@ -127,7 +129,7 @@ impl IndentationArguments {
     /// Returns what is known of the measurement.
     pub fn of(&self, kind: Kind) -> anyhow::Result<Indentation> {
         if let Some(unused) = self.unused(kind) {
-            anyhow::bail!(unused);
+            bail!(unused);
         }
         let new = Indentation::NEW;
         Ok(Indentation {
@@ -146,6 +148,30 @@ impl IndentationArguments {
             ..new
         })
     }
+}
+
+/// Refuses a shape of the probe at depths, where the area function tells the contact radii.
+pub fn accept_no_shape(system: &SystemArguments) -> anyhow::Result<()> {
+    const WHY: &str =
+        "at depths the area function tells the contact radii, and not the shape of the probe";
+    if let Some(half_angle) = system.shape.half_angle {
+        let area = std::f64::consts::PI * half_angle.to_radians().tan().powi(2);
+        bail!(
+            "--half-angle {half_angle:?}: {WHY}: leave out --probe and --half-angle, and give --area {area:.6} for \
+             a cone of this angle"
+        );
+    }
+    ensure!(
+        system.shape.probe == Shape::Paraboloid && system.given(Value::SphereRadius).is_none(),
+        "--{}: {WHY}: leave it out, and give --area, such as --area -3.14159,6283.19 for a sphere of R = 1 um \
+         (-pi h^2 + 2 pi R h, with h and R in nm)",
+        if system.given(Value::SphereRadius).is_some() {
+            "sphere-radius"
+        } else {
+            "probe"
+        }
+    );
+    Ok(())
 }
 
 /// Takes a probe whose radius limits no contact.

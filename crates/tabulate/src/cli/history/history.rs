@@ -67,7 +67,7 @@ pub struct Arguments {
     #[arg(long, value_parser = force_per_length, allow_hyphen_values = true)]
     stiffness: Option<f64>,
     /// Number of times, equally spaced over the program
-    #[arg(long, default_value_t = 200, value_parser = value_parser!(u32).range(2..=crate::cli::MOST_POINTS))]
+    #[arg(long, default_value_t = 200, value_parser = value_parser!(u32).range(2..=crate::cli::points::MOST_POINTS))]
     points: u32,
     /// Times to print, s, separated by commas. The last value of the program is held as long as a time
     /// is asked for

@@ -1,0 +1,163 @@
+//! The commands of the program, and what it answers instead of one.
+
+use std::io::{self, IsTerminal};
+use std::process::ExitCode;
+
+use clap::error::{ContextKind, ContextValue};
+use clap::{Parser, Subcommand};
+
+use super::streams::{NAME, examples, note, print};
+use super::{
+    advice, check, completions, curve, generate, history, info, man, pack, pull_off, query, solve,
+    unpack,
+};
+#[cfg(feature = "figures")]
+use super::{cost, fit, plot, report, simulate};
+
+/// The commands that a program without the feature `figures` does not have.
+const OF_FIGURES: [&str; 5] = ["fit", "simulate", "report", "plot", "cost"];
+
+/// Adhesive contact of a sphere (2) on a film (1) bonded to a substrate (0): solve it, tabulate it,
+/// look it up.
+///
+/// a/t is contact radius over film thickness. E1/E2* and E0/E2* are the Young's moduli of film and
+/// substrate over the sphere's REDUCED modulus E2* = E2/(1 - nu2^2). E0/E2* = inf is a rigid
+/// substrate. E1/E2* = 0 is a rigid sphere: then results are normalised by the film's reduced
+/// modulus E1* instead of E2*, and e0_over_e2 is read as E0/E1.
+///
+/// Lengths, moduli, forces, stiffnesses and works of adhesion are in SI units, or have a unit behind
+/// them: 30um, 70GPa, 2uN, 0.1N/m, 40mJ/m^2. `u` stands for micro; mN and MN differ. A modulus below
+/// 1000 Pa needs its unit: 500Pa.
+///
+/// Wherever a command takes a TABLE, the word `embedded` stands for the table that is compiled into
+/// the program.
+#[derive(Parser)]
+#[command(
+    name = NAME,
+    bin_name = NAME,
+    version,
+    max_term_width = 120,
+    after_help = examples!(
+        "tabulate curve --specimen paper",
+        "tabulate solve --a-over-t 65 --e1-over-e2 1.75 --nu1 0.5 --e0-over-e2 1e5",
+        "tabulate query embedded --points tables/points.csv",
+        "tabulate info embedded",
+    )
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Curve(curve::Arguments),
+    PullOff(pull_off::Arguments),
+    History(Box<history::Arguments>),
+    #[cfg(feature = "figures")]
+    Fit(Box<fit::Arguments>),
+    #[cfg(feature = "figures")]
+    Simulate(Box<simulate::Arguments>),
+    Solve(solve::Arguments),
+    Query(query::Arguments),
+    Generate(generate::Arguments),
+    Info(info::Arguments),
+    Check(check::Arguments),
+    #[cfg(feature = "figures")]
+    Report(report::Arguments),
+    Pack(pack::Arguments),
+    Unpack(unpack::Arguments),
+    #[cfg(feature = "figures")]
+    Plot(plot::Arguments),
+    #[cfg(feature = "figures")]
+    Cost(cost::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
+}
+
+/// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
+pub fn run() -> ExitCode {
+    let outcome =
+        Arguments::try_parse().map_or_else(explain, |arguments| run_command(arguments.command));
+    match outcome {
+        Ok(status) => status,
+        Err(error) => {
+            match advice::advice(&error) {
+                Some(advice) => note(&format!("{error:#}; {advice}")),
+                None => note(&format!("{error:#}")),
+            }
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Prints what clap answers instead of a command: a help text, the version, or an error of usage.
+fn explain(answer: clap::Error) -> anyhow::Result<ExitCode> {
+    if answer.use_stderr() {
+        // There is nowhere else to say that standard error is closed.
+        let _ = answer.print();
+        // With all commands the name is that of another one's subcommand.
+        if cfg!(not(feature = "figures"))
+            && let Some(ContextValue::String(name)) = answer.get(ContextKind::InvalidSubcommand)
+            && OF_FIGURES.contains(&name.as_str())
+        {
+            note(&format!(
+                "this program was built without {name}; `cargo xtask cargo install --locked --path \
+                 crates/tabulate` installs the program with all its commands"
+            ));
+        }
+        return Ok(ExitCode::from(2));
+    }
+    let text = if io::stdout().is_terminal() {
+        answer.render().ansi().to_string()
+    } else {
+        answer.render().to_string()
+    };
+    print(text.as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Runs a subcommand.
+fn run_command(command: Command) -> anyhow::Result<ExitCode> {
+    match command {
+        Command::Curve(arguments) => curve::run(&arguments),
+        Command::PullOff(arguments) => pull_off::run(&arguments),
+        Command::History(arguments) => history::run(&arguments),
+        #[cfg(feature = "figures")]
+        Command::Fit(arguments) => fit::run(&arguments),
+        #[cfg(feature = "figures")]
+        Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Query(arguments) => query::run(&arguments),
+        Command::Generate(arguments) => generate::run(&arguments),
+        Command::Info(arguments) => info::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        #[cfg(feature = "figures")]
+        Command::Report(arguments) => report::run(&arguments),
+        Command::Pack(arguments) => pack::run(&arguments),
+        Command::Unpack(arguments) => unpack::run(&arguments),
+        #[cfg(feature = "figures")]
+        Command::Plot(arguments) => plot::run(&arguments),
+        #[cfg(feature = "figures")]
+        Command::Cost(arguments) => cost::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
+    }?;
+    Ok(ExitCode::SUCCESS)
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    use super::*;
+
+    #[test]
+    fn commands_of_figures_are_there_with_that_feature_alone() {
+        let program = Arguments::command();
+        for name in OF_FIGURES {
+            let is_there = program.find_subcommand(name).is_some();
+            assert_eq!(is_there, cfg!(feature = "figures"), "{name}");
+        }
+    }
+}
