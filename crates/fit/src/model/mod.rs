@@ -13,6 +13,7 @@
 //! `prediction` evaluates the model for other methods of fitting.
 
 mod assign;
+mod bodies;
 mod branch;
 mod differences;
 mod errors;
@@ -37,9 +38,10 @@ mod straight_lines;
 mod turn;
 
 pub(crate) use assign::{Assignment, Freedom};
+pub use bodies::Bodies;
 pub use branch::Branch;
 pub use errors::PointErrors;
-pub use experiment::{Bodies, Experiment};
+pub use experiment::Experiment;
 pub use fixed::Fixed;
 pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};

@@ -16,7 +16,8 @@ use serde::Serialize;
 use units::{Dimension, Quantity};
 
 use super::allow;
-use super::fit::experiments::{FreeArguments, KnownArguments, forget_shapes};
+use super::fit::experiments::{KnownArguments, forget_shapes};
+use super::fit::free::FreeArguments;
 use super::fit::indentation::{self, Noise};
 use super::fit::object::{Estimates, WarningObject, matrix};
 use super::fit::reading::doubted;

@@ -13,7 +13,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 use units::Dimension;
 
-use super::experiments::{FreeArguments, KnownArguments, TWO_WORKS, is_work};
+use super::experiments::{KnownArguments, TWO_WORKS, is_work};
+use super::free::FreeArguments;
 use super::indentation::{Noise, Range, ReferenceArguments};
 use super::picture::PictureArguments;
 use super::reading::{doubted, measured, typed, with_doubts};

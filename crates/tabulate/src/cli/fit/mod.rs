@@ -6,6 +6,7 @@
 
 pub mod experiments;
 mod fit;
+pub mod free;
 pub mod indentation;
 pub mod object;
 mod picture;

@@ -1,0 +1,191 @@
+//! Probe, film and substrate of an experiment, and their contact.
+
+use contact::{Contact, Input};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
+
+use super::{LayerName, Layered, Parameter};
+use crate::Error;
+
+/// The bodies in contact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Bodies {
+    /// A probe on a film on a substrate.
+    Coated(System),
+    /// A probe on a half-space: JKR, or Hertz without adhesion. The parameters of the film are
+    /// those of the half-space.
+    HalfSpace(HalfSpace),
+    /// A probe on a stack of layers. The parameters of the film do not apply; those of the layers
+    /// do.
+    Layered(Layered),
+}
+
+impl Bodies {
+    /// Returns the shape of the probe.
+    pub const fn probe(&self) -> &Probe {
+        match self {
+            Self::Coated(system) => &system.probe,
+            Self::HalfSpace(half_space) => &half_space.probe,
+            Self::Layered(layered) => &layered.probe,
+        }
+    }
+
+    /// Returns the contact radius (m) that every contact must be below.
+    pub(crate) const fn largest_radius(&self) -> f64 {
+        match self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => *radius,
+            Probe::Profile(profile) => profile.end(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Returns the radius (m) of a paraboloid that makes, on a half-space and without adhesion, a
+    /// contact of the radius and the penetration of this probe. `size` is the contact radius or,
+    /// if it is `at_penetration`, the penetration. It gives starts of fits only.
+    pub(crate) fn paraboloid(&self, size: f64, at_penetration: bool) -> f64 {
+        /// A radius is found to rounding after as many bisections of the range of its logarithm.
+        const STEPS: usize = 60;
+        match self.probe() {
+            Probe::Paraboloid { radius } | Probe::Sphere { radius } => return *radius,
+            // Its load grows like the penetration, that of a paraboloid like the power 3/2: they
+            // are as large at this penetration, `2 a delta = 4/3 sqrt(R) delta^(3/2)`.
+            Probe::FlatPunch { radius } => return 2.25 * radius * radius / size,
+            _ => {}
+        }
+        let bare = HalfSpace {
+            probe: self.probe().clone(),
+            sphere_modulus: f64::INFINITY,
+            solid: self.film(),
+        };
+        let penetration = |a: f64| {
+            let contact = Contact::half_space(&bare).ok()?;
+            let (_, penetration) = contact.load_and_penetration(a, 0.0).ok()?;
+            Some(penetration)
+        };
+        if !at_penetration {
+            return penetration(size).map_or(f64::NAN, |penetration| size * size / penetration);
+        }
+        let most = self.largest_radius().min(1e2);
+        let [mut low, mut high] = [1e-15_f64.ln(), most.ln()];
+        for _ in 0..STEPS {
+            let middle = 0.5 * (low + high);
+            // A radius below a flat end has no penetration.
+            if penetration(middle.exp()).is_none_or(|found| found < size) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high.exp().powi(2) / size
+    }
+
+    /// Returns the film, the solid of a half-space, or the top layer.
+    pub(crate) fn film(&self) -> Elastic {
+        match self {
+            Self::Coated(system) => system.film,
+            Self::HalfSpace(half_space) => half_space.solid,
+            Self::Layered(layered) => layered.surface(),
+        }
+    }
+
+    /// Returns the thickness of the film or of all layers, m; `None` on a half-space and on a base
+    /// without layers.
+    pub(crate) fn thickness(&self) -> Option<f64> {
+        match self {
+            Self::Coated(system) => Some(system.film_thickness),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) if layered.layers.is_empty() => None,
+            Self::Layered(layered) => Some(layered.thickness()),
+        }
+    }
+
+    /// Returns the thickness of the film or of the top layer, m; `None` on a half-space.
+    pub(crate) fn top_thickness(&self) -> Option<f64> {
+        match self {
+            Self::Coated(system) => Some(system.film_thickness),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) => layered.layers.last().map(|top| top.layer.thickness),
+        }
+    }
+
+    /// Returns the name of the top layer of a stack, if it has one.
+    pub(crate) fn top_name(&self) -> Option<LayerName> {
+        match self {
+            Self::Layered(layered) => layered.layers.last()?.name,
+            _ => None,
+        }
+    }
+
+    /// Returns the modulus of the film, or of the top layer if it has a name.
+    pub fn modulus_of_top(&self) -> Parameter {
+        self.top_name()
+            .map_or(Parameter::FilmModulus, Parameter::LayerModulus)
+    }
+
+    /// Tells whether the contacts of these bodies have exact derivatives.
+    pub(crate) const fn has_derivatives(&self) -> bool {
+        !matches!(self, Self::Layered(_))
+    }
+
+    /// Returns these bodies with another value of one of their parameters. Other parameters change
+    /// nothing.
+    pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
+        if let Self::Layered(layered) = &mut self {
+            layered.set(parameter, value)?;
+            return Ok(self);
+        }
+        let film = self.film();
+        let film = match parameter {
+            Parameter::FilmModulus => Elastic::new(value, film.poisson())?,
+            Parameter::FilmPoissonRatio => Elastic::new(film.young(), value)?,
+            _ => film,
+        };
+        let (sphere_modulus, own_film) = match &mut self {
+            Self::Coated(system) => {
+                if parameter == Parameter::FilmThickness {
+                    system.film_thickness = value;
+                }
+                (&mut system.sphere_modulus, &mut system.film)
+            }
+            Self::HalfSpace(half_space) => (&mut half_space.sphere_modulus, &mut half_space.solid),
+            Self::Layered(_) => return Ok(self),
+        };
+        *own_film = film;
+        if parameter == Parameter::SphereModulus {
+            *sphere_modulus = value;
+        }
+        Ok(self)
+    }
+
+    /// Returns the input of the contact that a parameter is.
+    pub(crate) const fn input(&self, parameter: Parameter) -> Option<Input> {
+        let coated = matches!(self, Self::Coated(_));
+        Some(match parameter {
+            Parameter::SphereModulus => Input::SphereModulus,
+            Parameter::FilmModulus if coated => Input::FilmModulus,
+            Parameter::FilmModulus => Input::SubstrateModulus,
+            Parameter::FilmPoissonRatio if coated => Input::FilmPoisson,
+            Parameter::FilmPoissonRatio => Input::SubstratePoisson,
+            Parameter::FilmThickness => Input::FilmThickness,
+            _ => return None,
+        })
+    }
+
+    /// Makes the contact, with the derivatives with respect to some parameters if they are asked for.
+    /// Contacts on layers have none.
+    pub(crate) fn contact(
+        &self,
+        table: &Table,
+        derivatives: Option<&[Parameter]>,
+    ) -> Result<Contact, Error> {
+        Ok(match (self, derivatives) {
+            (Self::Coated(system), Some(parameters)) => {
+                let inputs = parameters.iter().filter_map(|&one| self.input(one));
+                let inputs: Vec<Input> = inputs.collect();
+                Contact::in_table_with_derivatives(table, system, &inputs)?
+            }
+            (Self::Coated(system), None) => Contact::in_table(table, system)?,
+            (Self::HalfSpace(half_space), _) => Contact::half_space(half_space)?,
+            (Self::Layered(layered), _) => super::solver::contact(layered)?,
+        })
+    }
+}
