@@ -52,6 +52,11 @@ CASES = {
     "metres": (FitError, "10 m is above", lambda: simulate(TEN_METRES, noise=2e-6, seed=1)),
     "a plan in metres": (FitError, "10 m is above", lambda: forecast(TEN_METRES, WANTED)),
     "no friction": (InputError, "stick", lambda: replace(LENS, advancing=0.3)),
+    "two works with friction": (
+        FitError,
+        "work_of_adhesion_receding has no effect.*advancing",
+        lambda: replace(LENS, friction="stick", work_of_adhesion_receding=0.1),
+    ),
     "no friction, solved": (
         InputError,
         "stick",

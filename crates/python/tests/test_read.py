@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from coated_contact import Elastic, Experiment, FitError, HalfSpace, read_experiment
+from coated_contact import Elastic, Experiment, FitError, HalfSpace, fit, read_experiment
 from conftest import refuses
 
 GEL = HalfSpace(
@@ -140,3 +140,25 @@ def test_a_file_that_is_not_there_is_an_os_error(tmp_path):
     with pytest.raises(FileNotFoundError):
         read(tmp_path / "none.txt")
     refuses(TypeError, "must be a str", lambda: read(tmp_path / "none.txt", columns={"load": [2]}))
+
+
+def test_forces_of_a_deflection_are_as_uncertain_as_the_spring(write):
+    """The penetration does not depend on the stiffness, and Hertz's modulus follows the force."""
+    stiffness, reduced = 0.05, 5e3 / 0.75
+    depth = np.linspace(0, 1e-6, 40)
+    deflection = 4 / 3 * reduced * np.sqrt(1e-5) * depth**1.5 / stiffness
+    heights = 2e-6 - depth - deflection
+    rows = "".join(
+        f"{x!r},{y!r}\n" for x, y in zip(heights.tolist(), deflection.tolist(), strict=True)
+    )
+    path = write(f"# spring constant [N/m]: {stiffness}\nheight [m],deflection [m]\n{rows}")
+    found = read(path, "force-height", noise=1e-11)
+    assert found.from_deflection
+    free = ["film_modulus", "contact_point"]
+    result = fit(found, free, known={"stiffness": 0.1 * stiffness})
+    modulus = result.params["film_modulus"]
+    assert modulus == pytest.approx(5e3, rel=1e-6)
+    assert result.stderr["film_modulus"] == pytest.approx(0.1 * modulus, rel=1e-2)
+    refuses(
+        FitError, "stiffness cannot be found.*deflection", lambda: fit(found, [*free, "stiffness"])
+    )

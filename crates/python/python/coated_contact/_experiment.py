@@ -205,9 +205,9 @@ class Experiment(Remade, OneLine):
         check_friction(self.friction, self.sphere_poisson_ratio, self.advancing)
         if self.friction == "stick" and self.work_of_adhesion_receding is not None:
             raise FitError(
-                "work_of_adhesion_receding has no effect with friction: give work_of_adhesion, with "
-                "which the contact recedes, and advancing, the ratio to it of that with which it "
-                "has grown",
+                "work_of_adhesion_receding has no effect with friction: give work_of_adhesion, "
+                "with which the contact recedes, and advancing, the ratio to it of that with which "
+                "it has grown",
                 axis="work_of_adhesion_receding",
             )
         if self.friction == "stick" and isinstance(self.system, HalfSpace):
