@@ -30,6 +30,10 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         "loads.csv",
         "load,contact_stiffness\n1e-3,100\n2e-3,140\n4e-3,200\n",
     );
+    workdir.write(
+        "heights.csv",
+        "height [nm],deflection [nm]\n300,0\n200,1\n100,5\n0,9\n",
+    );
     workdir.write("latin.csv", b"r [\xb5m],z [\xb5m]\n0,0\n1,1\n");
     workdir.write("raised.csv", "r [um],z [um]\n1,5\n2,6\n3,8\n");
     workdir.refuses(format!(
@@ -69,7 +73,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | {film} --units film-modulus=MPa | --units film-modulus; free
         1 | {film} --units sphere-modulus=MPa --units sphere-modulus=kPa | --units sphere-modulus; twice
         1 | {film} --value load-offset=1uN --value load-offset=2uN | --value load-offset; twice
-        1 | {film} --prior sphere-modulus=1MPa+-1kPa --prior sphere-modulus=5MPa+-1kPa | --prior sphere-modulus; one of them
+        1 | {film} --prior sphere-modulus=1MPa+-1kPa --prior sphere-modulus=5MPa+-1kPa | --prior sphere-modulus; twice
         1 | {film} --own sphere-modulus --shared sphere-modulus | --own sphere-modulus and --shared sphere-modulus
         1 | {film} --value contact-point=1um | --value contact-point has no effect; leave it out
         1 | {film} --value hardness=1MPa | --value hardness has no effect; leave it out
@@ -86,6 +90,10 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | simulate --specimen paper --kind load-penetration --segments retract --hold 1s --sample-interval 0.1s --from -1um --to 1um --noise 1uN | --hold; --segments cycle
         1 | {film} --column penetration=depth[nm] | no column is; depth[nm]; penetration
         1 | {depths} --half-space --thinning 0.333 | --thinning; half-space
+        1 | {film} --between 1mN..5mN | force; length; m
+        1 | simulate --specimen paper --kind load-radius --from 40um --to 130um --noise 5uN --value load-offset=1uN --value load-offset=2uN | twice
+        1 | fit heights.csv --specimen paper --stiffness 0.05 --known stiffness=0.1+-0.01 | --stiffness 0.05; --known stiffness=0.1
+        1 | {film} --sphere-modulus inf --known sphere-modulus=inf+-1MPa | sphere-modulus; finite
         1 | fit loads.csv --specimen paper --between 1mm..5mm | length; force
         1 | {film} --known film-thickness=2e-5+-1e-6 | 3e-5; 2e-5; two values
         2 | {film} --value sphere-modulus=2 | 2MPa; 2Pa
@@ -95,7 +103,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         "
     ));
     let profiles = [
-        "cells", "latin", "loads", "raised", "steep", "swapped", "twice", "wide",
+        "cells", "heights", "latin", "loads", "raised", "steep", "swapped", "twice", "wide",
     ];
     assert_eq!(workdir.files(), profiles.map(|name| format!("{name}.csv")));
 }

@@ -88,7 +88,7 @@ fn an_interrupted_fit_is_an_error_and_ends() {
     let all = contacts_until(usize::MAX);
     assert!(all > 10, "{all}");
     for last in [0, 1, 2, all / 2, all - 1] {
-        // An interrupted fit does not start anew.
+        // A step that is refused is shortened some times, and then the fit is at its end.
         let refused = contacts_until(last) - last;
         assert!((1..2 * all).contains(&refused), "{refused} after {last}");
     }

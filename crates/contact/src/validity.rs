@@ -80,7 +80,8 @@ pub struct FilmValidity {
     /// Whether the penetration without adhesion falls somewhere up to this radius while the contact grows.
     /// No contact without adhesion does that: the film is so much stiffer than the substrate that it
     /// lifts off inside the contact, which is not modelled, and the loads from there on are wrong.
-    /// Paraboloids have no such contact, cones have one from a contrast of some 100 on.
+    /// Paraboloids and spheres have no such contact, cones have one where the film is some 100 times as
+    /// stiff as the substrate.
     pub lifts_off: bool,
 }
 
@@ -263,22 +264,28 @@ impl Contact {
 
     /// Returns [`FilmValidity::lifts_off`] at contact radius `a` (m).
     fn lifts_off(&self, a: f64, system: &System) -> bool {
-        /// The radii at which the penetration is compared with the next one.
-        const RADII: u32 = 48;
         /// The part of the film thickness below which a contact is one on a half-space.
         const THICK: f64 = 0.2;
+        /// The factor between the radii at which penetrations are compared. They do not depend on `a`, so
+        /// that wider contacts have lifted off, too.
+        const STEP: f64 = 1.05;
         /// The part of a penetration that is not due to the tolerance of tables.
         const CLEAR: f64 = 1e-6;
-        let from = THICK * system.film_thickness;
-        let is_possible = system.film.reduced() > system.substrate.reduced();
-        if !is_possible || a <= from || self.is_punch() {
+        let is_round = matches!(
+            self.probe(),
+            Probe::Paraboloid { .. } | Probe::Sphere { .. }
+        );
+        if is_round || self.is_punch() || system.film.reduced() <= system.substrate.reduced() {
             return false;
         }
-        let radius = |i: u32| from * (a / from).powf(f64::from(i) / f64::from(RADII));
+        let from = THICK * system.film_thickness;
+        let radii = (0..)
+            .map(|i| from * STEP.powi(i))
+            .take_while(|radius| *radius <= a);
         let mut last = f64::NAN;
-        (0..=RADII).any(|i| {
+        radii.into_iter().any(|radius| {
             let before = last;
-            last = self.adhesionless_penetration(radius(i)).unwrap_or(f64::NAN);
+            last = self.adhesionless_penetration(radius).unwrap_or(f64::NAN);
             last < (1.0 - CLEAR) * before
         })
     }

@@ -119,7 +119,7 @@ fn format(py: Python<'_>, given: GivenFormat) -> PyResult<Format> {
             other => return Err(unknown(other)),
         },
         only: given.only.map(only).transpose()?,
-        between: given.between,
+        between: given.between.map(|ends| ends.map(Into::into)),
         keep_pauses: given.keep_pauses,
     })
 }

@@ -65,6 +65,17 @@ pub enum QuantityError {
     },
 }
 
+impl From<f64> for Quantity {
+    /// Takes a number in SI units.
+    fn from(value: f64) -> Self {
+        Self {
+            text: value.to_string(),
+            value,
+            dimension: None,
+        }
+    }
+}
+
 impl FromStr for Quantity {
     type Err = QuantityError;
 

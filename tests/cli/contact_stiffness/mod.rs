@@ -224,7 +224,7 @@ fn wrong_first_calls_are_answered() {
         1 | {depth} --area 0 | --area; positive
         2 | {depth} --contact-depth hertz | oliver-pharr; loubet
         2 | {depth} --between 60nm | --between; 60nm..250nm
-        1 | {depth} --between 250nm..60nm | --between; below
+        2 | {depth} --between 250nm..60nm | --between; below
         1 | {depth} --between 1um..2um | no point is left; range
         2 | {depth} --reference-modulus 170GPa | --reference
         1 | {depth} --reference radius.csv | radius.csv; penetration

@@ -8,7 +8,7 @@ use super::column::Role;
 use super::head::Untold;
 use super::heading::Reduced;
 use crate::Kind;
-use units::Unit;
+use units::{QuantityError, Unit};
 
 /// The longest line, in bytes. A longer one is not a row of a measurement.
 pub const LONGEST: usize = 1 << 16;
@@ -218,6 +218,9 @@ pub enum Problem {
         /// The start of the first line.
         start: String,
     },
+    /// A range of the abscissae with the unit of another quantity.
+    #[error("the range asked for: {0}")]
+    Between(#[source] QuantityError),
     /// There are no points after those left out.
     #[error(
         "{0} rows, but no point is left to fit: they are missing values, of another segment, or \

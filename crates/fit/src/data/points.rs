@@ -1,6 +1,6 @@
 //! The points of a file: those of the rows below each line of headings, joined, selected and checked.
 
-use super::assignment::{Assignment, Pair};
+use super::assignment::{Assignment, Pair, roles};
 use super::beside::Beside;
 use super::column::{Role, UNIT};
 use super::doubt::doubts;
@@ -11,6 +11,7 @@ use super::segment::split;
 use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
 use crate::{Direction, Kind, Measurement, Numbering, Point, PointErrors};
+use units::Quantity;
 
 /// The number of rows that begin with a number, from which on a word there is none of a point.
 const ENOUGH: u32 = 3;
@@ -165,7 +166,10 @@ pub fn join(
     if let Some(only) = format.only.or(only) {
         notes.other_segments = all.keep(|point| point.direction == Some(only));
     }
-    if let Some([least, most]) = format.between {
+    if let Some(ends) = &format.between {
+        let dimension = Some(roles(kind)[0].dimension());
+        let end = |end: &Quantity| end.of(dimension).map_err(Problem::Between);
+        let [least, most] = [end(&ends[0])?, end(&ends[1])?];
         // Numbers in another unit than those of the ends are rounded.
         let slack = ROUNDING * least.abs().max(most.abs());
         notes.outside = all.keep(|point| (least - slack..=most + slack).contains(&point.abscissa));

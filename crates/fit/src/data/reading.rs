@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
-use units::Dimension;
+use units::{Dimension, Quantity};
 
 use super::column::{Column, Role};
 use super::doubt::Doubt;
@@ -32,8 +32,8 @@ pub struct Format {
     /// The only direction to be kept. `None`: all, but of a contact stiffness at loads or depths
     /// that of approach.
     pub only: Option<Direction>,
-    /// The least and the largest abscissa to be kept, in SI units.
-    pub between: Option<[f64; 2]>,
+    /// The least and the largest abscissa to be kept.
+    pub between: Option<[Quantity; 2]>,
     /// Whether the rows in which the sphere rests are kept, which a history needs.
     pub keep_pauses: bool,
 }

@@ -34,6 +34,10 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             let allowed = "of a value that the measurement has: check its name and the bodies";
             return Err(Error::setting(name, f64::NAN, allowed));
         };
+        if first.is_infinite() {
+            let allowed = "of a finite value: a rigid body is rigid; leave its error out, or give the body a modulus";
+            return Err(Error::setting(name, first, allowed));
+        }
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
         if matches!(quantity, Fixed::Parameter(parameter) if is_free(*parameter)) {
             let allowed = "of a value that is not free: give a free one a prior instead";
@@ -61,8 +65,9 @@ pub(super) fn accept_changes(values: &[FixedValue]) -> Result<(), Error> {
         |one: &&FixedValue| one.error.is_some() && one.changes.iter().any(|change| change.is_nan());
     values.iter().find(cannot_vary).map_or(Ok(()), |one| {
         let name = format!("the known {}", one.quantity.name());
-        let allowed = "of a value that can vary, and there are no contacts with 1 % more or less of this one: \
-                       it is that of a table, or at the end of what is solved; leave its error out";
+        let allowed = "of a value that can vary, and contacts with a little more or less of this one are not solved: \
+                       it is that of a table, or full friction needs it as it is, or it is at the end of what is \
+                       solved; leave its error out";
         Err(Error::setting(name, one.value, allowed))
     })
 }

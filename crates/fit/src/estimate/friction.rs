@@ -6,10 +6,13 @@ use solve::stack::{Interface, Stack};
 use solve::stick::Sticking;
 
 use super::doubts::Warnings;
-use crate::{Bodies, Estimate, Experiment, Parameter, WarningKind};
+use crate::{Bodies, Estimate, Experiment, Kind, Parameter, WarningKind};
 
 /// The relative tolerance of the two punches.
 const TOLERANCE: f64 = 1e-6;
+
+/// The part of other bodies in the compliance, up to which the film alone counts as deforming.
+const SMALL: f64 = 0.01;
 
 /// The Poisson ratio of a sphere of which none is known.
 const USUAL_POISSON_RATIO: f64 = 0.5;
@@ -18,8 +21,9 @@ const USUAL_POISSON_RATIO: f64 = 0.5;
 /// contact radius, m.
 ///
 /// A flat punch has no smaller stiffness with friction than without, and a sphere that is pressed on gains
-/// less: where contact radii are measured, the moduli at both ends are bounds. At a given penetration or
-/// load friction changes the contact radius, too, and the load more than that of a punch.
+/// less: where contact radii are known and nothing but the film deforms, the moduli at both ends are
+/// bounds. At a given penetration or load friction changes the contact radius, too, and the load more than
+/// that of a punch; and where other bodies deform, the film has a part of the compliance only.
 pub(super) fn add(
     warnings: &mut Warnings,
     experiment: &Experiment,
@@ -60,13 +64,19 @@ pub(super) fn add(
     };
     let parameter = modulus.parameter;
     let kind = experiment.measurement.kind;
-    let abscissa = kind.names()[0];
-    let bounds = if kind.at_radii() || !experiment.has_shape(false) {
-        format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
-    } else {
+    let has_radii = matches!(kind, Kind::LoadRadius | Kind::StiffnessRadius)
+        || kind == Kind::StiffnessDepth
+        || kind == Kind::StiffnessLoad && experiment.indentation.hardness.is_some();
+    let is_found = |parameter| estimates.iter().any(|one| one.parameter == parameter);
+    let bounds = if !has_radii || is_found(Parameter::Hardness) {
         format!(
-            "at a given {abscissa} it also changes the contact radius, and no bound of {parameter} follows"
+            "at a given {} it also changes the contact radius, and no bound of {parameter} follows",
+            kind.names()[0]
         )
+    } else if part_of_others(bodies, contact, a) > SMALL {
+        format!("other bodies deform, too, and no bound of {parameter} follows")
+    } else {
+        format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
     };
     warnings.add(
         WarningKind::Friction,
@@ -77,6 +87,20 @@ pub(super) fn add(
             digits(1e2 * (ratio - 1.0)),
         ),
     );
+}
+
+/// Returns the part of sphere and base in the compliance of the contact of radius `a` (m): that of
+/// half-spaces.
+fn part_of_others(bodies: &Bodies, contact: &Contact, a: f64) -> f64 {
+    let (sphere, base) = match bodies {
+        Bodies::Coated(system) => (system.sphere_modulus, system.substrate.reduced()),
+        Bodies::Layered(layered) => (layered.sphere_modulus, layered.base.reduced()),
+        Bodies::HalfSpace(half_space) => (half_space.sphere_modulus, f64::INFINITY),
+    };
+    let of_half_spaces = 0.5 * (1.0 / sphere + 1.0 / base) / a;
+    contact
+        .stiffness(a)
+        .map_or(f64::INFINITY, |stiffness| stiffness * of_half_spaces)
 }
 
 /// Returns a number with two digits, or one decimal.

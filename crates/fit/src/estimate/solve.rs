@@ -209,7 +209,10 @@ pub(crate) fn prepare(
         for work in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
             // The value of a free parameter does not count; with 0 the points near the end of a branch
             // would be read as those of a contact without adhesion.
-            if is_free(work) && experiment.get(work) == Some(0.0) {
+            if is_free(work)
+                && experiment.get(work) == Some(0.0)
+                && experiment.why_without_effect(work).is_none()
+            {
                 experiment.set(work, f64::MIN_POSITIVE)?;
             }
         }

@@ -132,7 +132,8 @@ impl Experiment {
         }
     }
 
-    /// Replaces the value of a parameter.
+    /// Replaces the value of a parameter. Another stiffness changes the forces, too, if they are
+    /// [those of a deflection](Self::from_deflection).
     ///
     /// # Errors
     /// [`Error::Contact`] for a film that is not physical; [`Error::NotApplicable`] for the

@@ -4,7 +4,8 @@ use std::fmt;
 use std::sync::Arc;
 
 /// Asked before every contact on [layers](crate::Layered), and at the end of a fit: once the answer is
-/// yes, no contact is made, and the fit ends at once. The default answers no.
+/// yes, no contact is made, and the fit soon ends as [`Error::Interrupted`](crate::Error::Interrupted).
+/// The answer must then stay yes. The default answers no.
 #[derive(Clone, Default)]
 pub struct Interrupt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
 

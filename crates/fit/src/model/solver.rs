@@ -105,6 +105,30 @@ pub enum Solver {
     },
 }
 
+impl PartialEq for Solver {
+    fn eq(&self, other: &Self) -> bool {
+        let ratios = |of: &Self| match of {
+            Self::Stick {
+                sphere_poisson_ratio,
+                advancing,
+            } => Some([*sphere_poisson_ratio, *advancing]),
+            Self::Direct | Self::Table { .. } => None,
+        };
+        match (self, other) {
+            (Self::Direct, Self::Direct) => true,
+            (Self::Stick { .. }, Self::Stick { .. }) => ratios(self) == ratios(other),
+            (
+                Self::Table { stack, table },
+                Self::Table {
+                    stack: of,
+                    table: other,
+                },
+            ) => stack == of && Arc::ptr_eq(table, other),
+            _ => false,
+        }
+    }
+}
+
 impl Solver {
     /// Returns why no modulus or thickness of a layer can be free, if none can.
     pub(crate) const fn why_layers_are_fixed(&self) -> Option<&'static str> {
@@ -140,7 +164,7 @@ pub(super) fn contact(layered: &Layered) -> Result<Contact, Error> {
     if layered.interrupt.is_requested() {
         return Err(Error::Interrupted);
     }
-    if layered.layers.is_empty() {
+    if layered.layers.is_empty() && layered.solver == Solver::Direct {
         // The base alone, as a reference sample.
         return Ok(Contact::half_space(&HalfSpace {
             probe: layered.probe.clone(),

@@ -245,6 +245,8 @@ def _fields(curve: Any, name: str, only: Direction | None) -> tuple[dict[str, An
         "ordinate": force[kept],
         "retract": retract[kept],
         "stiffness": float(stiffness),
+        # A force of an AFM is a deflection of its cantilever.
+        "from_deflection": True,
         "reading": f"{metadata.get('format', 'afmformats')}: force, {height_name}; "
         f"{int(kept.sum())} of {len(kept)} points; stiffness {stiffness:.6g} N/m",
     }

@@ -62,7 +62,7 @@ class Validity(OneLine):
     lifts_off : bool, numpy.ndarray or None
         Whether the penetration without adhesion falls somewhere up to this radius while the contact
         grows: the film is so much stiffer than the substrate that it lifts off inside the contact,
-        under cones from a contrast of some 100 on. That is not modelled, and the loads without
+        under cones where it is some 100 times as stiff. That is not modelled, and the loads without
         adhesion are wrong from there on. None on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:

@@ -113,7 +113,7 @@ pub struct Arguments {
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
     /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "warnings": [{"kind", "text"}]}. An
-    /// infinite number is the text "inf", and one that is not known null
+    /// infinite number is the text "inf" or "-inf", and one that is not known null
     #[arg(long, requires = "expect", conflicts_with = "loss_tangent")]
     json: bool,
     /// Write here instead of to standard output

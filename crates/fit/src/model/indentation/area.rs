@@ -1,9 +1,5 @@
 //! The area function of an indenter.
 
-use std::convert::Infallible;
-
-use contact::root;
-
 use crate::Error;
 
 /// The most coefficients: those of `h^2, h, h^(1/2), h^(1/4), .. h^(1/128)`.
@@ -79,13 +75,31 @@ impl AreaFunction {
         NANOMETRE * (area / std::f64::consts::PI).sqrt()
     }
 
-    /// Returns the contact depth (m) at a contact radius (m); NaN where no depth from 1 fm to 1 m has
-    /// it.
+    /// Returns the contact depth (m) at a contact radius (m), by bisection; NaN where no depth up to
+    /// 1 m has it.
     pub(super) fn depth(&self, radius: f64) -> f64 {
-        // A depth without an area is too small: the largest ignores a NaN.
-        let excess = |u: f64| Ok::<_, Infallible>(self.radius(u.exp()).max(0.0) - radius);
-        let Ok(u) = root(excess, 1e-15_f64.ln(), 0.0);
-        let depth = u.exp();
+        /// The factor between depths, of which the first one that is too deep is looked for: an area with
+        /// negative coefficients ends at some depth.
+        const STEP: f64 = 1.1;
+        /// The bisections of the logarithm of a depth.
+        const BISECTIONS: usize = 60;
+        let depths = (0..).map(|i| 1e-15 * STEP.powi(i));
+        let mut depths = depths.take_while(|depth| *depth <= STEP);
+        // A depth without an area is too small.
+        let is_deep = |depth: f64| self.radius(depth) >= radius;
+        let Some(first) = depths.find(|depth| is_deep(*depth)) else {
+            return f64::NAN;
+        };
+        let [mut low, mut high] = [(first / STEP).ln(), first.ln()];
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if is_deep(middle.exp()) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        let depth = high.exp();
         let is_it = (self.radius(depth) / radius - 1.0).abs() < 1e-9;
         if is_it { depth } else { f64::NAN }
     }
@@ -129,5 +143,16 @@ mod tests {
             let error = AreaFunction::new(wrong).expect_err("refused").to_string();
             assert!(error.contains("area function"), "{error}");
         }
+    }
+
+    /// The area of a sphere of 1 um has a largest depth, its radius; a depth of more has no area.
+    #[test]
+    fn depths_are_found_where_the_area_ends() {
+        let sphere = AreaFunction::new(&[-3.14159, 6283.19]).expect("allowed");
+        for depth in [1e-9, 1e-8, 3e-7, 8e-7] {
+            let found = sphere.depth(sphere.radius(depth));
+            assert!((found / depth - 1.0).abs() < 1e-9, "{found} {depth}");
+        }
+        assert!(sphere.depth(2e-6).is_nan());
     }
 }

@@ -73,16 +73,6 @@ impl KnownArguments {
 
     /// Returns the values given by --value and by the flags of the law.
     pub fn all_values(&self) -> anyhow::Result<Vec<Values>> {
-        for (i, one) in self.values.iter().enumerate() {
-            ensure!(
-                self.values[..i]
-                    .iter()
-                    .all(|before| before.parameter != one.parameter),
-                "--value {} is given twice: leave one out, or give one value for each file, \
-                 NAME=VALUE,VALUE",
-                one.parameter
-            );
-        }
         let of_law = self
             .relaxing
             .values()?
@@ -160,6 +150,16 @@ impl KnownArguments {
         measurements: Vec<Measurement>,
         times: &[Vec<f64>],
     ) -> anyhow::Result<Vec<Experiment>> {
+        for (i, one) in self.values.iter().enumerate() {
+            ensure!(
+                self.values[..i]
+                    .iter()
+                    .all(|before| before.parameter != one.parameter),
+                "--value {} is given twice: leave one out, or give one value for each file, \
+                 NAME=VALUE,VALUE",
+                one.parameter
+            );
+        }
         let bodies::Bodies {
             system,
             stack,

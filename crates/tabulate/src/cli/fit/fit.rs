@@ -11,11 +11,11 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
-use units::Dimension;
+use units::{Dimension, Quantity};
 
 use super::experiments::{KnownArguments, TWO_WORKS, is_work};
 use super::free::FreeArguments;
-use super::indentation::{Noise, Range, ReferenceArguments};
+use super::indentation::{Noise, ReferenceArguments};
 use super::picture::PictureArguments;
 use super::reading::{doubted, measured, typed, with_doubts};
 use super::setting::{Given, Values, check_units, unit_of};
@@ -115,7 +115,7 @@ pub struct Arguments {
     only: Option<Direction>,
     /// Keep the points whose radius, penetration, height or load lies in a range: 60nm..250nm
     #[arg(long, value_name = "LEAST..MOST", value_parser = indentation::range, allow_hyphen_values = true)]
-    between: Option<Range>,
+    between: Option<[Quantity; 2]>,
     #[command(flatten)]
     known: KnownArguments,
     #[command(flatten)]
@@ -184,7 +184,7 @@ pub struct Arguments {
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
     /// own is a list. With --intervals each parameter has an "interval". An infinite number is the text
-    /// "inf", and one that is not known null.
+    /// "inf" or "-inf", and one that is not known null.
     #[arg(long)]
     json: bool,
     /// Write data, fit, residual and branch of every point here
@@ -231,10 +231,10 @@ impl Arguments {
             .or(self.known.stiffness)
     }
 
-    fn format(&self) -> anyhow::Result<Format> {
-        let between = self.between.as_ref().map(|range| range.of(self.kind));
-        Ok(Format {
-            between: between.transpose()?,
+    /// Returns what is known of the files before they are read.
+    fn format(&self) -> Format {
+        Format {
+            between: self.between.clone(),
             kind: self.kind,
             columns: self.columns.clone(),
             cantilever: Cantilever {
@@ -244,7 +244,7 @@ impl Arguments {
             segments: self.segments,
             only: self.only,
             keep_pauses: self.known.relaxing.is_given(),
-        })
+        }
     }
 }
 
@@ -328,16 +328,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         );
     }
     let values = arguments.known.all_values()?;
-    let mut format = arguments.format()?;
+    let mut format = arguments.format();
     let (mut measurements, mut beside, mut notes) = (Vec::new(), Vec::new(), Vec::new());
     let mut times = Vec::new();
     let paths = arguments.data.iter().chain(&arguments.reference.reference);
     for (i, path) in paths.enumerate() {
         format.cantilever.stiffness = arguments.stiffness(&values, i);
         let reading = measured(path, &format)?;
-        if let Some(between) = &arguments.between {
-            between.of(Some(reading.measurement.kind))?;
-        }
         measurements.push(reading.measurement);
         beside.push((reading.errors, reading.loads, reading.phases));
         times.push(reading.times);
@@ -356,13 +353,22 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         experiment.indentation.phases = phases;
         if kind == Kind::ForceHeight {
             let of_file = notes[i].cantilever.stiffness;
-            experiment.stiffness = experiment.stiffness.or(of_file);
+            // That with which the file was read: of several flags --known counts.
+            experiment.stiffness = of_file.or(experiment.stiffness);
             experiment.from_deflection = notes[i].has_deflection();
         }
         for Given {
             quantity, value, ..
         } in &arguments.given
         {
+            if *quantity == Fixed::Parameter(Parameter::Stiffness)
+                && let Some(other) = arguments.known.stiffness.filter(|other| other != value)
+            {
+                bail!(
+                    "--stiffness {other:?} and --known stiffness={value:?} are two values of one quantity: leave one of \
+                     them out"
+                );
+            }
             if let Fixed::Parameter(parameter) = quantity
                 && is_work(*parameter)
                 && arguments.known.history.work_of_adhesion_receding.is_some()

@@ -1,7 +1,7 @@
 //! The flags of the parameters that a fit finds.
 
 use ::fit::{Experiment, Free, Kind, Parameter, Scope};
-use anyhow::bail;
+use anyhow::{bail, ensure};
 
 use super::relaxing;
 use super::setting::{Bounds, Known, Values};
@@ -85,6 +85,10 @@ impl FreeArguments {
                 name == parameter
                     && (other == flag || SCOPES.contains(&other) && SCOPES.contains(&flag))
             }) {
+                ensure!(
+                    *other != flag,
+                    "{flag} {parameter} is given twice: leave one out"
+                );
                 bail!("{other} {parameter} and {flag} {parameter}: give one of them");
             }
             if !names.contains(&parameter) {

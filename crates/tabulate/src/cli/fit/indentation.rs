@@ -314,35 +314,18 @@ impl Noise {
     }
 }
 
-/// Two ends of a range, `LEAST..MOST`.
-#[derive(Clone, Debug)]
-pub struct Range([Quantity; 2]);
-
-/// Reads a range.
-pub fn range(text: &str) -> Result<Range, String> {
+/// Reads two ends of a range, `LEAST..MOST`, in the unit of the abscissae.
+pub fn range(text: &str) -> Result<[Quantity; 2], String> {
     let how = "LEAST..MOST, such as 60nm..250nm";
     let ends = text.split_once("..");
     let (least, most) = ends.ok_or_else(|| format!("{text:?} has no ..: write {how}"))?;
-    Ok(Range([any(least)?, any(most)?]))
-}
-
-impl Range {
-    /// Returns the ends in SI units, as lengths or, of kinds at loads, as forces. Of a kind that is not
-    /// known yet their own units tell.
-    pub fn of(&self, kind: Option<Kind>) -> anyhow::Result<[f64; 2]> {
-        let is_of = |dimension| self.0.iter().all(|end| end.of(Some(dimension)).is_ok());
-        let own = if is_of(Dimension::Length) {
-            Dimension::Length
-        } else {
-            Dimension::Force
-        };
-        let dimension = kind.map_or(own, |kind| ::fit::data::roles(kind)[0].dimension());
-        let end = |quantity: &Quantity| quantity.of(Some(dimension)).context("--between");
-        let [least, most] = [end(&self.0[0])?, end(&self.0[1])?];
-        ensure!(
-            least < most,
-            "--between {least:?}..{most:?}: the first end must be below the second"
-        );
-        Ok([least, most])
+    let ends = [any(least)?, any(most)?];
+    for dimension in [Dimension::Length, Dimension::Force] {
+        if let [Ok(least), Ok(most)] = ends.each_ref().map(|end| end.of(Some(dimension)))
+            && least >= most
+        {
+            return Err(format!("{text:?}: the first end must be below the second"));
+        }
     }
+    Ok(ends)
 }
