@@ -121,7 +121,7 @@ fn a_noise_that_errors_of_the_abscissae_hide_is_doubted_and_no_point_draws_the_f
             usize::from((low..=high).contains(&truth))
         };
         within += holds(1.96);
-        told += holds(number_after(&said, "lie within "));
+        told += holds(number_after(&said, "may need up to "));
     }
     // Errors that are 1.2 times too small would make it 338 of the 400.
     assert!(within >= 340, "{within}");

@@ -128,8 +128,8 @@ pub enum Error {
         "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
          are positive in compression), and the stiffness of a cantilever, which is too small if the \
          force grows faster with the height than by this stiffness; free the zeros of the instrument that are \
-         not known to be 0, such as contact-point and baseline; check the noise, if it is given: it must be smaller than \
-         the loads; or give a start"
+         not known to be 0, such as contact-point and baseline; give the noise, which few points do not tell, and one that \
+         is smaller than the loads; or give a start"
     )]
     NoStart {
         /// The name of the measurement.

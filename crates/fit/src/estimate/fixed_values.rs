@@ -184,7 +184,7 @@ pub(super) fn pass_on(fit: &mut Fit) {
 
 /// Returns the residuals with another value of a quantity, at the same values of the slots; `None`
 /// where there is no contact.
-fn residuals_with(
+pub(super) fn residuals_with(
     problem: &Problem<'_>,
     quantity: Fixed,
     value: impl Fn(f64) -> f64,

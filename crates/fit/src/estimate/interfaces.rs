@@ -109,10 +109,10 @@ fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &U
             warnings.add(
                 WarningKind::AssumesBonding,
                 format!(
-                    "{parameter} takes the film as bonded to what lies below it: if it slid, \
-                     {parameter} would be {factor:.3} times as large for the stiffness of a contact \
-                     of {over_top:.2} times the thickness of the film, which is a change by more \
-                     than the standard error; fit it as a film that slides if it may"
+                    "{parameter} takes the film as bonded to what lies below it: if it slid, the \
+                     stiffness of a contact of {over_top:.2} times the thickness of the film would need \
+                     a modulus {factor:.3} times as large, which is more than the standard error; a fit \
+                     as a film that slides tells what changes here, if it may slide"
                 ),
             );
         }

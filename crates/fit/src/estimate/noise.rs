@@ -5,10 +5,14 @@ use super::problem::{Assigned, Problem};
 use super::search::range;
 use super::uncertainty::Uncertainty;
 use crate::statistics::{MEDIAN, median, student_deviations, weighted_median};
-use crate::{Loss, WarningKind};
+use crate::{Kind, Loss, WarningKind};
 
 /// The change of an estimated noise that needs another round.
 const CHANGE: f64 = 0.02;
+/// The degrees of freedom from which on the points of one file tell its noise alone.
+const ENOUGH: f64 = 20.0;
+/// The largest ratio of the ranges of two files that may have one noise.
+const LIKE: f64 = 10.0;
 /// The smallest noise, relative to the range of the ordinates, that an estimate can give.
 const LEAST: f64 = 1e-12;
 /// The noises that are tried beside errors of the abscissae: the first over the largest residual, the
@@ -35,6 +39,7 @@ pub(super) fn estimate_noise(
     let Some(mut residuals) = problem.plain_residuals() else {
         return (uncertainty, false);
     };
+    let of_files = of_files(problem, residuals.as_slice(), &uncertainty.leverages);
     let (mut row, mut changed) = (0, false);
     let mut jacobian = uncertainty.jacobian.clone();
     for assigned in &mut problem.assigned {
@@ -51,13 +56,8 @@ pub(super) fn estimate_noise(
         let sizes: Vec<f64> = sizes.map(|(r, deviation)| (r * deviation).abs()).collect();
         let least = LEAST * range(&assigned.experiment);
         let noise = if assigned.abscissa_parts.is_empty() {
-            let count = rows.len() as f64;
-            let free = (count - leverages.iter().sum::<f64>()).max(0.5);
-            let excess = match problem.loss {
-                Loss::Squares => (own.norm_squared() / free).sqrt(),
-                _ => median(own.iter().map(|r| r.abs()).collect()) / MEDIAN * (count / free).sqrt(),
-            };
-            excess * assigned.noise
+            let alone = Alone::new(assigned, problem.loss, own.as_slice(), leverages);
+            alone.with(of_files.iter().filter(|one| one.is_like(&alone)))
         } else {
             beside_abscissae(assigned, problem.loss, &points, &sizes, leverages)
         };
@@ -75,6 +75,75 @@ pub(super) fn estimate_noise(
         Uncertainty::new(jacobian, blocks, &residuals, problem.loss, sizes),
         changed,
     )
+}
+
+/// The noise of a file by its own residuals, and their degrees of freedom.
+struct Alone {
+    noise: f64,
+    freedom: f64,
+    kind: Kind,
+    /// The range of the ordinates.
+    range: f64,
+}
+
+impl Alone {
+    /// Takes the residuals of a file whose abscissae are exact.
+    fn new(assigned: &Assigned, loss: Loss, residuals: &[f64], leverages: &[f64]) -> Self {
+        let count = residuals.len() as f64;
+        let freedom = (count - leverages.iter().sum::<f64>()).max(0.5);
+        let excess = match loss {
+            Loss::Squares => (residuals.iter().map(|r| r * r).sum::<f64>() / freedom).sqrt(),
+            _ => {
+                let sizes = residuals.iter().map(|r| r.abs()).collect();
+                median(sizes) / MEDIAN * (count / freedom).sqrt()
+            }
+        };
+        Self {
+            noise: excess * assigned.noise,
+            freedom,
+            kind: assigned.experiment.measurement.kind,
+            range: range(&assigned.experiment),
+        }
+    }
+
+    /// Tells whether another file is likely to be of the same instrument.
+    fn is_like(&self, other: &Self) -> bool {
+        let ratio = self.range / other.range;
+        self.kind == other.kind && (1.0 / LIKE..LIKE).contains(&ratio)
+    }
+
+    /// Returns the noise beside `all` files that are alike. Parameters that files have in common can follow the
+    /// few points of one of them, whose residuals then tell no noise: what is missing to [`ENOUGH`] degrees
+    /// of freedom comes from all files.
+    fn with<'a>(&self, all: impl Iterator<Item = &'a Self>) -> f64 {
+        let squares = |one: &Self| one.freedom * one.noise.powi(2);
+        let [of_all, freedom] = all.fold([0.0; 2], |[sum, freedom], one| {
+            [sum + squares(one), freedom + one.freedom]
+        });
+        let missing = (ENOUGH - self.freedom).max(0.0);
+        ((squares(self) + missing * of_all / freedom) / (self.freedom + missing)).sqrt()
+    }
+}
+
+/// Lists the files whose noise is estimated with exact abscissae.
+fn of_files(problem: &Problem<'_>, residuals: &[f64], leverages: &[f64]) -> Vec<Alone> {
+    let mut row = 0;
+    let mut all = Vec::new();
+    for assigned in &problem.assigned {
+        let rows = row..row + assigned.counting();
+        row = rows.end;
+        let is_known = assigned.experiment.usual_noise().is_some();
+        if !is_known && !rows.is_empty() && assigned.abscissa_parts.is_empty() {
+            let alone = Alone::new(
+                assigned,
+                problem.loss,
+                &residuals[rows.clone()],
+                &leverages[rows],
+            );
+            all.push(alone);
+        }
+    }
+    all
 }
 
 /// Returns the largest noise at which the residuals are what chance makes of it and of the errors of
@@ -178,7 +247,7 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, uncertainty: &
                     "{}: the noise of the {ordinate} is estimated, and the errors given for the \
                      {abscissa} hide it at most points. What is left tells the noise as well as \
                      {freedom} point{} beyond the number of parameters would: 95 % of the true values \
-                     lie within {within:.1} standard errors, not 2. Give the noise of the \
+                     may need up to {within:.1} standard errors instead of 2. Give the noise of the \
                      {ordinate}, too",
                     experiment.measurement.name,
                     if freedom == 1 { "" } else { "s" }

@@ -3,6 +3,7 @@
 use super::loss::weighted;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
+use crate::Parameter;
 
 /// The most evaluations over the number of parameters + 1 of one fit.
 const PATIENCE: usize = 30;
@@ -23,6 +24,10 @@ const LOWER: f64 = 0.1;
 /// logarithm, a factor of 1e6.
 const FARTHEST: f64 = 40.0;
 const FARTHEST_LOGARITHM: f64 = 14.0;
+/// A work of adhesion (J/m^2) that no measurement tells from none. An upper end is sought from it on, as
+/// far as to 1 J/m^2 and more.
+const NO_WORK: f64 = 1e-12;
+const FARTHEST_WORK: f64 = 30.0;
 
 /// One end of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,12 +136,21 @@ impl<'a> Way<'_, 'a> {
             distance: 0.0,
             grown: 0.0,
         };
-        let farthest = if self.problem.slots[slot].parameter.is_positive() {
+        let parameter = self.problem.slots[slot].parameter;
+        let is_work = matches!(
+            parameter,
+            Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
+        );
+        let skipped = (NO_WORK / self.problem.value(slot)).ln();
+        let farthest = if is_work && error > 0.0 && skipped > 0.0 {
+            near.distance = skipped / error;
+            (skipped + FARTHEST_WORK) / error
+        } else if parameter.is_positive() {
             FARTHEST.min(FARTHEST_LOGARITHM / error.abs())
         } else {
             FARTHEST
         };
-        let (mut distance, mut step) = (STEP, STEP);
+        let (mut distance, mut step) = (near.distance + STEP, STEP);
         while near.distance < farthest {
             let before = current.clone();
             let far = match self.grown(&mut current, slot, distance * error)? {

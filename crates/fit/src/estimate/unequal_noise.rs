@@ -1,4 +1,5 @@
-//! The doubt about an estimated noise that is not the same in contact and off contact.
+//! The doubt about an estimated noise that is not the same in contact and off contact, or at small and large
+//! ordinates.
 //!
 //! Errors of the abscissae change the ordinates in contact alone: the baseline does not depend on them. One
 //! noise that stands for both is too small in contact, where the moduli and the work of adhesion are told,
@@ -11,6 +12,8 @@ use crate::statistics::{far, ratio_of_squares};
 
 /// The fewest degrees of freedom that tell the scatter of a part.
 const FEWEST: f64 = 10.0;
+/// The fewest of a half of the points.
+const FEWEST_OF_HALF: f64 = 4.0;
 
 /// Warns if the residuals of an experiment, in units of its estimated noise, are larger in contact than off
 /// contact by more than chance makes them, and returns whether it does. `radii` are the fitted contact radii of
@@ -36,7 +39,9 @@ pub(super) fn add(
     let [contact, apart] = [true, false].map(part);
     let [of_contact, of_apart] = [&contact, &apart].map(|part| freedom(part));
     if of_contact.min(of_apart) < FEWEST {
-        return false;
+        // The noise of a contact stiffness is relative to it.
+        return !experiment.measurement.kind.is_stiffness()
+            && grows(warnings, assigned, residuals, leverages);
     }
     // An outlier would stand for the scatter of all.
     let far = far(contact.iter().map(|[size, _]| *size));
@@ -71,6 +76,54 @@ pub(super) fn add(
              standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
              right, errors of the {abscissa} are the reason: give their size",
             experiment.measurement.name
+        ),
+    );
+    true
+}
+
+/// Warns if the residuals of a file without a baseline are larger at the larger ordinates than at the smaller
+/// ones by more than chance makes them, and returns whether it does.
+fn grows(
+    warnings: &mut Warnings,
+    assigned: &Assigned,
+    residuals: &[f64],
+    leverages: &[f64],
+) -> bool {
+    let experiment = &assigned.experiment;
+    let points = assigned.counting_points();
+    let size = |i: usize| experiment.compared(i).abs();
+    let mut all: Vec<(f64, [f64; 2])> = points
+        .zip(residuals.iter().zip(leverages))
+        .map(|(i, (residual, leverage))| (size(i), [residual.abs(), *leverage]))
+        .collect();
+    all.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    let all: Vec<[f64; 2]> = all.into_iter().map(|(_, own)| own).collect();
+    let (small, large) = all.split_at(all.len() / 2);
+    let [of_small, of_large] = [small, large].map(freedom);
+    if of_small.min(of_large) < FEWEST_OF_HALF {
+        return false;
+    }
+    let far = far(all.iter().map(|[size, _]| *size));
+    let scatter = |part: &[[f64; 2]], freedom: f64| {
+        part.iter()
+            .map(|[size, _]| size.min(far).powi(2))
+            .sum::<f64>()
+            / freedom
+    };
+    let [at_small, at_large] = [scatter(small, of_small), scatter(large, of_large)];
+    if ratio_of_squares([at_large, at_small], [of_large, of_small]) <= BEYOND_CHANCE {
+        return false;
+    }
+    let [abscissa, ordinate] = experiment.measurement.kind.names();
+    warnings.add(
+        WarningKind::UnequalNoise,
+        format!(
+            "{}: points at the larger half of the {ordinate}s scatter {:.1} times as much as those at the smaller one, \
+             and one noise is estimated for all: standard errors and intervals are not right. If the model is right, \
+             the noise grows with the {ordinate}, or errors of the {abscissa} are the reason: give each point its \
+             standard deviation, or the errors of the {abscissa} their size",
+            experiment.measurement.name,
+            (at_large / at_small).sqrt(),
         ),
     );
     true

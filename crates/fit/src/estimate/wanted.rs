@@ -6,10 +6,11 @@
 use nalgebra::DVector;
 
 use super::doubts::{BEYOND_CHANCE, Warnings};
+use super::fixed_values::residuals_with;
 use super::loss::influence;
 use super::problem::{Assigned, Problem};
 use super::uncertainty::Uncertainty;
-use crate::{Branch, Direction, Loss, Parameter, WarningKind};
+use crate::{Branch, Direction, Fixed, Loss, Parameter, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -35,6 +36,19 @@ pub(super) fn add(
     residuals: &DVector<f64>,
 ) {
     let score = Score::new(problem, uncertainty, residuals);
+    let adhesion = adhesion(problem, &score, residuals);
+    if let Some(gain) = &adhesion {
+        warnings.add(
+            WarningKind::OffsetWanted,
+            format!(
+                "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
+                 be some {:.1e} J/m^2; free it, before any zero of the instrument",
+                gain.chi_squared,
+                gain.change.powi(2)
+            ),
+        );
+    }
+    let explained = adhesion.map_or(0.0, |gain| gain.significance);
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
         if experiment.measurement.kind.is_stiffness() {
@@ -73,6 +87,10 @@ pub(super) fn add(
             let Some(gain) = score.gain(&column) else {
                 continue;
             };
+            // What adhesion explains better is no zero of the instrument.
+            if gain.significance < explained {
+                continue;
+            }
             if gain.is_significant() {
                 level_named |= is_level;
                 warnings.add(
@@ -112,6 +130,29 @@ pub(super) fn add(
             mixed(warnings, problem, e, (&score, &columns), residuals);
         }
     }
+}
+
+/// Returns what adhesion would gain in contacts that are fitted without, with the square root of the work of
+/// adhesion (J/m^2) as the parameter: to first order loads depend on it; `None` unless by more than chance.
+fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) -> Option<Gain> {
+    /// A work of adhesion that changes no contact by much.
+    const SMALL: f64 = 1e-10;
+    const WORK: Parameter = Parameter::WorkOfAdhesion;
+    if problem.slots.iter().any(|slot| slot.parameter == WORK) {
+        return None;
+    }
+    let could_adhere = |one: &Assigned| {
+        let experiment = &one.experiment;
+        !experiment.measurement.kind.is_stiffness()
+            && experiment.get(WORK) == Some(0.0)
+            && experiment.why_without_effect(WORK).is_none()
+    };
+    if !problem.assigned.iter().all(could_adhere) {
+        return None;
+    }
+    let moved = residuals_with(problem, Fixed::Parameter(WORK), |_| SMALL)?;
+    let gain = score.gain(&((moved - residuals) / SMALL.sqrt()))?;
+    (gain.is_significant() && gain.change > 0.0).then_some(gain)
 }
 
 /// Warns if approach and retract, or loading and unloading in time, differ.

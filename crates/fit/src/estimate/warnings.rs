@@ -15,7 +15,7 @@ use super::{
     wanted,
 };
 use crate::magnitude::{self, STIFFNESSES};
-use crate::{Estimate, Fit, LeftOutReason, Options, Parameter, Warning, WarningKind};
+use crate::{Estimate, Fit, LeftOutReason, Loss, Options, Parameter, Warning, WarningKind};
 
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
@@ -63,7 +63,7 @@ pub(super) fn warnings(
             let unequal = agreement::add(&mut warnings, fit, problem, beside);
             prior::add(&mut warnings, problem, uncertainty, &residuals);
             noise::add(&mut warnings, problem, uncertainty);
-            outliers(&mut warnings, fit, data, &unequal);
+            outliers(&mut warnings, fit, data, (&unequal, problem.loss));
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
@@ -306,10 +306,10 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 
 /// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in
 /// contact than off contact: a robust loss would take the baseline for the rule, and the contact for outliers.
-fn outliers(warnings: &mut Warnings, fit: &Fit, data: &Data, unequal: &[bool]) {
+fn outliers(warnings: &mut Warnings, fit: &Fit, data: &Data, (unequal, loss): (&[bool], Loss)) {
     let experiments = fit.experiments.iter().zip(&data.assigned).zip(unequal);
     for ((fitted, whole), unequal) in experiments {
-        let remedy = if *unequal {
+        let remedy = if *unequal || loss != Loss::Squares {
             ""
         } else {
             "; a robust loss gives them less weight"

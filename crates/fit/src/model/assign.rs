@@ -325,13 +325,33 @@ impl Experiment {
     }
 }
 
-/// Estimates the standard deviation of independent noise from the second differences of readings in
-/// order.
+/// Estimates the standard deviation of independent noise from differences of readings in order: the second
+/// ones, or higher ones where these are much smaller, because few points of a curve bend more than noise
+/// does.
 fn noise_of(readings: &[f64]) -> Option<f64> {
-    let bends: Vec<f64> = readings
-        .windows(3)
-        .map(|three| (three[0] - 2.0 * three[1] + three[2]).abs())
-        .collect();
-    // A second difference has the variance 6.
-    (bends.len() >= FEWEST).then(|| median(bends) / MEDIAN / 6_f64.sqrt())
+    /// The part of the estimate from lower differences below which that from higher ones counts.
+    const MUCH_SMALLER: f64 = 0.5;
+    /// The orders of the differences, and their variances.
+    const VARIANCES: [(usize, f64); 3] = [(2, 6.0), (3, 20.0), (4, 70.0)];
+    let mut differences = readings.to_vec();
+    let mut order = 0;
+    let mut found: Option<f64> = None;
+    for (wanted, variance) in VARIANCES {
+        while order < wanted {
+            differences = differences
+                .windows(2)
+                .map(|pair| pair[1] - pair[0])
+                .collect();
+            order += 1;
+        }
+        if differences.len() < FEWEST {
+            break;
+        }
+        let sizes = differences.iter().map(|one| one.abs()).collect();
+        let noise = median(sizes) / MEDIAN / variance.sqrt();
+        if found.is_none_or(|before| noise < MUCH_SMALLER * before) {
+            found = Some(noise);
+        }
+    }
+    found
 }
