@@ -413,3 +413,36 @@ fn directions_without_hysteresis_are_no_reason_for_doubt() {
         assert_eq!(retracts.count(), 40);
     }
 }
+
+/// Adhesion that is left out is named, and not a zero of the balance, which explains the data less well.
+#[test]
+fn adhesion_that_is_left_out_is_named_before_any_zero() {
+    let film = [Parameter::FilmModulus];
+    for thickness in [10e-6, 30e-6] {
+        let free = [Parameter::SphereModulus];
+        let imagined = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &free);
+        let mut experiment = imagined.measured(&imagined.exact(), 1);
+        experiment.work_of_adhesion = 0.0;
+        let found = fit_with(&experiment, &imagined.free, |options| {
+            options.allow_left_out = true;
+        });
+        let found = found.expect("a fit");
+        assert_warns(
+            &found,
+            WarningKind::OffsetWanted,
+            "work-of-adhesion is 0; the data want adhesion; free it",
+        );
+        let said = text(&found, WarningKind::OffsetWanted);
+        assert!(!said.contains("load-offset"), "{said}");
+    }
+    // Without adhesion nothing is said of it.
+    for seed in 0..20 {
+        let probe = Imagined::probe(Course::Approach, 0.0, &film);
+        let found = fitted(&probe.measured(&probe.exact(), seed), &probe.free);
+        assert!(
+            !found.warns_of(WarningKind::OffsetWanted),
+            "{:?}",
+            found.warnings
+        );
+    }
+}

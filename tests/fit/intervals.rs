@@ -6,7 +6,7 @@ use interp::System;
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::{Imagined, fit_with, of_file, text};
+use crate::imagined::{Course, Imagined, fit_with, of_file, text};
 
 /// The levels of the intervals.
 const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
@@ -174,4 +174,31 @@ fn intervals_of_few_points_hold_the_truth_as_often_as_their_level_says() {
         let part = held as f64 / many as f64;
         assert!((0.86..=0.99).contains(&part), "{points} points: {part}");
     }
+}
+
+/// Without adhesion the data still tell how large it is at most.
+#[test]
+fn a_work_of_adhesion_that_vanishes_has_an_upper_end() {
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::ContactPoint,
+        Parameter::Baseline,
+        Parameter::WorkOfAdhesion,
+    ];
+    let probe = Imagined::probe(Course::Approach, 0.0, &free);
+    let exact = probe.exact();
+    let mut told = 0;
+    for seed in 0..20 {
+        let experiment = probe.measured(&exact, seed);
+        let found = fit_with(&experiment, &probe.free, |options| {
+            options.profile_level = Some(0.95);
+        });
+        let found = found.expect("sound");
+        let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
+        let [_, most] = work.profile.expect("asked for");
+        // 1.5 pi w R is 0.1 nN, the noise of a point, at 1 uJ/m^2.
+        assert!(most.is_nan() || most < 1e-4, "seed {seed}: {work:?}");
+        told += u32::from(most.is_finite());
+    }
+    assert!(told >= 18, "{told} of 20");
 }

@@ -3,7 +3,7 @@
 use acceptance::assert_names;
 use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
 
-use crate::imagined::{Course, Imagined, LENS, fit_with, text};
+use crate::imagined::{Course, Imagined, LENS, fit_all, fit_with, text};
 
 fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
     // A zero of the instrument that is wrong puts points beyond the end of their branch.
@@ -109,5 +109,90 @@ fn a_report_says_what_standard_errors_of_few_points_mean() {
         let here = fitted(&experiment, &lens.free);
         let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
         assert!(report.contains(said), "{report}");
+    }
+}
+
+/// Few points of a curve: their second differences are those of the curve, and not of the noise. All of the
+/// contact counts.
+#[test]
+fn few_points_of_a_retract_are_not_taken_for_noise() {
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::WorkOfAdhesion,
+        Parameter::ContactPoint,
+    ];
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    probe.points = [10, 5];
+    probe.noise = 5e-11;
+    for seed in 0..10 {
+        let mut experiment = probe.measured(&probe.exact(), seed);
+        experiment.noise = None;
+        let found = fitted(&experiment, &probe.free);
+        let modulus = found.estimate(Parameter::FilmModulus).expect("free");
+        let off = (modulus.value / 2e4 - 1.0).abs();
+        assert!(off < 0.02, "seed {seed}: {modulus:?}");
+        assert!(
+            modulus.standard_error < 0.02 * modulus.value,
+            "seed {seed}: {modulus:?}"
+        );
+        let counting = found.experiments[0].points.iter();
+        let counting = counting.filter(|point| point.fit.is_some()).count();
+        assert!(counting >= 12, "seed {seed}: {counting} of 15");
+    }
+}
+
+/// Files of few points with parameters in common: the noise is that of all, so that the truth is as near as
+/// the standard errors say.
+#[test]
+fn short_files_have_their_noise_together() {
+    let lens = |thickness: f64| {
+        let mut lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &LENS);
+        lens.points[0] = 6;
+        lens
+    };
+    let lenses = [3e-6, 6e-6, 14e-6, 30e-6].map(lens);
+    let exact = lenses.each_ref().map(Imagined::exact);
+    let mut squares = 0.0;
+    const SETS: u64 = 100;
+    for set in 0..SETS {
+        let experiments: Vec<Experiment> = (0..)
+            .zip(lenses.iter().zip(&exact))
+            .map(|(i, (lens, exact))| {
+                let mut experiment = lens.measured(exact, 4 * set + i);
+                experiment.noise = None;
+                experiment
+            })
+            .collect();
+        let found = fit_all(&experiments, &lenses[0].free).expect("sound");
+        let modulus = found.estimate(Parameter::SphereModulus).expect("free");
+        squares += ((modulus.value - 2e6) / modulus.standard_error).powi(2);
+    }
+    let spread = (squares / SETS as f64).sqrt();
+    // Student's t of 22 degrees of freedom has 1.05; the noise of each file alone gave 1.65.
+    assert!(spread < 1.3, "{spread}");
+}
+
+/// Loads with a relative noise: one noise for all points is wrong, and a robust loss makes it worse.
+#[test]
+fn a_noise_that_grows_with_the_load_is_named() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 0.0, &LENS);
+    lens.points[0] = 100;
+    let exact = lens.exact();
+    for seed in 0..10 {
+        let mut random = acceptance::Contacts::new(seed);
+        let mut experiment = lens.measured(&exact, seed);
+        experiment.noise = None;
+        for point in &mut experiment.measurement.points {
+            point.ordinate *= 1.0 + 0.02 * random.normal();
+        }
+        let found = fitted(&experiment, &lens.free);
+        let said = text(&found, WarningKind::UnequalNoise);
+        assert_names(
+            &said,
+            "larger half of the loads; grows with the load; standard deviation",
+        );
+        for warning in &found.warnings {
+            assert!(!warning.text.contains("robust"), "{warning:?}");
+        }
     }
 }

@@ -24,10 +24,10 @@ const LOWER: f64 = 0.1;
 /// logarithm, a factor of 1e6.
 const FARTHEST: f64 = 40.0;
 const FARTHEST_LOGARITHM: f64 = 14.0;
-/// A work of adhesion (J/m^2) that no measurement tells from none. An upper end is sought from it on, as
-/// far as to 1 J/m^2 and more.
+/// A work of adhesion (J/m^2) that no measurement tells from none, and one that no bodies exceed: the upper
+/// end of a smaller one is sought between them.
 const NO_WORK: f64 = 1e-12;
-const FARTHEST_WORK: f64 = 30.0;
+const LARGEST_WORK: f64 = 10.0;
 
 /// One end of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,12 +141,15 @@ impl<'a> Way<'_, 'a> {
             parameter,
             Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
         );
-        let skipped = (NO_WORK / self.problem.value(slot)).ln();
-        let farthest = if is_work && error > 0.0 && skipped > 0.0 {
-            near.distance = skipped / error;
-            (skipped + FARTHEST_WORK) / error
-        } else if parameter.is_positive() {
-            FARTHEST.min(FARTHEST_LOGARITHM / error.abs())
+        let mut logarithm = FARTHEST_LOGARITHM;
+        if is_work && error > 0.0 {
+            let [none, largest] =
+                [NO_WORK, LARGEST_WORK].map(|work| (work / self.problem.value(slot)).ln());
+            near.distance = none.max(0.0) / error;
+            logarithm = logarithm.max(largest);
+        }
+        let farthest = if parameter.is_positive() {
+            (near.distance + FARTHEST).min(logarithm / error.abs())
         } else {
             FARTHEST
         };
