@@ -171,7 +171,7 @@ fn of_a_deflection_the_stiffness_scales_the_modulus() {
             "{estimate:?}"
         );
     }
-    let mut free = probe.free.clone();
+    let mut free = probe.free;
     free.push(Free::new(Parameter::Stiffness));
     fit_with(&experiment, &free, |_| ()).refused("stiffness; deflection; standard error");
 }

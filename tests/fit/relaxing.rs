@@ -150,7 +150,7 @@ fn solids_are_recovered() {
         ContactPoint,
     ];
     let plan = planned(Kind::LoadPenetration, 1e-5, &modified, 1.0);
-    // Its time is below three intervals in some sets.
+    // Its time is below two intervals in some sets.
     let expected = [WarningKind::RelaxationTime];
     recover("modified power law", &[plan], &free, 106, &expected);
 }

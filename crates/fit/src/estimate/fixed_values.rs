@@ -169,6 +169,17 @@ pub(super) fn pass_on(fit: &mut Fit) {
         .map(|i| (0..count).map(|j| covariance(i, j)).collect())
         .collect();
     let errors: Vec<f64> = (0..count).map(|i| covariance[i][i].sqrt()).collect();
+    if let Some(bias) = fit
+        .without_film
+        .as_mut()
+        .and_then(|one| one.modulus.as_mut())
+        && let Some(i) = fit
+            .estimates
+            .iter()
+            .position(|one| one.parameter == bias.parameter)
+    {
+        bias.standard_errors *= before[i] / errors[i];
+    }
     for (i, (estimate, row)) in fit
         .estimates
         .iter_mut()

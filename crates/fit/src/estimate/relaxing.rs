@@ -6,7 +6,7 @@ use crate::statistics::extremes;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
-const INTERVALS: f64 = 3.0;
+const INTERVALS: f64 = 2.0;
 /// The error by bodies that do not relax, over the largest load, above which there is a warning.
 const UNLIKE: f64 = 1e-3;
 /// The stiffness of a film over that of a substrate that relaxes with it, above which the contact
@@ -77,7 +77,7 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
             warnings.add(
                 WarningKind::RelaxationTime,
                 format!(
-                    "{name}: {parameter} = {value:.2e} s is outside {:.2e} s (three intervals between points) \
+                    "{name}: {parameter} = {value:.2e} s is outside {:.2e} s (two intervals between points) \
                      to {duration:.2e} s (the duration), where these data tell a relaxation time: they tell one \
                      plateau of the modulus only; measure faster, or hold longer",
                     INTERVALS * interval

@@ -377,7 +377,7 @@ pub enum WarningKind {
     NonlinearError,
     /// An interval of the profile likelihood without an end on one side.
     OpenInterval,
-    /// A relaxation time that is shorter than three intervals between points, or longer than the
+    /// A relaxation time that is shorter than two intervals between points, or longer than the
     /// measurement.
     RelaxationTime,
     /// A free thickness beside a free modulus of a film that relaxes.

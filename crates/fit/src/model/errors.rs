@@ -1,16 +1,18 @@
 //! The standard deviations of measured points, in both quantities.
 //!
-//! An error of the abscissa counts as one of the ordinate, by the slope of the model there: the
-//! effective variance is `sigma_y^2 + (dy/dx)^2 sigma_x^2` (Orear, Am. J. Phys. 50, 912, 1982).
+//! An error of the abscissa counts as one of the ordinate, by the change of the model: the effective
+//! variance is `sigma_y^2 + (dy/dx)^2 sigma_x^2` (Orear, Am. J. Phys. 50, 912, 1982) with the mean square of
+//! the change in place of `(dy/dx)^2 sigma_x^2`, so that a point at which the model has no slope is not
+//! taken for exact.
 
 use super::differences::ContactOf;
 use super::{Branch, Experiment};
 use crate::Error;
-use crate::statistics::{extremes, median};
+use crate::statistics::median;
 
-/// The step of an abscissa by which the slope of the model is found, relative to a contact radius,
-/// or to the range of penetrations or heights.
-const STEP: f64 = 1e-4;
+/// The step of an abscissa over its standard deviation, at which Hermite's and Gauss' rule of three nodes
+/// takes the change of the model; the square of the change at each side has a sixth of the weight.
+const STEP: f64 = 1.732_050_807_568_877_2;
 
 /// Standard deviations that differ from point to point, in the order of the points. An empty list
 /// leaves those of the [`Experiment`].
@@ -85,11 +87,11 @@ impl Experiment {
         Ok(())
     }
 
-    /// Returns what the errors of the abscissae add to the standard deviation of each ordinate,
-    /// `|dy/dx| sigma_x`; an empty list where the abscissae are exact.
+    /// Returns what the errors of the abscissae add to the standard deviation of each ordinate, the root
+    /// mean square of the change of the model; an empty list where the abscissae are exact. Of a straight
+    /// line it is `|dy/dx| sigma_x`, and of a parabola it is exact, too.
     ///
-    /// The slope is a central difference of the model: its points are moved, and their branches
-    /// kept.
+    /// The points are moved, and their branches kept.
     pub(crate) fn abscissa_parts(
         &self,
         contact_of: &ContactOf<'_>,
@@ -100,22 +102,22 @@ impl Experiment {
             return Ok(Vec::new());
         }
         let points = &self.measurement.points;
-        let at_radii = self.measurement.kind.at_radii();
-        let is_relative = at_radii || self.measurement.kind.is_stiffness();
-        let [least, most] = extremes(points.iter().map(|point| point.abscissa));
+        let kind = self.measurement.kind;
+        let is_relative = kind.at_radii() || kind.is_stiffness();
+        let errors = &self.errors.abscissa;
+        let deviation = |i: usize| errors.get(i).copied().unwrap_or(self.abscissa_noise);
+        // No radius, load or depth changes its sign.
         let step = |i: usize| {
-            STEP * if is_relative {
-                points[i].abscissa
+            let most = if is_relative {
+                0.5 * points[i].abscissa
             } else {
-                most - least
-            }
+                f64::INFINITY
+            };
+            (STEP * deviation(i)).min(most)
         };
-        let here = || {
-            let here = self.predict_with(contact_of, branches, order, None)?;
-            Ok::<_, Error>(here.values)
-        };
+        let here = self.predict_with(contact_of, branches, order, None)?.values;
         // The contact at the turn is that of the point of the largest imposed value, and the others
-        // do not move it. Its own slope is that of its neighbour.
+        // do not move it. Its own change is that of its neighbour.
         let turn = order.first().copied().filter(|_| !is_relative);
         let moved = |by: f64| {
             let mut moved = self.clone();
@@ -126,25 +128,24 @@ impl Experiment {
             }
             moved.predict_with(contact_of, branches, order, None)
         };
-        // At the end of a table one side has no contact.
-        let (above, below, steps) = match (moved(1.0), moved(-1.0)) {
-            (Ok(above), Ok(below)) => (above.values, below.values, 2.0),
-            (Ok(above), Err(_)) => (above.values, here()?, 1.0),
-            (Err(_), Ok(below)) => (here()?, below.values, 1.0),
+        // At the end of a table one side has no contact, and the other one stands for both.
+        let sides = match (moved(1.0), moved(-1.0)) {
+            (Ok(above), Ok(below)) => [above.values, below.values],
+            (Ok(one), Err(_)) | (Err(_), Ok(one)) => [one.values.clone(), one.values],
             (Err(error), Err(_)) => return Err(error),
         };
-        let slope = |i: usize| {
+        let part = |i: usize| {
             let neighbour = order.get(1).filter(|_| Some(i) == turn);
-            let i = neighbour.copied().unwrap_or(i);
-            let width = steps * step(i);
+            let k = neighbour.copied().unwrap_or(i);
+            let squares = sides.each_ref().map(|side| (side[k] - here[k]).powi(2));
+            let change = (0.5 * squares.iter().sum::<f64>()).sqrt();
+            let width = step(k);
             if width > 0.0 {
-                ((above[i] - below[i]) / width).abs()
+                change / width * deviation(i)
             } else {
                 0.0
             }
         };
-        let errors = &self.errors.abscissa;
-        let deviation = |i: usize| errors.get(i).copied().unwrap_or(self.abscissa_noise);
-        Ok((0..points.len()).map(|i| slope(i) * deviation(i)).collect())
+        Ok((0..points.len()).map(part).collect())
     }
 }

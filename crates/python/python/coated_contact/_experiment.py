@@ -130,7 +130,8 @@ class Experiment(Remade, OneLine):
         the residuals. One number for a contact stiffness is relative to it, 0.01 is 1 %.
     abscissa_noise : float or array_like
         Standard deviation of an abscissa, m, or one for each point; 0 is exact. It counts by the
-        slope of the model: a point has the variance ``noise**2 + (slope * abscissa_noise)**2``.
+        slope of the model: a point has the variance ``noise**2 + (slope * abscissa_noise)**2``,
+        with the mean square of the change where the model bends.
     friction : {"none", "stick"}
         Whether the surfaces slide freely, or never slide where they have touched. Contacts that
         stick are solved directly, for each change of a modulus or thickness, where Dundurs' beta of

@@ -32,7 +32,7 @@ pub enum Layers {
     /// Of a TOML file. Contacts are solved.
     Text(NamedStack),
     /// Of a table. Contacts are looked up.
-    Table(StackTable<'static>),
+    Table(Box<StackTable<'static>>),
 }
 
 impl Layers {
@@ -73,7 +73,7 @@ pub fn read(path: &Path) -> anyhow::Result<Layers> {
     }
     let table = TableName::File(path.to_owned()).read()?;
     let table = StackTable::new(&table).with_context(|| printable::path(path))?;
-    Ok(Layers::Table(table.into_owned()))
+    Ok(Layers::Table(Box::new(table.into_owned())))
 }
 
 /// Notes on standard error that a modulus is that of no usual solid: a stack file has no units.

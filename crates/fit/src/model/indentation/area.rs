@@ -148,7 +148,8 @@ mod tests {
     /// The area of a sphere of 1 um has a largest depth, its radius; a depth of more has no area.
     #[test]
     fn depths_are_found_where_the_area_ends() {
-        let sphere = AreaFunction::new(&[-3.14159, 6283.19]).expect("allowed");
+        let pi = std::f64::consts::PI;
+        let sphere = AreaFunction::new(&[-pi, 2e3 * pi]).expect("allowed");
         for depth in [1e-9, 1e-8, 3e-7, 8e-7] {
             let found = sphere.depth(sphere.radius(depth));
             assert!((found / depth - 1.0).abs() < 1e-9, "{found} {depth}");
