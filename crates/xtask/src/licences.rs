@@ -25,7 +25,7 @@ const TESTS: &str = "tests, benches, xtask";
 /// The Python package.
 const WHEEL: &str = "coated-contact-python, coated-contact-python/hdf5";
 /// All packages that fit.
-const FITS: &str = "coated-contact-fit, coated-contact-python, coated-contact-python/hdf5, coated-contact-tabulate/default, coated-contact-tabulate/figures, coated-contact-tabulate/fit";
+const FITS: &str = "coated-contact-fit, coated-contact-python, coated-contact-python/hdf5, coated-contact-tabulate/default, coated-contact-tabulate/figures";
 
 /// Crates under other licences, their licences, and the features that need them.
 const OTHERS: [(&str, &str, &str); 10] = [
