@@ -72,8 +72,8 @@ pub(super) fn add(
             continue;
         }
         if let Some(predicted) = &problem.predicted {
-            let radii = &predicted[e].radii;
-            unequal[e] = unequal_noise::add(warnings, assigned, radii, own.as_slice(), leverages);
+            let states = &predicted[e];
+            unequal[e] = unequal_noise::add(warnings, assigned, states, own.as_slice(), leverages);
         }
     }
     unequal

@@ -4,15 +4,17 @@ use super::doubts::Warnings;
 use super::problem::{Assigned, Problem};
 use super::search::range;
 use super::uncertainty::Uncertainty;
-use crate::statistics::{MEDIAN, median, student_deviations, weighted_median};
+use crate::statistics::{MEDIAN, median, ratio_of_squares, student_deviations, weighted_median};
 use crate::{Kind, Loss, WarningKind};
 
 /// The change of an estimated noise that needs another round.
 const CHANGE: f64 = 0.02;
 /// The degrees of freedom from which on the points of one file tell its noise alone.
 const ENOUGH: f64 = 20.0;
-/// The largest ratio of the ranges of two files that may have one noise.
-const LIKE: f64 = 10.0;
+/// By how many standard deviations the mean square of a file may exceed that of another one of the same
+/// noise, and by how many it may be below.
+const CHANCE: f64 = 2.0;
+const LEFT: f64 = 4.0;
 /// The smallest noise, relative to the range of the ordinates, that an estimate can give.
 const LEAST: f64 = 1e-12;
 /// The noises that are tried beside errors of the abscissae: the first over the largest residual, the
@@ -57,7 +59,7 @@ pub(super) fn estimate_noise(
         let least = LEAST * range(&assigned.experiment);
         let noise = if assigned.abscissa_parts.is_empty() {
             let alone = Alone::new(assigned, problem.loss, own.as_slice(), leverages);
-            alone.with(of_files.iter().filter(|one| one.is_like(&alone)))
+            alone.with(of_files.iter().filter(|one| alone.agrees(one)))
         } else {
             beside_abscissae(assigned, problem.loss, &points, &sizes, leverages)
         };
@@ -82,8 +84,6 @@ struct Alone {
     noise: f64,
     freedom: f64,
     kind: Kind,
-    /// The range of the ordinates.
-    range: f64,
 }
 
 impl Alone {
@@ -102,17 +102,20 @@ impl Alone {
             noise: excess * assigned.noise,
             freedom,
             kind: assigned.experiment.measurement.kind,
-            range: range(&assigned.experiment),
         }
     }
 
-    /// Tells whether another file is likely to be of the same instrument.
-    fn is_like(&self, other: &Self) -> bool {
-        let ratio = self.range / other.range;
-        self.kind == other.kind && (1.0 / LIKE..LIKE).contains(&ratio)
+    /// Tells whether another file may have the noise of this one: it is smaller by no more than chance, or
+    /// larger by no more than where this file's few residuals are what the fit has left of them.
+    fn agrees(&self, other: &Self) -> bool {
+        let ratio = ratio_of_squares(
+            [self, other].map(|one| one.noise.powi(2)),
+            [self.freedom, other.freedom],
+        );
+        self.kind == other.kind && (-LEFT..CHANCE).contains(&ratio)
     }
 
-    /// Returns the noise beside `all` files that are alike. Parameters that files have in common can follow the
+    /// Returns the noise beside `all` files that agree, itself among them. Parameters that files have in common can follow the
     /// few points of one of them, whose residuals then tell no noise: what is missing to [`ENOUGH`] degrees
     /// of freedom comes from all files.
     fn with<'a>(&self, all: impl Iterator<Item = &'a Self>) -> f64 {

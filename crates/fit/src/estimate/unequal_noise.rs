@@ -8,6 +8,7 @@
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Assigned;
 use crate::WarningKind;
+use crate::model::Predicted;
 use crate::statistics::{far, ratio_of_squares};
 
 /// The fewest degrees of freedom that tell the scatter of a part.
@@ -16,16 +17,16 @@ const FEWEST: f64 = 10.0;
 const FEWEST_OF_HALF: f64 = 4.0;
 
 /// Warns if the residuals of an experiment, in units of its estimated noise, are larger in contact than off
-/// contact by more than chance makes them, and returns whether it does. `radii` are the fitted contact radii of
+/// contact by more than chance makes them, and returns whether it does. `predicted` are the fitted states of
 /// all points; the leverage of a point is the part of its noise that the fit follows.
 pub(super) fn add(
     warnings: &mut Warnings,
     assigned: &Assigned,
-    radii: &[f64],
+    predicted: &Predicted,
     residuals: &[f64],
     leverages: &[f64],
 ) -> bool {
-    let experiment = &assigned.experiment;
+    let (experiment, radii) = (&assigned.experiment, &predicted.radii);
     if experiment.usual_noise().is_some() || !assigned.abscissa_parts.is_empty() {
         return false;
     }
@@ -41,7 +42,12 @@ pub(super) fn add(
     if of_contact.min(of_apart) < FEWEST {
         // The noise of a contact stiffness is relative to it.
         return !experiment.measurement.kind.is_stiffness()
-            && grows(warnings, assigned, residuals, leverages);
+            && grows(
+                warnings,
+                assigned,
+                &predicted.values,
+                (residuals, leverages),
+            );
     }
     // An outlier would stand for the scatter of all.
     let far = far(contact.iter().map(|[size, _]| *size));
@@ -82,16 +88,17 @@ pub(super) fn add(
 }
 
 /// Warns if the residuals of a file without a baseline are larger at the larger ordinates than at the smaller
-/// ones by more than chance makes them, and returns whether it does.
+/// ones by more than chance makes them, and returns whether it does. The ordinates are those of the fit,
+/// because an error makes a measured one larger.
 fn grows(
     warnings: &mut Warnings,
     assigned: &Assigned,
-    residuals: &[f64],
-    leverages: &[f64],
+    fitted: &[f64],
+    (residuals, leverages): (&[f64], &[f64]),
 ) -> bool {
     let experiment = &assigned.experiment;
     let points = assigned.counting_points();
-    let size = |i: usize| experiment.compared(i).abs();
+    let size = |i: usize| fitted[i].abs();
     let mut all: Vec<(f64, [f64; 2])> = points
         .zip(residuals.iter().zip(leverages))
         .map(|(i, (residual, leverage))| (size(i), [residual.abs(), *leverage]))

@@ -10,7 +10,7 @@ use super::fixed_values::residuals_with;
 use super::loss::influence;
 use super::problem::{Assigned, Problem};
 use super::uncertainty::Uncertainty;
-use crate::{Branch, Direction, Fixed, Loss, Parameter, WarningKind};
+use crate::{Branch, Direction, Fixed, Kind, Loss, Parameter, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -42,7 +42,7 @@ pub(super) fn add(
             WarningKind::OffsetWanted,
             format!(
                 "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
-                 be some {:.1e} J/m^2; free it, before any zero of the instrument",
+                 be some {:.1e} J/m^2; free it, or a zero of the instrument where there is none",
                 gain.chi_squared,
                 gain.change.powi(2)
             ),
@@ -132,18 +132,24 @@ pub(super) fn add(
     }
 }
 
-/// Returns what adhesion would gain in contacts that are fitted without, with the square root of the work of
-/// adhesion (J/m^2) as the parameter: to first order loads depend on it; `None` unless by more than chance.
+/// Returns what adhesion would gain in contacts of known radii that are fitted without, with the square root
+/// of the work of adhesion (J/m^2) as the parameter, on which load and penetration at a radius depend to
+/// first order; `None` unless by more than chance, and clearly better than the zeros of the instrument of all
+/// files together. At penetrations and heights load and work are related otherwise, and nothing is said.
 fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) -> Option<Gain> {
     /// A work of adhesion that changes no contact by much.
     const SMALL: f64 = 1e-10;
+    /// What adhesion leaves of the sum of squares, over what the zeros leave, below which it explains the data
+    /// better.
+    const CLEARLY: f64 = 0.5;
     const WORK: Parameter = Parameter::WorkOfAdhesion;
     if problem.slots.iter().any(|slot| slot.parameter == WORK) {
         return None;
     }
     let could_adhere = |one: &Assigned| {
         let experiment = &one.experiment;
-        !experiment.measurement.kind.is_stiffness()
+        let kind = experiment.measurement.kind;
+        matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius)
             && experiment.get(WORK) == Some(0.0)
             && experiment.why_without_effect(WORK).is_none()
     };
@@ -152,7 +158,24 @@ fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) 
     }
     let moved = residuals_with(problem, Fixed::Parameter(WORK), |_| SMALL)?;
     let gain = score.gain(&((moved - residuals) / SMALL.sqrt()))?;
-    (gain.is_significant() && gain.change > 0.0).then_some(gain)
+    if !gain.is_significant() || gain.change <= 0.0 {
+        return None;
+    }
+    let of_zeros = |e: usize| {
+        let zero = [Parameter::LoadOffset, Parameter::ContactPoint]
+            .into_iter()
+            .find(|zero| {
+                problem.assigned[e]
+                    .experiment
+                    .why_without_effect(*zero)
+                    .is_none()
+            })?;
+        let column = Columns::new(problem, e, vec![zero])?.of(zero, |_| true)?;
+        Some(score.gain(&column)?.chi_squared)
+    };
+    let zeros: f64 = (0..problem.assigned.len()).filter_map(of_zeros).sum();
+    let left = |explained: f64| (score.residuals.norm_squared() - explained).max(0.0);
+    (left(gain.chi_squared) < CLEARLY * left(zeros)).then_some(gain)
 }
 
 /// Warns if approach and retract, or loading and unloading in time, differ.
