@@ -35,7 +35,8 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             return Err(Error::setting(name, f64::NAN, allowed));
         };
         if first.is_infinite() {
-            let allowed = "of a finite value: a rigid body is rigid; leave its error out, or give the body a modulus";
+            let allowed =
+                "finite, and this body is rigid: leave its error out, or give the body a modulus";
             return Err(Error::setting(name, first, allowed));
         }
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);

@@ -64,9 +64,7 @@ pub(super) fn add(
     };
     let parameter = modulus.parameter;
     let kind = experiment.measurement.kind;
-    let has_radii = matches!(kind, Kind::LoadRadius | Kind::StiffnessRadius)
-        || kind == Kind::StiffnessDepth
-        || kind == Kind::StiffnessLoad && experiment.indentation.hardness.is_some();
+    let has_radii = kind == Kind::LoadRadius || !experiment.has_shape(false);
     let is_found = |parameter| estimates.iter().any(|one| one.parameter == parameter);
     let bounds = if !has_radii || is_found(Parameter::Hardness) {
         format!(

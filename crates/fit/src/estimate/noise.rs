@@ -105,19 +105,21 @@ impl Alone {
         }
     }
 
-    /// Tells whether another file may have the noise of this one: it is smaller by no more than chance, or
-    /// larger by no more than where this file's few residuals are what the fit has left of them.
+    /// Tells whether another file may have the noise of this one. That of this one may be larger by no more than
+    /// chance makes it; it may be smaller by more, because the fit can follow its few points.
     fn agrees(&self, other: &Self) -> bool {
         let ratio = ratio_of_squares(
             [self, other].map(|one| one.noise.powi(2)),
             [self.freedom, other.freedom],
         );
-        self.kind == other.kind && (-LEFT..CHANCE).contains(&ratio)
+        // Two noises of 0 have no ratio, and agree.
+        let is_likely = ratio.is_nan() || (-LEFT..=CHANCE).contains(&ratio);
+        self.kind == other.kind && is_likely
     }
 
-    /// Returns the noise beside `all` files that agree, itself among them. Parameters that files have in common can follow the
-    /// few points of one of them, whose residuals then tell no noise: what is missing to [`ENOUGH`] degrees
-    /// of freedom comes from all files.
+    /// Returns the noise beside `all` files that agree, itself among them. Parameters that files have in
+    /// common can follow the few points of one of them, whose residuals then tell no noise: what is missing
+    /// to [`ENOUGH`] degrees of freedom comes from all files.
     fn with<'a>(&self, all: impl Iterator<Item = &'a Self>) -> f64 {
         let squares = |one: &Self| one.freedom * one.noise.powi(2);
         let [of_all, freedom] = all.fold([0.0; 2], |[sum, freedom], one| {

@@ -323,7 +323,7 @@ pub enum WarningKind {
     LargeNoise,
     /// A noise of the ordinates that the data hardly tell beside that of the abscissae.
     NoiseNotSeen,
-    /// An estimated noise that is larger in contact than off contact.
+    /// An estimated noise that is larger in contact than off contact, or at large ordinates than at small ones.
     UnequalNoise,
     /// A prior far from what the data tell.
     Prior,
@@ -331,6 +331,8 @@ pub enum WarningKind {
     Saturated,
     /// Readings in steps that are coarse beside the noise.
     CoarseSteps,
+    /// Adhesion that is left out but wanted by the data.
+    AdhesionWanted,
     /// A zero of the instrument that is not fitted but wanted by the data.
     OffsetWanted,
     /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
@@ -409,6 +411,7 @@ impl WarningKind {
             Self::Prior => "prior",
             Self::Saturated => "saturated",
             Self::CoarseSteps => "coarse-steps",
+            Self::AdhesionWanted => "adhesion-wanted",
             Self::OffsetWanted => "offset-wanted",
             Self::OffsetHinted => "offset-hinted",
             Self::MixedBranches => "mixed-branches",

@@ -51,9 +51,8 @@ pub(super) fn add(
     }
     // An outlier would stand for the scatter of all.
     let far = far(contact.iter().map(|[size, _]| *size));
-    let squares = contact.iter().map(|[size, _]| size.min(far).powi(2));
-    let in_contact = squares.sum::<f64>() / of_contact;
-    let off_contact = apart.iter().map(|[size, _]| size * size).sum::<f64>() / of_apart;
+    let in_contact = scatter(&contact, far);
+    let off_contact = scatter(&apart, f64::INFINITY);
     let told = contact.iter().map(|[_, leverage]| *leverage).sum::<f64>();
     // Outliers may make the estimated noise larger than the scatter of the others: no error is too small.
     if in_contact <= 1.0
@@ -98,10 +97,9 @@ fn grows(
 ) -> bool {
     let experiment = &assigned.experiment;
     let points = assigned.counting_points();
-    let size = |i: usize| fitted[i].abs();
     let mut all: Vec<(f64, [f64; 2])> = points
         .zip(residuals.iter().zip(leverages))
-        .map(|(i, (residual, leverage))| (size(i), [residual.abs(), *leverage]))
+        .map(|(i, (residual, leverage))| (fitted[i].abs(), [residual.abs(), *leverage]))
         .collect();
     all.sort_by(|(one, _), (other, _)| one.total_cmp(other));
     let all: Vec<[f64; 2]> = all.into_iter().map(|(_, own)| own).collect();
@@ -111,13 +109,7 @@ fn grows(
         return false;
     }
     let far = far(all.iter().map(|[size, _]| *size));
-    let scatter = |part: &[[f64; 2]], freedom: f64| {
-        part.iter()
-            .map(|[size, _]| size.min(far).powi(2))
-            .sum::<f64>()
-            / freedom
-    };
-    let [at_small, at_large] = [scatter(small, of_small), scatter(large, of_large)];
+    let [at_small, at_large] = [small, large].map(|part| scatter(part, far));
     if ratio_of_squares([at_large, at_small], [of_large, of_small]) <= BEYOND_CHANCE {
         return false;
     }
@@ -134,6 +126,12 @@ fn grows(
         ),
     );
     true
+}
+
+/// Returns the mean square of residuals with their leverages; none counts for more than the square of `far`.
+fn scatter(points: &[[f64; 2]], far: f64) -> f64 {
+    let squares = points.iter().map(|[size, _]| size.min(far).powi(2));
+    squares.sum::<f64>() / freedom(points)
 }
 
 /// Returns the degrees of freedom of points with their leverages.

@@ -39,7 +39,7 @@ pub(super) fn add(
     let adhesion = adhesion(problem, &score, residuals);
     if let Some(gain) = &adhesion {
         warnings.add(
-            WarningKind::OffsetWanted,
+            WarningKind::AdhesionWanted,
             format!(
                 "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
                  be some {:.1e} J/m^2; free it, or a zero of the instrument where there is none",

@@ -304,8 +304,8 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
     }
 }
 
-/// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in
-/// contact than off contact: a robust loss would take the baseline for the rule, and the contact for outliers.
+/// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in one part
+/// than in another: a robust loss would take the quiet part for the rule, and the other one for outliers.
 fn outliers(warnings: &mut Warnings, fit: &Fit, data: &Data, (unequal, loss): (&[bool], Loss)) {
     let experiments = fit.experiments.iter().zip(&data.assigned).zip(unequal);
     for ((fitted, whole), unequal) in experiments {

@@ -331,19 +331,14 @@ impl Experiment {
 fn noise_of(readings: &[f64]) -> Option<f64> {
     /// The part of the estimate from lower differences below which that from higher ones counts.
     const MUCH_SMALLER: f64 = 0.5;
-    /// The orders of the differences, and their variances.
-    const VARIANCES: [(usize, f64); 3] = [(2, 6.0), (3, 20.0), (4, 70.0)];
-    let mut differences = readings.to_vec();
-    let mut order = 0;
+    /// The variances of the differences of orders 2, 3 and 4 of numbers with the variance 1.
+    const VARIANCES: [f64; 3] = [6.0, 20.0, 70.0];
+    let difference =
+        |of: &[f64]| -> Vec<f64> { of.windows(2).map(|pair| pair[1] - pair[0]).collect() };
+    let mut differences = difference(readings);
     let mut found: Option<f64> = None;
-    for (wanted, variance) in VARIANCES {
-        while order < wanted {
-            differences = differences
-                .windows(2)
-                .map(|pair| pair[1] - pair[0])
-                .collect();
-            order += 1;
-        }
+    for variance in VARIANCES {
+        differences = difference(&differences);
         if differences.len() < FEWEST {
             break;
         }

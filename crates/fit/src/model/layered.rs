@@ -151,8 +151,10 @@ impl PartialEq for Layered {
     /// Compares the bodies and how their contacts are made, not who waits for them.
     fn eq(&self, other: &Self) -> bool {
         let numbers = |of: &Self| (of.sphere_modulus, of.base, of.reach);
-        let bodies = |of: &Self| (of.probe.clone(), of.layers.clone(), of.solver.clone());
-        numbers(self) == numbers(other) && bodies(self) == bodies(other)
+        numbers(self) == numbers(other)
+            && self.probe == other.probe
+            && self.layers == other.layers
+            && self.solver == other.solver
     }
 }
 

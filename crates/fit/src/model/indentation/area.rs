@@ -78,13 +78,15 @@ impl AreaFunction {
     /// Returns the contact depth (m) at a contact radius (m), by bisection; NaN where no depth up to
     /// 1 m has it.
     pub(super) fn depth(&self, radius: f64) -> f64 {
-        /// The factor between depths, of which the first one that is too deep is looked for: an area with
-        /// negative coefficients ends at some depth.
+        /// The depths (m) among which the first one that is too deep is looked for, and the factor from one to
+        /// the next: an area with negative coefficients ends at some depth.
+        const DEPTHS: [f64; 2] = [1e-15, 1.0];
         const STEP: f64 = 1.1;
         /// The bisections of the logarithm of a depth.
         const BISECTIONS: usize = 60;
-        let depths = (0..).map(|i| 1e-15 * STEP.powi(i));
-        let mut depths = depths.take_while(|depth| *depth <= STEP);
+        let [least, most] = DEPTHS;
+        let depths = (0..).map(|i| least * STEP.powi(i));
+        let mut depths = depths.take_while(|depth| *depth <= most);
         // A depth without an area is too small.
         let is_deep = |depth: f64| self.radius(depth) >= radius;
         let Some(first) = depths.find(|depth| is_deep(*depth)) else {

@@ -268,7 +268,7 @@ impl KnownArguments {
             let mut reasons = experiments
                 .iter()
                 .map(|one| one.why_without_effect(*parameter));
-            // A body without an end of its stiffness has no modulus to be found, but it has this value.
+            // An infinite modulus is a value, though no parameter that can be found.
             if values.iter().all(|value| value.is_finite())
                 && let Some(reason) = reasons.next().flatten()
                 && reasons.all(|reason| reason.is_some())

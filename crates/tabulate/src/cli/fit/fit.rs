@@ -217,18 +217,13 @@ fn sensitivity(text: &str) -> Result<f64, String> {
 impl Arguments {
     /// Returns the stiffness of the cantilever of a file, by its number, as a flag gives it.
     fn stiffness(&self, values: &[Values], file: usize) -> Option<f64> {
-        let known = self
-            .given
-            .iter()
-            .find(|one| one.quantity == Fixed::Parameter(Parameter::Stiffness));
-        let own = values
-            .iter()
-            .find(|one| one.parameter == Parameter::Stiffness);
+        const STIFFNESS: Parameter = Parameter::Stiffness;
+        let mut known = self.given.iter();
+        let known = known.find(|one| one.quantity == Fixed::Parameter(STIFFNESS));
+        let own = values.iter().find(|one| one.parameter == STIFFNESS);
         let own = own.and_then(|one| one.values.get(file).or(one.values.first()));
-        known
-            .map(|one| one.value)
-            .or(own.copied())
-            .or(self.known.stiffness)
+        let said = known.map(|one| one.value).or(own.copied());
+        said.or(self.known.stiffness)
     }
 
     /// Returns what is known of the files before they are read.
@@ -273,7 +268,8 @@ fn next_steps(fit: &Fit, timed: bool) -> String {
         ),
         (
             WarningKind::UnequalNoise,
-            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it",
+            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; a noise that differs from \
+             point to point: a column of it, such as `load error [mN]`",
         ),
         (
             WarningKind::Hysteresis,
@@ -361,14 +357,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             quantity, value, ..
         } in &arguments.given
         {
-            if *quantity == Fixed::Parameter(Parameter::Stiffness)
-                && let Some(other) = arguments.known.stiffness.filter(|other| other != value)
-            {
-                bail!(
-                    "--stiffness {other:?} and --known stiffness={value:?} are two values of one quantity: leave one of \
-                     them out"
-                );
-            }
             if let Fixed::Parameter(parameter) = quantity
                 && is_work(*parameter)
                 && arguments.known.history.work_of_adhesion_receding.is_some()
@@ -397,7 +385,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let system = &arguments.known.bodies.system;
     for given in &arguments.given {
-        given.accept_once(system, arguments.known.layer(), &values)?;
+        given.accept_once(
+            system,
+            arguments.known.layer(),
+            arguments.known.stiffness,
+            &values,
+        )?;
     }
     let free = arguments.free.of(&experiments, &values, system)?;
     let parameters: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();

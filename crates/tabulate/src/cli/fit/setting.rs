@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use ::fit::report::UnitOf;
 use ::fit::{Fixed, Free, LayerName, Parameter};
-use anyhow::ensure;
+use anyhow::{bail, ensure};
 use units::Dimension;
 
 use super::value::fixed;
@@ -55,18 +55,21 @@ impl Given {
         &self,
         system: &SystemArguments,
         layer: Option<LayerName>,
+        stiffness: Option<f64>,
         values: &[Values],
     ) -> anyhow::Result<()> {
         let (name, known) = (self.quantity.name(), self.value);
-        let mut flags = Value::ALL.into_iter();
-        if let Some(value) = flags.find(|&value| fixed(value, layer) == self.quantity)
-            && let Some(other) = system.given(value)
-        {
-            ensure!(
-                other == known,
-                "{} {other:?} and --known {name}={known:?} are two values of one quantity: leave one of them out",
-                value.flag()
-            );
+        let of_bodies =
+            Value::ALL.map(|value| (value.flag(), fixed(value, layer), system.given(value)));
+        let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
+        let flags = of_bodies.into_iter();
+        for (flag, quantity, other) in flags.chain([("--stiffness", of_cantilever, stiffness)]) {
+            if let Some(other) = other.filter(|other| quantity == self.quantity && *other != known)
+            {
+                bail!(
+                    "{flag} {other:?} and --known {name}={known:?} are two values of one quantity: leave one of them out"
+                );
+            }
         }
         ensure!(
             values
