@@ -282,8 +282,12 @@ fn the_shape_of_the_probe_is_chosen() {
          --to=4e-6 --points=4";
     let modulus = 1e6 / (1.0 - 0.0625);
     let slope = 70_f64.to_radians().tan().recip();
-    let cone = "--probe=cone --half-angle=70";
-    for table in ["", "embedded"] {
+    for (half_angle, table) in [
+        ("70", ""),
+        ("70deg", "embedded"),
+        ("1.2217304763960306rad", ""),
+    ] {
+        let cone = format!("--probe=cone --half-angle={half_angle}");
         let text = dir.succeed(format!("{homogeneous} {cone} {table}"));
         let output = Data::parse("curve", &text);
         for row in output.cases() {
@@ -323,4 +327,7 @@ fn the_usual_radii_fit_the_sphere() {
     assert!((to / 3e-6 - 1.0).abs() < 1e-14 && (from / 2e-8 - 1.0).abs() < 1e-14);
     let given = "--specimen=paper --sphere-radius=10um --to=2um";
     assert_eq!(radii(given), [1e-6, 2e-6]);
+    // A film that slides is solved up to a thousand times its thickness.
+    let [_, to] = radii("--specimen=paper --film-thickness=0.1um --interface=sliding");
+    assert!((to / 1e-4 - 1.0).abs() < 1e-14);
 }

@@ -43,6 +43,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         2 | curve --sphere-modulus 210 | 210GPa
         1 | curve --probe cone --half-angle 70 --sphere-radius 1um | no --sphere-radius; rounded-cone
         1 | curve --probe cone --half-angle 1.2 | 1.2; degrees; 68.7549
+        2 | curve --probe cone --half-angle 70um | 70um; length; degrees
         1 | curve --probe flat-punch --from 1um --to 5um | --sphere-radius; leave out --from
         1 | curve --from 200um | --from; 0.0002; --to, which is not given
         1 | curve -o table.h5 | table.h5; another name
@@ -69,7 +70,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | pull-off --sphere-modulus inf --friction stick --work-of-adhesion-receding 200 | --friction stick; radii
         2 | {fit} --half-space --film-thickness 30um | --half-space; --film-thickness
         1 | {film} --stiffness 0.1 | --stiffness; cantilever
-        1 | {film} --sensitivity 50nm/V | --sensitivity; cantilever
+        1 | fit heights.csv --specimen paper --stiffness 0.05 --sensitivity 50nm/V | --sensitivity; deflections in V
         1 | {film} --units film-modulus=MPa | --units film-modulus; free
         1 | {film} --units sphere-modulus=MPa --units sphere-modulus=kPa | --units sphere-modulus; twice
         1 | {film} --value load-offset=1uN --value load-offset=2uN | --value load-offset; twice

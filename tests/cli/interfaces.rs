@@ -201,7 +201,7 @@ fn wrong_first_calls_say_what_to_do() {
         2 | curve embedded {FILM} --interface sliding | --interface; [TABLE]
         2 | curve --specimen paper --stack stack.toml --interface sliding | --interface; --stack
         2 | curve {FILM} --interface sliding --film-thickness 0.1um | --film-thickness
-        1 | curve --specimen paper --film-thickness 0.1um --interface sliding | 1500; one layer; 1000
+        1 | curve --specimen paper --film-thickness 0.1um --interface sliding --to 150um | 1500; one layer; 1000
         "
     ));
 }

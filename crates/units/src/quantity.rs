@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use crate::unit::{Dimension, Unit, power_of_ten};
+use crate::unit::{Dimension, Unit, power_of_ten, special};
 
 /// The longest text that is read as a number, in bytes.
 const LONGEST: usize = 400;
@@ -105,12 +105,8 @@ impl FromStr for Quantity {
         if unit.starts_with(',') {
             return Err(not_a_number());
         }
-        if let Some(Unit {
-            dimension: Dimension::Time,
-            size,
-        }) = Unit::parse(unit)
-        {
-            return Ok(of(value * size, Some(Dimension::Time)));
+        if let Some(Unit { dimension, size }) = special(unit) {
+            return Ok(of(value * size, Some(dimension)));
         }
         let (dimension, exponent) =
             power_of_ten(unit).ok_or_else(|| QuantityError::UnknownUnit {
@@ -191,6 +187,8 @@ mod tests {
             ("40mJ/m2", Dimension::ForcePerLength, 0.04),
             ("2.5nN", Dimension::Force, 2.5e-9),
             ("30nm/V", Dimension::LengthPerVoltage, 3e-8),
+            ("12 deg", Dimension::Angle, 12.0_f64.to_radians()),
+            ("1 g", Dimension::Force, 9.80665e-3),
         ] {
             assert_eq!(Quantity::read(text, Some(wanted)), Ok(value), "{text}");
         }

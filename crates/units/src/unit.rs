@@ -136,7 +136,7 @@ impl Unit {
 
 /// Returns an angle, a time, or the force of a mass under standard gravity, which a balance shows. Other
 /// prefixes of a time would make units of the ends of words.
-fn special(text: &str) -> Option<Unit> {
+pub(crate) fn special(text: &str) -> Option<Unit> {
     let (dimension, size) = match text.trim() {
         "rad" => (Dimension::Angle, 1.0),
         "mrad" => (Dimension::Angle, 1e-3),

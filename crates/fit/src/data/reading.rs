@@ -172,12 +172,18 @@ fn of_head<'a>(
 }
 
 impl Notes {
+    /// Tells whether a deflection is in volts, which needs the sensitivity.
+    pub fn has_volts(&self) -> bool {
+        let in_volts =
+            |one: &Source| one.role == Role::Deflection && one.unit.dimension == Dimension::Voltage;
+        self.columns.iter().any(in_volts)
+    }
+
     /// Returns the values of the head that the columns need.
     pub fn from_head(&self) -> Vec<FromHead<'_>> {
-        let needs = |matches: fn(&Source) -> bool| self.columns.iter().any(matches);
-        let stiffness = needs(|one| matches!(one.role, Role::Deflection | Role::Height));
-        let sensitivity =
-            needs(|one| one.role == Role::Deflection && one.unit.dimension == Dimension::Voltage);
+        let mut roles = self.columns.iter().map(|one| one.role);
+        let stiffness = roles.any(|role| matches!(role, Role::Deflection | Role::Height));
+        let sensitivity = self.has_volts();
         let (head, used) = (&self.head, self.cantilever);
         let values = [
             of_head(

@@ -17,6 +17,7 @@ use super::stack_file::{self, Layers};
 use super::system::{self, SystemArguments, Value};
 use crate::large_contact::LARGE_CONTACT;
 use solve::cohesive::{self, Cohesive};
+use solve::stack::MOST_A_OVER_TOP;
 
 /// The flags of the bodies. A command that takes them has an argument `table`.
 #[derive(clap::Args)]
@@ -199,6 +200,17 @@ impl Bodies {
     /// attraction acts somewhat farther than the contact.
     pub fn reach_of_attraction(&self) -> f64 {
         0.9 * cohesive::REACH * self.top_thickness()
+    }
+
+    /// Returns the contact radius (m) up to which layers are solved; infinite for one bonded film, and for a
+    /// stack that is looked up.
+    pub fn reach_of_layers(&self) -> f64 {
+        match &self.stack {
+            Some(Layers::Text(named)) => {
+                named.stack.reach(MOST_A_OVER_TOP) * self.system.film_thickness
+            }
+            _ => f64::INFINITY,
+        }
     }
 
     /// Returns the thickness of the film, or of the top layer (m).

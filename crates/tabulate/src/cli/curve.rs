@@ -69,7 +69,8 @@ pub struct Arguments {
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
     /// small beside R: above 0.3 R there is a warning [default: the smallest of 1.5e-4, 0.3 R and, with
-    /// --friction stick, 30 times the thickness of the film or top layer, with --interaction-range 108 times]
+    /// --friction stick, 30 times the thickness of the film or top layer, with --interaction-range 108 times,
+    /// with --stack or --interface 1000 times]
     #[arg(long, value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Number of contact radii, equally spaced
@@ -187,8 +188,8 @@ fn note_lift_off(rows: &[Vec<f64>]) {
 
 impl Arguments {
     /// Returns the smallest and the largest contact radius (m): those asked for, or those of the
-    /// paper's lens, reduced for a smaller sphere or profile and to those that are solved with stick, or with an attraction
-    /// of finite range.
+    /// paper's lens, reduced for a smaller sphere or profile and to those that are solved with stick, with an attraction
+    /// of finite range, or on layers.
     fn radii(&self, bodies: &Bodies) -> [f64; 2] {
         const USUAL: [f64; 2] = [1e-6, 1.5e-4];
         /// The part of a profile beyond which it says little of its shape.
@@ -205,7 +206,7 @@ impl Arguments {
         } else if self.attracting.interaction_range.is_some() {
             most.min(bodies.reach_of_attraction())
         } else {
-            most
+            most.min(bodies.reach_of_layers())
         };
         let to = self.to.unwrap_or(USUAL[1].min(most));
         let scale = if self.to.is_none() || to <= USUAL[0] {

@@ -9,7 +9,7 @@ use clap::{ValueEnum, ValueHint};
 use interp::{Probe, Profile};
 use units::{Dimension, Unit};
 
-use super::quantity::number;
+use super::quantity::{degrees, number};
 use crate::input;
 
 /// The shapes.
@@ -42,9 +42,9 @@ pub struct ProbeArguments {
     /// Shape of the probe
     #[arg(long, value_enum, default_value = "paraboloid")]
     pub probe: Shape,
-    /// Angle between the axis and the flank of a cone, in DEGREES, below 90. Up to 1.57 it was
-    /// probably meant in radians, and is refused
-    #[arg(long, value_name = "DEGREES", value_parser = number, allow_hyphen_values = true)]
+    /// Angle between the axis and the flank of a cone, in DEGREES, or with a unit (1.2rad), below 90.
+    /// Up to 1.57 it was probably meant in radians, and is refused
+    #[arg(long, value_name = "DEGREES", value_parser = degrees, allow_hyphen_values = true)]
     pub half_angle: Option<f64>,
     /// Exponent n of the power law c r^n, from 1 to 20
     #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true)]

@@ -17,6 +17,18 @@ pub fn force_per_length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::ForcePerLength))
 }
 
+/// Reads an angle in degrees.
+pub fn degrees(text: &str) -> Result<f64, String> {
+    let angle = any(text)?;
+    match angle.dimension {
+        None => Ok(angle.value),
+        Some(Dimension::Angle) => Ok(angle.value.to_degrees()),
+        Some(found) => Err(format!(
+            "{text:?} is {found}, and an angle is wanted: write it in degrees, or with a unit, such as 1.2rad"
+        )),
+    }
+}
+
 /// Reads a number without a unit.
 pub fn number(text: &str) -> Result<f64, String> {
     read(text, None)

@@ -427,9 +427,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     ensure!(
         notes.iter().any(Notes::has_deflection)
             || experiments.iter().any(in_heights)
-            || arguments.known.stiffness.is_none() && arguments.sensitivity.is_none(),
-        "--stiffness and --sensitivity are those of a cantilever, and no file has heights or deflections: leave \
-         them out, or name the columns, --column height=.."
+            || arguments.known.stiffness.is_none(),
+        "--stiffness is that of a cantilever, and no file has heights or deflections: leave it out, or name the \
+         columns, --column height=.."
+    );
+    ensure!(
+        arguments.sensitivity.is_none() || notes.iter().any(Notes::has_volts),
+        "--sensitivity is that of deflections in V, and no file has them: leave it out, or give the unit of the \
+         column, --column \"deflection=HEADING [V]\""
     );
     check_units(&arguments.units, &free)?;
     arguments.known.ask(&experiments, &free, &arguments.given)?;
