@@ -154,7 +154,22 @@ fn a_plan_outside_the_model_is_warned_of() {
     let narrow = format!("{LENS} --specimen paper --noise 5uN");
     assert_eq!(workdir.run(&*narrow).stderr, "");
     let object = workdir.json(format!("{narrow} --expect --json"));
-    assert_eq!(object["warnings"].as_array().map(Vec::len), Some(0));
+    for empty in ["warnings", "undetermined"] {
+        assert_eq!(object[empty].as_array().map(Vec::len), Some(0));
+    }
+}
+
+/// Wide contacts tell neither modulus nor thickness of a film: no combination of them.
+#[test]
+fn what_a_plan_does_not_determine_is_named_once() {
+    let workdir = workdir!();
+    let plan = "simulate --specimen paper --kind load-radius --from 100um --to 130um --noise 5uN --points 20 \
+                --free film-modulus,film-thickness,work-of-adhesion --expect";
+    let both = "film-modulus and film-thickness";
+    let text = workdir.succeed(plan);
+    assert_eq!(text.matches(both).count(), 1, "{text}");
+    let object = workdir.json(format!("{plan} --json"));
+    assert_eq!(object["undetermined"], serde_json::json!([both]));
 }
 
 /// The first lines of a measurement hold the command.

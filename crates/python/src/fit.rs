@@ -7,8 +7,8 @@ use contact::magnitude::Magnitude;
 use fit::data::{Notes, opposite_sense};
 use fit::report::{JkrPlotPoint, jkr_plot, report};
 use fit::{
-    Direction, Estimate, Experiment, Fit, Free, Known, Loss, Measurement, Options, Warning,
-    WarningKind, WithoutFilm,
+    Combination, Direction, Estimate, Experiment, Fit, Free, Known, Loss, Measurement, Options,
+    Warning, WarningKind, WithoutFilm,
 };
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -83,8 +83,7 @@ pub fn fit_together<'py>(
         )
     });
     result.set_item("fixed_values", fixed_values.collect::<Vec<_>>())?;
-    let undetermined = found.undetermined.into_iter().map(|one| one.text);
-    result.set_item("undetermined", undetermined.collect::<Vec<_>>())?;
+    result.set_item("undetermined", Combination::texts(&found.undetermined))?;
     Ok(result)
 }
 

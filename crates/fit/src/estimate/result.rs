@@ -302,6 +302,19 @@ pub struct Combination {
     pub text: String,
 }
 
+impl Combination {
+    /// Returns the words of several combinations, each once: the same parameters may change in several proportions.
+    pub fn texts(combinations: &[Self]) -> Vec<&str> {
+        let mut texts: Vec<&str> = Vec::new();
+        for one in combinations {
+            if !texts.contains(&&*one.text) {
+                texts.push(&one.text);
+            }
+        }
+        texts
+    }
+}
+
 /// What a warning is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]

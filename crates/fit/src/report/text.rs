@@ -374,8 +374,8 @@ pub(super) fn name(estimate: &Estimate, files: &[&str]) -> String {
 
 /// Writes the combinations that data do not determine.
 fn undetermined(out: &mut String, combinations: &[Combination]) {
-    for one in combinations {
-        *out += &format!("the data do not determine {}\n", one.text);
+    for text in Combination::texts(combinations) {
+        *out += &format!("the data do not determine {text}\n");
     }
 }
 

@@ -240,7 +240,7 @@ def forecast(
     return Forecast(
         estimates=estimates,
         correlation=correlation_of(found),
-        undetermined=tuple(words for words, _ in found["undetermined"]),
+        undetermined=tuple(dict.fromkeys(words for words, _ in found["undetermined"])),
         stderr={name: one.standard_error for name, one in zip(names, estimates, strict=True)},
         warnings=warnings_of(found),
         _undetermined=frozenset(names[i] for _, parts in found["undetermined"] for i in parts),

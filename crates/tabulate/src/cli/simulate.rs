@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use ::fit::data::{Role, roles};
 use ::fit::report::{self, UnitOf};
 use ::fit::{
-    Direction, Experiment, Forecast, Kind, Measurement, Numbering, Point, forecast,
+    Combination, Direction, Experiment, Forecast, Kind, Measurement, Numbering, Point, forecast,
     simulate_experiment,
 };
 use anyhow::{Context, bail, ensure};
@@ -112,8 +112,9 @@ pub struct Arguments {
     )]
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
-    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "warnings": [{"kind", "text"}]}. An
-    /// infinite number is the text "inf" or "-inf", and one that is not known null
+    /// {"value", "stderr", "unit"}, ...}, "correlation": [[...]], "undetermined": [what the data do not
+    /// determine], "warnings": [{"kind", "text"}]}. An infinite number is the text "inf" or "-inf", and one
+    /// that is not known null
     #[arg(long, requires = "expect", conflicts_with = "loss_tangent")]
     json: bool,
     /// Write here instead of to standard output
@@ -321,6 +322,8 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
 struct ForecastObject<'a> {
     parameters: Estimates<'a>,
     correlation: Vec<Vec<Number>>,
+    /// The parameters that the data would not determine, alone or apart from one another.
+    undetermined: Vec<&'a str>,
     warnings: Vec<WarningObject<'a>>,
 }
 
@@ -329,6 +332,7 @@ impl<'a> ForecastObject<'a> {
         Self {
             parameters: Estimates(&expected.estimates),
             correlation: matrix(&expected.correlation),
+            undetermined: Combination::texts(&expected.undetermined),
             warnings: expected.warnings.iter().map(WarningObject::new).collect(),
         }
     }
