@@ -197,7 +197,7 @@ fn wrong_first_calls_say_what_to_do() {
         2 | curve {FILM} --interface-stiffness 1,2,3 | more than two; KT,KN
         1 | curve {FILM} --interface-stiffness -1 | the film; tangential; -1.0 Pa/m; 0
         2 | curve {FILM} --interface sliding --interface-stiffness 1 | --interface; --interface-stiffness
-        2 | curve {FILM} --interface sliding --probe cone --half-angle 70 | --interface; --probe
+        1 | curve {FILM} --interface sliding --probe cone --half-angle 70 | --probe; not one bonded film; not under a cone; flat-punch
         2 | curve embedded {FILM} --interface sliding | --interface; [TABLE]
         2 | curve --specimen paper --stack stack.toml --interface sliding | --interface; --stack
         2 | curve {FILM} --interface sliding --film-thickness 0.1um | --film-thickness

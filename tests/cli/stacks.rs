@@ -60,6 +60,40 @@ fn curve_prints_the_contact_of_the_stack() {
     }
 }
 
+/// On layers that are all like their base, the pull-off of a rigid flat punch is that of Kendall (1971):
+/// `F^2 = 8 pi E* w a^3`, and the stiffness `2 E* a`.
+#[test]
+fn a_flat_punch_on_layers_like_their_base_is_that_on_a_half_space() {
+    let workdir = workdir!();
+    workdir.write(
+        "alike.toml",
+        TEXT.replace("5e5", "2e11")
+            .replace("3.5e6", "2e11")
+            .replace("0.5", "0.25"),
+    );
+    let bodies = "--stack alike.toml --probe flat-punch --sphere-radius 20um --sphere-modulus inf \
+                  --work-of-adhesion 0.04";
+    let (modulus, a) = (2e11 / (1.0 - 0.0625), 2e-5_f64);
+    let load = -(8.0 * std::f64::consts::PI * modulus * 0.04 * a.powi(3)).sqrt();
+    let text = workdir.succeed(format!("curve {bodies}"));
+    let rows = Data::parse("curve", &text);
+    let row = rows.cases().next().expect("a row");
+    for (name, expected) in [
+        ("contact_radius", a),
+        ("load", load),
+        ("penetration", load / (2.0 * modulus * a)),
+        ("contact_stiffness", 2.0 * modulus * a),
+    ] {
+        assert!(
+            (row.get(name) / expected - 1.0).abs() < 1e-8,
+            "{name}: {row:?}"
+        );
+    }
+    let pull_off = workdir.json(format!("pull-off {bodies} --json"));
+    assert_eq!(number(&pull_off, "contact_radius"), a);
+    assert!((number(&pull_off, "load") / load - 1.0).abs() < 1e-8);
+}
+
 /// The file and the first mistake of each kind; `tabulate::stack` tests the others.
 #[test]
 fn mistakes_are_named_with_file_layer_value_and_range() {
@@ -88,6 +122,8 @@ fn what_describes_one_film_does_not_go_with_a_stack() {
         2 | solve --sphere-modulus 2e6 --a-over-t 1 | --e1-over-e2
         2 | curve --stack stack.toml --film-thickness 1e-6 | --film-thickness
         2 | curve embedded --stack stack.toml | --stack
+        1 | curve --stack stack.toml --probe sphere | --probe; not under a sphere; flat-punch
+        1 | curve --stack stack.toml --probe flat-punch --interaction-range 5nm | flat punch; paraboloid
         2 | fit data.csv --stack stack.toml --film-modulus 1e6 | --film-modulus
         2 | fit data.csv --stack stack.toml --half-space | --half-space
         2 | fit data.csv --stack stack.toml --table embedded | --table

@@ -47,7 +47,11 @@ impl Contact {
     /// Returns the contact radius of a logarithm of the search. At the ends of the range it is
     /// exactly the end.
     pub(crate) fn radius_at(&self, u: f64) -> f64 {
-        let [least, _] = self.mechanics().radii();
+        let [least, most] = self.mechanics().radii();
+        if self.is_punch() {
+            // Between them lies nothing but the rounding of its radius.
+            return f64::midpoint(least, most);
+        }
         let a = u.exp();
         if a <= least * (1.0 + ROUNDING) {
             least

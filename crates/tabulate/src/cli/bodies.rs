@@ -30,7 +30,6 @@ pub struct BodiesArguments {
         value_hint = ValueHint::FilePath,
         conflicts_with_all = [
             "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
-            "probe", "half_angle", "exponent", "coefficient", "profile",
         ],
     )]
     stack: Option<PathBuf>,
@@ -119,7 +118,11 @@ impl BodiesArguments {
             Some(path) => {
                 let layers = stack_file::read(path)?;
                 let sphere_modulus = self.system.value(Value::SphereModulus)?;
-                let system = layers.stack().system(sphere_radius, sphere_modulus);
+                let shape = &self.system.shape;
+                let system = System {
+                    probe: shape.probe(self.system.given(Value::SphereRadius), sphere_radius)?,
+                    ..layers.stack().system(sphere_radius, sphere_modulus)
+                };
                 (system, Some(layers))
             }
             None => {
@@ -128,6 +131,13 @@ impl BodiesArguments {
                 (system, stack.map(Layers::Text))
             }
         };
+        let probe = &system.probe;
+        ensure!(
+            stack.is_none() || matches!(probe, Probe::Paraboloid { .. } | Probe::FlatPunch { .. }),
+            "--probe: layers that are not one bonded film are solved under a paraboloid or a flat punch, and not under a \
+             {}; choose --probe flat-punch, or leave --probe out",
+            probe.name()
+        );
         Ok(Bodies {
             system,
             stack,
@@ -245,6 +255,10 @@ impl Bodies {
             "interaction range = {range:?} m: it must be at most the radius of the sphere, {sphere_radius:?} m, and is \
              some nanometres in most contacts; check its unit"
         );
+        if !matches!(system.probe, Probe::Paraboloid { .. }) {
+            let probe = system.probe.name();
+            return Err(solve::Error::OnlyParaboloid { probe }.into());
+        }
         Ok(match stack {
             Some(layers) => Cohesive::on_stack(
                 layers.stack(),

@@ -121,9 +121,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         // Refuses too large a radius before any work.
         mechanics.edge_singularity(to, bodies.work_of_adhesion)?;
     }
-    let states = States::new(arguments, &bodies, [from, to])?;
-    let rows: Vec<Vec<f64>> = if punch {
+    let radii = if punch {
         // The only contact radius of a punch.
+        [bodies.sphere_radius; 2]
+    } else {
+        [from, to]
+    };
+    let states = States::new(arguments, &bodies, radii)?;
+    let rows: Vec<Vec<f64>> = if punch {
         vec![states.row(bodies.sphere_radius, &mechanics)?]
     } else {
         let bar = progress_bar(arguments.points as usize, "solving");
@@ -271,7 +276,8 @@ impl<'a> States<'a> {
                 "--tolerance is of direct solves, and --stack names a table, which is looked up: \
                  leave out --tolerance, or name a stack file"
             );
-            let range = [from, to].map(|a| a / system.film_thickness);
+            // The single radius of a punch is the end of a short curve.
+            let range = [from.min(0.9 * to), to].map(|a| a / system.film_thickness);
             let curve = layers.curve(system.sphere_modulus, range, tolerance)?;
             Source::Curve(Box::new(Contact::new(system, curve)?))
         } else {
@@ -280,9 +286,6 @@ impl<'a> States<'a> {
                     let slopes = (bodies.work_of_adhesion > 0.0)
                         .then(|| of_slopes(system, [from, to], tolerance));
                     Source::Solves(slopes.transpose()?.map(Box::new))
-                }
-                Probe::FlatPunch { radius } => {
-                    Source::Curve(Box::new(of_shape(system, [radius; 2], tolerance)?))
                 }
                 _ => Source::Curve(Box::new(of_shape(system, [from, to], tolerance)?)),
             }

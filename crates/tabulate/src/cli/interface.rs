@@ -39,15 +39,7 @@ pub struct InterfaceArguments {
 }
 
 /// The arguments that replace the film, or what solves for it.
-const NO_FILM: [&str; 7] = [
-    "table",
-    "stack",
-    "probe",
-    "half_angle",
-    "exponent",
-    "coefficient",
-    "profile",
-];
+const NO_FILM: [&str; 2] = ["table", "stack"];
 
 /// The interfaces that a word names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
