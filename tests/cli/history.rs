@@ -101,6 +101,11 @@ fn all_ways_to_ask_agree() {
         "# a file\nnote,time,penetration\n,0,0\n,1,1um\n,2,1e-6\n,3,0\n",
     );
     close(&solved, &loads("--program moves.csv --points 7"), 1e-8);
+    workdir.write(
+        "units.csv",
+        "time [ms],Penetration (nm)\n0,0\n1000,1000\n2000,1um\n3000,0\n",
+    );
+    close(&solved, &loads("--program units.csv --points 7"), 1e-8);
     // Held, and in another order.
     let held = loads("--program 'penetration 0:0 1:1um' --at=1.5,0.5,1");
     close(&held, &[solved[3], solved[1], solved[2]], 1e-8);
@@ -196,7 +201,7 @@ fn mistakes_are_told() {
         1 | {GEL} --program 'height 0:0 1:1um' | --stiffness
         1 | {GEL} {PROGRAM} --stiffness=1 | --stiffness; height
         1 | {GEL} --program moves.csv | moves.csv; CSV file, or text
-        1 | {GEL} --program radii.csv | radii.csv; penetration (m), load (N) or height (m); contact_radius
+        1 | {GEL} --program radii.csv | radii.csv; heading penetration or height; penetration [um]; contact_radius
         1 | {GEL} --program both.csv | only one
         1 | {GEL} --program untimed.csv | t, load; named time
         1 | {GEL} --program swapped.csv | point 3; 0.0 s; rise

@@ -152,7 +152,7 @@ fn a_fit_finds_the_stiffness_of_an_interface() {
     };
     let free = "--free=film.interface-stiffness,work-of-adhesion";
     let found = fit(&format!("--interface-stiffness=1e12 {free}"));
-    let stiffness = "film.interface-stiffness";
+    let stiffness = "film.interface_stiffness";
     assert_eq!(found["parameters"][stiffness]["unit"], "Pa/m");
     assert_estimate(&found, stiffness, 3e11, 0.2 * 3e11);
     // Without a start, the layer's own stiffness is one.

@@ -135,8 +135,8 @@ pub enum Error {
     },
     /// A rigid sphere in a table for compliant spheres, or the other way round.
     #[error(
-        "the sphere is {}, and the table is made for {} spheres, in units of {table}: use the embedded table, \
-         which holds both, or a table with {} in its scene",
+        "the sphere is {}, and the table is made for {} spheres, in units of {table}: use a table with {} in its \
+         scene, or, for one film, the embedded table, which holds both",
         sphere(query)[0],
         sphere(table)[0],
         sphere(query)[1]

@@ -19,7 +19,7 @@ use crate::error::{Failure, unknown};
 use crate::experiment::{Given, all};
 use crate::indentation::loss;
 use crate::interruption::interruptible;
-use crate::parameter::{GivenFree, fixed, fixed_name, frees, name};
+use crate::parameter::{GivenFree, fixed, frees};
 use crate::table::Table;
 
 /// Loss, level of profiles, range of the attraction, whether any magnitude is allowed, and whether
@@ -74,7 +74,7 @@ pub fn fit_together<'py>(
     )?;
     let fixed_values = found.fixed_values.iter().map(|one| {
         (
-            fixed_name(one.quantity),
+            one.quantity.identifier(),
             one.value,
             &one.values,
             one.step,
@@ -215,7 +215,7 @@ pub fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound
             profile,
         } = *estimate;
         (
-            name(parameter),
+            parameter.identifier(),
             experiment,
             value,
             standard_error,
@@ -338,7 +338,7 @@ fn without_film<'py>(
     fields.set_item("chi_squared", found.chi_squared)?;
     let modulus = found.modulus.map(|bias| {
         (
-            name(bias.parameter),
+            bias.parameter.identifier(),
             bias.relative,
             bias.standard_errors,
             bias.matters(),

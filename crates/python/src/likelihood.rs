@@ -9,7 +9,7 @@ use crate::contacts_on_layers::ContactsOnLayers;
 use crate::error::OrRaise as _;
 use crate::experiment::{Given, all};
 use crate::model::of_names;
-use crate::parameter::{GivenFree, frees, name};
+use crate::parameter::{GivenFree, frees};
 use crate::table::Table;
 
 /// A likelihood with its table.
@@ -45,7 +45,9 @@ impl NativeLikelihood {
     #[getter]
     fn parameters(&self) -> Vec<(String, Option<usize>)> {
         let parameters = self.likelihood.parameters();
-        parameters.map(|(one, own)| (name(one), own)).collect()
+        parameters
+            .map(|(one, own)| (one.identifier(), own))
+            .collect()
     }
 
     /// Returns the logarithms of the likelihood at the rows of values, one row after the other.

@@ -38,8 +38,16 @@ pub fn frees(py: Python<'_>, given: Vec<GivenFree>) -> PyResult<Vec<Free>> {
 
 /// Returns the value taken as given that has a name in Python. A layer keeps its name as it is.
 pub fn fixed(py: Python<'_>, name: &str) -> PyResult<Fixed> {
-    let plain = Fixed::parse(&name.replace('_', "-")).or_else(|| Fixed::parse(name));
-    let found = plain.or_else(|| parameter(name).ok().map(Fixed::Parameter));
+    let plain = Fixed::parse(&name.replace('_', "-"));
+    let plain =
+        plain.filter(|one| !matches!(one, Fixed::Parameter(_) | Fixed::NamedPoissonRatio(_)));
+    let of_layer = || {
+        let layer = name.strip_suffix(".poisson_ratio")?.parse().ok()?;
+        Some(Fixed::NamedPoissonRatio(layer))
+    };
+    let found = plain
+        .or_else(|| parameter(name).ok().map(Fixed::Parameter))
+        .or_else(of_layer);
     found.ok_or_else(|| {
         let text = format!(
             "{name:?} is no value of a fit: give sphere_radius, substrate_modulus, substrate_poisson_ratio or a \
@@ -49,35 +57,15 @@ pub fn fixed(py: Python<'_>, name: &str) -> PyResult<Fixed> {
     })
 }
 
-/// Returns the name in Python of a value taken as given.
-pub fn fixed_name(quantity: Fixed) -> String {
-    match quantity {
-        Fixed::Parameter(parameter) => name(parameter),
-        _ => quantity.name().replace('-', "_"),
-    }
-}
-
-/// The end of the name of the stiffness of an interface in Python.
-const INTERFACE: &str = ".interface_stiffness";
-
 /// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
 pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
     let plain = name.replace('_', "-").parse();
     if matches!(plain, Ok(parameter) if !is_of_layer(parameter)) {
         return plain;
     }
-    match name.strip_suffix(INTERFACE) {
+    match name.strip_suffix(".interface_stiffness") {
         Some(layer) => Ok(Parameter::LayerInterfaceStiffness(layer.parse()?)),
         None => name.parse(),
-    }
-}
-
-/// Returns the name of a parameter in Python.
-pub fn name(parameter: Parameter) -> String {
-    match parameter {
-        Parameter::LayerInterfaceStiffness(layer) => format!("{layer}{INTERFACE}"),
-        _ if is_of_layer(parameter) => parameter.name().into_owned(),
-        _ => parameter.name().replace('-', "_"),
     }
 }
 

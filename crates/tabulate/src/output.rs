@@ -167,10 +167,13 @@ pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Re
 /// Returns the file that `path` leads to: the file behind a link is replaced, not the link.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`, if it exists and is not a file or is read-only, or is a link to nothing.
+/// [`Error::Write`] naming `path`, if it exists and is not a file or is read-only, is a link to nothing, or a stream.
 pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
     target(path).map_err(write_error(path))
 }
+
+/// Names of the streams of a program, and folders of such names.
+const DESCRIPTORS: [&str; 4] = ["/dev/stdout", "/dev/stderr", "/dev/fd", "/proc"];
 
 fn target(path: &Path) -> io::Result<PathBuf> {
     if path
@@ -178,6 +181,12 @@ fn target(path: &Path) -> io::Result<PathBuf> {
         .is_some_and(|name| matches!(name.trim(), "" | "-"))
     {
         return Err(io::Error::other("that is no name; give the name of a file"));
+    }
+    // A file of this name would replace the one to which standard output goes.
+    if DESCRIPTORS.iter().any(|folder| path.starts_with(folder)) {
+        return Err(io::Error::other(
+            "it is no file but a stream of the program; without -o the output goes to standard output",
+        ));
     }
     match path.canonicalize() {
         Ok(existing) if !existing.is_file() => Err(io::Error::other("it exists and is not a file")),

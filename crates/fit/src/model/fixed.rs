@@ -56,6 +56,15 @@ impl Fixed {
         }
     }
 
+    /// Returns the name with underscores, as [`Parameter::identifier`].
+    pub fn identifier(self) -> String {
+        match self {
+            Self::Parameter(parameter) => parameter.identifier(),
+            Self::NamedPoissonRatio(layer) => format!("{layer}.poisson_ratio"),
+            _ => self.name().replace('-', "_"),
+        }
+    }
+
     /// Returns the quantity of a name.
     pub fn parse(name: &str) -> Option<Self> {
         let all = [
@@ -259,5 +268,26 @@ impl Experiment {
             Elastic::new(value, solid.poisson())?
         };
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn identifiers_keep_the_names_of_layers() {
+        for (name, identifier) in [
+            ("work-of-adhesion", "work_of_adhesion"),
+            ("relaxation-time.2", "relaxation_time.2"),
+            ("top-coat.modulus", "top-coat.modulus"),
+            ("top_coat.interface-stiffness", "top_coat.interface_stiffness"),
+            ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
+            ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
+            ("sphere-radius", "sphere_radius"),
+        ] {
+            let found = Fixed::parse(name).map(Fixed::identifier);
+            assert_eq!(found.as_deref(), Some(identifier), "{name}");
+        }
     }
 }

@@ -117,6 +117,18 @@ impl Parameter {
         })
     }
 
+    /// Returns the name with underscores, as JSON objects and Python have it, `work_of_adhesion`. The name of a
+    /// layer stays as it is: `top-coat.interface_stiffness`.
+    pub fn identifier(self) -> String {
+        match self {
+            Self::LayerModulus(_) | Self::LayerThickness(_) => self.name().into_owned(),
+            Self::LayerInterfaceStiffness(layer) => {
+                format!("{layer}{}", INTERFACE.replace('-', "_"))
+            }
+            _ => self.name().replace('-', "_"),
+        }
+    }
+
     /// Returns the SI unit; `"1"` for a number without one.
     pub const fn unit(self) -> &'static str {
         match (self, self.dimension()) {

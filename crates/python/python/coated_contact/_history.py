@@ -15,6 +15,9 @@ from ._control import Control, Spring, native_control
 from ._errors import InputError
 
 if TYPE_CHECKING:
+    import pandas
+    import xarray
+
     from ._contact import Contact
 
 
@@ -161,6 +164,14 @@ class HistoryStates(TimedColumns):
             "load": self.load,
             "penetration": self.penetration,
         }
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a row for each state, with its phase; needs pandas."""
+        return TimedColumns.to_pandas(self).assign(phase=self.phase)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a Dataset over ``time``, with the phase of each state; needs xarray."""
+        return TimedColumns.to_xarray(self).assign(phase=("time", self.phase))
 
 
 def history(

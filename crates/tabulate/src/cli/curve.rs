@@ -25,8 +25,8 @@ use solve::{A_OVER_T, curve as adaptive, solve};
 /// Each row is an equilibrium at one contact radius: contact_radius (m), load (N, positive in
 /// compression), penetration (m), and the coordinates of the reduced JKR plot, jkr_abscissa =
 /// a^(3/2) / (sqrt(pi) R) and jkr_ordinate = F / (sqrt(6 pi) a^(3/2)). At a small radius or a
-/// negative load an equilibrium may be unstable. Under a probe without a radius of curvature the
-/// coordinates of the plot are NaN; a flat punch has one row.
+/// negative load an equilibrium may be unstable. Under a probe without a radius of curvature
+/// jkr_abscissa is NaN; a flat punch has one row.
 ///
 /// Two columns are slopes dF/d delta (N/m): contact_stiffness where the contact line stays, which a
 /// small fast oscillation measures, and moving_stiffness where it moves in equilibrium, which the

@@ -21,6 +21,7 @@ mod default_table;
 mod fit;
 mod friction;
 mod generate;
+mod heading;
 mod history;
 mod info;
 mod interface;

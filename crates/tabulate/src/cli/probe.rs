@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueEnum, ValueHint};
 use interp::{Probe, Profile};
-use units::{Dimension, Unit};
+use units::Dimension;
 
+use super::heading;
 use super::quantity::{degrees, number};
 use crate::input;
 
@@ -160,19 +161,16 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
                 numbers.push(i + 1);
             }
             _ if units.is_none() && points.is_empty() => {
-                let word = |heading: &str| {
-                    heading
-                        .to_lowercase()
-                        .split(['_', '/', ' ', '[', '('])
-                        .next()
-                        .map(str::to_owned)
-                };
+                let [(of_r, unit_of_r), (of_z, unit_of_z)] = [
+                    heading::named(r, Dimension::Length)?,
+                    heading::named(z, Dimension::Length)?,
+                ];
                 ensure!(
-                    word(r).as_deref() != Some("z") || word(z).as_deref() != Some("r"),
+                    of_r != "z" || of_z != "r",
                     "line {}: the columns are z and r: exchange them, r comes first",
                     i + 1
                 );
-                units = Some([unit(r)?, unit(z)?]);
+                units = Some([unit_of_r, unit_of_z]);
             }
             _ => bail!(
                 "line {}: {line:?} is not two numbers with decimal points; units are in a line of headings before them, \
@@ -195,37 +193,4 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
         },
         other => other.into(),
     })
-}
-
-/// Returns the size of the unit in a heading, in m: in brackets, or its last word, as in `r_nm`; 1 without one.
-fn unit(heading: &str) -> anyhow::Result<f64> {
-    let length = |symbol: &str| {
-        let unit = Unit::parse(symbol).filter(|unit| unit.dimension == Dimension::Length);
-        unit.map(|unit| unit.size)
-    };
-    let Some((_, rest)) = heading.split_once(['[', '(']) else {
-        let last = heading.rsplit(['_', '/', ' ', '-', ':']).next();
-        return Ok(last.and_then(length).unwrap_or(1.0));
-    };
-    let symbol = rest.trim_end_matches([']', ')']);
-    length(symbol).with_context(|| {
-        format!("{heading:?}: {symbol:?} is no unit of length; write m, um or nm, for example")
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_of_headings_are_lengths() {
-        assert!((unit("r [um]").expect("a length") - 1e-6).abs() < 1e-20);
-        assert!((unit("z (nm)").expect("a length") - 1e-9).abs() < 1e-22);
-        assert!((unit("z").expect("in m") - 1.0).abs() < 1e-15);
-        assert!(unit("z [mN]").is_err());
-        for (heading, size) in [("r_um", 1e-6), ("z/nm", 1e-9), ("r um", 1e-6), ("r_m", 1.0)] {
-            let found = unit(heading).expect("a length");
-            assert!((found / size - 1.0).abs() < 1e-12, "{heading}");
-        }
-    }
 }

@@ -330,7 +330,10 @@ struct ForecastObject<'a> {
 impl<'a> ForecastObject<'a> {
     fn new(expected: &'a Forecast) -> Self {
         Self {
-            parameters: Estimates(&expected.estimates),
+            parameters: Estimates {
+                all: &expected.estimates,
+                files: 1,
+            },
             correlation: matrix(&expected.correlation),
             undetermined: Combination::texts(&expected.undetermined),
             warnings: expected.warnings.iter().map(WarningObject::new).collect(),

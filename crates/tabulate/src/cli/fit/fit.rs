@@ -183,7 +183,7 @@ pub struct Arguments {
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
-    /// own is a list. With --intervals each parameter has an "interval". An infinite number is the text
+    /// own is a list, with null for a file that has none. With --intervals each parameter has an "interval". An infinite number is the text
     /// "inf" or "-inf", and one that is not known null.
     #[arg(long)]
     json: bool,
@@ -192,6 +192,11 @@ pub struct Arguments {
     csv: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
+}
+
+/// Returns a path from the root, as far as its text tells.
+fn absolute(path: Option<&Path>) -> Option<PathBuf> {
+    std::path::absolute(path?).ok()
 }
 
 /// Parses the name of a kind.
@@ -308,7 +313,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         .chain(arguments.reference.reference.as_deref())
         .collect();
     ensure!(
-        arguments.csv.is_none() || arguments.csv.as_deref() != arguments.picture.path(),
+        arguments.csv.is_none()
+            || absolute(arguments.csv.as_deref()) != absolute(arguments.picture.path()),
         "--csv and --plot name the same file; choose two names"
     );
     let csv = output(arguments.csv.as_deref(), &inputs)?;
@@ -466,12 +472,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     // A picture that cannot be drawn is told before anything is written.
     let drawn = arguments.picture.drawn(&fit, &experiments)?;
-    if let Some(csv) = csv {
-        csv.write(&table::csv(&fit, &experiments)?)?;
-    }
-    if let (Some(plot), Some(drawn)) = (plot, drawn) {
-        plot.write(&drawn)?;
-    }
     if arguments.json {
         json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
     } else {
@@ -492,6 +492,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         report += &next_steps(&fit, timed);
         print(printable::lines(&report).as_bytes())?;
+    }
+    // The result is printed even if a file cannot be written.
+    if let Some(csv) = csv {
+        csv.write(&table::csv(&fit, &experiments)?)?;
+    }
+    if let (Some(plot), Some(drawn)) = (plot, drawn) {
+        plot.write(&drawn)?;
     }
     ensure!(
         fit.converged,

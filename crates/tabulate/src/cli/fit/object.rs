@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use ::fit::data::Notes;
 use ::fit::report::{a_over_t, reading};
 use ::fit::{
-    Estimate, Experiment, Fit, FittedExperiment, Fixed, FixedValue, LeftOut, LossAngle, Parameter,
+    Estimate, Experiment, Fit, FittedExperiment, FixedValue, LeftOut, LossAngle, Parameter,
     Warning, WithoutFilm,
 };
 use serde::{Serialize, Serializer};
@@ -166,8 +166,13 @@ impl<T: Serialize> Serialize for OneOrAll<T> {
     }
 }
 
-/// Estimates by the names of their parameters: one object, or a list where files have their own.
-pub struct Estimates<'a>(pub &'a [Estimate]);
+/// Estimates by the names of their parameters: one object, or a list with one for each of several files where
+/// they have their own, null for a file that has no such parameter.
+pub struct Estimates<'a> {
+    pub all: &'a [Estimate],
+    /// The number of files.
+    pub files: usize,
+}
 
 #[derive(Serialize)]
 struct EstimateObject {
@@ -181,15 +186,23 @@ struct EstimateObject {
 impl Serialize for Estimates<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut parameters: Vec<Parameter> = Vec::new();
-        for estimate in self.0 {
+        for estimate in self.all {
             if !parameters.contains(&estimate.parameter) {
                 parameters.push(estimate.parameter);
             }
         }
         serializer.collect_map(parameters.into_iter().map(|parameter| {
-            let of = self.0.iter().filter(|found| found.parameter == parameter);
-            let objects = of.map(EstimateObject::new);
-            (json_name(parameter), OneOrAll(objects.collect()))
+            let of = self.all.iter().filter(|found| found.parameter == parameter);
+            let mut objects: Vec<Option<EstimateObject>> = Vec::new();
+            for found in of {
+                if let Some(file) = found.experiment {
+                    objects.resize_with(self.files.max(file + 1), || None);
+                    objects[file] = Some(EstimateObject::new(found));
+                } else {
+                    objects.push(Some(EstimateObject::new(found)));
+                }
+            }
+            (parameter.identifier(), OneOrAll(objects))
         }))
     }
 }
@@ -202,16 +215,6 @@ impl EstimateObject {
             unit: found.parameter.unit(),
             interval: found.profile.map(|ends| ends.map(Number)),
         }
-    }
-}
-
-/// Returns the key of a parameter: its name with underscores, but that of a layer as it stands.
-fn json_name(parameter: Parameter) -> String {
-    match parameter {
-        Parameter::LayerModulus(_)
-        | Parameter::LayerThickness(_)
-        | Parameter::LayerInterfaceStiffness(_) => parameter.name().into(),
-        _ => parameter.name().replace('-', "_"),
     }
 }
 
@@ -252,7 +255,10 @@ impl<'a> FitObject<'a> {
                 .collect(),
             sphere_young_modulus: young_of_sphere(fit, experiments),
             converged: fit.converged,
-            parameters: Estimates(&fit.estimates),
+            parameters: Estimates {
+                all: &fit.estimates,
+                files: experiments.len(),
+            },
             correlation: matrix(&fit.correlation),
             reduced_chi_squared: fit.reduced_chi_squared.map(Number),
             noise: of_files(|one| one.noise),
@@ -277,7 +283,10 @@ impl<'a> FitObject<'a> {
                     let fitted = fit.experiments.iter().zip(experiments);
                     OneOrAll(fitted.map(|(f, e)| RelaxationObject::new(f, e)).collect())
                 }),
-            without_film: fit.without_film.as_ref().map(WithoutFilmObject::new),
+            without_film: fit
+                .without_film
+                .as_ref()
+                .map(|without| WithoutFilmObject::new(without, experiments.len())),
             fixed_values: fit.fixed_values.iter().map(FixedValueObject::new).collect(),
             warnings: doubts.chain(warnings).collect(),
         }
@@ -287,10 +296,7 @@ impl<'a> FitObject<'a> {
 impl FixedValueObject {
     fn new(one: &FixedValue) -> Self {
         Self {
-            name: match one.quantity {
-                Fixed::Parameter(parameter) => json_name(parameter),
-                other => other.name().replace('-', "_"),
-            },
+            name: one.quantity.identifier(),
             value: Number(one.value),
             values: one.values.iter().copied().map(Number).collect(),
             unit: one.quantity.unit(),
@@ -314,12 +320,15 @@ fn young_of_sphere(fit: &Fit, experiments: &[Experiment]) -> Option<OneOrAll<Est
 }
 
 impl<'a> WithoutFilmObject<'a> {
-    fn new(without: &'a WithoutFilm) -> Self {
+    fn new(without: &'a WithoutFilm, files: usize) -> Self {
         Self {
-            parameters: Estimates(&without.estimates),
+            parameters: Estimates {
+                all: &without.estimates,
+                files,
+            },
             chi_squared: Number(without.chi_squared),
             modulus: without.modulus.map(|bias| ModulusObject {
-                parameter: json_name(bias.parameter),
+                parameter: bias.parameter.identifier(),
                 relative: Number(bias.relative),
                 standard_errors: Number(bias.standard_errors),
                 film_matters: bias.matters(),

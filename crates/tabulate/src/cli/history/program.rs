@@ -5,7 +5,8 @@ use std::path::Path;
 use anyhow::{Context, anyhow, bail, ensure};
 use units::Dimension;
 
-use super::super::quantity::{read, time};
+use super::super::heading;
+use super::super::quantity::{any, read, time};
 use crate::csv_file::CsvFile;
 use crate::input;
 use crate::printable;
@@ -87,29 +88,40 @@ impl Program {
         Ok(Self { imposed, points })
     }
 
-    /// Reads the columns `time` and `penetration`, `load` or `height` of a CSV file.
+    /// Reads the columns `time` and `penetration`, `load` or `height` of a CSV file, in SI units or with units in the
+    /// headings or cells.
     fn open(path: &Path) -> anyhow::Result<Self> {
         let (bytes, _) = input::open(path, LONGEST).context(
             "it cannot be read; --program takes a CSV file, or text such as \"penetration 0:0 1:1um 2:0\"",
         )?;
         let mut reader = CsvFile::new(bytes);
         let header = reader.header()?;
-        let mut times = (0..header.len()).filter(|&i| header[i] == *"time");
-        let (Some(of_time), None) = (times.next(), times.next()) else {
+        let (mut times, mut found) = (Vec::new(), Vec::new());
+        for (i, text) in header.iter().enumerate() {
+            if let Ok((name, unit)) = heading::named(text, Dimension::Time)
+                && name == "time"
+            {
+                times.push((i, unit));
+            }
+            for imposed in Imposed::ALL {
+                if let Ok((name, unit)) = heading::named(text, imposed.dimension())
+                    && name == imposed.word()
+                {
+                    found.push((i, unit, imposed));
+                }
+            }
+        }
+        let [(of_time, unit_of_time)] = times[..] else {
             bail!(
-                "the columns are {}: there must be one column named time (s)",
+                "the columns are {}: there must be one column of times, with the heading time, in s, or such as time [ms]",
                 names(&header)
             )
         };
-        let found: Vec<(usize, Imposed)> = header
-            .iter()
-            .enumerate()
-            .filter_map(|(i, name)| Some((i, Imposed::of_word(name)?)))
-            .collect();
-        let (column, imposed) = match found[..] {
+        let (column, unit, imposed) = match found[..] {
             [one] => one,
             [] => bail!(
-                "the columns are {}: there must be one named penetration (m), load (N) or height (m), which is imposed",
+                "the columns are {}: there must be one of what is imposed, with the heading penetration or height, in m, or \
+                 load, in N, or with a unit, such as penetration [um]",
                 names(&header)
             ),
             _ => bail!(
@@ -120,14 +132,24 @@ impl Program {
         let mut points = Vec::new();
         let mut record = csv::StringRecord::new();
         while let Some(line) = reader.read(&mut record)? {
-            let value = |column: usize, dimension: Dimension| {
+            let value = |column: usize, dimension: Dimension, unit: f64| {
                 let text = record.get(column).unwrap_or_default();
-                read(text, Some(dimension))
-                    .map_err(|error| anyhow!("line {line}, column {}: {error}", &header[column]))
+                let value = any(text).and_then(|quantity| {
+                    let value = quantity
+                        .of(Some(dimension))
+                        .map_err(|error| error.to_string())?;
+                    // A unit in the cell stands for that of the heading.
+                    Ok(if quantity.dimension.is_some() {
+                        value
+                    } else {
+                        value * unit
+                    })
+                });
+                value.map_err(|error| anyhow!("line {line}, column {}: {error}", &header[column]))
             };
             points.push((
-                value(of_time, Dimension::Time)?,
-                value(column, imposed.dimension())?,
+                value(of_time, Dimension::Time, unit_of_time)?,
+                value(column, imposed.dimension(), unit)?,
             ));
         }
         ensure!(!points.is_empty(), "it holds no points");
