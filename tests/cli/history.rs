@@ -203,7 +203,7 @@ fn mistakes_are_told() {
         1 | {GEL} --program moves.csv | moves.csv; CSV file, or text
         1 | {GEL} --program radii.csv | radii.csv; heading penetration or height; penetration [um]; contact_radius
         1 | {GEL} --program both.csv | only one
-        1 | {GEL} --program untimed.csv | t, load; named time
+        1 | {GEL} --program untimed.csv | t, load; column of times
         1 | {GEL} --program swapped.csv | point 3; 0.0 s; rise
         1 | {GEL} --program semicolons.csv | separate the columns by commas
         1 | {GEL} --program words.csv | words.csv; line 4; much
@@ -212,7 +212,7 @@ fn mistakes_are_told() {
         1 | {GEL} {PROGRAM} --at=-1 | -1; begins at
         1 | {GEL} {PROGRAM} --tolerance=1e-14 | 1e-14; 1e-10
         1 | {GEL} --program 'penetration 0:0 1:1mm' | penetration
-        1 | {GEL} --program twice.csv | time, time, load; one column named time
+        1 | {GEL} --program twice.csv | time, time, load; one column of times
         1 | {FLAT} --film-thickness=1nm | flat end of the probe, 1e-6 m; give a TABLE
         "
     ));

@@ -254,12 +254,13 @@ impl From<interp::Error> for Error {
     }
 }
 
-/// Returns the next step after an error of the contact where a fit starts: another table, whose error
-/// names it, or another start.
+/// Returns the next step after an error of the contact where a fit starts: another start, unless the error names the
+/// step itself, or no start helps.
 fn other_start(cause: &Error) -> &'static str {
     use interp::Error::{Normalisation, NotOfStack, OfStack};
     match cause {
-        Error::Contact(contact::Error::Table(OfStack | NotOfStack | Normalisation { .. })) => "",
+        Error::Contact(contact::Error::Table(OfStack | NotOfStack | Normalisation { .. }))
+        | Error::Layers(solve::Error::Coupled { .. }) => "",
         _ => "; give another start",
     }
 }

@@ -279,6 +279,7 @@ impl Contact {
         number("a_over_t", |film| film.a_over_t)?;
         number("compressibility", |film| film.compressibility)?;
         number("strain", |film| film.strain)?;
+        number("bending", |film| film.bending)?;
         let flag = |name, of: fn(FilmValidity) -> bool| {
             let column = rows.iter().map(|row| film(row).is_some_and(of));
             fields.set_item(name, PyArray1::from_iter(py, column))
@@ -290,6 +291,7 @@ impl Contact {
             ("sideways", Neglected::Sideways),
             ("elastic_probe", Neglected::ElasticProbe),
             ("strain", Neglected::Strain),
+            ("bending", Neglected::Bending),
         ] {
             let matters = |row: &Option<Validity>| {
                 row.is_some_and(|validity| validity.neglected().contains(&effect))

@@ -134,6 +134,29 @@ fn add(
             ),
         );
     }
+    if let Some(film) = validity
+        .film
+        .filter(|film| film.bending > Validity::WARNING_BENDING)
+    {
+        warnings.add(
+            WarningKind::LargeStrain,
+            format!(
+                "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness; \
+                 it is stretched then, too, and stiffer than the linear model has it: fit smaller contacts",
+                film.bending
+            ),
+        );
+    }
+    if validity.film.is_some_and(|film| film.lifts_off) {
+        warnings.add(
+            WarningKind::NoDisc,
+            format!(
+                "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
+                 lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
+                 or measure with a sphere"
+            ),
+        );
+    }
     friction::add(warnings, experiment, contact, a, estimates);
     for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {

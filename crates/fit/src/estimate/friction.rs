@@ -2,6 +2,7 @@
 //! laws of friction.
 
 use contact::Contact;
+use interp::Probe;
 use solve::stack::{Interface, Stack};
 use solve::stick::Sticking;
 
@@ -43,7 +44,7 @@ pub(super) fn add(
     let nu2 = experiment
         .sphere_poisson_ratio
         .unwrap_or(USUAL_POISSON_RATIO);
-    let Some(ratio) = stiffening(bodies, nu2, a) else {
+    let Some((ratio, is_uncoupled)) = stiffening(bodies, nu2, a) else {
         return;
     };
     let sticks = contact.curve().is_some_and(|curve| curve.stick().is_some());
@@ -64,7 +65,8 @@ pub(super) fn add(
     };
     let parameter = modulus.parameter;
     let kind = experiment.measurement.kind;
-    let has_radii = kind == Kind::LoadRadius || !experiment.has_shape(false);
+    let is_punch = matches!(bodies.probe(), Probe::FlatPunch { .. });
+    let has_radii = is_punch || kind == Kind::LoadRadius || !experiment.has_shape(false);
     let is_found = |parameter| estimates.iter().any(|one| one.parameter == parameter);
     let bounds = if !has_radii || is_found(Parameter::Hardness) {
         format!(
@@ -76,11 +78,18 @@ pub(super) fn add(
     } else {
         format!("{parameter} is between {stick:.4e} Pa (stick) and {slide:.4e} Pa (no friction)")
     };
+    // A growing contact with full friction is solved under these conditions only.
+    let paraboloid = matches!(bodies.probe(), Probe::Paraboloid { .. });
+    let both = if paraboloid && is_uncoupled && !kind.is_stiffness() {
+        "fit with both, or "
+    } else {
+        ""
+    };
     warnings.add(
         WarningKind::Friction,
         format!(
             "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %, and \
-             changes {parameter} by more than its standard error: {bounds}; fit with both, or use contacts that are less \
+             changes {parameter} by more than its standard error: {bounds}; {both}use contacts that are less \
              wide beside the film",
             digits(1e2 * (ratio - 1.0)),
         ),
@@ -107,9 +116,9 @@ fn digits(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Returns the stiffness with full friction over that without, of a flat punch of radius `a` (m); `None`
-/// where it is not solved, or there is no film.
-fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
+/// Returns the stiffness with full friction over that without, of a flat punch of radius `a` (m), and whether
+/// Dundurs' beta of sphere and film is 0; `None` where it is not solved, or there is no film.
+fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<(f64, bool)> {
     let (stack, sphere_modulus) = match bodies {
         Bodies::Coated(system) => (
             Stack::of_film(system, Interface::Bonded),
@@ -121,5 +130,6 @@ fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<f64> {
     let stack = stack.ok()?;
     let sticking = Sticking::on_stack(&stack, sphere_modulus, nu2).ok()?;
     let a_over_t = (a / stack.thickness()).min(sticking.most_of_punch());
-    sticking.stiffening(a_over_t, TOLERANCE).ok()
+    let ratio = sticking.stiffening(a_over_t, TOLERANCE).ok()?;
+    Some((ratio, sticking.beta() == 0.0))
 }

@@ -368,8 +368,10 @@ pub enum WarningKind {
     LargeContact,
     /// An attraction whose range is not small: Tabor's parameter is below 5.
     LongRange,
-    /// A penetration that is large beside the thickness of the film.
+    /// A film that is compressed, or a stiff one that is bent, by a large part of its thickness.
     LargeStrain,
+    /// A film so much stiffer than its substrate that the contact may be no disc.
+    NoDisc,
     /// Friction, which may change the modulus by more than its standard error.
     Friction,
     /// Contacts so small or so large beside the film that they hardly tell it.
@@ -436,6 +438,7 @@ impl WarningKind {
             Self::LargeContact => "large-contact",
             Self::LongRange => "long-range",
             Self::LargeStrain => "large-strain",
+            Self::NoDisc => "no-disc",
             Self::Friction => "friction",
             Self::FilmNotSeen => "film-not-seen",
             Self::ContactDepth => "contact-depth",

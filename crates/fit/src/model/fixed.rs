@@ -281,7 +281,10 @@ mod tests {
             ("work-of-adhesion", "work_of_adhesion"),
             ("relaxation-time.2", "relaxation_time.2"),
             ("top-coat.modulus", "top-coat.modulus"),
-            ("top_coat.interface-stiffness", "top_coat.interface_stiffness"),
+            (
+                "top_coat.interface-stiffness",
+                "top_coat.interface_stiffness",
+            ),
             ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
             ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
             ("sphere-radius", "sphere_radius"),

@@ -56,19 +56,23 @@ class Validity(OneLine):
         The compression of the film over its thickness, the size of its strain: the part of the
         penetration without adhesion that the bare substrate would not have at the same load. The
         model is linear. Negative where the substrate is softer than the film; None on a half-space.
+    bending : float, numpy.ndarray or None
+        The part of its thickness by which the contact without adhesion bends a film that is stiffer
+        than its substrate; 0 for a softer film. It is stretched then, too, which stiffens it and is
+        left out. None on a half-space.
     in_range : bool, numpy.ndarray or None
         Whether a/t is between the nodes of the table or curve. Beyond them an expansion is used, or
         there is an error. None on a half-space.
     lifts_off : bool, numpy.ndarray or None
-        Whether the penetration without adhesion falls somewhere up to this radius while the contact
-        grows: the film is so much stiffer than the substrate that it lifts off inside the contact,
-        under cones where it is some 100 times as stiff. That is not modelled, and the loads without
-        adhesion are wrong from there on. None on a half-space.
+        Whether the contact without adhesion may be no disc: the film is so much stiffer than the
+        substrate that it bends as a plate. Under a cone on a film more than 150 times as stiff it
+        touches the flank outside the disc; under a flat end on one more than 30 times as stiff it
+        lifts off inside. That is not modelled, and the loads are wrong. None on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
         ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %),
-        ``elastic_probe`` (an elastic probe is no half-space; above an a/R and a share of 0.1) and
-        ``strain`` (above 0.1). While there is one, ``Sphere`` in place of ``Paraboloid`` gains
+        ``elastic_probe`` (an elastic probe is no half-space; above an a/R and a share of 0.1),
+        ``strain`` (above 0.1) and ``bending`` (above 0.3). While there is one, ``Sphere`` in place of ``Paraboloid`` gains
         nothing for loads at given penetrations.
     """
 
@@ -79,6 +83,7 @@ class Validity(OneLine):
     a_over_t: Any
     compressibility: Any
     strain: Any
+    bending: Any
     in_range: Any
     lifts_off: Any
     neglected: dict[str, Any]
@@ -231,7 +236,7 @@ def validity(
     neglected = found.pop("neglected")
     fields = {name: _plain(array.reshape(shape)) for name, array in found.items()}
     if isinstance(contact.system, HalfSpace):
-        of_film = ("a_over_t", "compressibility", "strain", "in_range", "lifts_off")
+        of_film = ("a_over_t", "compressibility", "strain", "bending", "in_range", "lifts_off")
         fields.update(dict.fromkeys(of_film))
     return Validity(
         **fields,

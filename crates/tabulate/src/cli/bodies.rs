@@ -170,8 +170,8 @@ impl Bodies {
     }
 
     /// Notes on standard error that a contact of radius `a` (m) compresses the film by more than [`Validity::SMALL`] of
-    /// its thickness. Without a `contact`, one film is solved there; of a stack nothing is said.
-    pub fn note_compression(&self, contact: Option<&Contact>, a: f64) {
+    /// its thickness, or bends it by more than [`Validity::WARNING_BENDING`]. Without a `contact`, one film is solved there; of a stack nothing is said.
+    pub fn note_strain(&self, contact: Option<&Contact>, a: f64) {
         /// The part of the radius from which on the curve is solved, and its tolerance: two digits are shown.
         const BEGIN: f64 = 0.9;
         const TOLERANCE: f64 = 1e-4;
@@ -188,11 +188,20 @@ impl Bodies {
         let validity = contact
             .or(solved.as_ref())
             .map(|contact| contact.validity(a));
-        if let Some(Ok(Validity {
+        let Some(Ok(Validity {
             film: Some(film), ..
         })) = validity
-            && film.strain > Validity::SMALL
-        {
+        else {
+            return;
+        };
+        if film.bending > Validity::WARNING_BENDING {
+            note(&format!(
+                "The model is linear. Without adhesion, a contact of radius {a:.3e} m would press the film, which is stiffer \
+                 than what lies below it, down by {:.2} of its thickness; it is stretched then, too, and stiffer than here.",
+                film.bending
+            ));
+        }
+        if film.strain > Validity::SMALL {
             let layers = self
                 .stack
                 .as_ref()
@@ -202,6 +211,25 @@ impl Bodies {
                 "The model is linear: its error is of the size of the strain. Without adhesion, a contact of radius {a:.3e} m \
                  would compress the {what} by {:.0} % of the thickness.",
                 1e2 * film.strain
+            ));
+        }
+    }
+
+    /// Notes on standard error that contacts without adhesion, between two radii (m), may be no discs.
+    pub fn note_no_disc(&self, contact: &Contact, [from, to]: [f64; 2]) {
+        /// The number of radii that are tried.
+        const COUNT: i32 = 50;
+        let ratio = (to / from).powf(1.0 / f64::from(COUNT));
+        let mut radii = (0..=COUNT).map(|i| from * ratio.powi(i));
+        let lifts_off = |a: &f64| {
+            let film = contact.validity(*a).ok().and_then(|found| found.film);
+            film.is_some_and(|film| film.lifts_off)
+        };
+        if let Some(a) = radii.find(lifts_off) {
+            note(&format!(
+                "From a contact radius of about {a:.2e} m on, a contact without adhesion may be no disc: the film is so much \
+                 stiffer than what lies below it that it bends, touches the probe farther outside, or lifts off inside. This is \
+                 not modelled, and the loads are wrong. Under a paraboloid and a sphere it is a disc."
             ));
         }
     }

@@ -9,7 +9,6 @@ use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
-use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
@@ -149,10 +148,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             Source::Solves(slopes) => slopes.as_deref(),
             Source::Range(_) => None,
         };
-        bodies.note_compression(contact, to);
-    }
-    if states.work_of_adhesion == 0.0 {
-        note_lift_off(&rows);
+        bodies.note_strain(contact, to);
+        if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
+            bodies.note_no_disc(contact, [from, to]);
+        }
     }
     if arguments.history.sticks()?.is_none() {
         friction::note_size(&bodies, if punch { bodies.sphere_radius } else { to });
@@ -174,21 +173,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         writer.write_record(row.into_iter().map(number))?;
     }
     output.write(&writer.into_inner()?)
-}
-
-/// Notes on standard error that the penetrations of contacts without adhesion fall.
-fn note_lift_off(rows: &[Vec<f64>]) {
-    /// The part of a penetration that is not due to the tolerance of solves.
-    const CLEAR: f64 = 1e-6;
-    let falls = |pair: &&[Vec<f64>]| pair[1][2] < (1.0 - CLEAR) * pair[0][2];
-    if let Some(pair) = rows.windows(2).find(falls) {
-        note(&format!(
-            "From a contact radius of {:.3e} m on, the computed penetration falls while the contact grows. No contact without \
-             adhesion does that: the film is so much stiffer than the substrate that it lifts off inside the contact. This is \
-             not modelled, and the loads from there on are wrong.",
-            pair[0][0]
-        ));
-    }
 }
 
 impl Arguments {

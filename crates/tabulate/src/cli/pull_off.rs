@@ -129,7 +129,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     attracting.bodies.name_example();
     bodies.note_large_contact(state.contact_radius);
     if state.contact_radius > 0.0 {
-        bodies.note_compression(contact.as_ref(), state.contact_radius);
+        bodies.note_strain(contact.as_ref(), state.contact_radius);
         if sticks.is_none() {
             friction::note_size(&bodies, state.contact_radius);
         }
