@@ -183,3 +183,48 @@ fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
         "exactly the largest load; leave these points out; let their lines begin with #",
     );
 }
+
+/// The scene of a table of a few nodes.
+fn scene(tolerance: f64, nodes: [&str; 2]) -> String {
+    let [a_over_t, e1] = nodes;
+    format!(
+        "title = \"coarse\"\ntolerance = {tolerance:?}\na_over_t = {{ from = 0.1, to = 10{a_over_t} }}\n\
+         e1_over_e2 = {{ from = 1, to = 3{e1} }}\nnu1 = 0.5\ne0_over_e2 = inf\n"
+    )
+}
+
+/// The error of a table is no noise: what it does to the values does not show in their standard errors.
+#[test]
+fn a_table_less_accurate_than_the_data_is_doubted() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --film-thickness 30um --substrate-modulus inf --noise 500nN";
+    workdir.succeed(format!(
+        "simulate {bodies} --kind load-radius --from 40um --to 130um --seed 1 -o data.csv"
+    ));
+    workdir.write("coarse.toml", scene(1e-2, ["", ""]));
+    workdir.run("generate coarse.toml -o coarse.h5");
+    let fit = |table: &str| workdir.json(format!("fit data.csv {bodies} --table {table} --json"));
+    let of_kind = |found: &Value| kinds(found).contains(&"table-error");
+    let (coarse, exact) = (fit("coarse.h5"), fit("embedded"));
+    assert!(of_kind(&coarse) && !of_kind(&exact), "{coarse}");
+    let wrong = |found: &Value| {
+        let value = |name: &str| number(found, &format!("parameters/work_of_adhesion/{name}"));
+        (value("value") - 0.04).abs() / value("stderr")
+    };
+    assert!(wrong(&coarse) > 4.0 && wrong(&exact) < 3.0);
+}
+
+/// A table that was written although it misses its tolerance says so wherever it is used.
+#[test]
+fn a_table_that_misses_its_tolerance_is_told_of() {
+    let workdir = workdir!();
+    workdir.write("missed.toml", scene(1e-9, [", nodes = 6", ", nodes = 3"]));
+    assert_eq!(workdir.run("generate missed.toml -o missed.h5").status, 1);
+    let run = workdir.run(
+        "curve missed.h5 --specimen paper --film-thickness 30um --substrate-modulus inf --to 100um",
+    );
+    assert_names(
+        &run.stderr,
+        "missed.h5 misses its tolerance of 1.0e-9; embedded",
+    );
+}

@@ -40,6 +40,7 @@ mod search;
 mod slot;
 mod solve;
 mod start;
+mod table_error;
 mod twice;
 mod uncertainty;
 mod unequal_noise;

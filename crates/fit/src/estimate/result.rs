@@ -388,6 +388,8 @@ pub enum WarningKind {
     AssumesBonding,
     /// The fit was stopped by the end of the table.
     EndOfTable,
+    /// A table whose error is not small beside the noise.
+    TableError,
     /// There is another minimum, whose sum of squares is larger by no more than chance explains.
     SeveralMinima,
     /// A standard error that says too little, because the model is far from linear within it.
@@ -446,6 +448,7 @@ impl WarningKind {
             Self::InterfaceNotSeen => "interface-not-seen",
             Self::AssumesBonding => "assumes-bonding",
             Self::EndOfTable => "end-of-table",
+            Self::TableError => "table-error",
             Self::SeveralMinima => "several-minima",
             Self::NonlinearError => "nonlinear-error",
             Self::OpenInterval => "open-interval",

@@ -12,7 +12,7 @@ use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::{Bend, TESTED};
 use super::{
     agreement, assumptions, cycle, indentation, interfaces, no_adhesion, noise, prior, relaxing,
-    wanted,
+    table_error, wanted,
 };
 use crate::magnitude::{self, STIFFNESSES};
 use crate::{Estimate, Fit, LeftOutReason, Loss, Options, Parameter, Warning, WarningKind};
@@ -31,6 +31,7 @@ pub(super) fn warnings(
     let problem = &found.problem;
     method(&mut warnings, fit, found);
     super::twice::add(&mut warnings, problem);
+    table_error::add(&mut warnings, fit, problem);
     if let Some(found) = &found.bend {
         bend(&mut warnings, problem, found);
     }

@@ -11,6 +11,7 @@ use anyhow::Context;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use interp::Table;
 
+use super::note;
 use crate::printable;
 
 /// The word for the table that is compiled into the program.
@@ -76,7 +77,16 @@ impl TableName {
         } else {
             open_hdf5
         };
-        Ok(Cow::Owned(read(path)?))
+        let table = read(path)?;
+        let description = table.description();
+        if description.certificate.max_error > description.tolerance {
+            note(&format!(
+                "{self} misses its tolerance of {:.1e}: the largest error that its certificate found is {:.1e}. Make it again over \
+                 a smaller range, or with a larger tolerance, or use `{EMBEDDED}`.",
+                description.tolerance, description.certificate.max_error
+            ));
+        }
+        Ok(Cow::Owned(table))
     }
 
     /// Describes a file that cannot be read. Its name may be the word for the compiled table, spelled
