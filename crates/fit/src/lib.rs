@@ -45,6 +45,9 @@
 
 #![forbid(unsafe_code)]
 
+#[macro_use]
+mod named;
+
 pub mod data;
 mod error;
 mod estimate;

@@ -7,86 +7,46 @@ use units::{Dimension, Unit};
 /// What stands in place of a unit that the user has to fill in.
 pub(super) const UNIT: &str = "[UNIT]";
 
-/// What a column holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
-    /// The contact radius.
-    ContactRadius,
-    /// The load or force, positive in compression.
-    Load,
-    /// The penetration.
-    Penetration,
-    /// The height of the cantilever's base, smaller when it is closer to the sample.
-    Height,
-    /// The deflection of the cantilever, positive in compression.
-    Deflection,
-    /// The segment: approach, retract or pause.
-    Segment,
-    /// The standard deviation of the contact radius.
-    ContactRadiusError,
-    /// The standard deviation of the load or force.
-    LoadError,
-    /// The standard deviation of the penetration.
-    PenetrationError,
-    /// The standard deviation of the height.
-    HeightError,
-    /// The contact stiffness; where there is a phase, its storage part.
-    ContactStiffness,
-    /// The contact area, in place of the contact radius.
-    ContactArea,
-    /// The phase between contact stiffness and oscillation, the angle of the complex stiffness.
-    PhaseShift,
-    /// The loss part of the contact stiffness.
-    LossStiffness,
-    /// The standard deviation of the contact stiffness.
-    ContactStiffnessError,
-    /// The time.
-    Time,
+named! {
+    /// What a column holds.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Role {
+        /// The contact radius.
+        ContactRadius = "contact_radius",
+        /// The load or force, positive in compression.
+        Load = "load",
+        /// The penetration.
+        Penetration = "penetration",
+        /// The height of the cantilever's base, smaller when it is closer to the sample.
+        Height = "height",
+        /// The deflection of the cantilever, positive in compression.
+        Deflection = "deflection",
+        /// The segment: approach, retract or pause.
+        Segment = "segment",
+        /// The standard deviation of the contact radius.
+        ContactRadiusError = "contact_radius_error",
+        /// The standard deviation of the load or force.
+        LoadError = "load_error",
+        /// The standard deviation of the penetration.
+        PenetrationError = "penetration_error",
+        /// The standard deviation of the height.
+        HeightError = "height_error",
+        /// The contact stiffness; where there is a phase, its storage part.
+        ContactStiffness = "contact_stiffness",
+        /// The contact area, in place of the contact radius.
+        ContactArea = "contact_area",
+        /// The phase between contact stiffness and oscillation, the angle of the complex stiffness.
+        PhaseShift = "phase_shift",
+        /// The loss part of the contact stiffness.
+        LossStiffness = "loss_stiffness",
+        /// The standard deviation of the contact stiffness.
+        ContactStiffnessError = "contact_stiffness_error",
+        /// The time.
+        Time = "time",
+    }
 }
 
 impl Role {
-    /// All roles.
-    pub const ALL: [Self; 16] = [
-        Self::ContactRadius,
-        Self::Load,
-        Self::Penetration,
-        Self::Height,
-        Self::Deflection,
-        Self::Segment,
-        Self::ContactRadiusError,
-        Self::LoadError,
-        Self::PenetrationError,
-        Self::HeightError,
-        Self::ContactStiffness,
-        Self::ContactArea,
-        Self::PhaseShift,
-        Self::LossStiffness,
-        Self::ContactStiffnessError,
-        Self::Time,
-    ];
-
-    /// Returns the name on the command line and in messages.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::ContactRadius => "contact_radius",
-            Self::Load => "load",
-            Self::Penetration => "penetration",
-            Self::Height => "height",
-            Self::Deflection => "deflection",
-            Self::Segment => "segment",
-            Self::ContactRadiusError => "contact_radius_error",
-            Self::LoadError => "load_error",
-            Self::PenetrationError => "penetration_error",
-            Self::HeightError => "height_error",
-            Self::ContactStiffness => "contact_stiffness",
-            Self::ContactArea => "contact_area",
-            Self::PhaseShift => "phase_shift",
-            Self::LossStiffness => "loss_stiffness",
-            Self::ContactStiffnessError => "contact_stiffness_error",
-            Self::Time => "time",
-        }
-    }
-
     /// Returns the role of the standard deviations of this quantity, if they can be given.
     pub const fn error(self) -> Option<Self> {
         Some(match self {

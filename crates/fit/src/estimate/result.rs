@@ -147,35 +147,26 @@ pub struct LeftOut {
     pub lines: [u64; 2],
 }
 
-/// Why points are left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum LeftOutReason {
-    /// They are between contact and baseline: in a jump, or where the data do not tell.
-    Jump,
-    /// They have a contact radius of 0, at which a penetration tells nothing.
-    NoContact,
-    /// They are near the largest radius of a cycle, where the line may not have moved yet.
-    Turn,
-    /// They are in contact, but within 4 standard errors of the end of the fitted branch. No more than a tenth of the
-    /// points in contact is left out for this.
-    NearEnd,
-    /// They are in contact, but the fitted branch ends before them.
-    BeyondEnd,
+named! {
+    /// Why points are left out.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    #[non_exhaustive]
+    pub enum LeftOutReason {
+        /// They are between contact and baseline: in a jump, or where the data do not tell.
+        Jump = "jump",
+        /// They have a contact radius of 0, at which a penetration tells nothing.
+        NoContact = "no-contact",
+        /// They are near the largest radius of a cycle, where the line may not have moved yet.
+        Turn = "turn",
+        /// They are in contact, but within 4 standard errors of the end of the fitted branch. No more than a tenth of the
+        /// points in contact is left out for this.
+        NearEnd = "near-end",
+        /// They are in contact, but the fitted branch ends before them.
+        BeyondEnd = "beyond-end",
+    }
 }
 
 impl LeftOutReason {
-    /// Returns the name, as in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Jump => "jump",
-            Self::NoContact => "no-contact",
-            Self::Turn => "turn",
-            Self::NearEnd => "near-end",
-            Self::BeyondEnd => "beyond-end",
-        }
-    }
-
     /// Returns the reason in words, as after "12 points".
     pub const fn text(self) -> &'static str {
         match self {
@@ -315,150 +306,102 @@ impl Combination {
     }
 }
 
-/// What a warning is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum WarningKind {
-    /// The method did not find a minimum.
-    NotConverged,
-    /// An experiment with the points of another one.
-    SamePoints,
-    /// A parameter whose standard error is above half its value (of the range of the data for an
-    /// offset).
-    Undetermined,
-    /// A parameter that ended at one of its bounds.
-    AtBound,
-    /// A modulus, a work of adhesion or a length that no experiment has: a wrong unit.
-    Implausible,
-    /// Residuals larger than the given noise explains.
-    PoorFit,
-    /// Residuals smaller than the given noise explains.
-    LargeNoise,
-    /// A noise of the ordinates that the data hardly tell beside that of the abscissae.
-    NoiseNotSeen,
-    /// An estimated noise that is larger in contact than off contact, or at large ordinates than at small ones.
-    UnequalNoise,
-    /// A prior far from what the data tell.
-    Prior,
-    /// Readings at the end of the range of the detector.
-    Saturated,
-    /// Readings in steps that are coarse beside the noise.
-    CoarseSteps,
-    /// Adhesion that is left out but wanted by the data.
-    AdhesionWanted,
-    /// A zero of the instrument that is not fitted but wanted by the data.
-    OffsetWanted,
-    /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
-    /// its standard errors.
-    OffsetHinted,
-    /// Approach and retract do not have one work of adhesion.
-    MixedBranches,
-    /// A loop between loading and unloading that the model does not make.
-    Hysteresis,
-    /// A depth that remains after unloading.
-    Plasticity,
-    /// Residuals that are more like their neighbours than chance makes them, or whose means over several
-    /// neighbours are farther from 0.
-    StructuredResiduals,
-    /// Points far from the fit.
-    Outliers,
-    /// Points that the fit leaves out.
-    LeftOut,
-    /// A contact that is large beside the sphere, or at whose edge the probe is steep.
-    LargeContact,
-    /// An attraction whose range is not small: Tabor's parameter is below 5.
-    LongRange,
-    /// A film that is compressed, or a stiff one that is bent, by a large part of its thickness.
-    LargeStrain,
-    /// A film so much stiffer than its substrate that the contact may be no disc.
-    NoDisc,
-    /// Friction, which may change the modulus by more than its standard error.
-    Friction,
-    /// Contacts so small or so large beside the film that they hardly tell it.
-    FilmNotSeen,
-    /// The definition of the contact depth changes a modulus by more than its standard error.
-    ContactDepth,
-    /// An indenter in more than half of its film.
-    DeepContact,
-    /// A stiffness of an interface that the data do not tell from 0 (it slides) or from infinity (it
-    /// is bonded).
-    InterfaceNotSeen,
-    /// A modulus that takes a film as bonded, and would be another one by more than its standard
-    /// error if the film slid.
-    AssumesBonding,
-    /// The fit was stopped by the end of the table.
-    EndOfTable,
-    /// A table whose error is not small beside the noise.
-    TableError,
-    /// There is another minimum, whose sum of squares is larger by no more than chance explains.
-    SeveralMinima,
-    /// A standard error that says too little, because the model is far from linear within it.
-    NonlinearError,
-    /// An interval of the profile likelihood without an end on one side.
-    OpenInterval,
-    /// A relaxation time that is shorter than two intervals between points, or longer than the
-    /// measurement.
-    RelaxationTime,
-    /// A free thickness beside a free modulus of a film that relaxes.
-    FreeThickness,
-    /// Bodies that deform and do not relax.
-    UnlikeBodies,
-    /// A film that is stiffer than a substrate that relaxes with it, and may pull inside the contact.
-    TensileInside,
-    /// Penetrations or heights in time that scatter, or go back and forth, by more than a hundredth of
-    /// their range.
-    NotMonotone,
-    /// Steps in time whose error is seen beside the noise.
-    Steps,
-}
-
-impl WarningKind {
-    /// Returns the name, as in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NotConverged => "not-converged",
-            Self::SamePoints => "same-points",
-            Self::Undetermined => "undetermined",
-            Self::AtBound => "at-bound",
-            Self::Implausible => "implausible",
-            Self::PoorFit => "poor-fit",
-            Self::LargeNoise => "large-noise",
-            Self::NoiseNotSeen => "noise-not-seen",
-            Self::UnequalNoise => "unequal-noise",
-            Self::Prior => "prior",
-            Self::Saturated => "saturated",
-            Self::CoarseSteps => "coarse-steps",
-            Self::AdhesionWanted => "adhesion-wanted",
-            Self::OffsetWanted => "offset-wanted",
-            Self::OffsetHinted => "offset-hinted",
-            Self::MixedBranches => "mixed-branches",
-            Self::Hysteresis => "hysteresis",
-            Self::Plasticity => "plasticity",
-            Self::StructuredResiduals => "structured-residuals",
-            Self::Outliers => "outliers",
-            Self::LeftOut => "left-out",
-            Self::LargeContact => "large-contact",
-            Self::LongRange => "long-range",
-            Self::LargeStrain => "large-strain",
-            Self::NoDisc => "no-disc",
-            Self::Friction => "friction",
-            Self::FilmNotSeen => "film-not-seen",
-            Self::ContactDepth => "contact-depth",
-            Self::DeepContact => "deep-contact",
-            Self::InterfaceNotSeen => "interface-not-seen",
-            Self::AssumesBonding => "assumes-bonding",
-            Self::EndOfTable => "end-of-table",
-            Self::TableError => "table-error",
-            Self::SeveralMinima => "several-minima",
-            Self::NonlinearError => "nonlinear-error",
-            Self::OpenInterval => "open-interval",
-            Self::RelaxationTime => "relaxation-time",
-            Self::FreeThickness => "free-thickness",
-            Self::UnlikeBodies => "unlike-bodies",
-            Self::TensileInside => "tensile-inside",
-            Self::NotMonotone => "not-monotone",
-            Self::Steps => "steps",
-        }
+named! {
+    /// What a warning is about.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum WarningKind {
+        /// The method did not find a minimum.
+        NotConverged = "not-converged",
+        /// An experiment with the points of another one.
+        SamePoints = "same-points",
+        /// A parameter whose standard error is above half its value (of the range of the data for an
+        /// offset).
+        Undetermined = "undetermined",
+        /// A parameter that ended at one of its bounds.
+        AtBound = "at-bound",
+        /// A modulus, a work of adhesion or a length that no experiment has: a wrong unit.
+        Implausible = "implausible",
+        /// Residuals larger than the given noise explains.
+        PoorFit = "poor-fit",
+        /// Residuals smaller than the given noise explains.
+        LargeNoise = "large-noise",
+        /// A noise of the ordinates that the data hardly tell beside that of the abscissae.
+        NoiseNotSeen = "noise-not-seen",
+        /// An estimated noise that is larger in contact than off contact, or at large ordinates than at small ones.
+        UnequalNoise = "unequal-noise",
+        /// A prior far from what the data tell.
+        Prior = "prior",
+        /// Readings at the end of the range of the detector.
+        Saturated = "saturated",
+        /// Readings in steps that are coarse beside the noise.
+        CoarseSteps = "coarse-steps",
+        /// Adhesion that is left out but wanted by the data.
+        AdhesionWanted = "adhesion-wanted",
+        /// A zero of the instrument that is not fitted but wanted by the data.
+        OffsetWanted = "offset-wanted",
+        /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
+        /// its standard errors.
+        OffsetHinted = "offset-hinted",
+        /// Approach and retract do not have one work of adhesion.
+        MixedBranches = "mixed-branches",
+        /// A loop between loading and unloading that the model does not make.
+        Hysteresis = "hysteresis",
+        /// A depth that remains after unloading.
+        Plasticity = "plasticity",
+        /// Residuals that are more like their neighbours than chance makes them, or whose means over several
+        /// neighbours are farther from 0.
+        StructuredResiduals = "structured-residuals",
+        /// Points far from the fit.
+        Outliers = "outliers",
+        /// Points that the fit leaves out.
+        LeftOut = "left-out",
+        /// A contact that is large beside the sphere, or at whose edge the probe is steep.
+        LargeContact = "large-contact",
+        /// An attraction whose range is not small: Tabor's parameter is below 5.
+        LongRange = "long-range",
+        /// A film that is compressed, or a stiff one that is bent, by a large part of its thickness.
+        LargeStrain = "large-strain",
+        /// A film so much stiffer than its substrate that the contact may be no disc.
+        NoDisc = "no-disc",
+        /// Friction, which may change the modulus by more than its standard error.
+        Friction = "friction",
+        /// Contacts so small or so large beside the film that they hardly tell it.
+        FilmNotSeen = "film-not-seen",
+        /// The definition of the contact depth changes a modulus by more than its standard error.
+        ContactDepth = "contact-depth",
+        /// An indenter in more than half of its film.
+        DeepContact = "deep-contact",
+        /// A stiffness of an interface that the data do not tell from 0 (it slides) or from infinity (it
+        /// is bonded).
+        InterfaceNotSeen = "interface-not-seen",
+        /// A modulus that takes a film as bonded, and would be another one by more than its standard
+        /// error if the film slid.
+        AssumesBonding = "assumes-bonding",
+        /// The fit was stopped by the end of the table.
+        EndOfTable = "end-of-table",
+        /// A table whose error is not small beside the noise.
+        TableError = "table-error",
+        /// There is another minimum, whose sum of squares is larger by no more than chance explains.
+        SeveralMinima = "several-minima",
+        /// A standard error that says too little, because the model is far from linear within it.
+        NonlinearError = "nonlinear-error",
+        /// An interval of the profile likelihood without an end on one side.
+        OpenInterval = "open-interval",
+        /// A relaxation time that is shorter than two intervals between points, or longer than the
+        /// measurement.
+        RelaxationTime = "relaxation-time",
+        /// A free thickness beside a free modulus of a film that relaxes.
+        FreeThickness = "free-thickness",
+        /// Bodies that deform and do not relax.
+        UnlikeBodies = "unlike-bodies",
+        /// A film that is stiffer than a substrate that relaxes with it, and may pull inside the contact.
+        TensileInside = "tensile-inside",
+        /// Penetrations or heights in time that scatter, or go back and forth, by more than a hundredth of
+        /// their range.
+        NotMonotone = "not-monotone",
+        /// Steps in time whose error is seen beside the noise.
+        Steps = "steps",
     }
 }
 

@@ -5,51 +5,29 @@ use std::fmt;
 /// The most groups of numbers that a sentence names.
 const SHOWN: usize = 10;
 
-/// The two quantities that a measurement pairs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// Contact radius (m) and load (N): a JKR test.
-    LoadRadius,
-    /// Contact radius (m) and penetration (m).
-    PenetrationRadius,
-    /// Penetration (m) and load (N).
-    LoadPenetration,
-    /// Height of the cantilever's base (m) and force (N): an AFM. The height is smaller when the
-    /// base is closer to the sample; contact point - height = penetration + force/stiffness.
-    ForceHeight,
-    /// Contact radius (m) and contact stiffness (N/m): see [`Indentation`](crate::Indentation).
-    StiffnessRadius,
-    /// Load (N) and contact stiffness (N/m), in an elastic contact or with a hardness.
-    StiffnessLoad,
-    /// Penetration (m) and contact stiffness (N/m) of an indenter, with the load of each point.
-    StiffnessDepth,
+named! {
+    /// The two quantities that a measurement pairs.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Kind {
+        /// Contact radius (m) and load (N): a JKR test.
+        LoadRadius = "load-radius",
+        /// Contact radius (m) and penetration (m).
+        PenetrationRadius = "penetration-radius",
+        /// Penetration (m) and load (N).
+        LoadPenetration = "load-penetration",
+        /// Height of the cantilever's base (m) and force (N): an AFM. The height is smaller when the
+        /// base is closer to the sample; contact point - height = penetration + force/stiffness.
+        ForceHeight = "force-height",
+        /// Contact radius (m) and contact stiffness (N/m): see [`Indentation`](crate::Indentation).
+        StiffnessRadius = "stiffness-radius",
+        /// Load (N) and contact stiffness (N/m), in an elastic contact or with a hardness.
+        StiffnessLoad = "stiffness-load",
+        /// Penetration (m) and contact stiffness (N/m) of an indenter, with the load of each point.
+        StiffnessDepth = "stiffness-depth",
+    }
 }
 
 impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 7] = [
-        Self::LoadRadius,
-        Self::PenetrationRadius,
-        Self::LoadPenetration,
-        Self::ForceHeight,
-        Self::StiffnessRadius,
-        Self::StiffnessLoad,
-        Self::StiffnessDepth,
-    ];
-
-    /// Returns the name, as on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::LoadRadius => "load-radius",
-            Self::PenetrationRadius => "penetration-radius",
-            Self::LoadPenetration => "load-penetration",
-            Self::ForceHeight => "force-height",
-            Self::StiffnessRadius => "stiffness-radius",
-            Self::StiffnessLoad => "stiffness-load",
-            Self::StiffnessDepth => "stiffness-depth",
-        }
-    }
-
     /// Returns the names of abscissa and ordinate.
     pub const fn names(self) -> [&'static str; 2] {
         match self {
@@ -89,25 +67,14 @@ impl Kind {
     }
 }
 
-/// The direction in which a point was measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// The sphere moves towards the sample.
-    Approach,
-    /// The sphere moves away from the sample.
-    Retract,
-}
-
-impl Direction {
-    /// Both directions.
-    pub const ALL: [Self; 2] = [Self::Approach, Self::Retract];
-
-    /// Returns the name, as on the command line and in columns of segments.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Approach => "approach",
-            Self::Retract => "retract",
-        }
+named! {
+    /// The direction in which a point was measured.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Direction {
+        /// The sphere moves towards the sample.
+        Approach = "approach",
+        /// The sphere moves away from the sample.
+        Retract = "retract",
     }
 }
 

@@ -47,29 +47,20 @@ pub struct Indentation {
     pub loss_tangent: f64,
 }
 
-/// How the contact depth follows from the depth `h`, the load `P` and the measured stiffness `S`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ContactDepth {
-    /// `h_c = h - epsilon P/S + h0` (Oliver and Pharr, J. Mater. Res. 7, 1564, 1992): the surface
-    /// sinks in.
-    OliverPharr,
-    /// `h_c = 1.2 (h - P/S + h0)` (Loubet, Bauer, Tonck, Bec and Gauthier-Manuel, 1993), for metals
-    /// that pile up.
-    Loubet,
+named! {
+    /// How the contact depth follows from the depth `h`, the load `P` and the measured stiffness `S`.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum ContactDepth {
+        /// `h_c = h - epsilon P/S + h0` (Oliver and Pharr, J. Mater. Res. 7, 1564, 1992): the surface
+        /// sinks in.
+        OliverPharr = "oliver-pharr",
+        /// `h_c = 1.2 (h - P/S + h0)` (Loubet, Bauer, Tonck, Bec and Gauthier-Manuel, 1993), for metals
+        /// that pile up.
+        Loubet = "loubet",
+    }
 }
 
 impl ContactDepth {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::OliverPharr, Self::Loubet];
-
-    /// Returns the name, as on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::OliverPharr => "oliver-pharr",
-            Self::Loubet => "loubet",
-        }
-    }
-
     /// Returns the other definition.
     pub(crate) const fn other(self) -> Self {
         match self {
