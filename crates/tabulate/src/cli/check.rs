@@ -7,7 +7,7 @@ use anyhow::ensure;
 use clap::{ValueHint, value_parser};
 use serde::Serialize;
 
-use super::json::{self, Errors};
+use super::json::{self, Errors, Fields};
 use super::print;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
@@ -53,17 +53,10 @@ pub struct Arguments {
 struct CheckObject {
     measured: Errors,
     certified: Errors,
-    quantities: BTreeMap<&'static str, OfQuantity>,
+    quantities: BTreeMap<&'static str, Fields<f64, 2>>,
     tolerance: f64,
     /// Whether the measured errors are allowed.
     holds: bool,
-}
-
-/// The errors of one quantity.
-#[derive(Serialize)]
-struct OfQuantity {
-    max_error: f64,
-    median_error: f64,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -107,12 +100,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             measured: Errors::new(&measured, table.parameters()),
             certified: Errors::new(certified, table.parameters()),
             quantities: by_quantity
-                .map(|(quantity, [max_error, median_error])| {
-                    let errors = OfQuantity {
-                        max_error,
-                        median_error,
-                    };
-                    (quantity.name(), errors)
+                .map(|(quantity, [max, median])| {
+                    let errors = [("max_error", max), ("median_error", median)];
+                    (quantity.name(), Fields(errors))
                 })
                 .collect(),
             tolerance: description.tolerance,

@@ -12,7 +12,7 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::value_parser;
 use serde::Serialize;
 
-use super::json::{self, OfParameters, TableObject, Written};
+use super::json::{self, OfParameters, TableObject};
 #[cfg(unix)]
 use super::note;
 use super::progress::Bars;
@@ -92,7 +92,7 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct GeneratedObject<'a> {
     #[serde(flatten)]
-    written: Written<'a>,
+    table: TableObject<'a>,
     points_solved: usize,
     points_resumed: usize,
     seconds_solving: f64,
@@ -216,10 +216,7 @@ fn print_json(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> 
         max_error: certificate.max_error,
     });
     json::print(&GeneratedObject {
-        written: Written {
-            table: TableObject::new(&generated.table, bytes),
-            path: path.display().to_string(),
-        },
+        table: TableObject::new(&generated.table, bytes).written(path),
         points_solved: generated.points,
         points_resumed: generated.resumed,
         seconds_solving: generated.solved.as_secs_f64(),

@@ -1,6 +1,8 @@
 //! The JSON objects that `--json` prints. The names of their fields are fixed; the help of each
 //! command lists them.
 
+use std::path::Path;
+
 use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table};
 use serde::{Serialize, Serializer};
 
@@ -26,20 +28,22 @@ impl Serialize for Number {
     }
 }
 
-/// One value for each of the four parameters of a table: an object with their names.
-pub struct OfParameters<T>([(Parameter, T); 4]);
+/// An object of fields of one kind, in their order.
+pub struct Fields<T, const N: usize>(pub [(&'static str, T); N]);
+
+impl<T: Serialize, const N: usize> Serialize for Fields<T, N> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// One value for each of the four parameters of a table.
+pub type OfParameters<T> = Fields<T, 4>;
 
 impl<T: Copy> OfParameters<T> {
     /// Joins the parameters of a table with their values.
     pub fn new(parameters: [Parameter; 4], values: [T; 4]) -> Self {
-        Self([0, 1, 2, 3].map(|i| (parameters[i], values[i])))
-    }
-}
-
-impl<T: Serialize> Serialize for OfParameters<T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let fields = self.0.iter();
-        serializer.collect_map(fields.map(|(parameter, value)| (parameter.name(), value)))
+        Self([0, 1, 2, 3].map(|i| (parameters[i].name(), values[i])))
     }
 }
 
@@ -59,7 +63,7 @@ pub fn axes<'a>(
     parameters: [Parameter; 4],
     nodes: impl Fn(Parameter) -> &'a [f64],
 ) -> OfParameters<Axis> {
-    OfParameters(parameters.map(|parameter| {
+    Fields(parameters.map(|parameter| {
         let nodes = nodes(parameter);
         let axis = Axis {
             from: Number(nodes[0]),
@@ -70,22 +74,8 @@ pub fn axes<'a>(
                 _ => parameter.scale(),
             },
         };
-        (parameter, axis)
+        (parameter.name(), axis)
     }))
-}
-
-/// The Poisson ratio of a table's substrates: a number, or the text `paired`.
-struct Nu0(SubstratePoissonRatio);
-
-impl Serialize for Nu0 {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            SubstratePoissonRatio::Fixed(nu0) => serializer.serialize_f64(nu0),
-            SubstratePoissonRatio::Paired => {
-                serializer.serialize_str(SubstratePoissonRatio::PAIRED)
-            }
-        }
-    }
 }
 
 /// The certificate of a table, or the errors that a check has measured.
@@ -98,26 +88,17 @@ pub struct Errors {
     seed: u64,
     worst_quantity: &'static str,
     worst_point: OfParameters<Number>,
-    identity_errors: IdentityErrors,
+    /// Null where a quantity is missing.
+    identity_errors: Fields<Option<f64>, 4>,
 }
 
-/// The largest relative errors of the four identities, null where a quantity is missing.
-#[derive(Serialize)]
-struct IdentityErrors {
-    /// `Gamma^2 = es (x Eeq)'`
-    energy_release_rate: Option<f64>,
-    /// `F0' = S delta0'`
-    stiffness: Option<f64>,
-    /// `delta0' = (2/R) S/S'`
-    penetration: Option<f64>,
-    /// `F0' = (2/R) S^2/S'`
-    load: Option<f64>,
-}
+/// The names of the identities `Gamma^2 = es (x Eeq)'`, `F0' = S delta0'`, `delta0' = (2/R) S/S'` and
+/// `F0' = (2/R) S^2/S'`.
+const IDENTITIES: [&str; 4] = ["energy_release_rate", "stiffness", "penetration", "load"];
 
 impl Errors {
     /// Returns the object of the certificate of a table with these parameters.
     pub fn new(certificate: &Certificate, parameters: [Parameter; 4]) -> Self {
-        let [energy_release_rate, stiffness, penetration, load] = certificate.identity_errors;
         Self {
             max_error: certificate.max_error,
             p999_error: certificate.p999_error,
@@ -126,12 +107,9 @@ impl Errors {
             seed: certificate.seed,
             worst_quantity: certificate.worst_quantity.name(),
             worst_point: OfParameters::new(parameters, certificate.worst_point.map(Number)),
-            identity_errors: IdentityErrors {
-                energy_release_rate,
-                stiffness,
-                penetration,
-                load,
-            },
+            identity_errors: Fields(
+                [0, 1, 2, 3].map(|i| (IDENTITIES[i], certificate.identity_errors[i])),
+            ),
         }
     }
 }
@@ -143,7 +121,8 @@ pub struct TableObject<'a> {
     scene: &'a str,
     created_by: &'a str,
     axes: OfParameters<Axis>,
-    nu0: Nu0,
+    /// A number, or the text `paired`.
+    nu0: serde_json::Value,
     quantities: Vec<&'static str>,
     /// The quantities that lookups answer.
     answers: Vec<&'static str>,
@@ -154,6 +133,9 @@ pub struct TableObject<'a> {
     certificate: Errors,
     /// The size of the file.
     bytes: u64,
+    /// The file that it was written to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    path: Option<String>,
 }
 
 impl<'a> TableObject<'a> {
@@ -165,7 +147,10 @@ impl<'a> TableObject<'a> {
             scene: &description.scene,
             created_by: &description.created_by,
             axes: axes(table.parameters(), |parameter| table.axis(parameter)),
-            nu0: Nu0(description.nu0),
+            nu0: match description.nu0 {
+                SubstratePoissonRatio::Fixed(nu0) => nu0.into(),
+                SubstratePoissonRatio::Paired => SubstratePoissonRatio::PAIRED.into(),
+            },
             quantities: table.quantities().into_iter().map(Quantity::name).collect(),
             answers: table.answers().into_iter().map(Quantity::name).collect(),
             normalised_by: table.unit(),
@@ -173,14 +158,15 @@ impl<'a> TableObject<'a> {
             ranks: table.ranks(),
             certificate: Errors::new(&description.certificate, table.parameters()),
             bytes,
+            path: None,
         }
     }
-}
 
-/// A table and the file that it was written to.
-#[derive(Serialize)]
-pub struct Written<'a> {
-    #[serde(flatten)]
-    pub table: TableObject<'a>,
-    pub path: String,
+    /// Adds the file that the table was written to.
+    pub fn written(self, path: &Path) -> Self {
+        Self {
+            path: Some(path.display().to_string()),
+            ..self
+        }
+    }
 }

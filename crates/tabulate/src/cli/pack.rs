@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::Context;
 use clap::{ValueHint, value_parser};
 
-use super::json::{self, TableObject, Written};
+use super::json::{self, TableObject};
 use super::output::Output;
 use super::progress::Bars;
 use super::quantity::number;
@@ -68,10 +68,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bytes = table.to_packed()?;
     output.write(&bytes)?;
     if arguments.json {
-        return json::print(&Written {
-            table: TableObject::new(&table, bytes.len() as u64),
-            path: arguments.output.display().to_string(),
-        });
+        let object = TableObject::new(&table, bytes.len() as u64);
+        return json::print(&object.written(&arguments.output));
     }
     if arguments.tolerance.is_some() {
         let (path, bytes) = (printable::path(&arguments.output), bytes.len());

@@ -11,7 +11,7 @@ use ::fit::{
 use serde::{Serialize, Serializer};
 
 use super::reading::told;
-use crate::cli::json::Number;
+use crate::cli::json::{Fields, Number};
 
 /// A fit.
 #[derive(Serialize)]
@@ -36,7 +36,7 @@ pub struct FitObject<'a> {
     left_out: OneOrAll<Vec<LeftOutObject>>,
     /// Of each file, the loss tangent of the film, where phases are measured.
     #[serde(skip_serializing_if = "Option::is_none")]
-    loss: Option<OneOrAll<Option<LossObject>>>,
+    loss: Option<OneOrAll<Option<Fields<Number, 3>>>>,
     /// Of each file, what the relaxation does.
     #[serde(skip_serializing_if = "Option::is_none")]
     relaxation: Option<OneOrAll<Option<RelaxationObject>>>,
@@ -71,38 +71,24 @@ struct FixedValueObject {
     error: Option<Number>,
 }
 
-/// The angle of a complex modulus, and its tangent with the standard error.
-#[derive(Serialize)]
-struct LossObject {
-    angle: Number,
-    tangent: Number,
-    stderr: Number,
-}
-
-impl LossObject {
-    fn new(found: LossAngle) -> Self {
-        Self {
-            angle: Number(found.angle),
-            tangent: Number(found.tangent()),
-            stderr: Number(found.tangent_error()),
-        }
-    }
+/// Returns the angle of a complex modulus, and its tangent with the standard error.
+fn loss(found: LossAngle) -> Fields<Number, 3> {
+    let numbers = [
+        ("angle", found.angle),
+        ("tangent", found.tangent()),
+        ("stderr", found.tangent_error()),
+    ];
+    Fields(numbers.map(|(name, value)| (name, Number(value))))
 }
 
 /// What the relaxation does: the modulus (Pa) at times (s) after a step of the strain.
 #[derive(Serialize)]
 struct RelaxationObject {
     law: &'static str,
-    moduli: Vec<ModulusInTime>,
+    moduli: [Fields<Number, 2>; 3],
     made_monotone: Number,
     unlike_bodies: Number,
     steps_error: Number,
-}
-
-#[derive(Serialize)]
-struct ModulusInTime {
-    time: Number,
-    modulus: Number,
 }
 
 impl RelaxationObject {
@@ -110,13 +96,9 @@ impl RelaxationObject {
         let found = fitted.relaxation?;
         Some(Self {
             law: experiment.relaxing.as_ref()?.law.name(),
-            moduli: found
-                .moduli
-                .map(|[time, modulus]| ModulusInTime {
-                    time: Number(time),
-                    modulus: Number(modulus),
-                })
-                .into(),
+            moduli: found.moduli.map(|[time, modulus]| {
+                Fields([("time", Number(time)), ("modulus", Number(modulus))])
+            }),
             made_monotone: Number(found.made_monotone),
             unlike_bodies: Number(found.unlike_bodies),
             steps_error: Number(found.steps_error),
@@ -272,7 +254,7 @@ impl<'a> FitObject<'a> {
             ),
             left_out: OneOrAll(fit.experiments.iter().map(left_out).collect()),
             loss: losses.iter().any(Option::is_some).then(|| {
-                let objects = losses.iter().map(|one| one.map(LossObject::new));
+                let objects = losses.iter().map(|one| one.map(loss));
                 OneOrAll(objects.collect())
             }),
             relaxation: fit
