@@ -48,7 +48,7 @@ mod source;
 mod tilt;
 mod turns;
 
-pub use self::reading::{Cantilever, Format, FromHead, Notes, Reading, Segments, read, read_from};
+pub use self::reading::{Cantilever, Format, Notes, Reading, Segments, read, read_from};
 pub use assignment::roles;
 pub use column::{Column, Role};
 pub use doubt::{Doubt, opposite_sense};

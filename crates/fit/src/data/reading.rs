@@ -1,6 +1,5 @@
 //! What is known of a file before it is read, and what is read from it.
 
-use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -120,58 +119,7 @@ impl Notes {
             .iter()
             .any(|column| column.role == Role::Deflection)
     }
-}
 
-impl fmt::Display for FromHead<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            quantity,
-            unit,
-            named,
-            used,
-        } = self;
-        let HeadValue { value, name, line } = named;
-        if used == value {
-            write!(f, "{quantity} {used} {unit} from line {line}, {name:?}")
-        } else {
-            write!(
-                f,
-                "{quantity} {used} {unit} as given, and line {line}, {name:?}, has {value}"
-            )
-        }
-    }
-}
-
-/// A value of the cantilever that the head of a file names, and the one that was used.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FromHead<'a> {
-    /// `stiffness` or `sensitivity`.
-    pub quantity: &'static str,
-    /// The SI unit.
-    pub unit: &'static str,
-    /// What the head names.
-    pub named: &'a HeadValue,
-    /// What was used: the same, or the value that was given.
-    pub used: f64,
-}
-
-/// Joins what the head names, if it is needed, with what was used.
-fn of_head<'a>(
-    quantity: &'static str,
-    unit: &'static str,
-    named: Option<&'a HeadValue>,
-    used: Option<f64>,
-) -> Option<FromHead<'a>> {
-    let (named, used) = named.zip(used)?;
-    Some(FromHead {
-        quantity,
-        unit,
-        named,
-        used,
-    })
-}
-
-impl Notes {
     /// Tells whether a deflection is in volts, which needs the sensitivity.
     pub fn has_volts(&self) -> bool {
         let in_volts =
@@ -179,27 +127,26 @@ impl Notes {
         self.columns.iter().any(in_volts)
     }
 
-    /// Returns the values of the head that the columns need.
-    pub fn from_head(&self) -> Vec<FromHead<'_>> {
+    /// Returns the values of the head that the columns need, in words, each with the one that was used.
+    pub fn from_head(&self) -> Vec<String> {
         let mut roles = self.columns.iter().map(|one| one.role);
-        let stiffness = roles.any(|role| matches!(role, Role::Deflection | Role::Height));
-        let sensitivity = self.has_volts();
-        let (head, used) = (&self.head, self.cantilever);
-        let values = [
-            of_head(
-                "stiffness",
-                "N/m",
-                head.stiffness.as_ref().filter(|_| stiffness),
-                used.stiffness,
-            ),
-            of_head(
-                "sensitivity",
-                "m/V",
-                head.sensitivity.as_ref().filter(|_| sensitivity),
-                used.sensitivity,
-            ),
-        ];
-        values.into_iter().flatten().collect()
+        let needs_stiffness = roles.any(|role| matches!(role, Role::Deflection | Role::Height));
+        let (head, given) = (&self.head, self.cantilever);
+        let stiffness = head.stiffness.as_ref().zip(given.stiffness);
+        let sensitivity = head.sensitivity.as_ref().zip(given.sensitivity);
+        let text = |quantity, unit, (named, used): (&HeadValue, f64)| {
+            let HeadValue { value, name, line } = named;
+            if used == *value {
+                format!("{quantity} {used} {unit} from line {line}, {name:?}")
+            } else {
+                format!("{quantity} {used} {unit} as given, and line {line}, {name:?}, has {value}")
+            }
+        };
+        let stiffness = stiffness.filter(|_| needs_stiffness);
+        let sensitivity = sensitivity.filter(|_| self.has_volts());
+        let stiffness = stiffness.map(|found| text("stiffness", "N/m", found));
+        let sensitivity = sensitivity.map(|found| text("sensitivity", "m/V", found));
+        stiffness.into_iter().chain(sensitivity).collect()
     }
 }
 

@@ -141,7 +141,9 @@ fn check([_, cantilever, asked, outcome, what]: &[String; 5], name: &str, path: 
                 .map(count)
                 .map(|count| count as f64)
                 .to_vec();
-            found.extend(notes.from_head().first().map(|value| value.named.value));
+            if !notes.from_head().is_empty() {
+                found.extend(notes.head.stiffness.as_ref().map(|named| named.value));
+            }
             let numbers = what
                 .split(' ')
                 .map(|number| number.parse().expect("a number"));

@@ -91,13 +91,7 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     let reading = sound(JPK, &Format::default());
     let from_head = reading.notes.from_head();
     assert_eq!(from_head.len(), 1, "a force needs no sensitivity");
-    let told = (from_head[0].used, from_head[0].named.line);
-    assert_eq!(told, (0.05, 1), "{from_head:?}");
-    assert!(
-        from_head[0]
-            .to_string()
-            .contains("0.05 N/m from line 1, \"springConstant\"")
-    );
+    assert_eq!(from_head[0], "stiffness 0.05 N/m from line 1, \"springConstant\"");
     // A deflection in volts needs both.
     let volts = JPK
         .replace("# units: m N m\n", "# units: m V m\n")
@@ -114,7 +108,7 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     };
     let reading = sound(&volts, &given);
     assert_values(&values(&reading)[1..3], &[[2.0, 5e-9], [1.0, 1e-8]]);
-    let text = reading.notes.from_head()[0].to_string();
+    let text = &reading.notes.from_head()[0];
     assert!(
         text.contains("0.1 N/m as given") && text.contains("0.05"),
         "{text}"
@@ -166,7 +160,7 @@ fn mixed_ends_of_lines_are_read() {
         &values(&reading),
         &[[2e-9, 1e-6], [3e-9, 2e-6], [4e-9, 3e-6]],
     );
-    assert_eq!(reading.notes.from_head()[0].used, 0.019);
+    assert_eq!(reading.notes.cantilever.stiffness, Some(0.019));
     let lines: Vec<u64> = reading.measurement.points.iter().map(|p| p.line).collect();
     assert_eq!(lines, [5, 6, 7]);
 }
