@@ -8,16 +8,17 @@ use rand_pcg::Pcg64Mcg;
 /// The number of cases of a test where the environment does not set it.
 const CASES: usize = 2000;
 
-/// Calls a function with many damaged copies of sound bytes, with their numbers. `words` are
-/// inserted here and there.
-pub fn each_damaged(sound: &[u8], words: &[&str], seed: u64, mut read: impl FnMut(usize, &[u8])) {
+/// Calls a function with many damaged copies of sound bytes, with their numbers. `words`,
+/// between `|`, are inserted here and there.
+pub fn each_damaged(sound: &[u8], words: &str, seed: u64, mut read: impl FnMut(usize, &[u8])) {
     let cases =
         std::env::var("HOSTILE_CASES").map_or(CASES, |text| text.parse().expect("a number"));
+    let words: Vec<&str> = words.split('|').collect();
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     for case in 0..cases {
         let mut bytes = sound.to_vec();
         for _ in 0..random.random_range(1..4) {
-            damage(&mut bytes, words, &mut random);
+            damage(&mut bytes, &words, &mut random);
         }
         read(case, &bytes);
     }

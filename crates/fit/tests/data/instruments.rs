@@ -91,7 +91,10 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     let reading = sound(JPK, &Format::default());
     let from_head = reading.notes.from_head();
     assert_eq!(from_head.len(), 1, "a force needs no sensitivity");
-    assert_eq!(from_head[0], "stiffness 0.05 N/m from line 1, \"springConstant\"");
+    assert_eq!(
+        from_head[0],
+        "stiffness 0.05 N/m from line 1, \"springConstant\""
+    );
     // A deflection in volts needs both.
     let volts = JPK
         .replace("# units: m N m\n", "# units: m V m\n")

@@ -305,26 +305,11 @@ mod tests {
     fn damaged_points_are_refused_or_physical() {
         const SOUND: &str = "# points\na_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1,1.75,0.5,1e5,0.25\n\
              \"2\",0, 0.3 ,inf,0.1\n\n3e-1,1e-30,-0.9,1e30,0.5\n";
-        const WORDS: [&str; 14] = [
-            ",",
-            "\"",
-            "\"\"",
-            "\n",
-            "\r\n",
-            "\r",
-            "#",
-            "nan",
-            "-inf",
-            "1e999",
-            "0.5000001",
-            "\0",
-            " ",
-            "nu0",
-        ];
+        const WORDS: &str = ",|\"|\"\"|\n|\r\n|\r|#|nan|-inf|1e999|0.5000001|\0| |nu0";
         let folder = tempfile::tempdir().expect("a temporary folder");
         let path = folder.path().join("points.csv");
         let (mut refused, mut accepted) = (0, 0);
-        each_damaged(SOUND.as_bytes(), &WORDS, 4, |_, bytes| {
+        each_damaged(SOUND.as_bytes(), WORDS, 4, |_, bytes| {
             std::fs::write(&path, bytes).expect("written");
             let Ok(mut points) = Points::open(&path, Given::Films { nu0: 0.25 }) else {
                 refused += 1;

@@ -216,25 +216,11 @@ mod tests {
     fn a_damaged_stack_file_is_refused_or_sound() {
         const INTERFACE: &str =
             "interface = { tangential_stiffness = 2e11, normal_stiffness = 3e12 }\n";
-        const WORDS: [&str; 13] = [
-            "nan",
-            "inf",
-            "-inf",
-            "-",
-            "0",
-            "1e-308",
-            "1e308",
-            "[[layers]]",
-            "name",
-            "interface",
-            "{",
-            "\"",
-            "\n",
-        ];
+        const WORDS: &str = "nan|inf|-inf|-|0|1e-308|1e308|[[layers]]|name|interface|{|\"|\n";
         let (mut refused, mut accepted) = (0, 0);
         each_damaged(
             format!("{SOUND}{INTERFACE}").as_bytes(),
-            &WORDS,
+            WORDS,
             3,
             |_, bytes| match std::str::from_utf8(bytes).map(NamedStack::parse) {
                 Ok(Ok(named)) => {

@@ -371,16 +371,8 @@ mod tests {
     /// sound checksums.
     #[test]
     fn a_damaged_journal_is_read_or_refused() {
-        const WORDS: [&str; 8] = [
-            "\0\0\0\0\0\0\0\0",
-            "COATJRN\n",
-            "nodes = 1",
-            "nodes = 9223372036854775807",
-            "from = nan",
-            "evenness = -1.0",
-            "round = 7",
-            "\n",
-        ];
+        const WORDS: &str = "\0\0\0\0\0\0\0\0|COATJRN\n|nodes = 1|nodes = 9223372036854775807|\
+             from = nan|evenness = -1.0|round = 7|\n";
         let folder = tempfile::tempdir().expect("a temporary folder");
         let table = folder.path().join("table.h5");
         let mut journal = Journal::open(&table).expect("a new journal");
@@ -411,9 +403,9 @@ mod tests {
                 held += usize::from(values.is_ok_and(|values| values == [1.0, 2.0]));
             }
         };
-        each_damaged(&sound, &WORDS, 1, |_, bytes| read(bytes));
+        each_damaged(&sound, WORDS, 1, |_, bytes| read(bytes));
         let start = MAGIC.len() + PREFIX + text.len();
-        each_damaged(text.as_bytes(), &WORDS, 2, |_, header| {
+        each_damaged(text.as_bytes(), WORDS, 2, |_, header| {
             let mut bytes = [&MAGIC[..], &HEADER.to_le_bytes()].concat();
             bytes.extend((header.len() as u64).to_le_bytes());
             bytes.extend(crc32fast::hash(header).to_le_bytes());
