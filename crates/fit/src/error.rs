@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::{LayerName, Numbering, Parameter};
+use crate::{Experiment, LayerName, Numbering, Parameter};
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -123,18 +123,6 @@ pub enum Error {
         /// The error of the contact.
         cause: Box<Self>,
     },
-    /// Data from which no start can be found.
-    #[error(
-        "{experiment}: JKR finds no positive modulus in these data; check units and signs (loads \
-         are positive in compression), and the stiffness of a cantilever, which is too small if the \
-         force grows faster with the height than by this stiffness; free the zeros of the instrument that are \
-         not known to be 0, such as contact-point and baseline; give the noise, which few points do not tell, and one that \
-         is smaller than the loads; or give a start"
-    )]
-    NoStart {
-        /// The name of the measurement.
-        experiment: String,
-    },
     /// A name that a layer of a fit cannot have.
     #[error(
         "{0:?} cannot name a layer in a fit: a name has 1 to 40 bytes, no comma, equals sign or control \
@@ -161,21 +149,13 @@ pub enum Error {
         /// The loss tangent.
         tangent: f64,
     },
-    /// Phases on a stack whose top layer has no name.
-    #[error(
-        "{experiment}: phases are those of the top layer of the stack, which has no name: name it"
-    )]
-    NoLoss {
-        /// The name of the measurement.
-        experiment: String,
-    },
-    /// A measurement that no relaxation function can be fitted to.
+    /// A measurement to which no such model can be fitted.
     #[error("{experiment}: {reason}")]
-    NotRelaxing {
+    NotFitted {
         /// The name of the measurement.
         experiment: String,
         /// The reason, with the next step.
-        reason: Cow<'static, str>,
+        reason: &'static str,
     },
     /// Points without times, where the bodies relax.
     #[error(
@@ -238,6 +218,12 @@ pub enum Error {
 }
 
 impl Error {
+    /// The error of an experiment to which no such model can be fitted.
+    pub(crate) fn not_fitted(experiment: &Experiment, reason: &'static str) -> Self {
+        let experiment = experiment.measurement.name.clone();
+        Self::NotFitted { experiment, reason }
+    }
+
     /// The error of a setting whose value is not allowed.
     pub(crate) fn setting(name: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
         Self::Setting {

@@ -1,14 +1,15 @@
 //! Where the method starts where bodies relax: the elastic contact that describes the approach, and
 //! the best of a few laws with it.
 
-use std::borrow::Cow;
-
 use interp::Table;
 
 use super::problem::Assigned;
 use crate::model::Freedom;
 use crate::{Bodies, Direction, Error, Experiment, Parameter};
 
+/// Why data that begin in contact are refused.
+const BEGINS_IN_CONTACT: &str = "its points begin in contact: the history before the first point is \
+     not known, and the forces depend on it; keep points from before the contact, and check that no two columns are swapped";
 /// The exponents that are tried, those of laws with a relaxation time, the relaxed fractions, and
 /// the relaxation times over the duration.
 const EXPONENTS: [f64; 3] = [0.05, 0.2, 0.5];
@@ -32,7 +33,7 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     let mut experiment = one.experiment.clone();
     let points = experiment.program().turn + 1;
     if points < FEWEST {
-        return Err(begins_in_contact(&experiment));
+        return Err(Error::not_fitted(&experiment, BEGINS_IN_CONTACT));
     }
     experiment.relaxing = None;
     experiment.times.clear();
@@ -109,21 +110,10 @@ fn begin(
         return Ok(None);
     }
     if first > BEGIN * largest {
-        return Err(begins_in_contact(experiment));
+        return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
     }
     let abscissa = experiment.measurement.points[0].abscissa;
     Ok(Some((Parameter::ContactPoint, abscissa)))
-}
-
-/// The error of data that begin in contact.
-fn begins_in_contact(experiment: &Experiment) -> Error {
-    Error::NotRelaxing {
-        experiment: experiment.measurement.name.clone(),
-        reason: Cow::Borrowed(
-            "its points begin in contact: the history before the first point is not known, and the \
-             forces depend on it; keep points from before the contact, and check that no two columns are swapped",
-        ),
-    }
 }
 
 /// Lists the values of parameters of the law that are tried.

@@ -28,6 +28,13 @@ const SMALLEST_WORK: f64 = 1e-6;
 const TIP: f64 = 0.1;
 const FRAME: f64 = 0.01;
 
+/// Why no start is found.
+const NO_START: &str = "JKR finds no positive modulus in these data; check units and signs (loads \
+     are positive in compression), and the stiffness of a cantilever, which is too small if the \
+     force grows faster with the height than by this stiffness; free the zeros of the instrument that are \
+     not known to be 0, such as contact-point and baseline; give the noise, which few points do not tell, and one that \
+     is smaller than the loads; or give a start";
+
 /// How a start differs from the one that the data show first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Variation {
@@ -97,9 +104,7 @@ pub(crate) fn problem<'a>(
         let needs_size = matches!(variation, Variation::Thickness(_));
         let is_needed = needs_size || own.iter().any(|&(own, _)| is_unknown(own));
         if !is_stiffness && found.is_none() && is_needed {
-            return Err(Error::NoStart {
-                experiment: one.experiment.measurement.name.clone(),
-            });
+            return Err(Error::not_fitted(&one.experiment, NO_START));
         }
         if let Variation::Thickness(part) = variation {
             let largest = match &found {

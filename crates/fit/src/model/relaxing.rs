@@ -1,7 +1,5 @@
 //! Bodies that relax: what is known of them, and the loads in time.
 
-use std::borrow::Cow;
-
 use contact::{Contact, HistoryInputs, Input, LawParameter, Relaxation};
 use interp::{Elastic, Table};
 
@@ -126,13 +124,10 @@ impl Experiment {
             let what = "the number of relaxation times";
             return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
         }
-        let why_not = |reason: &'static str| Error::NotRelaxing {
-            experiment: name.clone(),
-            reason: Cow::Borrowed(reason),
-        };
         let kind = self.measurement.kind;
         if kind.at_radii() || kind.is_stiffness() {
-            return Err(why_not(
+            return Err(Error::not_fitted(
+                self,
                 "a relaxation function is fitted to loads at penetrations, or to forces at heights of a \
                  cantilever, in time",
             ));
@@ -155,7 +150,8 @@ impl Experiment {
         }
         let adhesion = [Some(self.work_of_adhesion), self.work_of_adhesion_receding];
         if adhesion.into_iter().flatten().any(|work| work != 0.0) {
-            return Err(why_not(
+            return Err(Error::not_fitted(
+                self,
                 "it has a work of adhesion, and how much a growing contact gains from adhesion while the \
                  bodies relax depends on the process at the crack tip, for which no law is known here: \
                  fit it without adhesion",
@@ -163,7 +159,8 @@ impl Experiment {
         }
         let [least, most] = extremes(points.iter().map(|point| point.abscissa));
         if self.program().changed > SEVERAL * (most - least) {
-            return Err(why_not(
+            return Err(Error::not_fitted(
+                self,
                 "its penetrations or heights go back and forth, or scatter, by more than a tenth of their range, and one \
                  approach, which may be held, and one retract are followed: keep the points of one cycle that \
                  begins before the contact, and check that no two columns are swapped",

@@ -87,9 +87,8 @@ impl Experiment {
             }
             _ => Some(Parameter::FilmModulus),
         };
-        let parameter = parameter.ok_or_else(|| Error::NoLoss {
-            experiment: self.measurement.name.clone(),
-        })?;
+        let reason = "phases are those of the top layer of the stack, which has no name: name it";
+        let parameter = parameter.ok_or_else(|| Error::not_fitted(self, reason))?;
         Ok((parameter, self.get(parameter).unwrap_or(f64::NAN)))
     }
 
