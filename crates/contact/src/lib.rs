@@ -19,6 +19,9 @@
 
 #![forbid(unsafe_code)]
 
+#[macro_use]
+mod named;
+
 mod bodies;
 mod branch;
 mod cohesive_zone;

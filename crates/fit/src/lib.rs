@@ -45,8 +45,8 @@
 
 #![forbid(unsafe_code)]
 
-#[macro_use]
-mod named;
+#[macro_use(named)]
+extern crate contact;
 
 pub mod data;
 mod error;

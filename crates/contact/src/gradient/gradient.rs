@@ -7,57 +7,29 @@ use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
 
-/// An input on which the load and the penetration of a contact depend, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Input {
-    /// Contact radius `a`, m.
-    ContactRadius,
-    /// Work of adhesion `w`, J/m^2.
-    WorkOfAdhesion,
-    /// Radius `R` of the probe, m: of the sphere or paraboloid, of the end of a cone, or of the
-    /// punch.
-    SphereRadius,
-    /// Reduced modulus `E2*` of the sphere, Pa.
-    SphereModulus,
-    /// Thickness `t` of the film, m.
-    FilmThickness,
-    /// Young's modulus `E1` of the film, Pa.
-    FilmModulus,
-    /// Poisson ratio `nu1` of the film.
-    FilmPoisson,
-    /// Young's modulus `E0` of the substrate, Pa.
-    SubstrateModulus,
-    /// Poisson ratio `nu0` of the substrate.
-    SubstratePoisson,
-}
-
-impl Input {
-    /// All nine inputs.
-    pub const ALL: [Self; 9] = [
-        Self::ContactRadius,
-        Self::WorkOfAdhesion,
-        Self::SphereRadius,
-        Self::SphereModulus,
-        Self::FilmThickness,
-        Self::FilmModulus,
-        Self::FilmPoisson,
-        Self::SubstrateModulus,
-        Self::SubstratePoisson,
-    ];
-
-    /// Returns the name in words.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::ContactRadius => "contact radius",
-            Self::WorkOfAdhesion => "work of adhesion",
-            Self::SphereRadius => "sphere radius",
-            Self::SphereModulus => "sphere modulus",
-            Self::FilmThickness => "film thickness",
-            Self::FilmModulus => "film modulus",
-            Self::FilmPoisson => "film Poisson ratio",
-            Self::SubstrateModulus => "substrate modulus",
-            Self::SubstratePoisson => "substrate Poisson ratio",
-        }
+named! {
+    /// An input on which the load and the penetration of a contact depend, in SI units.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Input {
+        /// Contact radius `a`, m.
+        ContactRadius = "contact radius",
+        /// Work of adhesion `w`, J/m^2.
+        WorkOfAdhesion = "work of adhesion",
+        /// Radius `R` of the probe, m: of the sphere or paraboloid, of the end of a cone, or of the
+        /// punch.
+        SphereRadius = "sphere radius",
+        /// Reduced modulus `E2*` of the sphere, Pa.
+        SphereModulus = "sphere modulus",
+        /// Thickness `t` of the film, m.
+        FilmThickness = "film thickness",
+        /// Young's modulus `E1` of the film, Pa.
+        FilmModulus = "film modulus",
+        /// Poisson ratio `nu1` of the film.
+        FilmPoisson = "film Poisson ratio",
+        /// Young's modulus `E0` of the substrate, Pa.
+        SubstrateModulus = "substrate modulus",
+        /// Poisson ratio `nu0` of the substrate.
+        SubstratePoisson = "substrate Poisson ratio",
     }
 }
 

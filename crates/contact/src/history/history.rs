@@ -9,28 +9,18 @@ use crate::{Contact, Control, CrackTip, State};
 /// The bound of the error by bodies that relax differently above which it is refused.
 pub(super) const UNLIKE: f64 = 2e-2;
 
-/// What the contact does at a time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Phase {
-    /// There is no contact.
-    Separated,
-    /// The contact grows.
-    Advancing,
-    /// The contact keeps its radius.
-    Resting,
-    /// The contact shrinks.
-    Receding,
-}
-
-impl Phase {
-    /// Returns the name of the phase in files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Separated => "separated",
-            Self::Advancing => "advancing",
-            Self::Resting => "resting",
-            Self::Receding => "receding",
-        }
+named! {
+    /// What the contact does at a time.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Phase {
+        /// There is no contact.
+        Separated = "separated",
+        /// The contact grows.
+        Advancing = "advancing",
+        /// The contact keeps its radius.
+        Resting = "resting",
+        /// The contact shrinks.
+        Receding = "receding",
     }
 }
 

@@ -7,6 +7,7 @@ use std::io::{self, Write};
 
 use anyhow::{Context, ensure};
 use clap::ValueEnum;
+use contact::named;
 use interp::{Elastic, System};
 
 use super::probe::ProbeArguments;
@@ -55,49 +56,30 @@ pub enum Specimen {
     Paper,
 }
 
-/// A value of the bodies that a person knows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Value {
-    SphereRadius,
-    SphereModulus,
-    FilmThickness,
-    FilmModulus,
-    FilmPoissonRatio,
-    SubstrateModulus,
-    SubstratePoissonRatio,
-    WorkOfAdhesion,
+named! {
+    /// A value of the bodies that a person knows.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Value {
+        SphereRadius = "sphere-radius",
+        SphereModulus = "sphere-modulus",
+        FilmThickness = "film-thickness",
+        FilmModulus = "film-modulus",
+        FilmPoissonRatio = "film-poisson-ratio",
+        SubstrateModulus = "substrate-modulus",
+        SubstratePoissonRatio = "substrate-poisson-ratio",
+        WorkOfAdhesion = "work-of-adhesion",
+    }
 }
 
 impl Value {
-    /// All values.
-    pub const ALL: [Self; 8] = [
-        Self::SphereRadius,
-        Self::SphereModulus,
-        Self::FilmThickness,
-        Self::FilmModulus,
-        Self::FilmPoissonRatio,
-        Self::SubstrateModulus,
-        Self::SubstratePoissonRatio,
-        Self::WorkOfAdhesion,
-    ];
-
     /// Returns the flag.
-    pub const fn flag(self) -> &'static str {
-        match self {
-            Self::SphereRadius => "--sphere-radius",
-            Self::SphereModulus => "--sphere-modulus",
-            Self::FilmThickness => "--film-thickness",
-            Self::FilmModulus => "--film-modulus",
-            Self::FilmPoissonRatio => "--film-poisson-ratio",
-            Self::SubstrateModulus => "--substrate-modulus",
-            Self::SubstratePoissonRatio => "--substrate-poisson-ratio",
-            Self::WorkOfAdhesion => "--work-of-adhesion",
-        }
+    pub fn flag(self) -> String {
+        format!("--{}", self.name())
     }
 
     /// Returns the name in messages of the libraries.
-    fn name(self) -> String {
-        self.flag().trim_start_matches('-').replace('-', "_")
+    fn in_messages(self) -> String {
+        self.name().replace('-', "_")
     }
 
     /// Returns the value of Barthel's Tables 1 and 2, as the command line takes it.
@@ -133,7 +115,7 @@ impl Value {
             "{}: {} = {given:?} is refused, because {reason}; values are in SI units, or have a \
              unit, such as {example}",
             self.flag(),
-            self.name()
+            self.in_messages()
         );
         Ok(given)
     }
@@ -214,7 +196,7 @@ pub fn name_example(missing: &[Value]) {
     }
     let values: Vec<String> = missing
         .iter()
-        .map(|value| format!("{} = {}", value.name(), value.of_paper().0))
+        .map(|value| format!("{} = {}", value.in_messages(), value.of_paper().0))
         .collect();
     // `eprintln` panics where standard error is closed.
     let _ = writeln!(

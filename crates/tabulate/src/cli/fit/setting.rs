@@ -63,7 +63,7 @@ impl Given {
             Value::ALL.map(|value| (value.flag(), fixed(value, layer), system.given(value)));
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
         let flags = of_bodies.into_iter();
-        for (flag, quantity, other) in flags.chain([("--stiffness", of_cantilever, stiffness)]) {
+        for (flag, quantity, other) in flags.chain([("--stiffness".to_owned(), of_cantilever, stiffness)]) {
             if let Some(other) = other.filter(|other| quantity == self.quantity && *other != known)
             {
                 bail!(

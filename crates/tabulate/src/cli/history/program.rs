@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, anyhow, bail, ensure};
+use contact::named;
 use units::Dimension;
 
 use super::super::heading;
@@ -14,25 +15,17 @@ use crate::printable;
 /// The largest number of bytes of a file.
 const LONGEST: u64 = 1 << 28;
 
-/// What a program imposes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Imposed {
-    Penetration,
-    Load,
-    Height,
+named! {
+    /// What a program imposes.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Imposed {
+        Penetration = "penetration",
+        Load = "load",
+        Height = "height",
+    }
 }
 
 impl Imposed {
-    const ALL: [Self; 3] = [Self::Penetration, Self::Load, Self::Height];
-
-    const fn word(self) -> &'static str {
-        match self {
-            Self::Penetration => "penetration",
-            Self::Load => "load",
-            Self::Height => "height",
-        }
-    }
-
     const fn dimension(self) -> Dimension {
         match self {
             Self::Load => Dimension::Force,
@@ -41,7 +34,7 @@ impl Imposed {
     }
 
     fn of_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|imposed| imposed.word() == word)
+        Self::ALL.into_iter().find(|imposed| imposed.name() == word)
     }
 }
 
@@ -80,7 +73,7 @@ impl Program {
                 anyhow!("--program: the time of {word:?}: {error}; times are in seconds")
             })?;
             let value = read(value, Some(imposed.dimension())).map_err(|error| {
-                anyhow!("--program: the {} of {word:?}: {error}", imposed.word())
+                anyhow!("--program: the {} of {word:?}: {error}", imposed.name())
             })?;
             anyhow::Ok((at, value))
         };

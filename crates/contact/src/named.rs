@@ -1,6 +1,8 @@
 //! Enums whose variants have names.
 
-/// Declares an enum with the name of each variant beside it: the one on the command line, in files and in JSON.
+/// Declares an enum with the name of each variant beside it: on the command line, in files, in JSON, in messages.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! named {
     (
         $(#[$about:meta])*
@@ -17,7 +19,7 @@ macro_rules! named {
             /// All variants, in their order.
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$Variant),+];
 
-            /// Returns the name, as on the command line, in files and in JSON.
+            /// Returns the name, as on the command line, in files, in JSON and in messages.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$Variant => $name,)+
