@@ -63,7 +63,9 @@ impl Given {
             Value::ALL.map(|value| (value.flag(), fixed(value, layer), system.given(value)));
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
         let flags = of_bodies.into_iter();
-        for (flag, quantity, other) in flags.chain([("--stiffness".to_owned(), of_cantilever, stiffness)]) {
+        for (flag, quantity, other) in
+            flags.chain([("--stiffness".to_owned(), of_cantilever, stiffness)])
+        {
             if let Some(other) = other.filter(|other| quantity == self.quantity && *other != known)
             {
                 bail!(
@@ -198,77 +200,62 @@ fn split<'a>(text: &'a str, how: &str) -> Result<(Parameter, &'a str), String> {
 mod tests {
     use super::*;
 
+    /// Reads a setting and returns what is read.
+    fn read<T: FromStr<Err = String> + std::fmt::Debug>(text: &str) -> String {
+        format!("{:?}", text.parse::<T>().expect(text))
+    }
+
     #[test]
     fn settings_are_read() {
-        assert_eq!(
-            "film-thickness=1e-6, 1e-5".parse(),
-            Ok(Values {
-                parameter: Parameter::FilmThickness,
-                values: vec![1e-6, 1e-5]
-            })
-        );
-        assert_eq!(
-            "film-thickness=1um, 1e-5".parse(),
-            "film-thickness=1e-6,1e-5".parse::<Values>()
-        );
-        assert_eq!(
-            "film-modulus=0.1MPa..100 MPa".parse(),
-            "film-modulus=1e5..1e8".parse::<Bounds>()
-        );
-        assert_eq!(
-            "film-thickness=1um+-50nm".parse(),
-            "film-thickness=1e-6+-5e-8".parse::<Known>()
-        );
-        assert_eq!(
-            "film-modulus = 1e5..1e8".parse(),
-            Ok(Bounds {
-                parameter: Parameter::FilmModulus,
-                range: [1e5, 1e8]
-            })
-        );
+        let film = Parameter::FilmThickness;
+        let values = "film-thickness=1e-6, 1e-5".parse::<Values>();
+        assert!(values.is_ok_and(|one| one.parameter == film && one.values == [1e-6, 1e-5]));
+        let bounds = "film-modulus = 1e5..1e8".parse::<Bounds>();
+        assert!(bounds.is_ok_and(|one| one.parameter == Parameter::FilmModulus && one.range == [1e5, 1e8]));
+        let given = "sphere-radius=1e-3+-1e-5".parse::<Given>();
+        let of_given = |one: Given| (one.quantity, one.value, one.error);
+        assert_eq!(given.map(of_given), Ok((Fixed::SphereRadius, 1e-3, 1e-5)));
         for text in ["baseline=-1e-9+-2e-10", "baseline=-1e-9 ± 2e-10"] {
-            assert_eq!(
-                text.parse(),
-                Ok(Known {
-                    parameter: Parameter::Baseline,
-                    mean: -1e-9,
-                    error: 2e-10
-                })
-            );
+            let known = text.parse::<Known>();
+            let of_known = |one: Known| (one.parameter, one.mean, one.error);
+            assert_eq!(known.map(of_known), Ok((Parameter::Baseline, -1e-9, 2e-10)));
         }
-        assert_eq!(
-            unit_of("work-of-adhesion=mJ/m^2").ok(),
-            UnitOf::new(Parameter::WorkOfAdhesion, "mJ/m^2")
-        );
+        let unit = UnitOf::new(Parameter::WorkOfAdhesion, "mJ/m^2");
+        assert_eq!(unit_of("work-of-adhesion=mJ/m^2").ok(), unit);
+        let [values, bounds, known] = [
+            ["film-thickness=1um, 1e-5", "film-thickness=1e-6,1e-5"].map(read::<Values>),
+            ["film-modulus=0.1MPa..100 MPa", "film-modulus=1e5..1e8"].map(read::<Bounds>),
+            ["film-thickness=1um+-50nm", "film-thickness=1e-6+-5e-8"].map(read::<Known>),
+        ];
+        for [with_units, without] in [values, bounds, known] {
+            assert_eq!(with_units, without);
+        }
     }
 
     #[test]
     fn what_is_no_setting_is_refused_with_an_example() {
-        let values = |text: &str| text.parse::<Values>().unwrap_err();
-        assert!(values("load-offset").contains("load-offset=1e-6"));
-        assert!(values("offset=1").contains("load-offset"));
-        assert!(values("load-offset=1;2").contains("\"1;2\""));
-        assert!(values("film-thickness=3GPa").contains("a length is wanted"));
-        assert!(values("film-poisson-ratio=0.3um").contains("without a unit"));
-        let bounds = "film-modulus=1e5".parse::<Bounds>().unwrap_err();
-        assert!(bounds.contains("1e5..1e8"));
-        let bounds = "sphere-modulus=1..5".parse::<Bounds>().unwrap_err();
-        assert!(bounds.contains("write 1kPa, 1MPa or 1GPa, or 1Pa"));
-        let known = "film-modulus=1e5".parse::<Known>().unwrap_err();
-        assert!(known.contains("+-"));
-        let given = |text: &str| text.parse::<Given>().unwrap_err();
-        assert!(given("film-thickness=2e-6").contains("+-"));
-        assert!(given("thickness=2e-6+-1e-7").contains("film-thickness"));
-        assert!(given("sphere-radius").contains("has no ="));
-        assert_eq!(
-            "sphere-radius=1e-3+-1e-5".parse(),
-            Ok(Given {
-                quantity: Fixed::SphereRadius,
-                value: 1e-3,
-                error: 1e-5
-            })
-        );
-        let unit = unit_of("film-modulus=mN").unwrap_err();
-        assert!(unit.contains("Pa"));
+        let values = |text: &str| text.parse::<Values>().err();
+        let bounds = |text: &str| text.parse::<Bounds>().err();
+        let known = |text: &str| text.parse::<Known>().err();
+        let given = |text: &str| text.parse::<Given>().err();
+        for (error, words) in [
+            (values("load-offset"), "load-offset=1e-6"),
+            (values("offset=1"), "load-offset"),
+            (values("load-offset=1;2"), "\"1;2\""),
+            (values("film-thickness=3GPa"), "a length is wanted"),
+            (values("film-poisson-ratio=0.3um"), "without a unit"),
+            (bounds("film-modulus=1e5"), "1e5..1e8"),
+            (
+                bounds("sphere-modulus=1..5"),
+                "write 1kPa, 1MPa or 1GPa, or 1Pa",
+            ),
+            (known("film-modulus=1e5"), "+-"),
+            (given("film-thickness=2e-6"), "+-"),
+            (given("thickness=2e-6+-1e-7"), "film-thickness"),
+            (given("sphere-radius"), "has no ="),
+            (unit_of("film-modulus=mN").err(), "Pa"),
+        ] {
+            assert!(error.is_some_and(|error| error.contains(words)), "{words}");
+        }
     }
 }
