@@ -3,7 +3,7 @@
 use super::Format;
 use super::beside;
 use super::column::{Column, Role};
-use super::failure::{Failure, Missing, Problem};
+use super::failure::{DataError, Missing, Problem};
 use super::head::Untold;
 use super::heading::Heading;
 use super::source::{Columns, Source};
@@ -41,7 +41,7 @@ pub fn assign(
     headings: &[Heading],
     format: &Format,
     untold: Option<&Untold>,
-) -> Result<Assignment, Failure> {
+) -> Result<Assignment, DataError> {
     let columns = Columns {
         headings,
         format,
@@ -95,7 +95,7 @@ pub const fn roles(kind: Kind) -> [Role; 2] {
 
 impl Columns<'_> {
     /// Returns the kind that the user gives, or the only one that the headings fit.
-    fn kind(&self) -> Result<Kind, Failure> {
+    fn kind(&self) -> Result<Kind, DataError> {
         if let Some(kind) = self.format.kind {
             return Ok(kind);
         }
@@ -178,9 +178,9 @@ impl Columns<'_> {
 
     /// Returns the columns of abscissa and ordinate in a direction. A column without a direction
     /// serves both; one at least must have it.
-    fn pair(&self, kind: Kind, direction: Option<Direction>) -> Result<Option<Pair>, Failure> {
+    fn pair(&self, kind: Kind, direction: Option<Direction>) -> Result<Option<Pair>, DataError> {
         let [abscissa, ordinate] = roles(kind);
-        let of = |role: Role| -> Result<Option<Source>, Failure> {
+        let of = |role: Role| -> Result<Option<Source>, DataError> {
             Ok(match self.force_or(role, direction)? {
                 None if direction.is_some() => self.force_or(role, None)?,
                 found => found,
@@ -214,7 +214,7 @@ impl Columns<'_> {
         &self,
         role: Role,
         direction: Option<Direction>,
-    ) -> Result<Option<Source>, Failure> {
+    ) -> Result<Option<Source>, DataError> {
         Ok(match self.find(role, direction)? {
             None if role == Role::Load => self.find(Role::Deflection, direction)?,
             found => found,
@@ -222,7 +222,7 @@ impl Columns<'_> {
     }
 
     /// Returns the error of columns that are not there.
-    fn lack(&self, kinds: Vec<Missing>) -> Failure {
+    fn lack(&self, kinds: Vec<Missing>) -> DataError {
         let columns = self.found();
         Problem::MissingColumns { kinds, columns }.into()
     }

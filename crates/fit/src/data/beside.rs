@@ -2,7 +2,7 @@
 //! at a depth, and the phase or the loss part of the stiffness.
 
 use super::column::Role;
-use super::failure::Failure;
+use super::failure::DataError;
 use super::source::{Columns, Source};
 use crate::{Direction, Kind};
 
@@ -41,7 +41,7 @@ impl Columns<'_> {
         &self,
         kind: Kind,
         direction: Option<Direction>,
-    ) -> Result<Option<Vec<Source>>, Failure> {
+    ) -> Result<Option<Vec<Source>>, DataError> {
         let find = |role: Role| match self.find(role, direction)? {
             None if direction.is_some() => self.find(role, None),
             found => Ok(found),
@@ -73,8 +73,8 @@ impl Columns<'_> {
 pub(super) fn beside(
     sources: &[Source],
     storage: f64,
-    mut value: impl FnMut(&Source) -> Result<Option<f64>, Failure>,
-) -> Result<Option<Beside>, Failure> {
+    mut value: impl FnMut(&Source) -> Result<Option<f64>, DataError>,
+) -> Result<Option<Beside>, DataError> {
     let mut found = Beside {
         load: f64::NAN,
         phase: f64::NAN,

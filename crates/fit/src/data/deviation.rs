@@ -1,6 +1,6 @@
 //! Columns of standard deviations.
 
-use super::failure::Failure;
+use super::failure::DataError;
 use super::heading::Heading;
 use super::source::{Columns, Source, unique};
 use crate::Direction;
@@ -34,7 +34,7 @@ impl Columns<'_> {
         of: &Source,
         alone: bool,
         direction: Option<Direction>,
-    ) -> Result<Option<Source>, Failure> {
+    ) -> Result<Option<Source>, DataError> {
         let Some(role) = of.role.error() else {
             return Ok(None);
         };

@@ -6,9 +6,9 @@ use std::io;
 
 use super::column::Role;
 use super::head::Untold;
-use super::heading::Reduced;
+use super::heading::{Heading, Reduced};
 use crate::Kind;
-use units::{QuantityError, Unit};
+use units::QuantityError;
 
 /// The longest line, in bytes. A longer one is not a row of a measurement.
 pub const LONGEST: usize = 1 << 16;
@@ -38,20 +38,14 @@ fn place(error: &DataError) -> String {
     line.unwrap_or_default() + &column
 }
 
-/// A problem with its place.
-#[derive(Debug)]
-pub struct Failure {
-    pub line: Option<u64>,
-    pub column: Option<(usize, String)>,
-    pub problem: Problem,
-}
-
-impl From<Problem> for Failure {
+/// The measurement and the place are named where they are known.
+impl From<Problem> for DataError {
     fn from(problem: Problem) -> Self {
         Self {
+            name: String::new(),
             line: None,
             column: None,
-            problem,
+            problem: Box::new(problem),
         }
     }
 }
@@ -59,16 +53,7 @@ impl From<Problem> for Failure {
 /// A column of a file, as far as its heading tells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// The heading.
-    pub heading: String,
-    /// The unit that it names.
-    pub unit: Option<Unit>,
-    /// What stands in place of a unit and is none that is known.
-    pub unknown: Option<String>,
-    /// Whether its heading names the double, the square or a multiple of a quantity.
-    pub is_derived: bool,
-    /// The length that its heading names, if it is one from which something is taken off.
-    pub reduced: Option<Reduced>,
+    pub(super) heading: Heading,
     /// What it is recognised as.
     pub role: Option<Role>,
 }
@@ -76,23 +61,26 @@ pub struct Found {
 impl Found {
     /// Tells whether the numbers are to be converted before they are read.
     pub fn is_to_convert(&self) -> bool {
-        self.role.is_none() && (self.unknown.is_some() || self.is_derived && self.unit.is_some())
+        let heading = &self.heading;
+        let is_derived = heading.is_derived() && heading.unit.is_some();
+        self.role.is_none() && (heading.unknown.is_some() || is_derived)
     }
 }
 
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?}", self.heading)?;
-        match (self.role, self.unit, &self.unknown) {
+        let heading = &self.heading;
+        write!(f, "{:?}", heading.text)?;
+        match (self.role, heading.unit, &heading.unknown) {
             (Some(role), ..) => write!(f, " ({})", role.name()),
-            (None, Some(unit), _) => match self.reduced {
+            (None, Some(unit), _) => match heading.reduced() {
                 Some(Reduced::ContactDepth) => {
                     write!(f, " (a contact depth, which is less than the penetration)")
                 }
                 Some(Reduced::Separation) => {
                     write!(f, " (a separation, from which the deflection is taken off)")
                 }
-                None if self.is_derived => write!(f, " ({}, to be converted)", unit.dimension),
+                None if heading.is_derived() => write!(f, " ({}, to be converted)", unit.dimension),
                 None => write!(f, " ({})", unit.dimension),
             },
             (None, None, Some(unknown)) => write!(f, " ({unknown:?} is not a known unit)"),
@@ -119,13 +107,16 @@ impl Missing {
     pub fn candidates<'a>(&self, columns: &'a [Found]) -> Vec<Option<&'a Found>> {
         let mut taken: Vec<&str> = Vec::new();
         let is_force = |found: &Found| {
-            let in_newtons = found.unit.is_some_and(|unit| Role::Load.accepts(unit));
+            let in_newtons = found
+                .heading
+                .unit
+                .is_some_and(|unit| Role::Load.accepts(unit));
             found.role == Some(Role::Load) || in_newtons
         };
         let has_force = columns.iter().any(is_force);
         let mut candidate = |role: &Role| {
             let is_free = |found: &&Found| {
-                let can_be = match found.reduced {
+                let can_be = match found.heading.reduced() {
                     None => true,
                     Some(Reduced::ContactDepth) => {
                         *role == Role::Penetration && self.kind == Kind::StiffnessDepth
@@ -133,14 +124,14 @@ impl Missing {
                     Some(Reduced::Separation) => *role == Role::Height && has_force,
                 };
                 let is_alike = found.role.is_none()
-                    && !found.is_derived
+                    && !found.heading.is_derived()
                     && can_be
-                    && found.unit.is_some_and(|unit| role.accepts(unit));
+                    && found.heading.unit.is_some_and(|unit| role.accepts(unit));
                 let is_area = *role == Role::ContactRadius && found.role == Some(Role::ContactArea);
-                (is_alike || is_area) && !taken.contains(&found.heading.as_str())
+                (is_alike || is_area) && !taken.contains(&found.heading.text.as_str())
             };
             let found = columns.iter().find(is_free)?;
-            taken.push(&found.heading);
+            taken.push(&found.heading.text);
             Some(found)
         };
         self.roles.iter().map(&mut candidate).collect()

@@ -4,7 +4,7 @@ use super::assignment::{Assignment, Pair, roles};
 use super::beside::Beside;
 use super::column::{Role, UNIT};
 use super::doubt::doubts;
-use super::failure::{Failure, Problem};
+use super::failure::{DataError, Problem};
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use super::segment::split;
@@ -120,7 +120,7 @@ pub fn join(
     format: &Format,
     name: &str,
     mut notes: Notes,
-) -> Result<Reading, Failure> {
+) -> Result<Reading, DataError> {
     let first = &blocks[0].assignment;
     let (kind, pairs) = (first.kind, first.pairs.clone());
     let pair = &pairs[0];
@@ -214,7 +214,7 @@ fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
 }
 
 /// Refuses a column that holds one value only.
-fn check_constant(points: &[Point], pair: &Pair) -> Result<(), Failure> {
+fn check_constant(points: &[Point], pair: &Pair) -> Result<(), DataError> {
     for (source, value) in [
         (
             &pair.abscissa,
@@ -224,14 +224,14 @@ fn check_constant(points: &[Point], pair: &Pair) -> Result<(), Failure> {
     ] {
         let first = value(&points[0]);
         if points.len() > 1 && points.iter().all(|point| value(point) == first) {
-            return Err(Failure {
-                line: None,
+            let problem = Problem::Constant {
+                role: source.role,
+                points: points.len(),
+                value: first,
+            };
+            return Err(DataError {
                 column: Some((source.index + 1, source.heading.clone())),
-                problem: Problem::Constant {
-                    role: source.role,
-                    points: points.len(),
-                    value: first,
-                },
+                ..problem.into()
             });
         }
     }

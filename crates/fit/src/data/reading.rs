@@ -163,9 +163,7 @@ pub fn read(path: &Path, format: &Format) -> Result<Reading, DataError> {
         Ok(file) => read_from(BufReader::with_capacity(1 << 16, file), &name, format),
         Err(source) => Err(DataError {
             name,
-            line: None,
-            column: None,
-            problem: Box::new(Problem::Read(source)),
+            ..Problem::Read(source).into()
         }),
     }
 }
@@ -175,10 +173,8 @@ pub fn read(path: &Path, format: &Format) -> Result<Reading, DataError> {
 /// # Errors
 /// As [`read`].
 pub fn read_from(source: impl BufRead, name: &str, format: &Format) -> Result<Reading, DataError> {
-    rows::read(source, name, format).map_err(|failure| DataError {
+    rows::read(source, name, format).map_err(|error| DataError {
         name: name.to_owned(),
-        line: failure.line,
-        column: failure.column,
-        problem: Box::new(failure.problem),
+        ..error
     })
 }

@@ -81,10 +81,13 @@ impl DataError {
                 let way = |one: &Missing| {
                     let candidates = one.candidates(columns).into_iter();
                     let heading = |(role, found): (&Role, Option<&Found>)| match found {
-                        Some(found) => (found.role.unwrap_or(*role), found.heading.clone()),
+                        Some(found) => (found.role.unwrap_or(*role), found.heading.text.clone()),
                         None => (*role, any()),
                     };
-                    let reduced = candidates.clone().flatten().find_map(|found| found.reduced);
+                    let reduced = candidates
+                        .clone()
+                        .flatten()
+                        .find_map(|found| found.heading.reduced());
                     Named {
                         kind: (kinds.len() > 1).then_some(one.kind),
                         columns: one.roles.iter().zip(candidates).map(heading).collect(),

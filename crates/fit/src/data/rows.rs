@@ -6,7 +6,7 @@ use super::assignment::{Assignment, assign, roles};
 use super::beside::beside;
 use super::cells::{Delimiter, comment};
 use super::column::Role;
-use super::failure::{Failure, Problem};
+use super::failure::{DataError, Problem};
 use super::head::{Head, Untold};
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles, is_words, titles};
@@ -22,7 +22,7 @@ use crate::{Direction, Kind, Point};
 const LONGEST_HEAD: usize = 10_000;
 
 /// Reads all rows.
-pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading, Failure> {
+pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading, DataError> {
     let mut lines = Lines::new(source)?;
     let mut search = Search::default();
     while lines.number() < LONGEST_HEAD as u64 {
@@ -74,9 +74,9 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
 }
 
 /// Reads a line. An error names its number.
-fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, str>>, Failure> {
+fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, str>>, DataError> {
     let number = lines.number() + 1;
-    lines.next().map_err(|problem| Failure {
+    lines.next().map_err(|problem| DataError {
         line: (!matches!(problem, Problem::Read(_) | Problem::Binary(_))).then_some(number),
         ..problem.into()
     })
@@ -88,7 +88,7 @@ fn choose(
     layout: &Layout,
     format: &Format,
     untold: Option<&Untold>,
-) -> Result<(Titles, Assignment), Failure> {
+) -> Result<(Titles, Assignment), DataError> {
     let unnamed = Titles {
         headings: vec![Heading::parse(""); layout.cells],
         head: layout.head,
@@ -108,14 +108,13 @@ fn choose(
         }
     }
     Err(first.unwrap_or_else(|| {
-        let kind = format.kind.unwrap_or(Kind::LoadRadius);
-        Failure {
+        let problem = Problem::NoHeadings {
+            columns: layout.cells,
+            roles: roles(format.kind.unwrap_or(Kind::LoadRadius)),
+        };
+        DataError {
             line: Some(layout.head as u64 + 1),
-            column: None,
-            problem: Problem::NoHeadings {
-                columns: layout.cells,
-                roles: roles(kind),
-            },
+            ..problem.into()
         }
     }))
 }
@@ -127,11 +126,11 @@ struct Waiting {
     /// The number of the last line.
     last: u64,
     /// The failure of the first of them that is no comment.
-    failure: Option<Failure>,
+    failure: Option<DataError>,
 }
 
 impl Waiting {
-    fn push(&mut self, number: u64, line: &str, failure: Option<Failure>) {
+    fn push(&mut self, number: u64, line: &str, failure: Option<DataError>) {
         if self.lines.len() == LONGEST_HEAD {
             self.lines.remove(0);
         }
@@ -165,7 +164,7 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     /// Adds the points of a line, or takes note of what a line between rows says.
-    fn add(&mut self, number: u64, line: &str) -> Result<(), Failure> {
+    fn add(&mut self, number: u64, line: &str) -> Result<(), DataError> {
         if let Some(text) = comment(line) {
             self.segment = Segment::of_comment(text).or(self.segment);
             self.head.read(number, text);
@@ -197,7 +196,7 @@ impl Rows<'_> {
 
     /// Takes the columns of headings among the lines that wait, if there are any for a row of this
     /// number of cells. Returns whether there are.
-    fn begin(&mut self, number: u64, cells: usize) -> Result<bool, Failure> {
+    fn begin(&mut self, number: u64, cells: usize) -> Result<bool, DataError> {
         if self.waiting.lines.is_empty() || self.is_pause() {
             return Ok(false);
         }
@@ -215,7 +214,7 @@ impl Rows<'_> {
                 }
                 // Other comments may look like headings.
                 Err(failure) if titles.labelled => {
-                    return Err(Failure {
+                    return Err(DataError {
                         line: Some(number),
                         ..failure
                     });
@@ -235,7 +234,7 @@ impl Rows<'_> {
     }
 
     /// Adds the points of a row.
-    fn row(&mut self, number: u64, cells: &[&str]) -> Result<(), Failure> {
+    fn row(&mut self, number: u64, cells: &[&str]) -> Result<(), DataError> {
         if self.is_pause() {
             self.count += 1;
             self.pauses += 1;
@@ -245,13 +244,10 @@ impl Rows<'_> {
         let expected = block.headings.len();
         let extra = cells.iter().skip(expected);
         if cells.len() < expected || !extra.clone().all(|cell| cell.is_empty()) {
-            return Err(Failure {
+            let found = cells.len();
+            return Err(DataError {
                 line: Some(number),
-                column: None,
-                problem: Problem::CellCount {
-                    expected,
-                    found: cells.len(),
-                },
+                ..Problem::CellCount { expected, found }.into()
             });
         }
         let word = block.word(cells);
@@ -261,10 +257,10 @@ impl Rows<'_> {
             points,
             ..
         } = block;
-        let failure = |index: usize, problem| Failure {
+        let failure = |index: usize, problem: Problem| DataError {
             line: Some(number),
             column: Some((index + 1, headings[index].text.clone())),
-            problem,
+            ..problem.into()
         };
         if let Some(word) = word {
             return Err(failure(0, Problem::Word(word.to_owned())));
@@ -367,7 +363,7 @@ impl Rows<'_> {
     }
 
     /// Joins the points.
-    fn finish(self, name: &str) -> Result<Reading, Failure> {
+    fn finish(self, name: &str) -> Result<Reading, DataError> {
         if let Some(failure) = self.waiting.failure {
             return Err(failure);
         }
@@ -391,7 +387,7 @@ impl Rows<'_> {
     }
 
     /// Refuses heads that differ in a value that was used.
-    fn check_head(&self) -> Result<(), Failure> {
+    fn check_head(&self) -> Result<(), DataError> {
         let used = self.format.cantilever;
         match &self.head.conflict {
             Some([first, second])
@@ -409,12 +405,12 @@ impl Rows<'_> {
     }
 }
 
-impl Failure {
+impl DataError {
     /// Tells whether the line that fails may be no row: it holds words.
     fn may_be_a_head(&self, cells: &[&str]) -> bool {
         let is_word = |cell: &&str| DecimalMark::default().read(cell) == Cell::Text;
         matches!(
-            self.problem,
+            *self.problem,
             Problem::NotANumber(_)
                 | Problem::CellCount { .. }
                 | Problem::Segment(_)

@@ -2,7 +2,7 @@
 //! tells.
 
 use super::column::{Column, Role};
-use super::failure::{Failure, Found, Problem};
+use super::failure::{DataError, Found, Problem};
 use super::head::Untold;
 use super::heading::Heading;
 use super::{Cantilever, Format};
@@ -40,7 +40,7 @@ impl Columns<'_> {
         &self,
         role: Role,
         direction: Option<Direction>,
-    ) -> Result<Option<Source>, Failure> {
+    ) -> Result<Option<Source>, DataError> {
         let columns = self.format.columns.iter();
         let named: Vec<Named> = columns
             .filter(|column| column.role == role)
@@ -77,7 +77,7 @@ impl Columns<'_> {
     }
 
     /// Returns the column that the user names.
-    pub(super) fn named(&self, column: &Column) -> Result<Named, Failure> {
+    pub(super) fn named(&self, column: &Column) -> Result<Named, DataError> {
         let wanted = Heading::parse(&column.heading);
         let Some(index) = unique(column.role, &self.places(column, &wanted))? else {
             let problem = Problem::UnknownHeading {
@@ -123,12 +123,11 @@ impl Columns<'_> {
         index: usize,
         unit: Option<Unit>,
         negative: bool,
-    ) -> Result<Source, Failure> {
+    ) -> Result<Source, DataError> {
         let heading = self.headings[index].text.clone();
-        let at = |problem| Failure {
-            line: None,
+        let at = |problem: Problem| DataError {
             column: Some((index + 1, heading.clone())),
-            problem,
+            ..problem.into()
         };
         let assumed_si = role != Role::Segment && unit.is_none();
         let unit = match unit {
@@ -203,11 +202,7 @@ impl Columns<'_> {
         let headings = self.headings.iter().enumerate();
         headings
             .map(|column| Found {
-                heading: column.1.text.clone(),
-                unit: column.1.unit,
-                unknown: column.1.unknown.clone(),
-                is_derived: column.1.is_derived(),
-                reduced: column.1.reduced(),
+                heading: column.1.clone(),
                 role: role(column),
             })
             .collect()
@@ -215,7 +210,7 @@ impl Columns<'_> {
 }
 
 /// Returns the only one of the columns that could be a role, if there is one.
-pub(super) fn unique(role: Role, indices: &[usize]) -> Result<Option<usize>, Failure> {
+pub(super) fn unique(role: Role, indices: &[usize]) -> Result<Option<usize>, DataError> {
     match indices {
         [] => Ok(None),
         [index] => Ok(Some(*index)),
