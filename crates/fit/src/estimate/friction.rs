@@ -3,7 +3,6 @@
 
 use contact::Contact;
 use interp::Probe;
-use solve::stack::{Interface, Stack};
 use solve::stick::Sticking;
 
 use super::doubts::Warnings;
@@ -99,12 +98,8 @@ pub(super) fn add(
 /// Returns the part of sphere and base in the compliance of the contact of radius `a` (m): that of
 /// half-spaces.
 fn part_of_others(bodies: &Bodies, contact: &Contact, a: f64) -> f64 {
-    let (sphere, base) = match bodies {
-        Bodies::Coated(system) => (system.sphere_modulus, system.substrate.reduced()),
-        Bodies::Layered(layered) => (layered.sphere_modulus, layered.base.reduced()),
-        Bodies::HalfSpace(half_space) => (half_space.sphere_modulus, f64::INFINITY),
-    };
-    let of_half_spaces = 0.5 * (1.0 / sphere + 1.0 / base) / a;
+    let base = bodies.base().map_or(f64::INFINITY, |base| base.reduced());
+    let of_half_spaces = 0.5 * (1.0 / bodies.sphere_modulus() + 1.0 / base) / a;
     contact
         .stiffness(a)
         .map_or(f64::INFINITY, |stiffness| stiffness * of_half_spaces)
@@ -119,16 +114,8 @@ fn digits(value: f64) -> String {
 /// Returns the stiffness with full friction over that without, of a flat punch of radius `a` (m), and whether
 /// Dundurs' beta of sphere and film is 0; `None` where it is not solved, or there is no film.
 fn stiffening(bodies: &Bodies, nu2: f64, a: f64) -> Option<(f64, bool)> {
-    let (stack, sphere_modulus) = match bodies {
-        Bodies::Coated(system) => (
-            Stack::of_film(system, Interface::Bonded),
-            system.sphere_modulus,
-        ),
-        Bodies::Layered(layered) => (layered.stack(), layered.sphere_modulus),
-        Bodies::HalfSpace(_) => return None,
-    };
-    let stack = stack.ok()?;
-    let sticking = Sticking::on_stack(&stack, sphere_modulus, nu2).ok()?;
+    let stack = bodies.stack()?;
+    let sticking = Sticking::on_stack(&stack, bodies.sphere_modulus(), nu2).ok()?;
     let a_over_t = (a / stack.thickness()).min(sticking.most_of_punch());
     let ratio = sticking.stiffening(a_over_t, TOLERANCE).ok()?;
     Some((ratio, sticking.beta() == 0.0))

@@ -129,12 +129,7 @@ fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &U
 
 /// Returns the top layer and the stack of bodies that are all bonded; `None` of others.
 fn layers(bodies: &Bodies) -> Option<(Layer, Stack)> {
-    let stack = match bodies {
-        Bodies::Coated(system) => Stack::of_film(system, Interface::Bonded),
-        Bodies::Layered(layered) => layered.stack(),
-        Bodies::HalfSpace(_) => return None,
-    };
-    let stack = stack.ok().filter(Stack::is_bonded)?;
+    let stack = bodies.stack().filter(Stack::is_bonded)?;
     Some((*stack.layers().last()?, stack))
 }
 
@@ -145,11 +140,7 @@ fn stiffness(bodies: &Bodies, over_top: f64, interface: Interface) -> Option<f64
     let mut all = stack.layers().to_vec();
     all.last_mut()?.interface = interface;
     let stack = Stack::new(stack.base(), all).ok()?;
-    let sphere = match bodies {
-        Bodies::Coated(system) => system.sphere_modulus,
-        Bodies::Layered(layered) => layered.sphere_modulus,
-        Bodies::HalfSpace(_) => return None,
-    };
+    let sphere = bodies.sphere_modulus();
     let unit = if sphere == f64::INFINITY {
         stack.surface().reduced()
     } else {

@@ -300,25 +300,15 @@ fn matching_modulus(
     [radius, load, penetration]: [f64; 3],
 ) -> f64 {
     // Without the compliance of the other body, if the compound is softer than that body.
-    let other = match (&experiment.bodies, parameter) {
-        (Bodies::HalfSpace(half_space), Parameter::SphereModulus) => half_space.solid.reduced(),
-        (Bodies::Coated(system), Parameter::SphereModulus) => {
-            if system.film_thickness > radius {
-                system.film.reduced()
-            } else {
-                system.substrate.reduced()
-            }
-        }
-        (Bodies::Layered(layered), Parameter::SphereModulus) => {
-            if layered.thickness() > radius {
-                layered.surface().reduced()
-            } else {
-                layered.base.reduced()
-            }
-        }
-        _ => experiment
-            .get(Parameter::SphereModulus)
-            .unwrap_or(f64::INFINITY),
+    let bodies = &experiment.bodies;
+    let other = if parameter == Parameter::SphereModulus {
+        let is_thick = bodies
+            .thickness()
+            .is_some_and(|thickness| thickness > radius);
+        let base = bodies.base().filter(|_| !is_thick);
+        base.unwrap_or_else(|| bodies.film()).reduced()
+    } else {
+        bodies.sphere_modulus()
     };
     let poisson = experiment.get(Parameter::FilmPoissonRatio).unwrap_or(0.5);
     let young = if parameter == Parameter::FilmModulus {

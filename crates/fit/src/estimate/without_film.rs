@@ -38,24 +38,16 @@ pub(crate) fn without_film(
     let of_film = modulus.filter(|&parameter| parameter != Parameter::SphereModulus);
     let mut assigned = problem.assigned.clone();
     for one in &mut assigned {
-        let half_space = match &one.experiment.bodies {
-            Bodies::Coated(system) if of_film.is_some() => HalfSpace {
-                solid: system.film,
-                ..system.without_film()
-            },
-            Bodies::Coated(system) => system.without_film(),
+        let bodies = &one.experiment.bodies;
+        let base = bodies.base()?;
+        if bodies.thickness().is_none() {
             // A bare reference sample has no film to be left out.
-            Bodies::Layered(layered) if layered.layers.is_empty() => continue,
-            Bodies::Layered(layered) => HalfSpace {
-                probe: layered.probe.clone(),
-                sphere_modulus: layered.sphere_modulus,
-                solid: if of_film.is_some() {
-                    layered.surface()
-                } else {
-                    layered.base
-                },
-            },
-            Bodies::HalfSpace(_) => return None,
+            continue;
+        }
+        let half_space = HalfSpace {
+            probe: bodies.probe().clone(),
+            sphere_modulus: bodies.sphere_modulus(),
+            solid: of_film.map_or(base, |_| bodies.film()),
         };
         half_space.compound_modulus().ok()?;
         one.experiment.bodies = Bodies::HalfSpace(half_space);

@@ -2,6 +2,7 @@
 
 use contact::{Contact, Input};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
+use solve::stack::{Interface, Stack};
 
 use super::{LayerName, Layered, Parameter};
 use crate::Error;
@@ -26,6 +27,43 @@ impl Bodies {
             Self::Coated(system) => &system.probe,
             Self::HalfSpace(half_space) => &half_space.probe,
             Self::Layered(layered) => &layered.probe,
+        }
+    }
+
+    /// Returns the probe, to be changed.
+    pub const fn probe_mut(&mut self) -> &mut Probe {
+        match self {
+            Self::Coated(system) => &mut system.probe,
+            Self::HalfSpace(half_space) => &mut half_space.probe,
+            Self::Layered(layered) => &mut layered.probe,
+        }
+    }
+
+    /// Returns the reduced modulus of the probe, Pa.
+    pub(crate) const fn sphere_modulus(&self) -> f64 {
+        match self {
+            Self::Coated(system) => system.sphere_modulus,
+            Self::HalfSpace(half_space) => half_space.sphere_modulus,
+            Self::Layered(layered) => layered.sphere_modulus,
+        }
+    }
+
+    /// Returns the substrate or the base of the layers; `None` on a half-space.
+    pub const fn base(&self) -> Option<Elastic> {
+        match self {
+            Self::Coated(system) => Some(system.substrate),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) => Some(layered.base),
+        }
+    }
+
+    /// Returns the layers on the base, where a film is bonded; `None` on a half-space, and for layers that
+    /// cannot be.
+    pub(crate) fn stack(&self) -> Option<Stack> {
+        match self {
+            Self::Coated(system) => Stack::of_film(system, Interface::Bonded).ok(),
+            Self::HalfSpace(_) => None,
+            Self::Layered(layered) => layered.stack().ok(),
         }
     }
 
@@ -79,7 +117,7 @@ impl Bodies {
     }
 
     /// Returns the film, the solid of a half-space, or the top layer.
-    pub(crate) fn film(&self) -> Elastic {
+    pub fn film(&self) -> Elastic {
         match self {
             Self::Coated(system) => system.film,
             Self::HalfSpace(half_space) => half_space.solid,

@@ -94,11 +94,7 @@ impl Experiment {
             return None;
         }
         Some(match parameter {
-            Parameter::SphereModulus => match &self.bodies {
-                Bodies::Coated(system) => system.sphere_modulus,
-                Bodies::HalfSpace(half_space) => half_space.sphere_modulus,
-                Bodies::Layered(layered) => layered.sphere_modulus,
-            },
+            Parameter::SphereModulus => self.bodies.sphere_modulus(),
             Parameter::LayerModulus(name) => self.layer(name)?.layer.solid.young(),
             Parameter::LayerThickness(name) => self.layer(name)?.layer.thickness,
             Parameter::LayerInterfaceStiffness(name) => {

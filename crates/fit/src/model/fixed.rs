@@ -168,11 +168,7 @@ impl Experiment {
     /// Returns a value that a fit takes as given; `None` where there is none, and for the Poisson
     /// ratio of a rigid body.
     pub(crate) fn value_of(&self, one: Fixed) -> Option<f64> {
-        let substrate = match &self.bodies {
-            Bodies::Coated(system) => Some(system.substrate),
-            Bodies::Layered(layered) => Some(layered.base),
-            Bodies::HalfSpace(_) => None,
-        };
+        let substrate = self.bodies.base();
         let layer = |number: usize| match &self.bodies {
             Bodies::Layered(layered) => layered.layers.get(number.wrapping_sub(1)),
             _ => None,
@@ -225,16 +221,11 @@ impl Experiment {
                 };
             }
             Fixed::SphereRadius => {
-                let probe = match &mut self.bodies {
-                    Bodies::Coated(system) => &mut system.probe,
-                    Bodies::HalfSpace(half_space) => &mut half_space.probe,
-                    Bodies::Layered(layered) => &mut layered.probe,
-                };
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }
                 | Probe::RoundedCone { radius, .. }
                 | Probe::FlatPunch { radius }
-                | Probe::FlatEndedCone { radius, .. } = probe
+                | Probe::FlatEndedCone { radius, .. } = self.bodies.probe_mut()
                 {
                     *radius = value;
                 }

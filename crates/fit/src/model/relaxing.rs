@@ -176,13 +176,13 @@ impl Experiment {
 
     /// Tells whether a body deforms and does not relax.
     fn bodies_do_not_relax(&self) -> bool {
-        let [probe, base] = match &self.bodies {
-            Bodies::Coated(system) => [system.sphere_modulus, system.substrate.young()],
-            Bodies::HalfSpace(half_space) => [half_space.sphere_modulus, f64::INFINITY],
-            Bodies::Layered(layered) => [layered.sphere_modulus, layered.base.young()],
-        };
         let all = self.relaxing.as_ref().is_some_and(|one| one.all_bodies);
-        !all && (probe.is_finite() || base.is_finite())
+        let base_deforms = || {
+            self.bodies
+                .base()
+                .is_some_and(|base| base.young().is_finite())
+        };
+        !all && (self.bodies.sphere_modulus().is_finite() || base_deforms())
     }
 
     /// Returns the contact between a rigid probe and a rigid base, where one of them deforms and

@@ -18,11 +18,8 @@ impl Experiment {
         if self.measurement.kind != Kind::StiffnessLoad {
             return None;
         }
-        let solid = match &self.bodies {
-            Bodies::Coated(system) if system.substrate.young().is_finite() => system.substrate,
-            Bodies::Layered(layered) if layered.base.young().is_finite() => layered.base,
-            bodies => bodies.film(),
-        };
+        let base = self.bodies.base().filter(|base| base.young().is_finite());
+        let solid = base.unwrap_or_else(|| self.bodies.film());
         let sphere = self.get(Parameter::SphereModulus)?;
         let compound = 1.0 / (1.0 / solid.reduced() + 1.0 / sphere);
         let points = self.measurement.points.iter();

@@ -178,12 +178,7 @@ pub fn accept_no_shape(system: &SystemArguments) -> anyhow::Result<()> {
 pub fn forget_shape(experiment: &mut Experiment) {
     /// The radius of the largest lens, m.
     const RADIUS: f64 = 0.1;
-    let probe = Probe::Paraboloid { radius: RADIUS };
-    match &mut experiment.bodies {
-        Bodies::Coated(system) => system.probe = probe,
-        Bodies::HalfSpace(half_space) => half_space.probe = probe,
-        Bodies::Layered(layered) => layered.probe = probe,
-    }
+    *experiment.bodies.probe_mut() = Probe::Paraboloid { radius: RADIUS };
     experiment.work_of_adhesion = 0.0;
 }
 
@@ -242,11 +237,8 @@ impl ReferenceArguments {
             measurement.name,
             measurement.kind.name()
         );
-        let substrate = match &film.bodies {
-            Bodies::Coated(system) => system.substrate,
-            Bodies::Layered(layered) => layered.base,
-            Bodies::HalfSpace(half_space) => half_space.solid,
-        };
+        let base = film.bodies.base();
+        let substrate = base.unwrap_or_else(|| film.bodies.film());
         let young = self.reference_modulus.unwrap_or(substrate.young());
         let poisson = self.reference_poisson_ratio.unwrap_or(substrate.poisson());
         let solid = Elastic::new(young, poisson).context("--reference-modulus")?;
