@@ -17,10 +17,27 @@ pub type Input<'py> = PyReadonlyArray1<'py, f64>;
 /// A result: one value for each point.
 pub type Output<'py> = Bound<'py, PyArray1<f64>>;
 
-/// The points of an evaluation: their number, and whether a point with an error gives NaN instead of
-/// an exception.
-#[derive(FromPyObject)]
-pub struct Points(usize, bool);
+/// The results of an evaluation, or an exception.
+pub type Outputs<'py, const N: usize> = PyResult<[Output<'py>; N]>;
+
+/// The points of an evaluation.
+#[derive(Clone, Copy)]
+pub struct Points<'py> {
+    py: Python<'py>,
+    count: usize,
+    /// Whether a point with an error gives NaN instead of an exception.
+    nan: bool,
+}
+
+impl<'py> FromPyObject<'_, 'py> for Points<'py> {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let (count, nan) = given.extract()?;
+        let py = given.py();
+        Ok(Self { py, count, nan })
+    }
+}
 
 /// The values of the inputs.
 #[derive(Clone, Copy)]
@@ -34,28 +51,26 @@ impl<const K: usize> Values<'_, K> {
     }
 }
 
-impl Points {
+impl<'py> Points<'py> {
     /// Evaluates `function` at every point, in the thread of the caller.
-    pub fn evaluate<'py, const K: usize, const N: usize, E>(
-        &self,
-        py: Python<'py>,
+    pub fn evaluate<const K: usize, const N: usize, E>(
+        self,
         inputs: [&Input<'_>; K],
         function: impl Fn([f64; K]) -> Result<[f64; N], E> + Sync,
-    ) -> PyResult<[Output<'py>; N]>
+    ) -> Outputs<'py, N>
     where
         E: Send,
         Failure: From<E>,
     {
         let mut columns = self.columns()?;
-        self.for_each(py, inputs, function, |numbers| add(&mut columns, numbers))?;
-        Ok(columns.map(|column| PyArray1::from_vec(py, column)))
+        self.for_each(inputs, function, |numbers| add(&mut columns, numbers))?;
+        Ok(columns.map(|column| PyArray1::from_vec(self.py, column)))
     }
 
     /// Evaluates `function` at every point, in the thread of the caller, and gives the results to `take`
     /// one after the other: none for a point with an error that is no exception.
     pub fn for_each<const K: usize, T, E>(
-        &self,
-        py: Python<'_>,
+        self,
         inputs: [&Input<'_>; K],
         function: impl Fn([f64; K]) -> Result<T, E> + Sync,
         take: impl FnMut(Option<T>) + Send,
@@ -67,7 +82,6 @@ impl Points {
         let function = &function;
         let lengths = [1, 1 << 16];
         self.in_blocks(
-            py,
             inputs,
             lengths,
             None,
@@ -77,22 +91,21 @@ impl Points {
     }
 
     /// Returns empty columns with memory for all points.
-    pub fn columns<T, const N: usize>(&self) -> PyResult<[Vec<T>; N]> {
+    pub fn columns<T, const N: usize>(self) -> PyResult<[Vec<T>; N]> {
         let mut columns = [const { Vec::new() }; N];
         for column in &mut columns {
-            let reserved = column.try_reserve_exact(self.0);
+            let reserved = column.try_reserve_exact(self.count);
             reserved.map_err(|error| PyMemoryError::new_err(error.to_string()))?;
         }
         Ok(columns)
     }
 
     /// Evaluates `function` at every point, on all cores. The results do not depend on their number.
-    pub fn evaluate_on_all_cores<'py, const K: usize, const N: usize, E>(
-        &self,
-        py: Python<'py>,
+    pub fn evaluate_on_all_cores<const K: usize, const N: usize, E>(
+        self,
         inputs: [&Input<'_>; K],
         function: impl Fn([f64; K]) -> Result<[f64; N], E> + Sync,
-    ) -> PyResult<[Output<'py>; N]>
+    ) -> Outputs<'py, N>
     where
         E: Send,
         Failure: From<E>,
@@ -108,16 +121,15 @@ impl Points {
         };
         let mut columns = self.columns()?;
         let take = |numbers| add(&mut columns, numbers);
-        self.in_blocks(py, inputs, lengths, Some(&interrupted), evaluate, take)?;
-        Ok(columns.map(|column| PyArray1::from_vec(py, column)))
+        self.in_blocks(inputs, lengths, Some(&interrupted), evaluate, take)?;
+        Ok(columns.map(|column| PyArray1::from_vec(self.py, column)))
     }
 
     /// Evaluates blocks of points one after the other. Between them a signal, such as Ctrl-C, ends
     /// the evaluation; within them, too, if `evaluate` reads that it is `interrupted`. Their
     /// length doubles from the `least` up to the `most` while they take little time.
     fn in_blocks<'a, const K: usize, T, E, I>(
-        &self,
-        py: Python<'_>,
+        self,
         inputs: [&'a Input<'_>; K],
         [least, most]: [usize; 2],
         interrupted: Option<&AtomicBool>,
@@ -129,7 +141,7 @@ impl Points {
         Failure: From<E>,
         I: Iterator<Item = Result<T, E>>,
     {
-        let Self(count, nan) = *self;
+        let Self { py, count, nan } = self;
         let mut values = Values([&[]; K]);
         for (values, input) in values.0.iter_mut().zip(inputs) {
             *values = input.as_slice()?;

@@ -7,7 +7,7 @@ use interp::Probe;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::arrays::{Input, Output, Points, columns};
+use crate::arrays::{Input, Output, Outputs, Points, columns};
 use crate::bodies::Coated;
 use crate::contact::{Imposed, control};
 use crate::error::OrRaise as _;
@@ -67,22 +67,12 @@ impl Cohesive {
         made.map(Self).or_raise(py)
     }
 
-    fn state<'py>(
-        &self,
-        py: Python<'py>,
-        points: Points,
-        a: Input<'_>,
-    ) -> PyResult<[Output<'py>; 4]> {
-        points.evaluate_on_all_cores(py, [&a], |[a]| self.0.state(a).map(numbers))
+    fn state<'py>(&self, points: Points<'py>, a: Input<'_>) -> Outputs<'py, 4> {
+        points.evaluate_on_all_cores([&a], |[a]| self.0.state(a).map(numbers))
     }
 
-    fn without_contact<'py>(
-        &self,
-        py: Python<'py>,
-        points: Points,
-        c: Input<'_>,
-    ) -> PyResult<[Output<'py>; 4]> {
-        points.evaluate_on_all_cores(py, [&c], |[c]| self.0.without_contact(c).map(numbers))
+    fn without_contact<'py>(&self, points: Points<'py>, c: Input<'_>) -> Outputs<'py, 4> {
+        points.evaluate_on_all_cores([&c], |[c]| self.0.without_contact(c).map(numbers))
     }
 
     fn pressure<'py>(&self, py: Python<'py>, a: f64, radii: Input<'_>) -> PyResult<Output<'py>> {

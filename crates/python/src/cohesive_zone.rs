@@ -4,7 +4,7 @@ use ::contact::Error;
 use ::contact::{CohesiveZone, ShortZone};
 use pyo3::prelude::*;
 
-use crate::arrays::{Input, Output, Points};
+use crate::arrays::{Input, Outputs, Points};
 use crate::cohesive::{CohesiveNumbers, numbers};
 use crate::contact::{Contact, Imposed, control};
 use crate::error::OrRaise as _;
@@ -34,11 +34,11 @@ pub fn zone_states<'py>(
     py: Python<'py>,
     contact: &Bound<'py, Contact>,
     attraction: Attraction,
-    points: Points,
+    points: Points<'py>,
     a: Input<'py>,
-) -> PyResult<[Output<'py>; 4]> {
+) -> Outputs<'py, 4> {
     let corrected = corrected(contact.get(), attraction).or_raise(py)?;
-    points.evaluate(py, [&a], |[a]| corrected.state(a).map(numbers))
+    points.evaluate([&a], |[a]| corrected.state(a).map(numbers))
 }
 
 /// Returns the state in which the contact separates.

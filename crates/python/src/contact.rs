@@ -12,7 +12,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::{Input, Output, Points, add, columns};
+use crate::arrays::{Input, Output, Outputs, Points, add, columns};
 use crate::bodies::{
     Coated, NativeHalfSpace, NativeStack, NativeStackSystem, NativeSystem, sticking,
 };
@@ -196,26 +196,19 @@ impl Contact {
         self.contact.contact_radius_range()
     }
 
-    fn load<'py>(
-        &self,
-        py: Python<'py>,
-        points: Points,
-        a: Input<'_>,
-        w: Input<'_>,
-    ) -> PyResult<[Output<'py>; 1]> {
-        points.evaluate(py, [&a, &w], |[a, w]| {
+    fn load<'py>(&self, points: Points<'py>, a: Input<'_>, w: Input<'_>) -> Outputs<'py, 1> {
+        points.evaluate([&a, &w], |[a, w]| {
             self.contact.load(a, w).map(|load| [load])
         })
     }
 
     fn load_and_penetration<'py>(
         &self,
-        py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         a: Input<'_>,
         w: Input<'_>,
-    ) -> PyResult<[Output<'py>; 2]> {
-        points.evaluate(py, [&a, &w], |[a, w]| {
+    ) -> Outputs<'py, 2> {
+        points.evaluate([&a, &w], |[a, w]| {
             self.contact
                 .load_and_penetration(a, w)
                 .map(<[f64; 2]>::from)
@@ -224,25 +217,19 @@ impl Contact {
 
     fn moving_stiffness<'py>(
         &self,
-        py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         a: Input<'_>,
         w: Input<'_>,
-    ) -> PyResult<[Output<'py>; 1]> {
-        points.evaluate(py, [&a, &w], |[a, w]| {
+    ) -> Outputs<'py, 1> {
+        points.evaluate([&a, &w], |[a, w]| {
             self.contact
                 .moving_stiffness(a, w)
                 .map(|stiffness| [stiffness])
         })
     }
 
-    fn stiffness<'py>(
-        &self,
-        py: Python<'py>,
-        points: Points,
-        a: Input<'_>,
-    ) -> PyResult<[Output<'py>; 1]> {
-        points.evaluate(py, [&a], |[a]| {
+    fn stiffness<'py>(&self, points: Points<'py>, a: Input<'_>) -> Outputs<'py, 1> {
+        points.evaluate([&a], |[a]| {
             self.contact.stiffness(a).map(|stiffness| [stiffness])
         })
     }
@@ -252,16 +239,11 @@ impl Contact {
     fn validity<'py>(
         &self,
         py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         a: Input<'_>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let [mut rows] = points.columns::<Option<Validity>, 1>()?;
-        points.for_each(
-            py,
-            [&a],
-            |[a]| self.contact.validity(a),
-            |row| rows.push(row),
-        )?;
+        points.for_each([&a], |[a]| self.contact.validity(a), |row| rows.push(row))?;
         let fields = PyDict::new(py);
         let number = |name, of: fn(Validity) -> f64| {
             let column = rows.iter().map(|row| row.map_or(f64::NAN, of));
@@ -304,14 +286,8 @@ impl Contact {
     }
 
     /// Returns Tabor's parameter and the length of the cohesive zone.
-    fn zone_size<'py>(
-        &self,
-        py: Python<'py>,
-        points: Points,
-        w: Input<'_>,
-        z0: Input<'_>,
-    ) -> PyResult<[Output<'py>; 2]> {
-        points.evaluate(py, [&w, &z0], |[w, z0]| {
+    fn zone_size<'py>(&self, points: Points<'py>, w: Input<'_>, z0: Input<'_>) -> Outputs<'py, 2> {
+        points.evaluate([&w, &z0], |[w, z0]| {
             let range = self.contact.zone_size(w, z0)?;
             Ok::<_, Error>([range.tabor, range.cohesive_zone])
         })
@@ -320,12 +296,11 @@ impl Contact {
     /// Returns the part by which the pull-off load of JKR is too small.
     fn pull_off_error<'py>(
         &self,
-        py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         w: Input<'_>,
         z0: Input<'_>,
-    ) -> PyResult<[Output<'py>; 1]> {
-        points.evaluate(py, [&w, &z0], |[w, z0]| {
+    ) -> Outputs<'py, 1> {
+        points.evaluate([&w, &z0], |[w, z0]| {
             let range = self.contact.zone_size(w, z0)?;
             range.pull_off_error().map(|error| [error])
         })
@@ -336,7 +311,7 @@ impl Contact {
     fn gradient<'py>(
         &self,
         py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         a: Input<'_>,
         w: Input<'_>,
     ) -> PyResult<([Output<'py>; 2], Bound<'py, PyDict>)> {
@@ -357,7 +332,7 @@ impl Contact {
                 add(columns, by.map(|by| [by.load, by.penetration]));
             }
         };
-        points.for_each(py, [&a, &w], |[a, w]| contact.gradient(a, w), take)?;
+        points.for_each([&a, &w], |[a, w]| contact.gradient(a, w), take)?;
         let array = |column| PyArray1::from_vec(py, column);
         let named = PyDict::new(py);
         for (columns, input) in derivatives.into_iter().zip(Parameter::ALL) {
@@ -368,15 +343,12 @@ impl Contact {
 
     fn pull_off<'py>(
         &self,
-        py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         w: Input<'_>,
         imposed: Imposed<'_>,
     ) -> PyResult<StateArrays<'py>> {
         let control = control(imposed)?;
-        points.evaluate(py, [&w], |[w]| {
-            self.contact.pull_off(w, control).map(numbers)
-        })
+        points.evaluate([&w], |[w]| self.contact.pull_off(w, control).map(numbers))
     }
 
     /// Accepts a work of adhesion and what is imposed.
@@ -409,7 +381,7 @@ impl Contact {
     fn states<'py>(
         &self,
         py: Python<'py>,
-        points: Points,
+        points: Points<'py>,
         values: Input<'_>,
         w: f64,
         imposed: Imposed<'_>,
@@ -424,9 +396,7 @@ impl Contact {
         let equilibria = py
             .detach(|| self.contact.equilibria(w, control))
             .or_raise(py)?;
-        points.evaluate(py, [&values], |[value]| {
-            state(&equilibria, value).map(numbers)
-        })
+        points.evaluate([&values], |[value]| state(&equilibria, value).map(numbers))
     }
 
     fn force_displacement<'py>(

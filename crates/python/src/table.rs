@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use tabulate::table::StackTable;
 
-use crate::arrays::{Input, Output, Points};
+use crate::arrays::{Input, Outputs, Points};
 use crate::bodies::{GivenLayer, Solid, parts};
 use crate::error::OrRaise as _;
 
@@ -147,12 +147,7 @@ impl Table {
     /// Looks up every point: `a_over_t`, `e1_over_e2`, `nu1`, `e0_over_e2`, `nu0`. Returns `pi0`,
     /// `eeq`, `gamma`, `delta0` and the relative error.
     #[pyo3(signature = (points, *inputs))]
-    fn look_up<'py>(
-        &self,
-        py: Python<'py>,
-        points: Points,
-        inputs: [Input<'_>; 5],
-    ) -> PyResult<[Output<'py>; 5]> {
+    fn look_up<'py>(&self, points: Points<'py>, inputs: [Input<'_>; 5]) -> Outputs<'py, 5> {
         // Neighbouring points often have one material.
         let last: Mutex<Option<([f64; 4], Arc<Curve>)>> = Mutex::new(None);
         let kept = || last.lock().unwrap_or_else(PoisonError::into_inner);
@@ -173,7 +168,7 @@ impl Table {
             let [pi0, eeq, gamma, delta0] = curve.quantities(x)?.to_array();
             Ok::<_, Error>([pi0, eeq, gamma, delta0, curve.error(x)?])
         };
-        points.evaluate_on_all_cores(py, inputs.each_ref(), one)
+        points.evaluate_on_all_cores(inputs.each_ref(), one)
     }
 
     /// Returns the base and the layers of the stack that the table is of, if it is of one.
