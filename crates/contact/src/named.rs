@@ -25,6 +25,11 @@ macro_rules! named {
                     $(Self::$Variant => $name,)+
                 }
             }
+
+            /// Returns the variant of a name.
+            pub fn of_name(name: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|one| one.name() == name)
+            }
         }
     };
 }

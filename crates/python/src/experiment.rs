@@ -85,21 +85,13 @@ pub fn all(
 
 /// Makes an experiment; one of the `solvers` makes its contacts if they are on layers or stick.
 pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyResult<Experiment> {
-    let kind = Kind::ALL
-        .into_iter()
-        .find(|kind| kind.name() == given.kind)
-        .ok_or_else(|| unknown("kind", &given.kind))?;
+    let kind = Kind::of_name(&given.kind).ok_or_else(|| unknown("kind", &given.kind))?;
     let (x, y) = (given.abscissa.as_slice()?, given.ordinate.as_slice()?);
     let retract = given.retract.as_ref().map(|retract| retract.as_slice());
     let retract = retract.transpose()?;
     let directions = x.iter().enumerate().map(|(i, _)| {
-        retract.and_then(|retract| retract.get(i)).map(|&retract| {
-            if retract {
-                Direction::Retract
-            } else {
-                Direction::Approach
-            }
-        })
+        let is_retract = retract.and_then(|retract| retract.get(i));
+        is_retract.map(|&retract| Direction::ALL[usize::from(retract)])
     });
     let points = x.iter().zip(y).zip(directions).enumerate();
     let points = points.map(|(i, ((&abscissa, &ordinate), direction))| Point {

@@ -206,21 +206,11 @@ fn options(given: GivenOptions) -> PyResult<(Options, bool)> {
 
 /// Returns parameter, experiment, value, standard error and profile of each estimate.
 pub fn estimates<'py>(py: Python<'py>, estimates: &[Estimate]) -> PyResult<Bound<'py, PyList>> {
-    let one = |estimate: &Estimate| {
-        let Estimate {
-            parameter,
-            experiment,
-            value,
-            standard_error,
-            profile,
-        } = *estimate;
-        (
-            parameter.identifier(),
-            experiment,
-            value,
-            standard_error,
-            profile.map(<(f64, f64)>::from),
-        )
+    let one = |one: &Estimate| {
+        let profile = one.profile.map(<(f64, f64)>::from);
+        let (value, error) = (one.value, one.standard_error);
+        let parameter = one.parameter.identifier();
+        (parameter, one.experiment, value, error, profile)
     };
     PyList::new(py, estimates.iter().map(one))
 }

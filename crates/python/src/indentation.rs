@@ -30,8 +30,7 @@ impl GivenIndentation {
     /// Gives an experiment what is known. The sample of a reference keeps its modulus: it is a base
     /// without layers.
     pub fn complete(&self, py: Python<'_>, experiment: &mut Experiment) -> PyResult<()> {
-        let is_wanted = |one: &ContactDepth| one.name() == self.contact_depth;
-        let depth = ContactDepth::ALL.into_iter().find(is_wanted);
+        let depth = ContactDepth::of_name(&self.contact_depth);
         experiment.indentation = Indentation {
             beta: self.beta,
             epsilon: self.epsilon,
@@ -74,9 +73,7 @@ pub fn loss<'py>(
     py: Python<'py>,
     found: Option<fit::LossAngle>,
 ) -> PyResult<Option<Bound<'py, PyDict>>> {
-    let Some(found) = found else {
-        return Ok(None);
-    };
+    let Some(found) = found else { return Ok(None) };
     let fields = PyDict::new(py);
     fields.set_item("angle", found.angle)?;
     fields.set_item("tangent", found.tangent())?;

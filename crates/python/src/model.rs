@@ -17,15 +17,6 @@ use crate::fit::{accept_magnitudes, estimates, warnings};
 use crate::parameter::{GivenFree, frees, parameter};
 use crate::table::Table;
 
-/// All branches.
-const BRANCHES: [Branch; 5] = [
-    Branch::Advancing,
-    Branch::Receding,
-    Branch::Pinned,
-    Branch::Baseline,
-    Branch::LeftOut,
-];
-
 /// Returns the names of branches.
 fn names(branches: &[Branch]) -> Vec<&'static str> {
     branches.iter().map(|branch| branch.name()).collect()
@@ -33,10 +24,7 @@ fn names(branches: &[Branch]) -> Vec<&'static str> {
 
 /// Returns the branches of names.
 pub fn of_names(names: &[String]) -> PyResult<Vec<Branch>> {
-    let branch = |name: &String| {
-        let found = BRANCHES.into_iter().find(|branch| branch.name() == name);
-        found.ok_or_else(|| unknown("branch", name))
-    };
+    let branch = |name: &String| Branch::of_name(name).ok_or_else(|| unknown("branch", name));
     names.iter().map(branch).collect()
 }
 

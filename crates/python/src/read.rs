@@ -87,14 +87,8 @@ pub fn read_file<'py>(
 /// Returns the format. The Python layer has checked the words.
 fn format(py: Python<'_>, given: GivenFormat) -> PyResult<Format> {
     let unknown = |what: &str| PyValueError::new_err(format!("{what} is not known"));
-    let kind = |name: String| {
-        let kind = Kind::ALL.into_iter().find(|kind| kind.name() == name);
-        kind.ok_or_else(|| unknown(&name))
-    };
-    let only = |name: String| {
-        let direction = Direction::ALL.into_iter().find(|one| one.name() == name);
-        direction.ok_or_else(|| unknown(&name))
-    };
+    let kind = |name: String| Kind::of_name(&name).ok_or_else(|| unknown(&name));
+    let only = |name: String| Direction::of_name(&name).ok_or_else(|| unknown(&name));
     let column = |(role, heading): (String, String)| {
         format!("{role}={heading}")
             .parse::<Column>()

@@ -132,7 +132,7 @@ impl FromStr for Column {
             .ok_or_else(|| format!("{text:?} has no =: {example}"))?;
         let word = name.trim().to_lowercase().replace(['-', ' '], "_");
         let word = if word == "force" { "load" } else { &word };
-        let role = Role::ALL.into_iter().find(|role| role.name() == word);
+        let role = Role::of_name(word);
         let names = Role::ALL.map(Role::name).join(", ");
         let role =
             role.ok_or_else(|| format!("{name:?} is not a column; the columns are {names}"))?;

@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// An error on its way to Python.
+#[derive(Default)]
 pub struct Failure {
     pub(super) class: &'static str,
     pub(super) message: String,
@@ -45,13 +46,7 @@ impl Failure {
         Self {
             class,
             message: message.to_owned(),
-            axis: None,
-            value: None,
-            range: None,
-            allowed: None,
-            index: None,
-            cause: None,
-            file: None,
+            ..Self::default()
         }
     }
 
@@ -73,44 +68,33 @@ impl Failure {
     }
 
     /// Replaces the message by one in the words of this package.
-    pub(super) fn saying(self, message: &str) -> Self {
-        Self {
-            message: message.to_owned(),
-            ..self
-        }
+    pub(super) fn saying(mut self, message: &str) -> Self {
+        message.clone_into(&mut self.message);
+        self
     }
 
     /// Adds the name and the value of what is refused.
-    pub fn about(self, axis: &str, value: f64) -> Self {
-        Self {
-            axis: Some(axis.to_owned()),
-            value: Some(value),
-            ..self
-        }
+    pub fn about(mut self, axis: &str, value: f64) -> Self {
+        (self.axis, self.value) = (Some(axis.to_owned()), Some(value));
+        self
     }
 
     /// Adds the range of the values allowed.
-    pub fn range(self, from: f64, to: f64) -> Self {
-        Self {
-            range: Some((from, to)),
-            ..self
-        }
+    pub fn range(mut self, from: f64, to: f64) -> Self {
+        self.range = Some((from, to));
+        self
     }
 
     /// Adds the values allowed in words.
-    pub fn allowed(self, words: &str) -> Self {
-        Self {
-            allowed: Some(in_python(words)),
-            ..self
-        }
+    pub fn allowed(mut self, words: &str) -> Self {
+        self.allowed = Some(in_python(words));
+        self
     }
 
     /// Adds the number of the point that failed.
-    pub fn at(self, index: usize) -> Self {
-        Self {
-            index: Some(index),
-            ..self
-        }
+    pub fn at(mut self, index: usize) -> Self {
+        self.index = Some(index);
+        self
     }
 
     /// Makes it an `OSError` about a file, with the class that Python chooses by its number.

@@ -32,10 +32,6 @@ impl Imposed {
             Self::Penetration | Self::Height => Dimension::Length,
         }
     }
-
-    fn of_word(word: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|imposed| imposed.name() == word)
-    }
 }
 
 /// A program: what is imposed, and times (s) with values (m or N).
@@ -59,7 +55,7 @@ impl Program {
         }
         let mut words = text.split_whitespace();
         let first = words.next().unwrap_or_default();
-        let imposed = Imposed::of_word(first).ok_or_else(|| {
+        let imposed = Imposed::of_name(first).ok_or_else(|| {
             anyhow!(
                 "--program begins with {first:?}, and must begin with what is imposed: penetration, load or height; \
                  for example --program \"penetration 0:0 1:1um 2:0\""
@@ -98,7 +94,7 @@ impl Program {
             }
             for imposed in Imposed::ALL {
                 if let Ok((name, unit)) = heading::named(text, imposed.dimension())
-                    && name == imposed.word()
+                    && name == imposed.name()
                 {
                     found.push((i, unit, imposed));
                 }
