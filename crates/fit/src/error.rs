@@ -86,7 +86,7 @@ pub enum Error {
     #[error(
         "{0:?} is not a parameter; the parameters are {all}, and LAYER.modulus and LAYER.thickness of \
          the layer LAYER of a stack",
-        all = names()
+        all = Parameter::names(Parameter::ALL)
     )]
     UnknownParameter(String),
     /// A fit that leaves out most of what was measured.
@@ -249,15 +249,4 @@ fn other_start(cause: &Error) -> &'static str {
         | Error::Layers(solve::Error::Coupled { .. }) => "",
         _ => "; give another start",
     }
-}
-
-/// Lists the names of all parameters.
-fn names() -> String {
-    // Not by `map` of the array: the compiler takes longer for that than for the rest of the crate.
-    let names: Vec<_> = Parameter::ALL
-        .iter()
-        .copied()
-        .map(Parameter::name)
-        .collect();
-    names.join(", ")
 }

@@ -138,12 +138,8 @@ impl Likelihood {
         if values.len() == self.slots.len() {
             return Ok(());
         }
-        let names: Vec<_> = self
-            .slots
-            .iter()
-            .map(|slot| slot.parameter.name())
-            .collect();
-        let allowed = format!("{}, one for each of {}", self.slots.len(), names.join(", "));
+        let names = Parameter::names(self.slots.iter().map(|slot| slot.parameter));
+        let allowed = format!("{}, one for each of {names}", self.slots.len());
         let found = values.len() as f64;
         Err(Error::setting("the number of values", found, allowed))
     }

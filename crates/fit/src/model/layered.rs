@@ -194,11 +194,11 @@ impl Layered {
 
     /// Names the parameters of the layers, in a sentence.
     pub(super) fn names(&self) -> String {
-        let names: Vec<_> = self.parameters().into_iter().map(Parameter::name).collect();
+        let names = Parameter::names(self.parameters());
         if names.is_empty() {
             "give a layer a name to fit its modulus or thickness".into()
         } else {
-            format!("its layers have {}", names.join(", "))
+            format!("its layers have {names}")
         }
     }
 

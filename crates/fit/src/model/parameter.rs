@@ -129,6 +129,12 @@ impl Parameter {
         }
     }
 
+    /// Returns the names of parameters, between commas.
+    pub fn names(all: impl IntoIterator<Item = Self>) -> String {
+        let names: Vec<_> = all.into_iter().map(Self::name).collect();
+        names.join(", ")
+    }
+
     /// Returns the SI unit; `"1"` for a number without one.
     pub const fn unit(self) -> &'static str {
         match (self, self.dimension()) {

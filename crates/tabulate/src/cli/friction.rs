@@ -62,17 +62,7 @@ enum Friction {
 }
 
 /// The names of the numbers of a contact that sticks.
-pub const COLUMNS: [&str; 9] = [
-    "eeq_s",
-    "gamma_s",
-    "gamma_t",
-    "gamma_eff",
-    "delta_s",
-    "pi_s",
-    "gamma_g",
-    "eeq_g",
-    "error_s",
-];
+pub const COLUMNS: &str = "eeq_s gamma_s gamma_t gamma_eff delta_s pi_s gamma_g eeq_g error_s";
 
 /// The estimated relative error up to which a default tolerance yields to rounding.
 const LARGEST_ERROR: f64 = 1e-6;

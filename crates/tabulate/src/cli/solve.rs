@@ -358,13 +358,9 @@ fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
 fn further_columns(arguments: &Arguments) -> Vec<String> {
     let names = |exponent: &f64| [format!("pi_{exponent}"), format!("delta_{exponent}")];
     let friction = arguments.friction.sticks().map(|_| friction::COLUMNS);
-    let friction = friction.into_iter().flatten().map(str::to_owned);
-    arguments
-        .exponents
-        .iter()
-        .flat_map(names)
-        .chain(friction)
-        .collect()
+    let friction = friction.into_iter().flat_map(|columns| columns.split(' '));
+    let of_powers = arguments.exponents.iter().flat_map(names);
+    of_powers.chain(friction.map(str::to_owned)).collect()
 }
 
 /// Returns the numbers in these columns.

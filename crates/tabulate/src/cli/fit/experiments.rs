@@ -73,12 +73,7 @@ impl KnownArguments {
 
     /// Returns the values given by --value and by the flags of the law.
     pub fn all_values(&self) -> anyhow::Result<Vec<Values>> {
-        let of_law = self
-            .relaxing
-            .values()?
-            .into_iter()
-            .map(|(_, values)| values);
-        Ok(self.values.iter().cloned().chain(of_law).collect())
+        Ok([&self.values[..], &self.relaxing.values()?].concat())
     }
 
     /// Returns the name of the film as a layer, if an interface makes it one.

@@ -92,11 +92,8 @@ impl FreeArguments {
                 bail!("{other} {parameter} and {flag} {parameter}: give one of them");
             }
             if !names.contains(&parameter) {
-                let names: Vec<_> = names.iter().map(|name| name.name()).collect();
-                bail!(
-                    "{flag} {parameter}: it is not free; free are {}",
-                    names.join(", ")
-                );
+                let names = Parameter::names(names.iter().copied());
+                bail!("{flag} {parameter}: it is not free; free are {names}");
             }
         }
         let free = |&parameter: &Parameter| {

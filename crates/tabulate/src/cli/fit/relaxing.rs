@@ -120,50 +120,39 @@ impl RelaxingArguments {
     }
 
     /// Returns the numbers of the law that are given, with their flags.
-    pub fn values(&self) -> anyhow::Result<Vec<(&'static str, Values)>> {
-        let mut given: Vec<(&'static str, Parameter, f64)> = Vec::new();
-        let of = |flag, parameter, value: Option<f64>| value.map(|value| (flag, parameter, value));
-        given.extend(of(
-            "--relaxation-exponent",
-            Parameter::RelaxationExponent,
-            self.relaxation_exponent,
-        ));
-        given.extend(of(
-            "--relaxed-fraction",
-            Parameter::RelaxedFraction,
-            self.relaxed_fraction,
-        ));
+    pub fn values(&self) -> anyhow::Result<Vec<Values>> {
         ensure!(
             self.relaxation == Some(Law::Power) || self.reference_time.is_none(),
             "--reference-time is that of --relaxation power-law: leave it out"
         );
-        for (i, &time) in (1..).zip(&self.relaxation_time) {
-            given.push(("--relaxation-time", Parameter::RelaxationTime(i), time));
-        }
-        for (i, &weight) in (2..).zip(&self.relaxation_weight) {
-            given.push((
-                "--relaxation-weight",
-                Parameter::RelaxationWeight(i),
-                weight,
-            ));
-        }
-        if let Some(relaxing) = self.any() {
-            let own = relaxing.parameters();
-            for (flag, parameter, value) in &given {
-                ensure!(
-                    own.contains(parameter),
-                    "{flag}: the law has no {parameter}, which would be {value:?}; it has {}",
-                    names(&own)
+        let exponent = [Parameter::RelaxationExponent]
+            .into_iter()
+            .zip(self.relaxation_exponent);
+        let fraction = [Parameter::RelaxedFraction]
+            .into_iter()
+            .zip(self.relaxed_fraction);
+        let times = (1..)
+            .map(Parameter::RelaxationTime)
+            .zip(self.relaxation_time.clone());
+        let weights = (2..)
+            .map(Parameter::RelaxationWeight)
+            .zip(self.relaxation_weight.clone());
+        let given = exponent.chain(fraction).chain(times).chain(weights);
+        let own = self.any().map(|relaxing| relaxing.parameters());
+        let one = |(parameter, value): (Parameter, f64)| {
+            if let Some(own) = own.as_ref().filter(|own| !own.contains(&parameter)) {
+                // A flag takes all times, or all weights.
+                let name = parameter.name();
+                let flag = name.split('.').next().unwrap_or_default();
+                bail!(
+                    "--{flag}: the law has no {parameter}, which would be {value:?}; it has {}",
+                    Parameter::names(own.iter().copied())
                 );
             }
-        }
-        Ok(given
-            .into_iter()
-            .map(|(flag, parameter, value)| {
-                let values = vec![value];
-                (flag, Values { parameter, values })
-            })
-            .collect())
+            let values = vec![value];
+            Ok(Values { parameter, values })
+        };
+        given.map(one).collect()
     }
 
     /// Gives an experiment the law, and times where none were measured.
@@ -188,7 +177,7 @@ impl RelaxingArguments {
             // That of the example.
             experiment.work_of_adhesion = 0.0;
             experiment.relaxing = Some(relaxing);
-            for (_, Values { parameter, values }) in self.values()? {
+            for Values { parameter, values } in self.values()? {
                 experiment.set(parameter, values[0])?;
             }
         }
@@ -199,7 +188,7 @@ impl RelaxingArguments {
     pub fn ask(&self, experiment: &Experiment, free: &[Parameter]) -> anyhow::Result<()> {
         let given = self.values()?;
         let is_known = |parameter: &Parameter| {
-            given.iter().any(|(_, own)| own.parameter == *parameter)
+            given.iter().any(|own| own.parameter == *parameter)
                 || free.contains(parameter)
                 || (self.relaxation == Some(Law::ModifiedPower)
                     && *parameter == Parameter::RelaxedFraction)
@@ -214,22 +203,13 @@ impl RelaxingArguments {
         }
         bail!(
             "--relaxation needs {}: give {}, or free them",
-            names(&own),
+            Parameter::names(own.iter().copied()),
             own.iter()
                 .map(|parameter| format!("--value {parameter}=..."))
                 .collect::<Vec<_>>()
                 .join(" ")
         )
     }
-}
-
-/// Lists names.
-fn names(parameters: &[Parameter]) -> String {
-    let names: Vec<_> = parameters
-        .iter()
-        .map(|parameter| parameter.name())
-        .collect();
-    names.join(", ")
 }
 
 /// Returns the parameters that are free by default where bodies relax.
