@@ -186,6 +186,11 @@ fn a_name_that_is_no_text_is_written_all_the_same() {
         "{run:?}"
     );
     assert_eq!(lines.next(), Some("contact_radius,load"));
+    // A shell reads the command back.
+    let run = workdir.script(&format!(
+        "\"$0\" {LENS} --noise 0 -o \"d b'c.csv\" && sed -n 's/^# tabulate //p' \"d b'c.csv\""
+    ));
+    assert!(run.stdout.ends_with("-o 'd b'\\''c.csv'\n"), "{run:?}");
 }
 
 #[test]

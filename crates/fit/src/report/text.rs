@@ -207,6 +207,27 @@ fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>
     rows
 }
 
+/// Returns the name of a probe with the numbers of its shape but the radius.
+fn shape(probe: &Probe) -> String {
+    let name = probe.name();
+    match *probe {
+        Probe::Cone { half_angle }
+        | Probe::RoundedCone { half_angle, .. }
+        | Probe::FlatEndedCone { half_angle, .. } => {
+            let degrees = (half_angle.to_degrees() * 1e9).round() / 1e9;
+            format!("{name}, half angle {degrees} degrees")
+        }
+        Probe::PowerLaw {
+            coefficient,
+            exponent,
+        } => format!("{name} {coefficient:e} r^{exponent}, in m"),
+        Probe::Profile(ref profile) => format!("{name} up to r = {:e} m", profile.end()),
+        Probe::Paraboloid { .. } | Probe::Sphere { .. } | Probe::FlatPunch { .. } => {
+            name.to_owned()
+        }
+    }
+}
+
 /// Returns the values that are not fitted. Zeros of the instrument that are 0 are left out.
 fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
     let text = |value: f64, si: &str| {
@@ -219,7 +240,10 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     let kind = experiment.measurement.kind;
     if !matches!(probe, Probe::Paraboloid { .. }) {
-        rows.push(("probe".into(), probe.name().to_owned()));
+        rows.push(("probe".into(), shape(probe)));
+    }
+    if matches!(experiment.bodies, Bodies::HalfSpace(_)) {
+        rows.push(("bodies".into(), "half-space".to_owned()));
     }
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
     let has_hardness = fit.estimate(Parameter::Hardness).is_some();

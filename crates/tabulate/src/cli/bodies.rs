@@ -215,25 +215,6 @@ impl Bodies {
         }
     }
 
-    /// Notes on standard error that contacts without adhesion, between two radii (m), may be no discs.
-    pub fn note_no_disc(&self, contact: &Contact, [from, to]: [f64; 2]) {
-        /// The number of radii that are tried.
-        const COUNT: i32 = 50;
-        let ratio = (to / from).powf(1.0 / f64::from(COUNT));
-        let mut radii = (0..=COUNT).map(|i| from * ratio.powi(i));
-        let lifts_off = |a: &f64| {
-            let film = contact.validity(*a).ok().and_then(|found| found.film);
-            film.is_some_and(|film| film.lifts_off)
-        };
-        if let Some(a) = radii.find(lifts_off) {
-            note(&format!(
-                "From a contact radius of about {a:.2e} m on, a contact without adhesion may be no disc: the film is so much \
-                 stiffer than what lies below it that it bends, touches the probe farther outside, or lifts off inside. This is \
-                 not modelled, and the loads are wrong. Under a paraboloid and a sphere it is a disc."
-            ));
-        }
-    }
-
     /// Returns a contact radius (m) up to which an attraction of finite range is solved, if the range is short: the
     /// attraction acts somewhat farther than the contact.
     pub fn reach_of_attraction(&self) -> f64 {

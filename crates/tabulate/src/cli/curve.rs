@@ -9,6 +9,7 @@ use interp::{Mechanics, Probe, System};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
+use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
@@ -39,6 +40,8 @@ use solve::{A_OVER_T, curve as adaptive, solve};
 /// note on standard error says so. With --friction stick, surfaces that have touched never slide. The rows are those of a contact that
 /// has grown from radius 0 with --work-of-adhesion. With --work-of-adhesion-receding they are those of
 /// the same contact while it recedes. Spheres are solved where Dundurs' beta of sphere and film is 0.
+///
+/// A half-space is a film of the same solid as its substrate.
 ///
 /// Values that are not given are those of Barthel's Tables 1 and 2, an elastomer sphere of 1 mm on an
 /// elastomer film of 1 um on silicon, and a comment line on standard error names them. --specimen
@@ -150,7 +153,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         };
         bodies.note_strain(contact, to);
         if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
-            bodies.note_no_disc(contact, [from, to]);
+            note_no_disc(contact, [from, to]);
         }
     }
     if arguments.history.sticks()?.is_none() {
@@ -173,6 +176,25 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         writer.write_record(row.into_iter().map(number))?;
     }
     output.write(&writer.into_inner()?)
+}
+
+/// Notes on standard error that contacts without adhesion, between two radii (m), may be no discs.
+fn note_no_disc(contact: &Contact, [from, to]: [f64; 2]) {
+    /// The number of radii that are tried.
+    const COUNT: i32 = 50;
+    let ratio = (to / from).powf(1.0 / f64::from(COUNT));
+    let mut radii = (0..=COUNT).map(|i| from * ratio.powi(i));
+    let lifts_off = |a: &f64| {
+        let film = contact.validity(*a).ok().and_then(|found| found.film);
+        film.is_some_and(|film| film.lifts_off)
+    };
+    if let Some(a) = radii.find(lifts_off) {
+        note(&format!(
+            "From a contact radius of about {a:.2e} m on, a contact without adhesion may be no disc: the film is so much \
+             stiffer than what lies below it that it bends, touches the probe farther outside, or lifts off inside. This is \
+             not modelled, and the loads are wrong. Under a paraboloid and a sphere it is a disc."
+        ));
+    }
 }
 
 impl Arguments {

@@ -108,7 +108,7 @@ pub struct Arguments {
         value_parser = unit_of,
         value_delimiter = ',',
         requires = "expect",
-        conflicts_with = "loss_tangent"
+        conflicts_with_all = ["loss_tangent", "json"]
     )]
     units: Vec<UnitOf>,
     /// Print the expected errors as a JSON object in SI units: {"parameters": {"film_modulus":
@@ -290,7 +290,9 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
     let (measurement, of) = (&made.measurement, &made.indentation);
     let mut writer = csv::Writer::from_writer(Vec::new());
     let words = env::args_os().skip(1);
-    let command: Vec<String> = words.map(|word| word.display().to_string()).collect();
+    let command: Vec<String> = words
+        .map(|word| quoted(word.display().to_string()))
+        .collect();
     let command = printable::line(&command.join(" "));
     let note = format!("# Synthetic, not measured. SI units.\n# tabulate {command}\n");
     let has_segments = measurement
@@ -315,6 +317,16 @@ fn csv(made: &Experiment) -> anyhow::Result<Vec<u8>> {
     let mut bytes = note.into_bytes();
     bytes.extend(writer.into_inner()?);
     Ok(bytes)
+}
+
+/// Returns a word of a command as a shell reads it back.
+fn quoted(word: String) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=:,+@%^".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
 }
 
 /// The JSON object of expected errors.
