@@ -264,3 +264,27 @@ fn a_flat_end_and_times_with_units() {
     assert_eq!(loads, of("'penetration 0:0 1:0.1um'"));
     assert!(loads[1] > 0.0);
 }
+
+const RELAXING: &str = "history --sphere-radius=10um --sphere-modulus=inf --film-poisson-ratio=0.5 \
+     --substrate-poisson-ratio=0.25 --relaxation=prony --relaxed-fraction=0.3 --relaxation-time=0.6 \
+     --points 5";
+
+#[test]
+fn a_stiff_film_on_a_soft_base_that_relax_together_is_told_of() {
+    let workdir = workdir!();
+    let bodies = "--film-thickness=100um --program 'penetration 0:0 1:0.1um'";
+    for (film, base, told) in [
+        ("10kPa", "1kPa", true),
+        ("1kPa", "10kPa", false),
+        ("2kPa", "1kPa", false),
+    ] {
+        let run = workdir.run(format!(
+            "{RELAXING} {bodies} --film-modulus={film} --substrate-modulus={base} --all-relax"
+        ));
+        assert_eq!(
+            (run.status, run.stderr.contains("pull at the probe inside")),
+            (0, told),
+            "{run:?}"
+        );
+    }
+}

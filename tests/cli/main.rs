@@ -34,6 +34,7 @@ mod plot;
 mod points;
 mod pull_off;
 mod readme;
+mod reference_sample;
 mod relaxing;
 mod simulate;
 mod specimen;

@@ -110,3 +110,39 @@ fn a_simulation_without_the_numbers_of_the_law_asks_for_them() {
     let run = workdir.run(format!("{plan} {GEL} {numbers}"));
     assert_names(&run.stderr, &["no times", "--sample-interval"]);
 }
+
+#[test]
+fn a_hold_has_as_many_points_as_intervals() {
+    let workdir = workdir!();
+    let plan = "simulate --kind load-penetration --sphere-radius 10um --sphere-modulus inf --film-thickness 8um \
+         --film-modulus 2kPa --film-poisson-ratio 0.5 --substrate-modulus inf --from -50nm --to 400nm --noise 0 \
+         --relaxation power-law --relaxation-exponent 0.2 --points 10";
+    // 0.3/0.1 and 0.7/0.1 are rounded to less than 3 and to less than 7.
+    for (hold, points) in [("0.3", 23), ("0.7", 27), ("0.5", 25)] {
+        let text = workdir.succeed(format!("{plan} --sample-interval 0.1 --hold {hold}"));
+        assert_eq!(Data::parse("plan", &text).cases().count(), points, "{hold}");
+    }
+}
+
+#[test]
+fn the_modulus_of_a_power_law_is_that_at_the_reference_time() {
+    let workdir = workdir!();
+    let gel = "--sphere-radius 10um --sphere-modulus inf --film-thickness 8um --film-poisson-ratio 0.5 \
+         --substrate-modulus inf";
+    workdir.succeed(format!(
+        "simulate --kind load-penetration --film-modulus 2kPa --from -50nm --to 400nm --points 50 \
+         --sample-interval 20ms --hold 0.4 --noise 20pN --seed 3 -o data.csv {gel} --relaxation power-law \
+         --relaxation-exponent 0.2"
+    ));
+    let found = |more: &str| {
+        let json = workdir.json(format!(
+            "fit data.csv --json {gel} --relaxation power-law {more}"
+        ));
+        ["film_modulus", "relaxation_exponent"]
+            .map(|name| number(&json, &format!("parameters/{name}/value")))
+    };
+    let ([one, exponent], [tenth, _]) = (found(""), found("--reference-time 0.1s"));
+    // (t/1 s)^-n at 0.1 s.
+    let expected = one * 10_f64.powf(exponent);
+    assert!((tenth / expected - 1.0).abs() < 1e-4, "{tenth} {expected}");
+}

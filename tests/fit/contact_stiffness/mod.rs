@@ -1,5 +1,6 @@
 //! Fits of contact stiffness: the truth within the intervals, for data by direct solves.
 
+mod doubts;
 mod loss;
 mod refused;
 

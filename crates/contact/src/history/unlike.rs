@@ -143,4 +143,34 @@ mod tests {
             }
         }
     }
+
+    /// `int_0^t (t-s)^-n ds = t^(1-n)/(1-n)`. Of a steep law most of it is before the shortest time that the sum of
+    /// exponentials resolves.
+    #[test]
+    fn loads_that_rise_evenly_relax_in_closed_form() {
+        let contact = Contact::half_space(&interp::HalfSpace {
+            probe: interp::Probe::Paraboloid { radius: 1.0 },
+            sphere_modulus: f64::INFINITY,
+            solid: interp::Elastic::new(1.0, 0.5).expect("physical"),
+        });
+        let contact = contact.expect("physical");
+        for exponent in [0.2, 0.9] {
+            let law = crate::Relaxation::PowerLaw {
+                exponent,
+                time: 1.0,
+            };
+            let history = contact.history(&law).expect("a law");
+            let times: Vec<f64> = (0..=20).map(|i| 0.05 * f64::from(i)).collect();
+            let states: Vec<TimedContact> = times
+                .iter()
+                .map(|&time| TimedContact::separated(time, 0.0))
+                .collect();
+            let relaxed = history.relaxed_again(&times, &states);
+            for (time, relaxed) in times.iter().zip(relaxed).skip(1) {
+                let expected = time.powf(1.0 - exponent) / (1.0 - exponent);
+                let error = relaxed / expected - 1.0;
+                assert!(error.abs() < 1e-5, "{exponent} {time}: {error:e}");
+            }
+        }
+    }
 }

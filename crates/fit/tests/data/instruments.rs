@@ -213,3 +213,43 @@ fn a_first_row_on_the_line_of_headings_is_read() {
     );
     assert_eq!(directions(&reading), "aar");
 }
+
+fn named(columns: &[&str]) -> Format {
+    Format {
+        columns: columns
+            .iter()
+            .map(|text| text.parse().expect("a column"))
+            .collect(),
+        ..Format::default()
+    }
+}
+
+#[test]
+fn standard_deviations_of_a_column_with_a_minus_are_positive() {
+    let text = "R [um],Cell [mN],std\n50,0.1,0.01\n60,-0.2,0.02\n";
+    let reading = sound(text, &named(&["contact_radius=R [um]", "load=-Cell [mN]"]));
+    assert_eq!(reading.measurement.points[1].ordinate, 2e-4);
+    for (found, expected) in reading.errors.ordinate.iter().zip([1e-5, 2e-5]) {
+        assert!(
+            (found / expected - 1.0).abs() < 1e-14,
+            "{:?}",
+            reading.errors
+        );
+    }
+    assert_eq!(reading.errors.ordinate.len(), 2);
+}
+
+#[test]
+fn storage_and_loss_give_the_phase() {
+    let text = "contact radius [nm],storage stiffness [N/m],loss stiffness [N/m]\n\
+                100,1000,1000\n200,3000,1732.0508075688772\n";
+    let reading = sound(text, &Format::default());
+    for (found, degrees) in reading.phases.iter().zip([45.0_f64, 30.0]) {
+        assert!(
+            (found / degrees.to_radians() - 1.0).abs() < 1e-14,
+            "{:?}",
+            reading.phases
+        );
+    }
+    assert_eq!(reading.phases.len(), 2);
+}

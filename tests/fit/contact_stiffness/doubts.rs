@@ -1,0 +1,154 @@
+//! Doubts about contact stiffnesses: deep contacts, contact depths, friction, units.
+
+use std::f64::consts::PI;
+
+use acceptance::{Refused, assert_names, solid};
+use fit::{
+    Bodies, Experiment, Free, Indentation, Kind, Parameter, WarningKind, simulate_experiment,
+};
+use interp::Table;
+
+use super::{at_radii, oxide};
+use crate::imagined::{fit_all, fitted, free_of, measurement_at, text};
+use crate::layers::{layer, on_layers};
+
+fn number_after(text: &str, words: &str) -> f64 {
+    let rest = text.split(words).nth(1).unwrap_or_else(|| panic!("{text}"));
+    let number = rest.split([' ', ',', '%']).next().expect("a word");
+    number.parse().unwrap_or_else(|_| panic!("{text}"))
+}
+
+/// Contacts of a fifth of the thickness of the top layer and of seven tenths of it.
+fn on_primer(depths: [f64; 2]) -> Experiment {
+    let system = oxide();
+    let primer = layer("primer", solid(1.2e11, 0.34), 9e-7);
+    let top = layer("top", system.film, 1e-7);
+    let [from, to] = depths;
+    let depths = (0..10).map(|i| from + (to - from) * f64::from(i) / 9.0);
+    let mut plan = Experiment::new(
+        measurement_at(Kind::StiffnessDepth, depths),
+        on_layers(&system, &[primer, top]),
+    );
+    plan.indentation.hardness = Some(1e10);
+    simulate_experiment(Table::embedded(), &plan, 0.01, 5).expect("a contact")
+}
+
+#[test]
+fn a_contact_that_is_deep_in_the_top_layer_is_doubted() {
+    let top = Free::new(Parameter::LayerModulus("top".parse().expect("a name")));
+    let mut made = on_primer([2e-8, 1e-7]);
+    made.noise = Some(0.01);
+    let depths = made.measurement.points.iter().zip(&made.indentation.loads);
+    let deepest = depths.map(|(point, load)| point.abscissa - 0.75 * load / point.ordinate);
+    let deepest = deepest.fold(0.0, f64::max);
+    let said = text(
+        &fit_all(&[made], &[top]).expect("sound"),
+        WarningKind::DeepContact,
+    );
+    let percent = number_after(&said, "the contact depth reaches ");
+    assert!(
+        (percent - 1e9 * deepest).abs() < 0.51,
+        "{deepest:e}: {said}"
+    );
+}
+
+#[test]
+fn the_depth_of_a_plastic_contact_is_said() {
+    let system = oxide();
+    let depths = (0..20).map(|i| 5e-8 + 1e-8 * f64::from(i));
+    let mut plan = Experiment::new(
+        measurement_at(Kind::StiffnessDepth, depths),
+        Bodies::Coated(system),
+    );
+    plan.indentation.hardness = Some(8e8);
+    let mut made = simulate_experiment(Table::embedded(), &plan, 0.0, 5).expect("a contact");
+    made.noise = Some(1e-3);
+    let pairs = made.measurement.points.iter().zip(&made.indentation.loads);
+    let parts = pairs.map(|(point, load)| 1.0 - 0.75 * load / point.ordinate / point.abscissa);
+    let mut parts: Vec<f64> = parts.collect();
+    parts.sort_by(f64::total_cmp);
+    let middle = 0.5 * (parts[9] + parts[10]);
+    let free = free_of(&[Parameter::FilmModulus]);
+    let said = text(
+        &fit_all(&[made], &free).expect("sound"),
+        WarningKind::ContactDepth,
+    );
+    let part = number_after(&said, "contact depth over depth ");
+    assert!((part - middle).abs() < 0.0051, "{middle}: {said}");
+}
+
+#[test]
+fn a_hardness_that_is_found_leaves_no_bounds_by_friction() {
+    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
+    if let Bodies::Coated(system) = &mut exact.bodies {
+        system.sphere_modulus = f64::INFINITY;
+        system.substrate = solid(f64::INFINITY, 0.25);
+    }
+    exact.measurement.kind = Kind::StiffnessLoad;
+    exact.indentation.hardness = Some(1e10);
+    for point in &mut exact.measurement.points {
+        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
+        point.ordinate = 0.0;
+    }
+    let mut made = simulate_experiment(Table::embedded(), &exact, 1e-4, 3).expect("a contact");
+    made.noise = Some(1e-4);
+    for (free, expected) in [
+        (&[Parameter::FilmModulus][..], "is between"),
+        (
+            &[Parameter::FilmModulus, Parameter::Hardness],
+            "also changes the contact radius",
+        ),
+    ] {
+        let found = fit_all(std::slice::from_ref(&made), &free_of(free)).expect("sound");
+        let said = text(&found, WarningKind::Friction);
+        assert!(said.contains(expected), "{free:?}: {said}");
+    }
+}
+
+#[test]
+fn the_noise_of_an_abscissa_has_its_unit() {
+    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
+    exact.measurement.kind = Kind::StiffnessLoad;
+    exact.indentation.hardness = Some(1e10);
+    for point in &mut exact.measurement.points {
+        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
+    }
+    exact.noise = Some(0.01);
+    exact.abscissa_noise = 1e-6;
+    let found = fitted(&exact, &free_of(&[Parameter::FilmModulus]));
+    let report = fit::report::report(&found, &[exact], &[], &[]);
+    assert_names(&report, "noise 1.00 %, of the abscissa 1.00 uN");
+}
+
+#[test]
+fn loads_of_a_contact_stiffness_have_a_range_of_loads() {
+    let mut made = at_radii(&oxide(), [5e-8, 1e-6], 5);
+    made.measurement.kind = Kind::StiffnessLoad;
+    for (factor, words) in [
+        (1.0, None),
+        (1e9, Some("range of the load; nN were probably taken")),
+    ] {
+        for point in &mut made.measurement.points {
+            point.abscissa = factor * PI * 1e10 * point.abscissa.powi(2);
+        }
+        let told: Vec<String> = made.magnitudes().iter().map(ToString::to_string).collect();
+        match words {
+            Some(words) => assert_names(&told.join("; "), words),
+            None => assert!(told.is_empty(), "{told:?}"),
+        }
+        made = at_radii(&oxide(), [5e-8, 1e-6], 5);
+        made.measurement.kind = Kind::StiffnessLoad;
+    }
+}
+
+#[test]
+fn a_top_layer_that_is_thinned_to_nothing_is_refused() {
+    let mut made = on_primer([2e-8, 1.6e-7]);
+    made.noise = Some(0.01);
+    made.indentation = Indentation {
+        thinning: 1.0,
+        ..made.indentation.clone()
+    };
+    let top = Free::new(Parameter::LayerModulus("top".parse().expect("a name")));
+    fit_all(&[made], &[top]).refused("contact depth; something of the thinned film is left");
+}

@@ -1,0 +1,139 @@
+//! Where doubts about works of adhesion, friction, scatter and losses begin and end.
+
+use acceptance::{Contacts, Refused, assert_names, rigid_probe, solid};
+use fit::{Bodies, Kind, Loss, Parameter, WarningKind};
+use interp::{Probe, Table};
+
+use crate::imagined::{Course, Imagined, LENS, fit_all, fit_with, fitted, free_of, text};
+
+fn number_after(text: &str, words: &str) -> f64 {
+    let rest = text.split(words).nth(1).unwrap_or_else(|| panic!("{text}"));
+    let number = rest.split([' ', ',', '%']).next().expect("a word");
+    number.parse().unwrap_or_else(|_| panic!("{text}"))
+}
+
+#[test]
+fn a_work_of_adhesion_that_no_bodies_have_is_doubted() {
+    let free = [Parameter::FilmModulus, Parameter::WorkOfAdhesion];
+    for (work, is_doubted) in [(5e-7, true), (2e-6, false)] {
+        let mut probe = Imagined::probe(Course::Cycle, work, &free);
+        probe.noise = 1e-13;
+        let said = text(&probe.fit(1), WarningKind::Implausible);
+        assert_eq!(said.contains("is outside 1e-6 to"), is_doubted, "{said}");
+    }
+}
+
+#[test]
+fn an_infinite_threshold_is_refused() {
+    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let experiment = lens.measured(&lens.exact(), 1);
+    for threshold in [0.0, f64::NAN, f64::INFINITY] {
+        for loss in [Loss::Huber { threshold }, Loss::SoftL1 { threshold }] {
+            fit_with(&experiment, &lens.free, |options| options.loss = loss)
+                .refused("threshold; positive and finite");
+        }
+    }
+}
+
+#[test]
+fn a_shared_work_of_adhesion_that_one_file_shows_has_not_ended_at_zero() {
+    let free = [Parameter::FilmModulus, Parameter::WorkOfAdhesion];
+    // The same work: nothing beside the range of the loads of the first, and much of the second.
+    let mut stiff = Imagined::probe(Course::Approach, 1e-11, &free);
+    stiff.radii = [1e-6, 8e-6];
+    stiff.truth.stiffness = Some(20.0);
+    let mut soft = Imagined::probe(Course::Cycle, 1e-11, &free);
+    soft.radii = [2e-7, 6e-7];
+    soft.noise = 1e-15;
+    let files = [(&stiff, 1), (&soft, 2)].map(|(one, seed)| one.measured(&one.exact(), seed));
+    let found = fit_all(&files, &free_of(&free)).expect("sound");
+    let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
+    assert!(work.value > 4.0 * work.standard_error, "{work:?}");
+    let said = text(&found, WarningKind::AtBound);
+    assert!(!said.contains("ended at 0"), "{said}");
+}
+
+#[test]
+fn where_the_sphere_deforms_friction_bounds_nothing() {
+    let free = [Parameter::FilmModulus];
+    let mut lens = Imagined::lens(Kind::LoadRadius, 100e-6, 1e-7, &free);
+    let Bodies::Coated(system) = &mut lens.truth.bodies else {
+        unreachable!("a lens is on a film")
+    };
+    system.film = solid(3.5e6, 0.4);
+    for (modulus, expected) in [(2e7, "other bodies deform"), (f64::INFINITY, "is between")] {
+        if let Bodies::Coated(system) = &mut lens.truth.bodies {
+            system.sphere_modulus = modulus;
+            system.substrate = solid(f64::INFINITY, 0.25);
+        }
+        let said = text(&lens.fit(1), WarningKind::Friction);
+        assert!(said.contains(expected), "{modulus:e}: {said}");
+    }
+}
+
+#[test]
+fn the_scatter_at_large_loads_is_told_beside_that_at_small_ones() {
+    let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 0.0, &LENS);
+    lens.points[0] = 200;
+    let exact = lens.exact();
+    for seed in 0..10 {
+        let mut random = Contacts::new(seed);
+        let mut experiment = lens.measured(&exact, seed);
+        experiment.noise = None;
+        // The loads rise with the radius from below 0; the larger half of their sizes has three times the noise.
+        let mut sizes: Vec<f64> = exact
+            .points
+            .iter()
+            .map(|point| point.ordinate.abs())
+            .collect();
+        sizes.sort_by(f64::total_cmp);
+        for point in &mut experiment.measurement.points {
+            let is_large = point.ordinate.abs() > sizes[99];
+            point.ordinate += if is_large { 6e-6 } else { 2e-6 } * random.normal();
+        }
+        let found = fitted(&experiment, &lens.free);
+        let said = text(&found, WarningKind::UnequalNoise);
+        let told = number_after(&said, "scatter ");
+        let points = found.experiments[0].points.iter();
+        let mut all: Vec<[f64; 2]> = points
+            .filter_map(|point| Some([point.fit?.abs(), point.residual()?.powi(2)]))
+            .collect();
+        all.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        let (small, large) = all.split_at(all.len() / 2);
+        let sum = |part: &[[f64; 2]]| part.iter().map(|[_, square]| square).sum::<f64>();
+        let expected = (sum(large) / sum(small)).sqrt();
+        // The two values that are fitted take some of the residuals, and outliers are cut.
+        assert!(
+            (0.75..1.05).contains(&(told / expected)),
+            "{expected}: {said}"
+        );
+    }
+}
+
+#[test]
+fn an_attraction_over_a_range_is_told_of_the_receding_work_too() {
+    let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
+    hard.truth.bodies = Bodies::Coated(rigid_probe(
+        Probe::Paraboloid { radius: 20e-9 },
+        solid(5e10, 0.2),
+        1e-7,
+        solid(2e11, 0.2),
+    ));
+    hard.truth.work_of_adhesion = 0.0;
+    hard.radii = [0.8e-9, 2e-9];
+    hard.noise = 1e-11;
+    let mut planned = hard.planned();
+    planned.work_of_adhesion_receding = Some(0.05);
+    let told = planned
+        .broken_assumptions(Table::embedded())
+        .expect("sound");
+    let told: Vec<&str> = told
+        .iter()
+        .filter(|one| one.kind == WarningKind::LongRange)
+        .map(|one| one.text.as_str())
+        .collect();
+    assert_names(
+        &told.join("; "),
+        "work-of-adhesion-receding = 5.00e-2 J/m^2; Tabor",
+    );
+}

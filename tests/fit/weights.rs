@@ -1,0 +1,208 @@
+//! What points, known values and priors weigh in a fit.
+
+use std::f64::consts::PI;
+
+use acceptance::solid;
+use fit::{Branch, Experiment, Fit, Fixed, Free, Kind, Known, Likelihood, Loss, Parameter, Point};
+use interp::Table;
+
+use crate::imagined::{Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement};
+
+#[test]
+fn pinned_points_count_in_the_likelihood_as_in_the_fit() {
+    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
+    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+    probe.truth.work_of_adhesion_receding = Some(1.5e-4);
+    let experiment = probe.measured(&probe.exact(), 1);
+    let found = fitted(&experiment, &probe.free);
+    let points = &found.experiments[0].points;
+    let branches: Vec<Branch> = points.iter().map(|point| point.branch).collect();
+    assert!(branches.contains(&Branch::Pinned));
+    let likelihood = Likelihood::new(
+        Table::embedded(),
+        &[experiment],
+        &probe.free,
+        Some(&[branches]),
+    )
+    .expect("sound");
+    let values: Vec<f64> = found.estimates.iter().map(|one| one.value).collect();
+    let value = likelihood
+        .value(Table::embedded(), &values)
+        .expect("in range");
+    let of_points = points.iter().filter_map(|point| {
+        let part = point.residual()? / probe.noise;
+        Some(-0.5 * part * part - ((2.0 * PI).sqrt() * probe.noise).ln())
+    });
+    let expected = of_points.sum::<f64>();
+    assert!((value / expected - 1.0).abs() < 1e-9, "{value} {expected}");
+}
+
+#[test]
+fn the_error_of_a_known_value_moves_estimates_together() {
+    let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
+    let experiment = lens.measured(&lens.exact(), 1);
+    for (quantity, error) in [
+        (Fixed::Parameter(Parameter::FilmThickness), 1.5e-6),
+        (Fixed::SphereRadius, 1e-5),
+        (Fixed::Parameter(Parameter::FilmModulus), 1e5),
+    ] {
+        let found = |known: &[Known]| {
+            let fit = fit_with(&experiment, &lens.free, |options| {
+                options.known = known.to_vec();
+            });
+            fit.expect("sound")
+        };
+        let (with, bare) = (found(&[Known { quantity, error }]), found(&[]));
+        let one = &with.fixed_values[0];
+        let moved = [0, 1].map(|i| one.changes[i] / one.step * error);
+        let [before, after] =
+            [&bare, &with].map(|fit| [0, 1].map(|i| fit.estimates[i].standard_error));
+        let covariance = bare.correlation[0][1] * before[0] * before[1] + moved[0] * moved[1];
+        let expected = covariance / (after[0] * after[1]);
+        let found = with.correlation[0][1];
+        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        // The modulus without the film is off by fewer standard errors.
+        let off = |fit: &Fit| {
+            let without = fit.without_film.as_ref().expect("JKR");
+            without.modulus.expect("it is free").standard_errors
+        };
+        let expected = off(&bare) * before[0] / after[0];
+        assert!((off(&with) / expected - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_ends_of_an_interval_under_a_robust_loss_are_equally_likely() {
+    let free = [LENS[0], LENS[1]];
+    let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 5e-6, &free);
+    lens.points[0] = 12;
+    // A prior that is eight of its errors away.
+    lens.free[0] = Free::new(LENS[0]).with_prior(2.4e6, 5e4);
+    let experiment = lens.measured(&lens.exact(), 3);
+    let Loss::Huber { threshold } = Loss::HUBER else {
+        unreachable!("it is Huber's")
+    };
+    let huber = |r: f64| {
+        let size = r.abs();
+        if size <= threshold {
+            r * r
+        } else {
+            threshold * (2.0 * size - threshold)
+        }
+    };
+    let found = fit_with(&experiment, &lens.free, |options| {
+        options.loss = Loss::HUBER;
+        options.profile_level = Some(0.95);
+    });
+    let found = found.expect("sound");
+    let [low, high] = found.estimates[0].profile.expect("asked for");
+    // The loss with the modulus fixed at an end, and the work of adhesion found.
+    let misfit = |modulus: f64| {
+        let mut fixed = experiment.clone();
+        fixed.set(LENS[0], modulus).expect("physical");
+        let free = [Free::new(LENS[1])];
+        let fit = fit_with(&fixed, &free, |options| options.loss = Loss::HUBER);
+        let fit = fit.expect("sound");
+        let points = fit.experiments[0].points.iter();
+        let parts = points.filter_map(|point| Some(huber(point.residual()? / point.deviation)));
+        parts.sum::<f64>() + huber((modulus - 2.4e6) / 5e4)
+    };
+    let least = misfit(found.estimates[0].value);
+    let [low, high] = [low, high].map(|end| misfit(end) - least);
+    assert!((low / high - 1.0).abs() < 0.03 && low > 1.0, "{low} {high}");
+}
+
+/// Hertz's contact, in which an error of the radius as large as the radius cannot make it negative, and one near the
+/// end of the sphere is that of the other side.
+fn hertz(radii: &[f64], abscissa_noise: f64) -> Fit {
+    let (radius, modulus) = (1e-3, 2e6);
+    let load = |a: f64| 4.0 / 3.0 * modulus * a.powi(3) / radius;
+    let points = (1..).zip(radii).map(|(line, &abscissa)| Point {
+        line,
+        abscissa,
+        ordinate: load(abscissa),
+        direction: None,
+    });
+    let bodies = half_space(radius, modulus, solid(f64::INFINITY, 0.25));
+    let mut experiment = Experiment::new(measurement(Kind::LoadRadius, points.collect()), bodies);
+    experiment.noise = Some(1e-6);
+    experiment.abscissa_noise = abscissa_noise;
+    fitted(&experiment, &free_of(&[Parameter::SphereModulus]))
+}
+
+#[test]
+fn an_error_of_a_radius_makes_none_negative() {
+    let noise = 3e-7;
+    let found = hertz(&[2e-7, 4e-5, 6e-5, 8e-5, 1e-4], noise);
+    for point in &found.experiments[0].points[1..] {
+        let slope = 4.0 * 2e6 * point.abscissa.powi(2) / 1e-3;
+        let expected = 1e-6_f64.hypot(slope * noise);
+        let off = point.deviation / expected - 1.0;
+        // Of the third power the rule of three nodes adds (noise/a)^2.
+        assert!(off.abs() < 1e-3, "{:e}: {off:e}", point.abscissa);
+    }
+}
+
+#[test]
+fn at_the_end_of_the_sphere_the_other_side_stands_for_both() {
+    let noise = 1e-6;
+    let found = hertz(&[2e-4, 4e-4, 6e-4, 8e-4, 9.99e-4], noise);
+    let step = 3.0_f64.sqrt() * noise;
+    for point in &found.experiments[0].points {
+        let load = |a: f64| 4.0 / 3.0 * 2e6 * a.powi(3) / 1e-3;
+        let change = (load(point.abscissa) - load(point.abscissa - step)) / 3.0_f64.sqrt();
+        let off = point.deviation / 1e-6_f64.hypot(change) - 1.0;
+        assert!(off.abs() < 1e-6, "{:e}: {off:e}", point.abscissa);
+    }
+}
+
+#[test]
+fn derivatives_of_pinned_points_are_differences() {
+    let free = [Parameter::FilmModulus];
+    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+    probe.truth.work_of_adhesion_receding = Some(1.5e-4);
+    probe.truth.baseline_slope = 2e-4;
+    let experiment = Experiment {
+        measurement: probe.exact(),
+        ..probe.truth.clone()
+    };
+    let branches = experiment.branches(&[]).expect("sound");
+    let found = fitted(
+        &Experiment {
+            noise: Some(1e-10),
+            ..experiment.clone()
+        },
+        &free_of(&free),
+    );
+    let pinned: Vec<usize> = (0..branches.len())
+        .filter(|&i| found.experiments[0].points[i].branch == Branch::Pinned)
+        .collect();
+    assert!(pinned.len() > 5, "{pinned:?}");
+    for (parameter, step) in [
+        (Parameter::BaselineSlope, 1e-6),
+        (Parameter::Baseline, 1e-12),
+        (Parameter::ContactPoint, 1e-11),
+        (Parameter::WorkOfAdhesion, 1e-9),
+        (Parameter::FilmModulus, 1e-1),
+    ] {
+        let at = |by: f64| {
+            let mut moved = experiment.clone();
+            moved
+                .set(parameter, moved.get(parameter).expect("a value") + by)
+                .expect("physical");
+            moved
+                .predictions(Table::embedded(), Some(&branches), &[parameter])
+                .expect("sound")
+        };
+        let (before, here, after) = (at(-step), at(0.0), at(step));
+        let derivative = |i: usize| (after.ordinates[i] - before.ordinates[i]) / (2.0 * step);
+        let size = pinned
+            .iter()
+            .map(|&i| derivative(i).abs())
+            .fold(0.0, f64::max);
+        for &i in &pinned {
+            let off = (here.derivatives[i] - derivative(i)).abs() / size;
+            assert!(off < 1e-5, "{parameter}, {i}: {off:e}");
+        }
+    }
+}

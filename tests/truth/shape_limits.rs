@@ -1,0 +1,59 @@
+//! Shapes of probes at their limits: derivatives below the nodes, and the flank of a rounded cone.
+
+use acceptance::{rigid_probe, solid};
+use contact::{Contact, Input};
+use interp::{HalfSpace, Probe, Table};
+
+#[test]
+fn derivatives_below_the_nodes_under_a_sphere_are_differences() {
+    // At the first node the contact has half the radius of the sphere.
+    let probe = || Probe::Sphere { radius: 2e-6 };
+    let system = |young: f64| rigid_probe(probe(), solid(young, 0.4), 1e-3, solid(1e9, 0.3));
+    let first = 1e-3 * Table::embedded().axis(interp::Parameter::AOverT)[0];
+    let all = Contact::in_table_with_gradient(Table::embedded(), &system(1e6)).expect("inside");
+    for part in [0.03, 0.3, 0.9] {
+        let a = part * first;
+        let mut found = [contact::Derivatives::ZERO];
+        all.derivatives(a, 0.0, &[Input::FilmModulus], &mut found)
+            .expect("inside");
+        let at = |factor: f64| {
+            let moved = Contact::in_table(Table::embedded(), &system(1e6 * factor));
+            moved
+                .expect("inside")
+                .load_and_penetration(a, 0.0)
+                .expect("inside")
+        };
+        let (above, below) = (at(1.001), at(0.999));
+        let by_load = (above.0 - below.0) / 2e3;
+        let by_penetration = (above.1 - below.1) / 2e3;
+        assert!((found[0].load / by_load - 1.0).abs() < 1e-5, "{part}");
+        assert!(
+            (found[0].penetration / by_penetration - 1.0).abs() < 5e-3,
+            "{part}"
+        );
+    }
+}
+
+#[test]
+fn the_flank_of_a_rounded_cone_has_the_slope_of_the_cone() {
+    let half_angle = 60_f64.to_radians();
+    let probe = Probe::RoundedCone {
+        radius: 1e-6,
+        half_angle,
+    };
+    // 1/tan(60 deg); the flank begins at 0.577 um.
+    for (a, slope) in [(5e-7, 0.5), (2e-6, 1.0 / 3.0_f64.sqrt())] {
+        let validity = Contact::half_space(&HalfSpace {
+            probe: probe.clone(),
+            sphere_modulus: f64::INFINITY,
+            solid: solid(1e6, 0.3),
+        })
+        .expect("physical")
+        .validity(a)
+        .expect("in range");
+        assert!(
+            (validity.a_over_r / slope - 1.0).abs() < 1e-14,
+            "{validity:?}"
+        );
+    }
+}
