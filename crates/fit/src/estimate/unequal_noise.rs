@@ -108,11 +108,15 @@ fn grows(
     if of_small.min(of_large) < FEWEST_OF_HALF {
         return false;
     }
-    let far = far(all.iter().map(|[size, _]| *size));
-    let [at_small, at_large] = [small, large].map(|part| scatter(part, far));
+    let far_of = |part: &[[f64; 2]]| far(part.iter().map(|[size, _]| *size));
+    // What is far from all points may be the larger half of them: the doubt is then weaker, and its number is of each
+    // half by itself.
+    let beyond = far_of(&all);
+    let [at_small, at_large] = [small, large].map(|part| scatter(part, beyond));
     if ratio_of_squares([at_large, at_small], [of_large, of_small]) <= BEYOND_CHANCE {
         return false;
     }
+    let [at_small, at_large] = [small, large].map(|part| scatter(part, far_of(part)));
     let [abscissa, ordinate] = experiment.measurement.kind.names();
     warnings.add(
         WarningKind::UnequalNoise,
