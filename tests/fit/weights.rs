@@ -164,7 +164,7 @@ fn derivatives_of_pinned_points_are_differences() {
     probe.truth.baseline_slope = 2e-4;
     let experiment = Experiment {
         measurement: probe.exact(),
-        ..probe.truth.clone()
+        ..probe.truth
     };
     let branches = experiment.branches(&[]).expect("sound");
     let found = fitted(
