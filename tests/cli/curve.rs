@@ -331,3 +331,38 @@ fn the_usual_radii_fit_the_sphere() {
     let [_, to] = radii("--specimen=paper --film-thickness=0.1um --interface=sliding");
     assert!((to / 1e-4 - 1.0).abs() < 1e-14);
 }
+
+/// Notes on films so much stiffer than their substrate that they bend as plates.
+#[test]
+fn a_stiff_film_that_bends_is_told_of() {
+    let workdir = workdir!();
+    let bodies = "--sphere-modulus inf --film-thickness 1um --film-modulus 1GPa --film-poisson-ratio .3 \
+                  --substrate-poisson-ratio .3 --work-of-adhesion 0 --points 2";
+    let cone = "--probe cone --half-angle 89";
+    for (more, notes) in [
+        (
+            format!("{cone} --substrate-modulus 1MPa --from 0.1um --to 1um"),
+            &["may be no disc", "5.5"][..],
+        ),
+        (
+            format!("{cone} --substrate-modulus 20MPa --from 0.1um --to 1um"),
+            &[],
+        ),
+        (
+            "--probe flat-punch --sphere-radius 2um --substrate-modulus 10MPa".into(),
+            &["2.00e-6 m", "may be no disc"],
+        ),
+        (
+            "--sphere-radius 10um --substrate-modulus 1MPa --from 1um --to 2.9um".into(),
+            &["of its thickness", "stretched"],
+        ),
+    ] {
+        let run = workdir.run(format!("curve {bodies} {more}"));
+        assert_eq!(run.status, 0, "{run:?}");
+        let told = run.stderr.contains("no disc") || run.stderr.contains("stretched");
+        assert_eq!(told, !notes.is_empty(), "{run:?}");
+        for note in notes {
+            assert_names(&run.stderr, *note);
+        }
+    }
+}

@@ -42,7 +42,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         2 | curve --film-modulus 5 | 5kPa; 5MPa; 5Pa
         2 | curve --sphere-modulus 210 | 210GPa
         1 | curve --probe cone --half-angle 70 --sphere-radius 1um | no --sphere-radius; rounded-cone
-        1 | curve --probe cone --half-angle 1.2 | 1.2; degrees; 68.7549
+        2 | curve --probe cone --half-angle 1.2 | 1.2rad; degrees; 68.7549; 1.2deg
         2 | curve --probe cone --half-angle 70um | 70um; length; degrees
         1 | curve --probe flat-punch --from 1um --to 5um | --sphere-radius; leave out --from
         1 | curve --from 200um | --from; 0.0002; --to, which is not given

@@ -177,6 +177,7 @@ fn mistakes_are_told() {
         ("untimed.csv", "t,load\n0,0\n"),
         ("swapped.csv", "time,penetration\n0,0\n1e-6,1\n0,2\n"),
         ("semicolons.csv", "time;load\n0;0\n"),
+        ("parsecs.csv", "time [parsec],load\n0,0\n"),
         ("words.csv", "time,load\r\n0,0\r\n# later\r\n1,much\r\n"),
     ] {
         workdir.write(file, text);
@@ -212,6 +213,7 @@ fn mistakes_are_told() {
         1 | {GEL} {PROGRAM} --at=-1 | -1; begins at
         1 | {GEL} {PROGRAM} --tolerance=1e-14 | 1e-14; 1e-10
         1 | {GEL} --program 'penetration 0:0 1:1mm' | penetration
+        1 | {GEL} --program parsecs.csv | time [parsec]; parsec; a time
         1 | {GEL} --program twice.csv | time, time, load; one column of times
         1 | {FLAT} --film-thickness=1nm | flat end of the probe, 1e-6 m; give a TABLE
         "

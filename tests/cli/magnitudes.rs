@@ -87,7 +87,7 @@ fn a_contact_beyond_the_sphere_is_told_without_the_limits_of_the_search() {
     let message = workdir.fail(1, wide);
     assert_names(
         &message,
-        "beyond 1e-7 m; contacts of this probe; smaller value",
+        "above 1e-7 m; contact of this probe; smaller value",
     );
     assert!(!message.contains("1e-60"), "{message}");
 }

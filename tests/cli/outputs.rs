@@ -107,8 +107,8 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
         ("new/", "the name of a folder"),
         ("-", "give the name of a file"),
         ("/dev/null", "is not a file"),
-        ("/dev/stdout", "without -o"),
-        ("/proc/self/fd/1", "without -o"),
+        ("/dev/stdout", "stream of the program"),
+        ("/proc/self/fd/1", "stream of the program"),
         (".", "is not a file"),
         ("missing/out.csv", "there is no folder missing"),
     ] {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, looked_up, paper_system, rigid_probe, solid};
 use contact::Error;
-use contact::{Contact, JkrFit, JkrPoint, Neglected, Validity};
+use contact::{Contact, JkrFit, JkrPoint, Neglected};
 use interp::{HalfSpace, Material, Mechanics, Probe, System, Table};
 use solve::solve;
 
@@ -338,12 +338,25 @@ fn validity_says_where_a_stiff_film_makes_no_disc() {
             substrate: solid(1e9 / contrast, 0.3),
         });
         let film = contact.validity(a_over_t * t).expect("in the table").film;
-        let says = film.expect("coated").lifts_off;
+        let says = film.expect("coated").no_disc;
         let case = format!("{contrast} times as stiff, r^{exponent}, a/t {a_over_t}");
         assert_eq!(says, f64::abs(error) > 1e-3, "{case}");
     }
-    // What the film cannot do: under a paraboloid, on a substrate as stiff, and where it is wide beside its bending length.
-    let lifts_off = |probe: &Probe, young: f64, a: f64| {
+    // Under a flat punch another such program found loads smaller by 1.1, 3.4, 7.6 and 2.2 %.
+    for (contrast, a_over_t) in [(30.0, 2.0), (100.0, 3.0), (1e3, 6.0), (1e3, 25.0)] {
+        let radius = a_over_t * 1e-6;
+        let punch = rigid_probe(
+            Probe::FlatPunch { radius },
+            solid(1e9, 0.3),
+            1e-6,
+            solid(1e9 / contrast, 0.3),
+        );
+        let film = looked_up(&punch).validity(radius).expect("its radius").film;
+        assert!(film.expect("coated").no_disc, "{contrast} {a_over_t}");
+    }
+    // What the film cannot do: under a paraboloid or the round end of a cone, on a substrate as stiff, and where it is wide
+    // beside its bending length.
+    let no_disc = |probe: &Probe, young: f64, a: f64| {
         let contact = looked_up(&System {
             probe: probe.clone(),
             sphere_modulus: f64::INFINITY,
@@ -352,36 +365,54 @@ fn validity_says_where_a_stiff_film_makes_no_disc() {
             substrate: solid(1e6, 0.3),
         });
         let film = contact.validity(a).expect("in the table").film;
-        film.expect("coated").lifts_off
+        film.expect("coated").no_disc
     };
     let cone = Probe::Cone { half_angle: 1.5 };
-    assert!(lifts_off(&cone, 1e9, 1e-6));
-    assert!(!lifts_off(&Probe::Paraboloid { radius: 1e-3 }, 1e9, 1e-6));
-    assert!(!lifts_off(&cone, 1e6, 1e-6) && !lifts_off(&cone, 1e9, 2e-5));
+    assert!(no_disc(&cone, 1e9, 1e-6));
+    assert!(!no_disc(&Probe::Paraboloid { radius: 1e-3 }, 1e9, 1e-6));
+    let rounded = |radius: f64| Probe::RoundedCone {
+        radius,
+        half_angle: 1.5,
+    };
+    assert!(no_disc(&rounded(1e-6), 1e9, 1e-6) && !no_disc(&rounded(1e-3), 1e9, 1e-6));
+    let flat = |radius: f64| Probe::FlatEndedCone {
+        radius,
+        half_angle: 1.5,
+    };
+    assert!(no_disc(&flat(1e-6), 1e8, 2e-6) && !no_disc(&flat(1e-8), 1e8, 2e-6));
+    assert!(!no_disc(&cone, 1e6, 1e-6) && !no_disc(&cone, 1e9, 2e-5));
 }
 
-/// A stiff film that is bent by its thickness: `strain` is that of a softer film alone.
+/// A stiff film that is bent by its thickness, beside direct solves: `strain` is that of a softer film alone.
 #[test]
 fn validity_says_how_far_a_stiff_film_is_bent() {
-    let contact = looked_up(&System {
-        probe: Probe::Paraboloid { radius: 1e-4 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(1e9, 0.3),
-        film_thickness: 1e-5,
-        substrate: solid(1e5, 0.3),
-    });
     let a = 5e-6;
-    let validity = contact.validity(a).expect("in the table");
-    let film = validity.film.expect("coated");
-    let depth = contact
-        .load_and_penetration(a, 0.0)
-        .expect("in the table")
-        .1;
-    let substrate =
-        2.0 * a * solid(1e5, 0.3).reduced() / contact.stiffness(a).expect("in the table");
-    assert!(relative(film.bending, depth / 1e-5 * (1.0 - substrate)) < 1e-12);
-    assert!(film.strain < 0.0 && film.bending > Validity::WARNING_BENDING);
-    assert!(validity.neglected().contains(&Neglected::Bending));
+    let of = |young: f64, base: f64| {
+        let probe = Probe::Paraboloid { radius: 1e-4 };
+        let system = rigid_probe(probe, solid(young, 0.3), 1e-5, solid(base, 0.3));
+        let validity = looked_up(&system).validity(a).expect("in the table");
+        (system, validity)
+    };
+    let (system, validity) = of(1e9, 1e5);
+    let bent = validity.film.expect("coated");
+    let material = system.material().expect("physical");
+    let exact = solve(0.5, &material, 1e-9)
+        .expect("in the domain")
+        .quantities;
+    // Penetrations are in units of a^2/R, and the stiffnesses are 2 a E1* eeq and 2 a E0*.
+    let expected = exact.delta0 * a * a / 1e-4 / 1e-5 * (1.0 - 1e-4 / exact.eeq);
+    assert!(
+        relative(bent.bending, expected) < 3e-6,
+        "{bent:?} {expected}"
+    );
+    assert!(bent.strain < 0.0 && validity.neglected().contains(&Neglected::Bending));
+    for (young, base) in [(1e6, 1e6), (1e6, 1e9), (1e6, f64::INFINITY)] {
+        let softer = of(young, base).1;
+        assert!(
+            softer.film.expect("coated").bending < 1e-6,
+            "{young:e} {base:e}"
+        );
+    }
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn searches_find_every_radius_up_to_the_spheres_and_say_where_they_end() {
     let ends_at_sphere = |result: Result<State, Error>| match result {
         Err(error @ Error::OutsideRadii { .. }) => {
             let text = error.to_string();
-            assert!(text.contains("contacts of this probe"), "{text}");
+            assert!(text.contains("contact of this probe"), "{text}");
             assert!(!text.contains("make a table"), "{text}");
             assert!(!text.contains("1e-60"), "{text}");
         }

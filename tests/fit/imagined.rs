@@ -388,3 +388,10 @@ impl Imagined {
         self.fit_of(&self.measured(&self.exact(), seed))
     }
 }
+
+/// Returns the number after some words of a text.
+pub fn number_after(text: &str, words: &str) -> f64 {
+    let rest = text.split(words).nth(1).unwrap_or_else(|| panic!("{text}"));
+    let number = rest.split([' ', ',', '%']).next().expect("a word");
+    number.parse().unwrap_or_else(|_| panic!("{text}"))
+}

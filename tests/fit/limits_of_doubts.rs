@@ -1,16 +1,12 @@
 //! Where doubts about works of adhesion, friction, scatter and losses begin and end.
 
 use acceptance::{Contacts, Refused, assert_names, rigid_probe, solid};
-use fit::{Bodies, Kind, Loss, Parameter, WarningKind};
+use fit::{Bodies, Experiment, Kind, Loss, Parameter, WarningKind};
 use interp::{Probe, Table};
 
-use crate::imagined::{Course, Imagined, LENS, fit_all, fit_with, fitted, free_of, text};
-
-fn number_after(text: &str, words: &str) -> f64 {
-    let rest = text.split(words).nth(1).unwrap_or_else(|| panic!("{text}"));
-    let number = rest.split([' ', ',', '%']).next().expect("a word");
-    number.parse().unwrap_or_else(|_| panic!("{text}"))
-}
+use crate::imagined::{
+    Course, Imagined, LENS, fit_all, fit_with, fitted, free_of, measurement_at, number_after, text,
+};
 
 #[test]
 fn a_work_of_adhesion_that_no_bodies_have_is_doubted() {
@@ -136,4 +132,36 @@ fn an_attraction_over_a_range_is_told_of_the_receding_work_too() {
         &told.join("; "),
         "work-of-adhesion-receding = 5.00e-2 J/m^2; Tabor",
     );
+}
+
+#[test]
+fn contacts_on_a_stiff_film_that_are_no_discs_or_bend_it_are_doubted() {
+    let film = |young: f64| solid(young, 0.3);
+    for (half_angle, young, depths, kinds) in [
+        // a/t is 0.3 to 1: by more than 3 from 0.55 on, and the film is bent by less than a tenth.
+        (89.6_f64, 1e9, [1e-8, 1.8e-7], &[WarningKind::NoDisc][..]),
+        (
+            70.0,
+            1e9,
+            [1e-7, 8e-6],
+            &[WarningKind::NoDisc, WarningKind::Bending],
+        ),
+        (89.6, 5e7, [1e-8, 1.8e-7], &[]),
+    ] {
+        let probe = Probe::Cone {
+            half_angle: half_angle.to_radians(),
+        };
+        let bodies = Bodies::Coated(rigid_probe(probe, film(young), 1e-6, film(1e6)));
+        let [from, to] = depths;
+        let depths = (0..20).map(|i| from + (to - from) * f64::from(i) / 19.0);
+        let mut plan = Experiment::new(measurement_at(Kind::LoadPenetration, depths), bodies);
+        plan.work_of_adhesion = 0.0;
+        let told = plan.broken_assumptions(Table::embedded()).expect("sound");
+        let told = told.iter().map(|one| one.kind);
+        let of_film =
+            |kind: &WarningKind| [WarningKind::NoDisc, WarningKind::Bending].contains(kind);
+        let mut told: Vec<WarningKind> = told.filter(of_film).collect();
+        told.reverse();
+        assert_eq!(told, kinds, "{half_angle} {young:e}");
+    }
 }

@@ -99,7 +99,7 @@ fn end_of_probe(to: f64) -> String {
     // The search ends just below the radius.
     let radius = format!("{to:.6e}").parse().unwrap_or(to);
     format!(
-        "is beyond {radius:?} m, where the contacts of this probe that are computed end; give a smaller value, \
+        "is above {radius:?} m, the widest contact of this probe that is computed; give a smaller value, \
          or check its unit and those of the probe"
     )
 }

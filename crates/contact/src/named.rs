@@ -19,7 +19,7 @@ macro_rules! named {
             /// All variants, in their order.
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$Variant),+];
 
-            /// Returns the name, as on the command line, in files, in JSON and in messages.
+            /// Returns the name of the variant.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$Variant => $name,)+

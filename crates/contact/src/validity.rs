@@ -78,22 +78,24 @@ pub struct FilmValidity {
     /// expansion is used, or there is an error.
     pub in_range: bool,
     /// The part of its thickness by which the contact without adhesion bends a film that is stiffer than its
-    /// substrate, `(delta0/t) (1 - S0/S)`, with `S0` as above; 0 for a softer film. A film that is bent is stretched, too, and the model
+    /// substrate, `(delta0/t) (1 - S0/S)`, with `S0` as above; 0 for a softer film, and where the curve does not
+    /// cover `a/t`. A film that is bent is stretched, too, and the model
     /// leaves out that this stiffens it: by the part `0.44 (w/t)^2` a clamped plate whose middle is pressed down by `w`
     /// (Timoshenko and Woinowsky-Krieger, *Theory of Plates and Shells*, 1959).
     pub bending: f64,
     /// Whether the contact without adhesion may be no disc, so that the loads are wrong: the film is so much stiffer than
-    /// the substrate that it bends as a plate. With the bending length `l = t (E1*/(6 E0*))^{1/3}`, and up to `a = 2 l`:
+    /// the substrate that it bends as a plate. With the bending length `l = t (E1*/(6 E0*))^{1/3}`:
     ///
-    /// - it touches the flank of the probe outside the disc, where `E1*` is above `150 E0*` and `a l` above `3 t^2`, under cones,
-    ///   powers below 1.5 and profiles. The loads are too small, of cones by up to 3 % where the film is 200 times as stiff as
-    ///   the substrate, 27 % where it is 1,000 times and by half where it is 10,000 times;
-    /// - it lifts off inside, where `E1*` is above `30 E0*` and `a` above `1.2 t`, under powers above 2, flat ends and
-    ///   profiles. The loads are too large, of `r^6` by up to 2 %.
+    /// - up to `a = 2 l` it touches the flank of the probe outside the disc, where `E1*` is above `150 E0*` and `a l` above
+    ///   `3 t^2`, under cones, powers below 1.5 and profiles. The true load of a cone is larger by up to 3 %, 28 % and 110 % on
+    ///   films 200, 1,000 and 10,000 times as stiff as the substrate;
+    /// - it lifts off inside, where `a` is above `1.2 t`: up to `a = 2 l` under powers above 2, flat ends and profiles where
+    ///   `E1*` is above `30 E0*`, and under a flat punch above `20 E0*`. The true load is smaller by up to 3.5 % (`r^6`), 6 %
+    ///   (`r^20`) and 8 % (flat punch).
     ///
-    /// The limits and errors are those of a program that lets the contact be any set of rings. The contact of a paraboloid is
+    /// The limits and errors are those of programs that let the contact be any set of rings. The contact of a paraboloid is
     /// a disc, and that of a sphere errs by 2e-4 at most.
-    pub lifts_off: bool,
+    pub no_disc: bool,
 }
 
 impl Validity {
@@ -270,7 +272,7 @@ impl Contact {
                     strain,
                     bending,
                     in_range,
-                    lifts_off: self.lifts_off(a, system),
+                    no_disc: self.no_disc(a, system),
                 })
             }
             None => None,
@@ -294,22 +296,25 @@ impl Contact {
         })
     }
 
-    /// Returns [`FilmValidity::lifts_off`] at contact radius `a` (m).
-    fn lifts_off(&self, a: f64, system: &System) -> bool {
-        // Whether the flank of the probe is nearly straight, and whether its end is flatter than a paraboloid.
-        let (straight, flat) = match *self.probe() {
-            Probe::Paraboloid { .. } | Probe::Sphere { .. } | Probe::FlatPunch { .. } => {
-                return false;
-            }
-            Probe::Cone { .. } | Probe::RoundedCone { .. } => (true, false),
-            Probe::PowerLaw { exponent, .. } => (exponent < 1.5, exponent > 2.0),
-            Probe::FlatEndedCone { .. } | Probe::Profile(_) => (true, true),
-        };
+    /// Returns [`FilmValidity::no_disc`] at contact radius `a` (m).
+    fn no_disc(&self, a: f64, system: &System) -> bool {
+        /// The part of a contact radius below which a flat end does not matter.
+        const SMALL_END: f64 = 0.2;
         let contrast = system.film.reduced() / system.substrate.reduced();
         let (a_over_t, bending_length) = (a / system.film_thickness, (contrast / 6.0).cbrt());
+        // Whether the flank of the probe at the edge is nearly straight, and whether its end is flatter than a paraboloid.
+        let (straight, flat) = match *self.probe() {
+            Probe::Paraboloid { .. } | Probe::Sphere { .. } => return false,
+            Probe::FlatPunch { .. } => return contrast > 20.0 && a_over_t > 1.2,
+            Probe::Cone { .. } => (true, false),
+            Probe::RoundedCone { radius, half_angle } => (a > radius / half_angle.tan(), false),
+            Probe::FlatEndedCone { radius, .. } => (true, radius > SMALL_END * a),
+            Probe::PowerLaw { exponent, .. } => (exponent < 1.5, exponent > 2.0),
+            Probe::Profile(_) => (true, true),
+        };
         let touches_outside = straight && contrast > 150.0 && a_over_t * bending_length > 3.0;
-        let lifts_inside = flat && contrast > 30.0 && a_over_t > 1.2;
-        a_over_t < 2.0 * bending_length && (touches_outside || lifts_inside)
+        let lifts_off_inside = flat && contrast > 30.0 && a_over_t > 1.2;
+        a_over_t < 2.0 * bending_length && (touches_outside || lifts_off_inside)
     }
 
     /// Returns [`Validity::shape`] of a sphere on a film; `None` where it is not known.

@@ -149,7 +149,7 @@ pub enum Error {
         /// The loss tangent.
         tangent: f64,
     },
-    /// A measurement to which no such model can be fitted.
+    /// A measurement that cannot be fitted with these bodies and settings.
     #[error("{experiment}: {reason}")]
     NotFitted {
         /// The name of the measurement.
@@ -218,7 +218,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error of an experiment to which no such model can be fitted.
+    /// The error of an experiment that cannot be fitted with its bodies and settings.
     pub(crate) fn not_fitted(experiment: &Experiment, reason: &'static str) -> Self {
         let experiment = experiment.measurement.name.clone();
         Self::NotFitted { experiment, reason }

@@ -267,7 +267,7 @@ impl Contact {
             fields.set_item(name, PyArray1::from_iter(py, column))
         };
         flag("in_range", |film| film.in_range)?;
-        flag("lifts_off", |film| film.lifts_off)?;
+        flag("no_disc", |film| film.no_disc)?;
         let neglected = PyDict::new(py);
         for (name, effect) in [
             ("sideways", Neglected::Sideways),

@@ -167,7 +167,7 @@ pub fn atomically(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> Re
 /// Returns the file that `path` leads to: the file behind a link is replaced, not the link.
 ///
 /// # Errors
-/// [`Error::Write`] naming `path`, if it exists and is not a file or is read-only, is a link to nothing, or a stream.
+/// [`Error::Write`] naming `path`, if it exists and is not a file, is read-only, is a link to nothing, or names a stream.
 pub fn behind_links(path: &Path) -> Result<PathBuf, Error> {
     target(path).map_err(write_error(path))
 }
@@ -185,7 +185,7 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     // A file of this name would replace the one to which standard output goes.
     if DESCRIPTORS.iter().any(|folder| path.starts_with(folder)) {
         return Err(io::Error::other(
-            "it is no file but a stream of the program; without -o the output goes to standard output",
+            "it is no file but a stream of the program; give the name of a file",
         ));
     }
     match path.canonicalize() {

@@ -9,14 +9,8 @@ use fit::{
 use interp::Table;
 
 use super::{at_radii, oxide};
-use crate::imagined::{fit_all, fitted, free_of, measurement_at, text};
+use crate::imagined::{fit_all, fitted, free_of, measurement_at, number_after, text};
 use crate::layers::{layer, on_layers};
-
-fn number_after(text: &str, words: &str) -> f64 {
-    let rest = text.split(words).nth(1).unwrap_or_else(|| panic!("{text}"));
-    let number = rest.split([' ', ',', '%']).next().expect("a word");
-    number.parse().unwrap_or_else(|_| panic!("{text}"))
-}
 
 /// Contacts of a fifth of the thickness of the top layer and of seven tenths of it.
 fn on_primer(depths: [f64; 2]) -> Experiment {

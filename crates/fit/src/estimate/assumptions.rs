@@ -139,15 +139,15 @@ fn add(
         .filter(|film| film.bending > Validity::WARNING_BENDING)
     {
         warnings.add(
-            WarningKind::LargeStrain,
+            WarningKind::Bending,
             format!(
-                "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness; \
-                 it is stretched then, too, and stiffer than the linear model has it: fit smaller contacts",
+                "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
+                 It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
                 film.bending
             ),
         );
     }
-    if validity.film.is_some_and(|film| film.lifts_off) {
+    if validity.film.is_some_and(|film| film.no_disc) {
         warnings.add(
             WarningKind::NoDisc,
             format!(

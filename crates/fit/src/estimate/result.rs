@@ -360,8 +360,10 @@ named! {
         LargeContact = "large-contact",
         /// An attraction whose range is not small: Tabor's parameter is below 5.
         LongRange = "long-range",
-        /// A film that is compressed, or a stiff one that is bent, by a large part of its thickness.
+        /// A film that is compressed by a large part of its thickness.
         LargeStrain = "large-strain",
+        /// A film stiffer than its substrate that is bent by a large part of its thickness.
+        Bending = "bending",
         /// A film so much stiffer than its substrate that the contact may be no disc.
         NoDisc = "no-disc",
         /// Friction, which may change the modulus by more than its standard error.

@@ -17,12 +17,20 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
         return;
     }
     for (fitted, assigned) in fit.experiments.iter().zip(&problem.assigned) {
-        let ratios = fitted
+        let experiment = &assigned.experiment;
+        let zero = if experiment.measurement.kind.names()[1] == "penetration" {
+            experiment.contact_point
+        } else {
+            experiment.load_offset + experiment.baseline
+        };
+        let in_contact = fitted
             .points
             .iter()
-            .filter_map(|point| Some(point.fit?.abs() / point.deviation));
+            .filter(|point| point.contact_radius.is_some());
+        let ratios =
+            in_contact.filter_map(|point| Some((point.fit? - zero).abs() / point.deviation));
         let deviations = error * ratios.fold(0.0, f64::max);
-        if matches!(assigned.experiment.bodies, Bodies::Coated(_)) && deviations > LARGE {
+        if matches!(experiment.bodies, Bodies::Coated(_)) && deviations > LARGE {
             warnings.add(
                 WarningKind::TableError,
                 format!(

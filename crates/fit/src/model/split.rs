@@ -84,8 +84,7 @@ impl KnownBaseline {
     /// Returns where a way with a flat end is split.
     ///
     /// The first contact is where two neighbours leave the baseline. Between it and the contact point a force rises from
-    /// the noise: it takes as far again until it is 3 times as large, or where the contact begins in tension until that is
-    /// largest.
+    /// the noise: it takes as far again until it is 3 times as large.
     pub fn flat_end(&self, readings: &[f64]) -> [usize; 2] {
         let count = readings.len();
         let Some([level, noise]) = self.level(&readings[count - tail(readings)..]) else {
@@ -96,13 +95,7 @@ impl KnownBaseline {
             let found = (1..count).rev().find(|&i| off(i, by) && off(i - 1, by));
             found.map_or(0, |i| i + 1)
         };
-        let contact_ends = leaves(NEAR);
-        let in_tension = readings[..contact_ends]
-            .iter()
-            .rev()
-            .take_while(|&&y| y < level);
-        let largest = in_tension.enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-        let clear = largest.map_or_else(|| leaves(3.0 * NEAR), |(back, _)| contact_ends - back);
+        let (contact_ends, clear) = (leaves(NEAR), leaves(3.0 * NEAR));
         let margin = 2 * contact_ends.saturating_sub(clear) + 1;
         [contact_ends, (contact_ends + margin).min(count)]
     }
@@ -129,21 +122,5 @@ mod tests {
             noise: 0.01,
         };
         assert_eq!(baseline.split(&readings), [200, 230]);
-    }
-
-    /// Two readings in tension above the noise are the end of the contact, and what is after them the baseline: not as many
-    /// readings more as the contact takes to a force of three times their size.
-    #[test]
-    fn a_short_tension_leaves_the_baseline() {
-        let contact = (0..30).rev().map(|i| f64::from(i) - 1.0);
-        let readings: Vec<f64> = contact.chain([-9.0, -8.0]).chain([0.0; 20]).collect();
-        let baseline = KnownBaseline {
-            level: 0.0,
-            level_is_free: true,
-            noise: 1.0,
-        };
-        let [contact_ends, begins] = baseline.split(&readings);
-        assert_eq!(contact_ends, 32);
-        assert!((33..=35).contains(&begins), "{begins}");
     }
 }

@@ -19,7 +19,7 @@ const LARGEST_EXPONENT: f64 = 20.0;
 /// Only the contact without adhesion depends on the shape: the load `F0(a)` and the penetration
 /// `delta0(a)`, which the crate `contact` computes. A film, a substrate and the elasticity of the probe
 /// enter as for a sphere. The shape is convex, so that the contact is one disc, but for one without adhesion
-/// on a film many times stiffer than its substrate, which may lift off inside: that is not modelled.
+/// on a film many times stiffer than its substrate, under which the contact may be no disc: that is not modelled.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Probe {
     /// The paraboloid `f = r^2/(2R)`, which JKR and Barthel's model put in place of a sphere.

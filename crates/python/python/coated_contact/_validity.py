@@ -63,10 +63,10 @@ class Validity(OneLine):
     in_range : bool, numpy.ndarray or None
         Whether a/t is between the nodes of the table or curve. Beyond them an expansion is used, or
         there is an error. None on a half-space.
-    lifts_off : bool, numpy.ndarray or None
+    no_disc : bool, numpy.ndarray or None
         Whether the contact without adhesion may be no disc: the film is so much stiffer than the
         substrate that it bends as a plate. Under a cone on a film more than 150 times as stiff it
-        touches the flank outside the disc; under a flat end on one more than 30 times as stiff it
+        touches the flank outside the disc; under a flat end on one more than 20 times as stiff it
         lifts off inside. That is not modelled, and the loads are wrong. None on a half-space.
     neglected : dict of str to bool or numpy.ndarray
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
@@ -85,7 +85,7 @@ class Validity(OneLine):
     strain: Any
     bending: Any
     in_range: Any
-    lifts_off: Any
+    no_disc: Any
     neglected: dict[str, Any]
     _contact: Contact = field(repr=False)
     _contact_radius: ArrayLike = field(repr=False)
@@ -236,7 +236,7 @@ def validity(
     neglected = found.pop("neglected")
     fields = {name: _plain(array.reshape(shape)) for name, array in found.items()}
     if isinstance(contact.system, HalfSpace):
-        of_film = ("a_over_t", "compressibility", "strain", "bending", "in_range", "lifts_off")
+        of_film = ("a_over_t", "compressibility", "strain", "bending", "in_range", "no_disc")
         fields.update(dict.fromkeys(of_film))
     return Validity(
         **fields,

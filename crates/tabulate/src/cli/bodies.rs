@@ -197,7 +197,7 @@ impl Bodies {
         if film.bending > Validity::WARNING_BENDING {
             note(&format!(
                 "The model is linear. Without adhesion, a contact of radius {a:.3e} m would press the film, which is stiffer \
-                 than what lies below it, down by {:.2} of its thickness; it is stretched then, too, and stiffer than here.",
+                 than what lies below it, down by {:.2} of its thickness. It is then also stretched, which makes it stiffer and is left out.",
                 film.bending
             ));
         }

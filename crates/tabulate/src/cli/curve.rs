@@ -123,15 +123,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         // Refuses too large a radius before any work.
         mechanics.edge_singularity(to, bodies.work_of_adhesion)?;
     }
-    let radii = if punch {
+    let [from, to] = if punch {
         // The only contact radius of a punch.
         [bodies.sphere_radius; 2]
     } else {
         [from, to]
     };
-    let states = States::new(arguments, &bodies, radii)?;
+    let states = States::new(arguments, &bodies, [from, to])?;
     let rows: Vec<Vec<f64>> = if punch {
-        vec![states.row(bodies.sphere_radius, &mechanics)?]
+        vec![states.row(to, &mechanics)?]
     } else {
         let bar = progress_bar(arguments.points as usize, "solving");
         let row = |i: u32| {
@@ -145,19 +145,17 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     given.name_example();
     bodies.note_large_contact(to);
-    if !punch {
-        let contact = match &states.source {
-            Source::Curve(contact) => Some(&**contact),
-            Source::Solves(slopes) => slopes.as_deref(),
-            Source::Range(_) => None,
-        };
-        bodies.note_strain(contact, to);
-        if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
-            note_no_disc(contact, [from, to]);
-        }
+    let contact = match &states.source {
+        Source::Curve(contact) => Some(&**contact),
+        Source::Solves(slopes) => slopes.as_deref(),
+        Source::Range(_) => None,
+    };
+    bodies.note_strain(contact, to);
+    if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
+        note_no_disc(contact, [from, to]);
     }
     if arguments.history.sticks()?.is_none() {
-        friction::note_size(&bodies, if punch { bodies.sphere_radius } else { to });
+        friction::note_size(&bodies, to);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let columns = [
@@ -184,15 +182,15 @@ fn note_no_disc(contact: &Contact, [from, to]: [f64; 2]) {
     const COUNT: i32 = 50;
     let ratio = (to / from).powf(1.0 / f64::from(COUNT));
     let mut radii = (0..=COUNT).map(|i| from * ratio.powi(i));
-    let lifts_off = |a: &f64| {
+    let no_disc = |a: &f64| {
         let film = contact.validity(*a).ok().and_then(|found| found.film);
-        film.is_some_and(|film| film.lifts_off)
+        film.is_some_and(|film| film.no_disc)
     };
-    if let Some(a) = radii.find(lifts_off) {
+    if let Some(a) = radii.find(no_disc) {
         note(&format!(
             "From a contact radius of about {a:.2e} m on, a contact without adhesion may be no disc: the film is so much \
              stiffer than what lies below it that it bends, touches the probe farther outside, or lifts off inside. This is \
-             not modelled, and the loads are wrong. Under a paraboloid and a sphere it is a disc."
+             not modelled, and the loads may be wrong. Under a paraboloid and a sphere it is a disc."
         ));
     }
 }

@@ -204,13 +204,13 @@ impl HistoryArguments {
         let system = &bodies.system;
         let (receding, ratio) = self.works(bodies.work_of_adhesion)?;
         let reach = reach(bodies);
+        let sticking = sticking(bodies, nu2)?;
         anyhow::ensure!(
             to <= reach * (1.0 + f64::EPSILON),
             "contact radius = {to:?} m: with --friction stick contacts are solved up to {MOST_OF_TIP} times the thickness of \
              the film or top layer; give --to {reach:?} or less"
         );
         let range = [from, to].map(|a| a / system.film_thickness);
-        let sticking = sticking(bodies, nu2)?;
         let curves = within(tolerance, tolerance.unwrap_or(TOLERANCE), |tolerance| {
             StickCurves::new(&sticking, range, tolerance)
         })?;

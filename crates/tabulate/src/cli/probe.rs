@@ -1,6 +1,5 @@
 //! The shape of the probe, as the command line gives it.
 
-use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -102,12 +101,6 @@ impl ProbeArguments {
                     "--half-angle {degrees:?}: it must be between 0 and 90 degrees, the angle \
                      between the axis and the flank"
                 );
-                ensure!(
-                    degrees > FRAC_PI_2,
-                    "--half-angle {degrees:?} is in degrees, and no cone is so sharp: {degrees:?} rad are {:.4} \
-                     degrees, which were probably meant",
-                    degrees.to_degrees()
-                );
                 degrees.to_radians()
             }
             None => 0.0,
@@ -165,8 +158,14 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
                     heading::named(r, Dimension::Length)?,
                     heading::named(z, Dimension::Length)?,
                 ];
+                let first = |name: &str| {
+                    name.split([' ', '_', '-', '/'])
+                        .next()
+                        .unwrap_or_default()
+                        .to_owned()
+                };
                 ensure!(
-                    of_r != "z" || of_z != "r",
+                    first(&of_r) != "z" || first(&of_z) != "r",
                     "line {}: the columns are z and r: exchange them, r comes first",
                     i + 1
                 );

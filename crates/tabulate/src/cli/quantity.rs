@@ -1,5 +1,7 @@
 //! Numbers with a unit, as the command line gives them: `30um`, `70GPa`, or `3e-5` in SI units.
 
+use std::f64::consts::FRAC_PI_2;
+
 use units::{Dimension, Quantity};
 
 /// Reads a length.
@@ -17,10 +19,16 @@ pub fn force_per_length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::ForcePerLength))
 }
 
-/// Reads an angle in degrees.
+/// Reads an angle in degrees. A number without a unit that may be one in radians is refused.
 pub fn degrees(text: &str) -> Result<f64, String> {
     let angle = any(text)?;
     match angle.dimension {
+        None if angle.value > 0.0 && angle.value <= FRAC_PI_2 => Err(format!(
+            "{0:?} is in degrees, and no probe is so sharp: write {0:?}rad if radians are meant, which are {1:.4} degrees, \
+             or {0:?}deg",
+            angle.value,
+            angle.value.to_degrees()
+        )),
         None => Ok(angle.value),
         Some(Dimension::Angle) => Ok(angle.value.to_degrees()),
         Some(found) => Err(format!(

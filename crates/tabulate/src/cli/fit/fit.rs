@@ -183,7 +183,7 @@ pub struct Arguments {
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
     /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
-    /// own is a list, with null for a file that has none. With --intervals each parameter has an "interval". An infinite number is the text
+    /// own is a list, with null, which has no row of the correlation, for a file that has none. With --intervals each parameter has an "interval". An infinite number is the text
     /// "inf" or "-inf", and one that is not known null.
     #[arg(long)]
     json: bool,

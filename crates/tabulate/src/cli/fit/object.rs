@@ -22,7 +22,7 @@ pub struct FitObject<'a> {
     parameters: Estimates<'a>,
     /// Young's modulus of the sphere, where its Poisson ratio is given.
     #[serde(skip_serializing_if = "Option::is_none")]
-    sphere_young_modulus: Option<OneOrAll<EstimateObject>>,
+    sphere_young_modulus: Option<OneOrAll<Option<EstimateObject>>>,
     /// In the order of `parameters`, the values of one parameter one after another.
     correlation: Vec<Vec<Number>>,
     /// Null where a noise was estimated from the residuals.
@@ -175,18 +175,26 @@ impl Serialize for Estimates<'_> {
         }
         serializer.collect_map(parameters.into_iter().map(|parameter| {
             let of = self.all.iter().filter(|found| found.parameter == parameter);
-            let mut objects: Vec<Option<EstimateObject>> = Vec::new();
-            for found in of {
-                if let Some(file) = found.experiment {
-                    objects.resize_with(self.files.max(file + 1), || None);
-                    objects[file] = Some(EstimateObject::new(found));
-                } else {
-                    objects.push(Some(EstimateObject::new(found)));
-                }
-            }
+            let objects = by_file(of, self.files, EstimateObject::new);
             (parameter.identifier(), OneOrAll(objects))
         }))
     }
+}
+
+/// Returns objects of the estimates of one parameter: one, or with null one for each file where files have their own.
+fn by_file<'a>(
+    estimates: impl Iterator<Item = &'a Estimate>,
+    files: usize,
+    object: impl Fn(&Estimate) -> EstimateObject,
+) -> Vec<Option<EstimateObject>> {
+    let mut objects = Vec::new();
+    for found in estimates {
+        let place = found.experiment.unwrap_or(0);
+        let length = if found.experiment.is_some() { files } else { 1 };
+        objects.resize_with(length.max(place + 1), || None);
+        objects[place] = Some(object(found));
+    }
+    objects
 }
 
 impl EstimateObject {
@@ -291,13 +299,15 @@ impl FixedValueObject {
 
 /// Returns Young's modulus of the sphere, if its Poisson ratio is given and its reduced modulus was
 /// found.
-fn young_of_sphere(fit: &Fit, experiments: &[Experiment]) -> Option<OneOrAll<EstimateObject>> {
+fn young_of_sphere(
+    fit: &Fit,
+    experiments: &[Experiment],
+) -> Option<OneOrAll<Option<EstimateObject>>> {
     let poisson = experiments.first()?.sphere_poisson_ratio?;
     let of_sphere = |found: &&Estimate| found.parameter == Parameter::SphereModulus;
+    let young = |found: &Estimate| EstimateObject::new(&found.young_of_sphere(poisson));
     let found = fit.estimates.iter().filter(of_sphere);
-    let objects: Vec<EstimateObject> = found
-        .map(|found| EstimateObject::new(&found.young_of_sphere(poisson)))
-        .collect();
+    let objects = by_file(found, experiments.len(), young);
     (!objects.is_empty()).then_some(OneOrAll(objects))
 }
 

@@ -87,15 +87,11 @@ impl Program {
         let header = reader.header()?;
         let (mut times, mut found) = (Vec::new(), Vec::new());
         for (i, text) in header.iter().enumerate() {
-            if let Ok((name, unit)) = heading::named(text, Dimension::Time)
-                && name == "time"
-            {
+            if let Some(unit) = unit_of(text, "time", Dimension::Time)? {
                 times.push((i, unit));
             }
             for imposed in Imposed::ALL {
-                if let Ok((name, unit)) = heading::named(text, imposed.dimension())
-                    && name == imposed.name()
-                {
+                if let Some(unit) = unit_of(text, imposed.name(), imposed.dimension())? {
                     found.push((i, unit, imposed));
                 }
             }
@@ -143,6 +139,16 @@ impl Program {
         }
         ensure!(!points.is_empty(), "it holds no points");
         Ok(Self { imposed, points })
+    }
+}
+
+/// Returns the size of the unit in a heading of this name; `None` for the heading of another column.
+fn unit_of(heading: &str, name: &str, dimension: Dimension) -> anyhow::Result<Option<f64>> {
+    let before_brackets = heading.split(['[', '(']).next().unwrap_or_default();
+    match heading::named(heading, dimension) {
+        Ok((found, unit)) => Ok((found == name).then_some(unit)),
+        Err(error) if before_brackets.trim().eq_ignore_ascii_case(name) => Err(error),
+        Err(_) => Ok(None),
     }
 }
 
