@@ -26,7 +26,7 @@ pub struct BodiesArguments {
     #[arg(
         long,
         value_name = "STACK.toml|TABLE",
-        help = format!("{}. It replaces film and substrate", stack_file::HELP),
+        help = format!("{}. It replaces film and substrate; the probe is a paraboloid or a flat punch", stack_file::HELP),
         value_hint = ValueHint::FilePath,
         conflicts_with_all = [
             "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",

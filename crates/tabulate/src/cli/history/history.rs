@@ -59,7 +59,7 @@ pub struct Arguments {
     relaxation: RelaxationArguments,
     /// What is imposed: `penetration`, `load` or `height` and points time:value, joined by straight
     /// lines, for example "penetration 0:0 1:1um 2:0"; or a CSV file with the columns time and one of
-    /// these. Times are in seconds, or have a unit. The height is minus that of `fit`: the distance by which the base
+    /// these, in SI units or with units in cells or headings, time [ms]. The height is minus that of `fit`: the distance by which the base
     /// of the cantilever has moved towards the sample since the first touch, penetration + load/stiffness
     #[arg(short, long, value_name = "TEXT|FILE")]
     program: String,
