@@ -189,7 +189,7 @@ pub(super) fn pass_on(fit: &mut Fit) {
     {
         estimate.standard_error = errors[i];
         for (j, entry) in row.iter_mut().enumerate() {
-            *entry = covariance[i][j] / (errors[i] * errors[j]);
+            *entry = (covariance[i][j] / (errors[i] * errors[j])).clamp(-1.0, 1.0);
         }
     }
 }

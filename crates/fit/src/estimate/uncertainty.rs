@@ -120,7 +120,9 @@ impl Uncertainty {
     pub fn correlation(&self) -> Vec<Vec<f64>> {
         let count = self.sizes.len();
         let entry = |i: usize, j: usize| {
-            self.covariance[(i, j)] / (self.relative_error(i) * self.relative_error(j))
+            let ratio = self.covariance[(i, j)] / (self.relative_error(i) * self.relative_error(j));
+            // Rounded, it may be beyond 1.
+            ratio.clamp(-1.0, 1.0)
         };
         (0..count)
             .map(|i| (0..count).map(|j| entry(i, j)).collect())

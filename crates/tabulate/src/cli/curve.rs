@@ -273,7 +273,10 @@ impl<'a> States<'a> {
         } else if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
         } else if let Some(name) = &arguments.table {
-            Source::Curve(Box::new(Contact::in_table(name.read()?.as_ref(), system)?))
+            Source::Curve(Box::new(Contact::in_table(
+                name.read_for_contacts()?.as_ref(),
+                system,
+            )?))
         } else if let Some(layers) = &bodies.stack {
             ensure!(
                 arguments.tolerance.is_none() || matches!(layers, Layers::Text(_)),

@@ -144,7 +144,7 @@ type PullOff = (Contact, State);
 fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
     match &arguments.table {
         Some(name) => {
-            let contact = Contact::in_table(name.read()?.as_ref(), &bodies.system)?;
+            let contact = Contact::in_table(name.read_for_contacts()?.as_ref(), &bodies.system)?;
             let state = contact.pull_off(bodies.work_of_adhesion, control);
             if let Err(
                 error @ Error::OutsideRadii {

@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.output.as_deref(),
         [Some(&arguments.points), arguments.table.path()],
     )?;
-    let table = arguments.table.read()?;
+    let table = arguments.table.read_for_contacts()?;
     let nu0 = match table.description().nu0 {
         SubstratePoissonRatio::Fixed(nu0) => nu0,
         SubstratePoissonRatio::Paired => DEFAULT_NU0,

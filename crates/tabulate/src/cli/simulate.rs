@@ -230,7 +230,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     arguments.known.relaxing.ask(&experiments[0], &given)?;
     forget_shapes(&mut experiments, &free);
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;
-    let table = arguments.table.read()?;
+    let table = arguments.table.read_for_contacts()?;
     if arguments.expect {
         check_units(&arguments.units, &free)?;
         let expected = forecast(&table, &experiments, &free)?;

@@ -77,7 +77,12 @@ impl TableName {
         } else {
             open_hdf5
         };
-        let table = read(path)?;
+        Ok(Cow::Owned(read(path)?))
+    }
+
+    /// Reads the table for contacts: notes on standard error that it misses its tolerance.
+    pub fn read_for_contacts(&self) -> anyhow::Result<Cow<'static, Table>> {
+        let table = self.read()?;
         let description = table.description();
         if description.certificate.max_error > description.tolerance {
             note(&format!(
@@ -86,7 +91,7 @@ impl TableName {
                 description.tolerance, description.certificate.max_error
             ));
         }
-        Ok(Cow::Owned(table))
+        Ok(table)
     }
 
     /// Describes a file that cannot be read. Its name may be the word for the compiled table, spelled

@@ -450,7 +450,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .with_context(|| experiment.measurement.name.clone())
             .map_err(|error| with_doubts(error, &experiments, &notes))?;
     }
-    let table = arguments.table.read()?;
+    let table = arguments.table.read_for_contacts()?;
     let table: &Table = &table;
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),

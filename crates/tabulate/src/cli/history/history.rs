@@ -209,7 +209,7 @@ impl Arguments {
             self.follow(history, control, program, times)
         };
         if let Some(name) = &self.table {
-            let contact = Contact::in_table(name.read()?.as_ref(), system)?;
+            let contact = Contact::in_table(name.read_for_contacts()?.as_ref(), system)?;
             let rigid = rigid.map(|rigid| {
                 Contact::in_table(name.read()?.as_ref(), &rigid).map_err(anyhow::Error::from)
             });
