@@ -72,8 +72,8 @@ class Validity(OneLine):
         Which neglected effects are larger than the difference between a sphere and its paraboloid:
         ``sideways`` (the displacement sideways; under other probes where it is above 0.1 %),
         ``elastic_probe`` (an elastic probe is no half-space; above an a/R and a share of 0.1),
-        ``strain`` (above 0.1) and ``bending`` (above 0.3). While there is one, ``Sphere`` in place of ``Paraboloid`` gains
-        nothing for loads at given penetrations.
+        ``strain`` (above 0.1) and ``bending`` (above 0.3). While there is one, ``Sphere`` in place
+        of ``Paraboloid`` gains nothing for loads at given penetrations.
     """
 
     a_over_r: Any
