@@ -227,16 +227,8 @@ fn contacts_outside_the_model_are_warned_of() {
         "reaches 2.75; half angle 20 degrees",
     );
     // A hard and weakly adhesive contact: mu = (20e-9 (1e-3/5e10)^2/(3e-10)^3)^(1/3) = 0.07.
-    let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
-    hard.truth.bodies = Bodies::Coated(rigid_probe(
-        Probe::Paraboloid { radius: 20e-9 },
-        solid(5e10, 0.2),
-        1e-7,
-        solid(2e11, 0.2),
-    ));
+    let mut hard = Imagined::hard();
     hard.truth.work_of_adhesion = 0.05;
-    hard.radii = [0.8e-9, 2e-9];
-    hard.noise = 1e-11;
     assert_warns(
         &hard.fit(1),
         WarningKind::LongRange,

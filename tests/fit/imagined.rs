@@ -187,6 +187,20 @@ impl Imagined {
         }
     }
 
+    /// A hard contact of some nanometres, whose attraction is not short.
+    pub fn hard() -> Self {
+        let mut hard = Self::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
+        hard.truth.bodies = Bodies::Coated(rigid_probe(
+            Probe::Paraboloid { radius: 20e-9 },
+            solid(5e10, 0.2),
+            1e-7,
+            solid(2e11, 0.2),
+        ));
+        hard.radii = [0.8e-9, 2e-9];
+        hard.noise = 1e-11;
+        hard
+    }
+
     /// A force curve of a colloidal probe on a gel.
     pub fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Self {
         let bodies = Bodies::Coated(gel());

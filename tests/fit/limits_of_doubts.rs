@@ -108,16 +108,8 @@ fn the_scatter_at_large_loads_is_told_beside_that_at_small_ones() {
 
 #[test]
 fn an_attraction_over_a_range_is_told_of_the_receding_work_too() {
-    let mut hard = Imagined::lens(Kind::LoadPenetration, 1e-6, 1e-9, &[LENS[1]]);
-    hard.truth.bodies = Bodies::Coated(rigid_probe(
-        Probe::Paraboloid { radius: 20e-9 },
-        solid(5e10, 0.2),
-        1e-7,
-        solid(2e11, 0.2),
-    ));
+    let mut hard = Imagined::hard();
     hard.truth.work_of_adhesion = 0.0;
-    hard.radii = [0.8e-9, 2e-9];
-    hard.noise = 1e-11;
     let mut planned = hard.planned();
     planned.work_of_adhesion_receding = Some(0.05);
     let told = planned

@@ -4,9 +4,7 @@ use std::path::{Path, PathBuf};
 
 use ::fit::data::{Cantilever, Column, Doubt, Format, Notes, Segments};
 use ::fit::report::{UnitOf, report};
-use ::fit::{
-    Direction, Experiment, Fit, Fixed, Kind, Loss, Options, Parameter, Scope, WarningKind,
-};
+use ::fit::{Direction, Experiment, Fixed, Kind, Loss, Options, Parameter, Scope};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::ValueHint;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -16,6 +14,7 @@ use units::{Dimension, Quantity};
 use super::experiments::{KnownArguments, TWO_WORKS, is_work};
 use super::free::FreeArguments;
 use super::indentation::{Noise, ReferenceArguments};
+use super::next_steps::{further_doubts, next_steps};
 use super::picture::PictureArguments;
 use super::reading::{doubted, measured, typed, with_doubts};
 use super::setting::{Given, Values, check_units, unit_of};
@@ -246,55 +245,6 @@ impl Arguments {
             keep_pauses: self.known.relaxing.is_given(),
         }
     }
-}
-
-/// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
-fn further_doubts(fit: &Fit, timed: bool) -> String {
-    let others = fit.warnings.iter();
-    let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
-    let texts: String = others
-        .map(|warning| format!("\nwarning: {}", warning.text))
-        .collect();
-    format!("{texts}\n{}", next_steps(fit, timed))
-        .trim_end()
-        .to_owned()
-}
-
-/// Returns the flags that follow from the warnings, a line each.
-fn next_steps(fit: &Fit, timed: bool) -> String {
-    let steps = [
-        (
-            WarningKind::Saturated,
-            "points of a saturated detector: let their lines begin with #",
-        ),
-        (
-            WarningKind::NoiseNotSeen,
-            "the noise of the ordinates: --noise 2uN, or a column of it",
-        ),
-        (
-            WarningKind::UnequalNoise,
-            "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; a noise that differs from \
-             point to point: a column of it, such as `load error [mN]`",
-        ),
-        (
-            WarningKind::Hysteresis,
-            "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
-             (points without a direction: --segments split)",
-        ),
-        (
-            WarningKind::Plasticity,
-            "what remains after unloading: keep the rows of unloading above half of the largest \
-             load, and --only retract --free film-modulus,contact-point",
-        ),
-    ];
-    let in_time = (
-        WarningKind::Hysteresis,
-        "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
-         fractional-zener (see `tabulate fit --help`)",
-    );
-    let steps = steps.iter().chain(timed.then_some(&in_time));
-    let steps = steps.filter(|(kind, _)| fit.warns_of(*kind));
-    steps.map(|(_, step)| format!("{step}\n")).collect()
 }
 
 /// Accepts a file to write, if one is asked for.

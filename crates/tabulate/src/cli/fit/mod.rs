@@ -8,6 +8,7 @@ pub mod experiments;
 mod fit;
 pub mod free;
 pub mod indentation;
+mod next_steps;
 pub mod object;
 mod picture;
 pub mod reading;
