@@ -323,3 +323,58 @@ fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
     let message = workdir.fail(1, &fixed);
     assert_names(&message, &["reduced modulus", "--free sphere-modulus"]);
 }
+
+/// Two spheres of different radii, one a wide contact on layers, and each value of the bodies that a file may have of
+/// its own.
+#[test]
+fn each_file_may_have_a_sphere_and_a_substrate_of_its_own() {
+    let workdir = workdir!();
+    let film = "--film-thickness 1um --film-modulus 3.5MPa --film-poisson-ratio 0.5 --sphere-modulus 2MPa \
+         --work-of-adhesion 40mJ/m^2 --substrate-poisson-ratio 0.25";
+    for (file, radius, substrate) in [("small.csv", "1mm", "70GPa"), ("large.csv", "3mm", "3MPa")] {
+        workdir.succeed(format!(
+            "simulate {film} --sphere-radius {radius} --substrate-modulus {substrate} --kind load-radius --from 10um \
+             --to 60um --noise 10nN -o {file}"
+        ));
+    }
+    let both =
+        format!("fit small.csv large.csv {film} --free sphere-modulus,work-of-adhesion --value");
+    let own = "sphere-radius=1mm,3mm --value substrate-modulus=70GPa,3MPa";
+    let found = workdir.json(format!("{both} {own} --json"));
+    assert_estimate(&found, "sphere_modulus", 2e6, 1e4);
+    assert_estimate(&found, "work_of_adhesion", 0.04, 1e-3);
+    let report = workdir.succeed(format!("{both} {own}"));
+    assert_names(&report, &["sphere-radius             1 mm, 3 mm"]);
+
+    let common = format!("{both} substrate-modulus=70GPa,3MPa");
+    workdir.refuses(format!(
+        "2 | {both} sphere-radius=1mN,3mm | a length is wanted
+         2 | {both} sphere-radii=1mm,3mm | is not a parameter
+         1 | {common} --value sphere-radius=1mm,2mm,3mm | --value sphere-radius: 3 values for 2 files; give one
+         1 | {common} --value sphere-radius=1mm,-3mm | sphere-radius of large.csv = -0.003; above 0
+         1 | {common} --value sphere-radius=1,3 | 1 mm, 1 um or 1 nm was probably meant
+         1 | {common} --value sphere-radius=1mm,3mm --value sphere-radius=1mm | given twice
+         1 | {common} --value sphere-radius=1mm,3mm --known sphere-radius=1mm+-1um | one quantity twice
+         1 | {common} --value sphere-radius=1mm,3mm --probe cone --half-angle 70 | left out: the probe has no radius"
+    ));
+
+    // The contact is wider than the sphere of the paper's example, which stands in before the value is read.
+    workdir.write(
+        "gel.toml",
+        "base = { young_modulus = 70e9, poisson_ratio = 0.25 }\n[[layers]]\nname = \"gel\"\nyoung_modulus = 3.5e6\n\
+         poisson_ratio = 0.5\nthickness = 1e-3\n",
+    );
+    let gel = "--stack gel.toml --sphere-modulus inf --work-of-adhesion 50mJ/m^2";
+    workdir.run(format!(
+        "simulate {gel} --sphere-radius 20mm --kind load-radius --from 200um --to 2mm --noise 1uN -o wide.csv"
+    ));
+    for radius in [
+        "--value sphere-radius=20mm",
+        "--known sphere-radius=20mm+-1nm",
+    ] {
+        let found = workdir.json(format!(
+            "fit wide.csv {gel} --free gel.modulus {radius} --json"
+        ));
+        assert_estimate(&found, "gel.modulus", 3.5e6, 1e4);
+    }
+}

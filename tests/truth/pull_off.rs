@@ -268,7 +268,7 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
 #[test]
 fn no_state_is_lower_than_the_pull_off() {
     const STEP: f64 = 0.04;
-    let mut without_contact = 0;
+    let (mut scanned, mut without_contact) = (0, 0);
     for seed in 1000..1000 + cases(20) {
         let case = random(seed, [1e-2, 10.0]);
         let cohesive = case.cohesive();
@@ -302,13 +302,16 @@ fn no_state_is_lower_than_the_pull_off() {
             lowest < value + 2e-3 * value.abs(),
             "{seed}: {value:e}, {lowest:e}"
         );
+        scanned += 1;
     }
+    assert!(2 * scanned > cases(20), "{scanned}");
     assert!(without_contact > 0);
 }
 
 /// All lengths a thousand times as large at the same moduli, and a film in two halves.
 #[test]
 fn scales_and_a_divided_film_change_nothing() {
+    let mut compared = 0;
     for seed in 2000..2012 {
         let case = random(seed, [1e-3, 3.0]);
         let Ok(found) = case.cohesive().pull_off(case.control) else {
@@ -350,7 +353,9 @@ fn scales_and_a_divided_film_change_nothing() {
             .unwrap_or_else(|e| panic!("{seed}: {e}"));
         let divided = case.imposed(&divided) / case.imposed(&found) - 1.0;
         assert!(divided.abs() < 1e-9, "{seed}: {divided:e}");
+        compared += 1;
     }
+    assert!(compared >= 6, "{compared}");
 }
 
 /// Two different layers, from a thick to a thin stack under one sphere.

@@ -27,6 +27,7 @@ use std::env;
 use std::io::{Write, stderr, stdout};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
+use std::thread;
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
@@ -121,9 +122,14 @@ fn table(args: &[String]) -> Result<(), String> {
 fn test(args: &[String]) -> Result<(), String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
+    let environment = if args.is_empty() {
+        fetched_while_compiled()?
+    } else {
+        environment_of_tests()?
+    };
     let mut cargo = hdf5::cargo(&command)?;
     cargo
-        .envs(environment_of_tests()?)
+        .envs(environment)
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
     succeed(&mut cargo)?;
     if args.is_empty() {
@@ -131,6 +137,18 @@ fn test(args: &[String]) -> Result<(), String> {
     } else {
         Ok(())
     }
+}
+
+/// Compiles all tests while it fetches what they need, and returns [`environment_of_tests`].
+fn fetched_while_compiled() -> Result<Vec<(&'static str, PathBuf)>, String> {
+    let fetching = thread::spawn(|| {
+        let environment = environment_of_tests()?;
+        python_tests::fetch()?;
+        Ok(environment)
+    });
+    let compiled = python_tests::compile();
+    let fetched = fetching.join().expect("fetching does not panic");
+    compiled.and(fetched)
 }
 
 /// Returns the environment that tells the tests in Rust where their packages of Python are, and where

@@ -38,14 +38,7 @@ pub fn of_wheel() -> Result<(), String> {
 /// Puts the package together as it stands in the workspace, with the module that is compiled for the
 /// tests, and returns the folder that holds it, for `PYTHONPATH`.
 pub fn package() -> Result<PathBuf, String> {
-    // With the tests, whose dependencies have more features.
-    succeed(&mut hdf5::cargo(&[
-        "build",
-        "--release",
-        "--workspace",
-        "--lib",
-        "--tests",
-    ])?)?;
+    compile()?;
     let folder = workspace::target()?.join("python");
     let package = folder.join("coated_contact");
     workspace::clear(&package)?;
@@ -53,6 +46,12 @@ pub fn package() -> Result<PathBuf, String> {
     let module = workspace::target()?.join("release/lib_core.so");
     copy(&module, &package.join("_core.abi3.so"))?;
     Ok(folder)
+}
+
+/// Compiles the module and all tests, whose dependencies have more features than those of the module alone.
+pub fn compile() -> Result<(), String> {
+    let build = ["build", "--release", "--workspace", "--lib", "--tests"];
+    succeed(&mut hdf5::cargo(&build)?)
 }
 
 /// Returns whether there is a python3 for the tests; says so where there is none.

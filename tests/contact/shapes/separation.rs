@@ -61,7 +61,7 @@ fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
     );
 
     let mut contacts = Contacts::new(47);
-    let (t, mut count) = (1e-6, 0);
+    let (t, mut count, mut counted) = (1e-6, 0, 0);
     for case in 0..160 {
         let film = solid(contacts.log_uniform(1e3, 1e11), contacts.uniform(0.0, 0.5));
         let substrate = solid(film.young() * contacts.log_uniform(1e-5, 1e6), 0.3);
@@ -139,8 +139,9 @@ fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
             rises.count(),
             "{probe:?} on {film:?} on {substrate:?}, {w}, {control:?} at {value}"
         );
+        counted += 1;
     }
-    assert!(count > 100, "{count}");
+    assert!(count > 100 && counted > 100, "{count}, {counted}");
 }
 
 /// Maugis, Langmuir 11, 679 (1995): JKR with the exact sphere.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use interp::{Elastic, Probe};
 
-use super::{Bodies, Experiment, LayerName, NamedLayer, Parameter};
+use super::{Bodies, Experiment, LayerName, NamedLayer, Parameter, Reach};
 use crate::Error;
 use units::Dimension;
 
@@ -190,7 +190,8 @@ impl Experiment {
         }
     }
 
-    /// Replaces a value that a fit takes as given.
+    /// Replaces a value that a fit takes as given. The contacts on layers are then needed as far as they are under the
+    /// new radius of the probe ([`Reach::of`]).
     ///
     /// # Errors
     /// [`Error::Setting`] for a value that the measurement does not have; [`Error::Contact`] for a
@@ -199,11 +200,22 @@ impl Experiment {
         if let Fixed::Parameter(parameter) = one {
             return self.set(parameter, value);
         }
-        if self.value_of(one).is_none() {
-            let allowed = "of bodies that have it: check its name";
-            return Err(self.wrong_setting(one.name(), value, allowed));
+        let wrong = |allowed: &'static str| Err(self.wrong_setting(one.name(), value, allowed));
+        match (one, self.value_of(one)) {
+            (Fixed::SphereRadius, None) => {
+                return wrong("left out: the probe has no radius");
+            }
+            (Fixed::SphereRadius, _) if value.is_nan() || value <= 0.0 => {
+                return wrong("above 0");
+            }
+            (_, None) => return wrong("of bodies that have it: check its name"),
+            _ => {}
         }
-        Ok(self.replace_fixed(one, value)?)
+        self.replace_fixed(one, value)?;
+        if let (Fixed::SphereRadius, Bodies::Layered(layered)) = (one, &mut self.bodies) {
+            layered.reach = Reach::of(&self.measurement, &layered.probe);
+        }
+        Ok(())
     }
 
     /// Replaces a value that is there.

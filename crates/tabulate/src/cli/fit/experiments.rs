@@ -37,9 +37,9 @@ pub struct KnownArguments {
     /// Stiffness of the cantilever, N/m
     #[arg(long, value_name = "N/m", value_parser = force_per_length, allow_hyphen_values = true)]
     pub stiffness: Option<f64>,
-    /// Value of a parameter, in SI units or with its unit: the fixed value, or where the fit starts
-    /// if the parameter is free. NAME=VALUE,VALUE,... gives each file its own. It goes before the flag of the same
-    /// name
+    /// Value of a parameter, of sphere-radius, substrate-modulus or substrate-poisson-ratio, in SI units or with
+    /// its unit: the fixed value, or where the fit starts if the parameter is free. NAME=VALUE,VALUE,... gives each
+    /// file its own. It goes before the flag of the same name
     #[arg(long = "value", value_name = "NAME=VALUE")]
     pub values: Vec<Values>,
     #[command(flatten)]
@@ -52,8 +52,8 @@ impl KnownArguments {
     /// Lists the values of the bodies that neither a flag nor a --value gives, and that are needed.
     fn missing(&self) -> Vec<Value> {
         let mut missing = self.bodies.missing(self.half_space);
-        let of = |parameter| self.values.iter().rfind(|set| set.parameter == parameter);
-        missing.retain(|value| parameter(*value, self.layer()).and_then(of).is_none());
+        let given = |quantity| self.values.iter().any(|set| set.quantity == quantity);
+        missing.retain(|value| !given(fixed(*value, self.layer())));
         if self.relaxing.is_given() {
             missing.retain(|value| *value != Value::WorkOfAdhesion);
         }
@@ -127,8 +127,8 @@ impl KnownArguments {
     /// are flags, because the ratio of the two belongs to the contact.
     fn accept_two_works(&self) -> anyhow::Result<()> {
         let system = &self.bodies.system;
-        let value = self.values.iter().find(|one| is_work(one.parameter));
-        if let Some(Values { parameter, .. }) = value {
+        let mut parameters = self.values.iter().filter_map(Values::parameter);
+        if let Some(parameter) = parameters.find(|one| is_work(*one)) {
             bail!("--value {parameter}: {TWO_WORKS}");
         }
         ensure!(
@@ -149,10 +149,10 @@ impl KnownArguments {
             ensure!(
                 self.values[..i]
                     .iter()
-                    .all(|before| before.parameter != one.parameter),
+                    .all(|before| before.quantity != one.quantity),
                 "--value {} is given twice: leave one out, or give one value for each file, \
                  NAME=VALUE,VALUE",
-                one.parameter
+                one.quantity.name()
             );
         }
         let bodies::Bodies {
@@ -218,10 +218,11 @@ impl KnownArguments {
             }
         };
         let files = measurements.len();
-        for Values { parameter, values } in &self.values {
+        for Values { quantity, values } in &self.values {
             ensure!(
                 values.len() == 1 || values.len() == files,
-                "--value {parameter}: {} values for {files} files; give one, or one for each file",
+                "--value {}: {} values for {files} files; give one, or one for each file",
+                quantity.name(),
                 values.len()
             );
         }
@@ -240,11 +241,11 @@ impl KnownArguments {
             {
                 experiment.work_of_adhesion = work;
             }
-            for Values { parameter, values } in &self.values {
+            for Values { quantity, values } in &self.values {
                 let value = values.get(i).unwrap_or(&values[0]);
                 experiment
-                    .set(*parameter, *value)
-                    .with_context(|| format!("--value {parameter}={value:?}"))?;
+                    .set_fixed(*quantity, *value)
+                    .with_context(|| format!("--value {}={value:?}", quantity.name()))?;
             }
             Ok(experiment)
         };
@@ -259,12 +260,15 @@ impl KnownArguments {
         {
             accept_no_shape(&self.bodies.system)?;
         }
-        for Values { parameter, values } in &self.values {
+        for one in &self.values {
+            let Some(parameter) = one.parameter() else {
+                continue;
+            };
             let mut reasons = experiments
                 .iter()
-                .map(|one| one.why_without_effect(*parameter));
+                .map(|one| one.why_without_effect(parameter));
             // An infinite modulus is a value, though no parameter that can be found.
-            if values.iter().all(|value| value.is_finite())
+            if one.values.iter().all(|value| value.is_finite())
                 && let Some(reason) = reasons.next().flatten()
                 && reasons.all(|reason| reason.is_some())
             {

@@ -73,7 +73,7 @@ const MANY_FILES: usize = 100;
 /// Which points are in contact is read from the data: points up to the jump of pull-off are in
 /// contact, those after it are the baseline. With several files, the parameters are common to all
 /// files unless they are the file's own: a global fit of films of several thicknesses is
-/// --value film-thickness=1um,10um.
+/// --value film-thickness=1um,10um, and one of several spheres --value sphere-radius=1mm,3mm.
 ///
 /// The exit status is 0 only if the fit has converged, all values have finite errors, and at most a
 /// third of the points in contact is left out.
@@ -221,10 +221,9 @@ fn sensitivity(text: &str) -> Result<f64, String> {
 impl Arguments {
     /// Returns the stiffness of the cantilever of a file, by its number, as a flag gives it.
     fn stiffness(&self, values: &[Values], file: usize) -> Option<f64> {
-        const STIFFNESS: Parameter = Parameter::Stiffness;
-        let mut known = self.given.iter();
-        let known = known.find(|one| one.quantity == Fixed::Parameter(STIFFNESS));
-        let own = values.iter().find(|one| one.parameter == STIFFNESS);
+        const STIFFNESS: Fixed = Fixed::Parameter(Parameter::Stiffness);
+        let known = self.given.iter().find(|one| one.quantity == STIFFNESS);
+        let own = values.iter().find(|one| one.quantity == STIFFNESS);
         let own = own.and_then(|one| one.values.get(file).or(one.values.first()));
         let said = known.map(|one| one.value).or(own.copied());
         said.or(self.known.stiffness)
@@ -363,7 +362,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
         lists.for_each(|doubts| doubts.retain(is_other));
     }
-    let set: Vec<Parameter> = values.iter().map(|one| one.parameter).collect();
+    let set: Vec<Parameter> = values.iter().filter_map(Values::parameter).collect();
     arguments
         .known
         .relaxing

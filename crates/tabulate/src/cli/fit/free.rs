@@ -98,7 +98,9 @@ impl FreeArguments {
         }
         let free = |&parameter: &Parameter| {
             let mut free = Free::new(parameter);
-            if let Some(set) = values.iter().rfind(|set| set.parameter == parameter)
+            if let Some(set) = values
+                .iter()
+                .rfind(|set| set.parameter() == Some(parameter))
                 && let [start] = set.values[..]
             {
                 free = free.starting_from(start);

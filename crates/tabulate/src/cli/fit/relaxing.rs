@@ -1,6 +1,6 @@
 //! The flags of bodies that relax, for measurements.
 
-use ::fit::{Experiment, Kind, Measurement, Parameter, Relaxing};
+use ::fit::{Experiment, Fixed, Kind, Measurement, Parameter, Relaxing};
 use anyhow::{bail, ensure};
 use contact::Relaxation;
 
@@ -149,8 +149,10 @@ impl RelaxingArguments {
                     Parameter::names(own.iter().copied())
                 );
             }
-            let values = vec![value];
-            Ok(Values { parameter, values })
+            Ok(Values {
+                quantity: Fixed::Parameter(parameter),
+                values: vec![value],
+            })
         };
         given.map(one).collect()
     }
@@ -177,8 +179,8 @@ impl RelaxingArguments {
             // That of the example.
             experiment.work_of_adhesion = 0.0;
             experiment.relaxing = Some(relaxing);
-            for Values { parameter, values } in self.values()? {
-                experiment.set(parameter, values[0])?;
+            for Values { quantity, values } in self.values()? {
+                experiment.set_fixed(quantity, values[0])?;
             }
         }
         Ok(())
@@ -188,7 +190,7 @@ impl RelaxingArguments {
     pub fn ask(&self, experiment: &Experiment, free: &[Parameter]) -> anyhow::Result<()> {
         let given = self.values()?;
         let is_known = |parameter: &Parameter| {
-            given.iter().any(|own| own.parameter == *parameter)
+            given.iter().any(|own| own.parameter() == Some(*parameter))
                 || free.contains(parameter)
                 || (self.relaxation == Some(Law::ModifiedPower)
                     && *parameter == Parameter::RelaxedFraction)

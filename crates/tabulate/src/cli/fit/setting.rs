@@ -11,11 +11,21 @@ use super::value::fixed;
 use crate::cli::quantity::{self, read};
 use crate::cli::system::{SystemArguments, Value};
 
-/// Values of a parameter, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
+/// Values of a quantity, `NAME=VALUE` or `NAME=VALUE,VALUE,...` with one for each file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
-    pub parameter: Parameter,
+    pub quantity: Fixed,
     pub values: Vec<f64>,
+}
+
+impl Values {
+    /// Returns the parameter whose values they are; `None` for values that no fit finds.
+    pub const fn parameter(&self) -> Option<Parameter> {
+        match self.quantity {
+            Fixed::Parameter(parameter) => Some(parameter),
+            _ => None,
+        }
+    }
 }
 
 /// Bounds of a free parameter, `NAME=LEAST..MOST`.
@@ -74,9 +84,7 @@ impl Given {
             }
         }
         ensure!(
-            values
-                .iter()
-                .all(|one| Fixed::Parameter(one.parameter) != self.quantity),
+            values.iter().all(|one| one.quantity != self.quantity),
             "--value {name} and --known {name}={known:?} give one quantity twice: leave one of them out; --known is one \
              value for all files"
         );
@@ -89,16 +97,14 @@ impl FromStr for Given {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let how = "NAME=VALUE+-ERROR, such as film-thickness=2e-6+-1e-7";
-        let (name, known) = text
-            .split_once('=')
-            .ok_or_else(|| format!("{text:?} has no =: write {how}"))?;
-        let quantity = Fixed::parse(name.trim()).ok_or_else(|| {
+        let (name, known) = named(text, how)?;
+        let quantity = Fixed::parse(name).ok_or_else(|| {
             format!(
                 "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
                  substrate-poisson-ratio or a parameter that is not free, such as film-thickness"
             )
         })?;
-        let [value, error] = with_error(known.trim(), quantity.dimension(), how)?;
+        let [value, error] = with_error(known, quantity.dimension(), how)?;
         Ok(Self {
             quantity,
             value,
@@ -111,10 +117,14 @@ impl FromStr for Values {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (parameter, values) = split(text, "NAME=VALUE, such as load-offset=1e-6")?;
-        let value = |text| quantity::value(text, parameter.dimension());
+        let (name, values) = named(text, "NAME=VALUE, such as load-offset=1e-6")?;
+        // The error of a name that is unknown lists the parameters.
+        let parameter = || name.parse().map(Fixed::Parameter);
+        let quantity = Fixed::parse(name).map_or_else(parameter, Ok);
+        let quantity = quantity.map_err(|error| error.to_string())?;
+        let value = |text| quantity::value(text, quantity.dimension());
         Ok(Self {
-            parameter,
+            quantity,
             values: values.split(',').map(value).collect::<Result<_, _>>()?,
         })
     }
@@ -187,13 +197,19 @@ pub fn check_units(units: &[UnitOf], free: &[Free]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Splits `NAME=...`.
+/// Splits `NAME=...` with the name of a parameter.
 fn split<'a>(text: &'a str, how: &str) -> Result<(Parameter, &'a str), String> {
+    let (name, rest) = named(text, how)?;
+    let parameter = name.parse::<Parameter>();
+    Ok((parameter.map_err(|error| error.to_string())?, rest))
+}
+
+/// Splits `NAME=...`.
+fn named<'a>(text: &'a str, how: &str) -> Result<(&'a str, &'a str), String> {
     let (name, rest) = text
         .split_once('=')
         .ok_or_else(|| format!("{text:?} has no =: write {how}"))?;
-    let parameter = name.trim().parse::<Parameter>();
-    Ok((parameter.map_err(|error| error.to_string())?, rest.trim()))
+    Ok((name.trim(), rest.trim()))
 }
 
 #[cfg(test)]
@@ -209,7 +225,14 @@ mod tests {
     fn settings_are_read() {
         let film = Parameter::FilmThickness;
         let values = "film-thickness=1e-6, 1e-5".parse::<Values>();
-        assert!(values.is_ok_and(|one| one.parameter == film && one.values == [1e-6, 1e-5]));
+        assert!(
+            values.is_ok_and(|one| one.parameter() == Some(film) && one.values == [1e-6, 1e-5])
+        );
+        let radii = "sphere-radius = 1mm,2mm".parse::<Values>();
+        assert!(
+            radii
+                .is_ok_and(|one| one.quantity == Fixed::SphereRadius && one.values == [1e-3, 2e-3])
+        );
         let bounds = "film-modulus = 1e5..1e8".parse::<Bounds>();
         assert!(bounds.is_ok_and(|one| one.parameter == Parameter::FilmModulus && one.range == [1e5, 1e8]));
         let given = "sphere-radius=1e-3+-1e-5".parse::<Given>();
