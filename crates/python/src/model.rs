@@ -73,8 +73,8 @@ pub fn predict<'py>(
     Ok(fields)
 }
 
-/// Returns the ordinates of synthetic data, the loads of a contact stiffness at depths, the phases of a loss
-/// tangent, and the assumptions of the model that the contacts leave.
+/// Returns the ordinates of synthetic data, the loads of a contact stiffness at depths, and the phases
+/// of a loss tangent.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,
@@ -83,24 +83,19 @@ pub fn simulate<'py>(
     noise: f64,
     seed: u64,
     allow_magnitudes: bool,
-) -> PyResult<([Output<'py>; 3], Vec<String>)> {
+) -> PyResult<[Output<'py>; 3]> {
     let table = table.get();
     let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
     let accepted = accept_magnitudes(slice::from_ref(&experiment), allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;
-    let made = py.detach(|| {
-        let made = fit::simulate_experiment(table.get(), &experiment, noise, seed)?;
-        let broken = made.broken_assumptions(table.get())?;
-        Ok::<_, Error>((made, broken))
-    });
-    let (made, broken) = made.or_raise(py)?;
+    let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
+    let made = made.or_raise(py)?;
     let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
-    let columns = [
+    Ok([
         PyArray1::from_iter(py, ordinates),
         PyArray1::from_vec(py, made.indentation.loads),
         PyArray1::from_vec(py, made.indentation.phases),
-    ];
-    Ok((columns, broken.into_iter().map(|one| one.text).collect()))
+    ])
 }
 
 /// Returns the estimates that planned experiments would give, their correlation, and the

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, get_args
@@ -143,8 +142,7 @@ def simulate(
     """Return the experiment with synthetic ordinates.
 
     On approach the contact forms at the contact point; on retract, and without a direction, it
-    lasts to the end of the stable branch. Points at contact radii are in contact. A warning of
-    Python names each assumption of the model that the contacts leave, such as a wide contact.
+    lasts to the end of the stable branch. Points at contact radii are in contact.
 
     Parameters
     ----------
@@ -180,11 +178,9 @@ def simulate(
     experiments_of([experiment])
     native = native_table(table)
     whole = integer("seed", seed, 0, 2**63)
-    (ordinate, loads, phases), broken = _core.simulate(
+    ordinate, loads, phases = _core.simulate(
         native, experiment, number("noise", noise), whole, "magnitudes" in allowed_of(allow)
     )
-    for text in broken:
-        warnings.warn(text, stacklevel=2)
     indentation = experiment.indentation
     if loads.size or phases.size:
         made = {"loads": loads, "phases": phases}
