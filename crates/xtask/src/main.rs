@@ -24,7 +24,8 @@ mod wheel;
 mod workspace;
 
 use std::env;
-use std::io::{Write, stderr, stdout};
+use std::fs::{self, File};
+use std::io::{self, Write, stderr, stdout};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 use std::thread;
@@ -120,35 +121,44 @@ fn table(args: &[String]) -> Result<(), String> {
 
 /// Runs every test of every member, documentation examples included.
 fn test(args: &[String]) -> Result<(), String> {
+    if args.is_empty() {
+        return whole_suite();
+    }
+    succeed(&mut tests_in_rust(args, environment_of_tests()?)?)
+}
+
+/// Compiles all tests while it fetches what they need, and runs those of the Python package beside those in Rust: each leave
+/// cores idle at times. What Python prints comes last.
+fn whole_suite() -> Result<(), String> {
+    let fetching = thread::spawn(|| {
+        let environment = environment_of_tests()?;
+        python_tests::fetch()?;
+        Ok::<_, String>(environment)
+    });
+    python_tests::compile()?;
+    let environment = fetching.join().expect("fetching does not panic")?;
+    let path = workspace::target()?.join("python-tests.log");
+    let failed = |e: io::Error| format!("{}: {e}", path.display());
+    let log = File::create(&path).map_err(failed)?;
+    let python = thread::spawn(move || python_tests::in_place(&log));
+    let rust = succeed(&mut tests_in_rust(&[], environment)?);
+    let python = python.join().expect("the tests of Python do not panic");
+    let _ = write!(stdout(), "{}", fs::read_to_string(&path).map_err(failed)?);
+    rust.and(python)
+}
+
+/// Returns the command that runs the tests in Rust.
+fn tests_in_rust(
+    args: &[String],
+    environment: Vec<(&'static str, PathBuf)>,
+) -> Result<Command, String> {
     let mut command = vec!["test", "--release", "--workspace"];
     command.extend(args.iter().map(String::as_str));
-    let environment = if args.is_empty() {
-        fetched_while_compiled()?
-    } else {
-        environment_of_tests()?
-    };
     let mut cargo = hdf5::cargo(&command)?;
     cargo
         .envs(environment)
         .envs(browser::chromium().map(|path| ("CHROMIUM", path)));
-    succeed(&mut cargo)?;
-    if args.is_empty() {
-        python_tests::in_place()
-    } else {
-        Ok(())
-    }
-}
-
-/// Compiles all tests while it fetches what they need, and returns [`environment_of_tests`].
-fn fetched_while_compiled() -> Result<Vec<(&'static str, PathBuf)>, String> {
-    let fetching = thread::spawn(|| {
-        let environment = environment_of_tests()?;
-        python_tests::fetch()?;
-        Ok(environment)
-    });
-    let compiled = python_tests::compile();
-    let fetched = fetching.join().expect("fetching does not panic");
-    compiled.and(fetched)
+    Ok(cargo)
 }
 
 /// Returns the environment that tells the tests in Rust where their packages of Python are, and where

@@ -2,7 +2,7 @@
 
 use std::env;
 use std::ffi::OsString;
-use std::fs;
+use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -18,8 +18,9 @@ const MEASURED: [[&str; 3]; 2] = [
 
 /// Tests the package as it stands in the workspace, with the compiled module that the tests in Rust
 /// were built with: that of a wheel has all its dependencies compiled again, with fewer features.
-/// Without a python3 that can make a virtual environment, it says so.
-pub fn in_place() -> Result<(), String> {
+/// Without a python3 that can make a virtual environment, it says so. What the tests print is written to
+/// `log`.
+pub fn in_place(log: &File) -> Result<(), String> {
     if !can_be_run() {
         return Ok(());
     }
@@ -27,12 +28,12 @@ pub fn in_place() -> Result<(), String> {
         // Modules are linked in another way there, which maturin knows.
         return of_wheel();
     }
-    run(&venv::interpreter()?, Some(&package()?))
+    run(&venv::interpreter()?, Some(&package()?), Some(log))
 }
 
 /// Builds the wheel, and tests the package that it installs.
 pub fn of_wheel() -> Result<(), String> {
-    run(&wheel::installed()?, None)
+    run(&wheel::installed()?, None, None)
 }
 
 /// Puts the package together as it stands in the workspace, with the module that is compiled for the
@@ -88,8 +89,9 @@ fn measured() -> Vec<(&'static str, PathBuf)> {
     MEASURED.into_iter().filter_map(source).collect()
 }
 
-/// Runs tests and checks with an interpreter, on the package that it has or that of a folder.
-fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
+/// Runs tests and checks with an interpreter, on the package that it has or that of a folder. What they print is
+/// written to `log`, if there is one.
+fn run(python: &Path, folder: Option<&Path>, log: Option<&File>) -> Result<(), String> {
     let measured = measured();
     let cache = |name: &str| Ok::<_, String>(workspace::target()?.join("tools").join(name));
     let run = |module: &str, arguments: &[&str]| -> Result<(), String> {
@@ -101,6 +103,11 @@ fn run(python: &Path, folder: Option<&Path>) -> Result<(), String> {
             .envs(python::compiled()?)
             .env("RUFF_CACHE_DIR", cache("ruff")?)
             .env("MYPY_CACHE_DIR", cache("mypy")?);
+        if let Some(log) = log {
+            let failed = |e: io::Error| format!("cannot write what the tests print: {e}");
+            command.stdout(log.try_clone().map_err(failed)?);
+            command.stderr(log.try_clone().map_err(failed)?);
+        }
         if let Some(folder) = folder {
             command.env("PYTHONPATH", folder);
         }
