@@ -349,6 +349,9 @@ fn each_file_may_have_a_sphere_and_a_substrate_of_its_own() {
     let common = format!("{both} substrate-modulus=70GPa,3MPa");
     workdir.refuses(format!(
         "2 | {both} sphere-radius=1mN,3mm | a length is wanted
+         2 | {both} load-offset=0 --sphere-radius 1mm,3mm | several values; --value sphere-radius=1mm,3mm
+         2 | {both} load-offset=0 --sphere-radius 1e-3,3e-3 | several values
+         2 | {both} load-offset=0 --sphere-radius 1,5mm | the decimal mark is a point
          2 | {both} sphere-radii=1mm,3mm | is not a parameter
          1 | {common} --value sphere-radius=1mm,2mm,3mm | --value sphere-radius: 3 values for 2 files; give one
          1 | {common} --value sphere-radius=1mm,-3mm | sphere-radius of large.csv = -0.003; above 0

@@ -50,7 +50,25 @@ pub fn any(text: &str) -> Result<Quantity, String> {
             "{text} is a flag, and the value before it is missing"
         ));
     }
-    text.parse::<Quantity>().map_err(|error| error.to_string())
+    text.parse::<Quantity>().map_err(|error| {
+        if is_list(text) {
+            format!(
+                "{text:?} are several values, and one is wanted; `tabulate fit` takes one for each file as \
+                 --value, such as --value sphere-radius=1mm,3mm"
+            )
+        } else {
+            error.to_string()
+        }
+    })
+}
+
+/// Tells whether a text is several values between commas, of which none is a decimal mark.
+fn is_list(text: &str) -> bool {
+    let Some((first, _)) = text.split_once(',') else {
+        return false;
+    };
+    let is_whole = first.bytes().all(|byte| byte.is_ascii_digit());
+    !is_whole && text.split(',').all(|part| part.parse::<Quantity>().is_ok())
 }
 
 /// Reads a quantity of a dimension, or a plain number.
