@@ -1,6 +1,8 @@
 //! `tabulate pull-off` where the contact is far smaller or wider than the film is thick: it chooses the
 //! radii that it solves, and its messages speak of what was given.
 
+use std::f64::consts::PI;
+
 use acceptance::{Data, assert_names, value, workdir};
 
 #[test]
@@ -9,7 +11,7 @@ fn a_film_much_thicker_than_the_sphere_is_solved() {
     let bodies = "--sphere-radius 1e-6 --sphere-modulus inf --film-modulus 2e4 --work-of-adhesion 1e-4 \
          --film-thickness";
     // -1.5 pi w R on a half-space, to the film's (a/t).
-    let half_space = -1.5 * std::f64::consts::PI * 1e-10;
+    let half_space = -1.5 * PI * 1e-10;
     for thickness in ["1e-4", "1e-3", "1e-2"] {
         let text = workdir.succeed(format!("pull-off {bodies} {thickness}"));
         let error = value(&text, "load") / half_space - 1.0;
@@ -101,7 +103,7 @@ fn a_pull_off_beyond_the_nodes_of_the_table_is_solved_without_it() {
     let error = workdir.fail(1, format!("pull-off embedded {bodies}"));
     assert_names(&error, "1e-5 m; without a table `tabulate pull-off` solves");
     let text = workdir.succeed(format!("pull-off {bodies}"));
-    let substrate = -1.5 * std::f64::consts::PI * 0.04 * 1e-3;
+    let substrate = -1.5 * PI * 0.04 * 1e-3;
     let error = value(&text, "load") / substrate - 1.0;
     assert!(error.abs() < 1e-3, "{text}");
 }
@@ -156,4 +158,53 @@ fn a_film_that_is_compressed_too_much_is_told_of() {
         assert_eq!(run.status, 0, "{run:?}");
         assert_names(&run.stderr, "would compress the film by");
     }
+}
+
+/// DMT's 2 pi w R under a long range, JKR's 1.5 pi w R on a thick film, and the load of the paper's film, a sliding film and a
+/// contact that sticks there and back.
+#[test]
+fn a_measured_load_gives_the_work_of_adhesion() {
+    let workdir = workdir!();
+    let found = |command: String| value(&workdir.run(command).stdout, "work_of_adhesion");
+    let thick = "--sphere-radius 10um --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.3 --film-thickness 10mm \
+         --substrate-modulus 1GPa --substrate-poisson-ratio 0.3";
+    for (more, expected, tolerance) in [
+        ("", 1e-6 / (1.5 * PI * 1e-5), 1e-6),
+        ("--interaction-range 300nm", 1e-6 / (2.0 * PI * 1e-5), 2e-2),
+        (
+            "--control displacement",
+            1e-6 / (5.0 / 6.0 * PI * 1e-5),
+            1e-6,
+        ),
+    ] {
+        let w = found(format!("pull-off {thick} --load -1uN {more}"));
+        assert!(
+            (w / expected - 1.0).abs() < tolerance,
+            "{more}: {w}, not {expected}"
+        );
+    }
+    let film = "--specimen paper --sphere-radius 10um --film-thickness 3um";
+    for more in [
+        "",
+        "--interface sliding",
+        "--friction stick",
+        "--probe flat-punch",
+    ] {
+        let there = workdir.run(format!("pull-off {film} {more} --work-of-adhesion 0.05"));
+        let load = value(&there.stdout, "load");
+        let w = found(format!("pull-off {film} {more} --load {load}"));
+        assert!((w / 0.05 - 1.0).abs() < 1e-7, "{more}: {w}");
+    }
+    let example = workdir.run("pull-off --sphere-radius 10um --load -1uN --json");
+    assert_names(&example.stdout, "\"work_of_adhesion\":0.0");
+    assert!(!example.stderr.contains("work_of_adhesion"), "{example:?}");
+    workdir.refuses(
+        "1 | pull-off --load 2uN | below 0; give --load -2e-6
+         1 | pull-off --load 0 | below 0
+         1 | pull-off --sphere-radius 10um --load -2 | --load -2.0 N: the pull-off at work of adhesion = 42441; check its unit
+         1 | pull-off --load -100mN | --allow magnitudes
+         2 | pull-off --load -2mPa | a force is wanted
+         2 | pull-off --load | --load
+         2 | pull-off --load -2uN --work-of-adhesion 0.04 | cannot be used with",
+    );
 }

@@ -295,6 +295,26 @@ fn force_displacement_curves_hold_together() {
 
 /// Invented quantities with `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a
 /// minimum and rises again.
+/// At the pull-off load no contact radius has a smaller energy release rate than the work of adhesion.
+#[test]
+fn the_work_of_adhesion_of_a_pull_off_load_is_its_least_energy_release_rate() {
+    let (mut worst, mut count) = (0.0, 0);
+    for (contact, w) in coated(17, 60).chain(stiff_films(18, 60)) {
+        let load = contact.pull_off(w, Control::Load).expect("in range").load;
+        let found = contact
+            .work_of_adhesion_at_pull_off(load, Control::Load)
+            .expect("in range");
+        let [from, to] = contact.contact_radius_range();
+        let rates = geometric([from.max(1e-6 * to), to * (1.0 - 1e-9)], 20_000)
+            .filter_map(|a| contact.energy_release_rate_at_load(a, load).ok());
+        let least = rates.fold(f64::INFINITY, f64::min);
+        worst = larger(worst, relative(found, least));
+        count += 1;
+    }
+    println!("least energy release rates of {count} contacts: {worst:.1e}");
+    assert!(count == 120 && worst <= 1e-5, "{worst:e}");
+}
+
 #[test]
 fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
     let system = paper_system(1e-6);

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, solid};
+use acceptance::{Contacts, Refused as _, larger, solid};
 use contact::{Contact, Control, State};
 use interp::{HalfSpace, Probe};
 
@@ -244,6 +244,50 @@ fn pull_off_under_load_displacement_and_springs_is_that_of_jkr() {
     println!("JKR: pull-off {worst:.1e}");
     // Measured: 3.8e-15.
     assert!(worst <= EXACT);
+}
+
+/// JKR under every control; Kendall's flat punch; a cone, of which Maugis and Barquins' load has the minimum
+/// `-54 w^2 tan^3(half angle)/(pi E*)`.
+#[test]
+fn the_work_of_adhesion_of_a_pull_off_load_is_that_of_closed_forms() {
+    let mut worst = 0.0;
+    for (contact, jkr) in systems(79) {
+        for (control, times) in [(Control::Load, 1.5), (Control::Displacement, 5.0 / 6.0)] {
+            let load = -times * PI * jkr.w * jkr.r;
+            let found = contact.work_of_adhesion_at_pull_off(load, control);
+            worst = larger(worst, relative(found.expect("in range"), jkr.w));
+        }
+        for load in [0.0, 1e-9, f64::NAN, f64::NEG_INFINITY] {
+            let refused = contact.work_of_adhesion_at_pull_off(load, Control::Load);
+            refused.refused("pull-off load; < 0 and finite");
+        }
+    }
+    let mut contacts = Contacts::new(80);
+    for _ in 0..100 {
+        let (w, half_angle) = (contacts.log_uniform(1e-6, 1.0), contacts.uniform(0.3, 1.4));
+        let (radius, solid) = (
+            contacts.log_uniform(1e-7, 1e-3),
+            solid(contacts.log_uniform(1e3, 1e9), 0.4),
+        );
+        let e = solid.reduced();
+        let punch = -(8.0 * PI * w * e * radius.powi(3)).sqrt();
+        let cone = -54.0 * w * w * half_angle.tan().powi(3) / (PI * e);
+        for (probe, load) in [
+            (Probe::FlatPunch { radius }, punch),
+            (Probe::Cone { half_angle }, cone),
+        ] {
+            let system = HalfSpace {
+                probe,
+                sphere_modulus: f64::INFINITY,
+                solid,
+            };
+            let contact = Contact::half_space(&system).expect("physical");
+            let found = contact.work_of_adhesion_at_pull_off(load, Control::Load);
+            worst = larger(worst, relative(found.expect("in range"), w));
+        }
+    }
+    println!("work of adhesion of a pull-off load: {worst:.1e}");
+    assert!(worst <= EXACT, "{worst:e}");
 }
 
 #[test]

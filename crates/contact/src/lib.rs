@@ -11,7 +11,8 @@
 //! `shape` knows the shape of the probe, which only the contact without adhesion depends on.
 //! `equilibria` and `force_displacement` find the states under a load, a penetration or a spring,
 //! `branch` those at many values, `radii` the contact radii among which they search.
-//! `energy_release` starts from measured values, `moving_stiffness` is the slope of the force
+//! `energy_release` starts from measured values, `work_of_adhesion` from a measured pull-off,
+//! `moving_stiffness` is the slope of the force
 //! curve, `gradient` differentiates, `jkr_fit` fits a straight line, `validity` compares a contact with the limits of the model, and `magnitude` its numbers with what contacts have. `crack_tip`,
 //! `contact_line` and `dynamics` move the contact line by other laws than eq. 8, the latter by the
 //! steps of `implicit_step`. `cohesive_zone` corrects for a short cohesive zone by the
@@ -45,6 +46,7 @@ mod root;
 mod shape;
 mod turning_points;
 mod validity;
+mod work_of_adhesion;
 
 pub use branch::Branch;
 pub use cohesive_zone::{CohesiveEquilibrium, CohesiveState, CohesiveZone, ShortZone};
@@ -63,3 +65,4 @@ pub use history::{
 pub use jkr_fit::{FilmBias, JkrFit, JkrPoint};
 pub use root::root;
 pub use validity::{FilmValidity, Neglected, Validity, ZoneSize};
+pub use work_of_adhesion::work_of_adhesion_at_pull_off;

@@ -351,6 +351,19 @@ impl Contact {
         points.evaluate([&w], |[w]| self.contact.pull_off(w, control).map(numbers))
     }
 
+    fn work_of_adhesion_at_pull_off<'py>(
+        &self,
+        points: Points<'py>,
+        load: Input<'_>,
+        imposed: Imposed<'_>,
+    ) -> Outputs<'py, 1> {
+        let control = control(imposed)?;
+        points.evaluate([&load], |[load]| {
+            let found = self.contact.work_of_adhesion_at_pull_off(load, control);
+            found.map(|work| [work])
+        })
+    }
+
     /// Accepts a work of adhesion and what is imposed.
     fn check_equilibria(&self, py: Python<'_>, w: f64, imposed: Imposed<'_>) -> PyResult<()> {
         let control = control(imposed)?;

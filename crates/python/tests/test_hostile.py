@@ -353,6 +353,7 @@ FUNCTIONS = {
     "Contact.pull_off by a spring": on_film(
         [0.04, 5.0], lambda c, w, k: numbers_of(c.pull_off(w, control=Spring(stiffness=k)))
     ),
+    "Contact.work_of_adhesion_at_pull_off": on_film([-1e-6], Contact.work_of_adhesion_at_pull_off),
     "Contact.equilibria": on_film([0.04, 1e-4], lambda c, w, f: stated(c.equilibria(w).at(f))),
     "Contact.force_displacement": on_film(
         [0.04, 1e-6, 5.0],

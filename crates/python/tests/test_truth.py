@@ -5,8 +5,17 @@ from math import pi
 import numpy as np
 import pytest
 
-from coated_contact import Contact, Elastic, Experiment, HalfSpace, Spring, Table, predict
-from conftest import rows, system_of
+from coated_contact import (
+    Contact,
+    Elastic,
+    Experiment,
+    HalfSpace,
+    InputError,
+    Spring,
+    Table,
+    predict,
+)
+from conftest import refuses, rows, system_of
 
 SYSTEMS = rows("systems")
 
@@ -22,6 +31,11 @@ def test_pull_off_of_jkr(jkr):
     assert np.allclose(jkr.pull_off(w).load, -1.5 * pi * w * radius, rtol=1e-14, atol=0)
     rigid = jkr.pull_off(w, control="displacement")
     assert np.allclose(rigid.load, -5 / 6 * pi * w * radius, rtol=1e-12, atol=0)
+    of_loads = jkr.work_of_adhesion_at_pull_off(-1.5 * pi * w * radius)
+    assert np.allclose(of_loads, w, rtol=1e-12, atol=0)
+    of_rigid = jkr.work_of_adhesion_at_pull_off(rigid.load[0], control="displacement")
+    assert of_rigid == pytest.approx(1e-4, rel=1e-12)
+    refuses(InputError, "pull-off load = 1e-6", lambda: jkr.work_of_adhesion_at_pull_off(1e-6))
     # A very stiff spring is a rigid machine, a very soft one a dead weight.
     stiff = jkr.pull_off(0.04, control=Spring(stiffness=1e12))
     assert stiff.load == pytest.approx(jkr.pull_off(0.04, control="displacement").load, rel=1e-6)

@@ -251,6 +251,17 @@ pub const FUNCTIONS: &[Function] = &[
         })
     }),
     (
+        "Contact::work_of_adhesion_at_pull_off",
+        &[-1e-6, 50.0],
+        |x| {
+            each(x, |contact| {
+                let found = controls(x[1])
+                    .map(|control| contact.work_of_adhesion_at_pull_off(x[0], control));
+                Ok(found.into_iter().flatten().collect())
+            })
+        },
+    ),
+    (
         "Contact::line",
         &[0.03, 0.05, 6e-5, 50.0, 1e-4, -1e-5],
         |x| {

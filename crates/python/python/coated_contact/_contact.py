@@ -283,6 +283,41 @@ class Contact(Native):
             )
         )
 
+    @overload
+    def work_of_adhesion_at_pull_off(
+        self, load: float, *, control: Control = "load", errors: Errors = "raise"
+    ) -> float: ...
+    @overload
+    def work_of_adhesion_at_pull_off(
+        self, load: ArrayLike, *, control: Control = "load", errors: Errors = "raise"
+    ) -> float | Array: ...
+    def work_of_adhesion_at_pull_off(
+        self, load: ArrayLike, *, control: Control = "load", errors: Errors = "raise"
+    ) -> float | Array:
+        """Return the work of adhesion of a measured pull-off load.
+
+        Parameters
+        ----------
+        load : array_like
+            The load at the pull-off, N, below 0.
+        control : {"load", "displacement"} or Spring
+            What is imposed.
+        errors : {"raise", "nan"}
+            What a point with an error gives.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The work of adhesion, J/m^2, with which :meth:`pull_off` is at this load.
+        """
+        imposed = native_control(control)
+        (work,) = evaluate(
+            lambda points, load: self._native.work_of_adhesion_at_pull_off(points, load, imposed),
+            errors,
+            load=load,
+        )
+        return scalar_or_array(work)
+
     def equilibria(self, w: float, *, control: Control = "load") -> Equilibria:
         """Return the equilibria with one work of adhesion under one control.
 

@@ -61,6 +61,7 @@ pub struct AttractingArguments {
 }
 
 /// A probe on a film or on a stack.
+#[derive(Clone)]
 pub struct Bodies {
     /// The probe on the film; of a stack, [`Stack::system`](solve::stack::Stack::system).
     pub system: System,
@@ -87,6 +88,12 @@ impl BodiesArguments {
     /// those of a contact. An error names the file and the body.
     pub fn read_checked(&self) -> anyhow::Result<Bodies> {
         let bodies = self.read()?;
+        self.check(&bodies)?;
+        Ok(bodies)
+    }
+
+    /// Accepts bodies whose numbers are those of a contact.
+    pub fn check(&self, bodies: &Bodies) -> anyhow::Result<()> {
         let (system, work) = (&bodies.system, bodies.work_of_adhesion);
         let found = match &bodies.stack {
             Some(layers) if self.stack.is_some() => {
@@ -98,14 +105,15 @@ impl BodiesArguments {
             }
             _ => Magnitude::of_system(system, work),
         };
-        allow::magnitudes(&found, &self.allow)?;
-        Ok(bodies)
+        allow::magnitudes(&found, &self.allow)
     }
 
-    /// Names the values that the paper's example stands in for, in a comment line.
-    pub fn name_example(&self) {
+    /// Names the values that the paper's example stands in for, in a comment line; but not `unused` ones.
+    pub fn name_example(&self, unused: &[Value]) {
         if self.system.specimen.is_none() {
-            system::name_example(&self.missing(false));
+            let mut missing = self.missing(false);
+            missing.retain(|value| !unused.contains(value));
+            system::name_example(&missing);
         }
     }
 

@@ -143,7 +143,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         bar.finish_and_clear();
         rows
     };
-    given.name_example();
+    given.name_example(&[]);
     bodies.note_large_contact(to);
     let contact = match &states.source {
         Source::Curve(contact) => Some(&**contact),

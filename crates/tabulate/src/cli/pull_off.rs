@@ -1,15 +1,15 @@
 //! `tabulate pull-off`
 
-use anyhow::{anyhow, ensure};
+use anyhow::{Context as _, anyhow, ensure};
 use clap::{ValueEnum, ValueHint};
-use contact::Error;
-use contact::{Contact, Control, State};
+use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
 use super::points::number;
 use super::print;
-use super::quantity::force_per_length;
+use super::quantity::{force, force_per_length};
+use super::system::Value;
 use super::table_name::{self, TableName};
 use solve::cohesive::CohesiveState;
 use solve::stack::MOST_A_OVER_TOP;
@@ -23,6 +23,9 @@ use solve::{A_OVER_T, curve};
 /// range (Dugdale's law), from DMT to JKR. Under a long range and an imposed displacement the last
 /// stable state may have no contact: its contact radius is 0.
 ///
+/// With --load, a measured pull-off load, the work of adhesion is found: that with which the last stable state has
+/// this load. Three or more loads at measured contact radii or penetrations tell more (`tabulate fit`).
+///
 /// The surfaces slide freely. Where full friction would stiffen the contact by more than 5 %, a note on
 /// standard error says so. With --friction stick, surfaces that have touched never slide. The contact has grown from radius 0
 /// with --work-of-adhesion, and recedes with --work-of-adhesion-receding, or with the same.
@@ -32,6 +35,7 @@ use solve::{A_OVER_T, curve};
 #[derive(clap::Args)]
 #[command(after_help = super::examples!(
     "tabulate pull-off embedded --specimen paper",
+    "tabulate pull-off --specimen paper --sphere-radius 10um --load -2uN",
     "tabulate pull-off --specimen paper --sphere-radius 10um --interaction-range 5nm --json",
     "tabulate pull-off --specimen paper --control spring --stiffness 40N/m --film-thickness 10um",
     "tabulate pull-off --specimen paper --stack tables/stacks/primer.toml --sphere-radius 100um",
@@ -58,7 +62,17 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     stiffness: Option<f64>,
-    /// Print one JSON object with load, contact_radius, outer_radius and penetration
+    /// Measured pull-off load, N, below 0: find the work of adhesion
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = force,
+        allow_hyphen_values = true,
+        conflicts_with_all = ["work_of_adhesion", "work_of_adhesion_receding"]
+    )]
+    load: Option<f64>,
+    /// Print one JSON object with load, contact_radius, outer_radius and penetration, and with --load with
+    /// work_of_adhesion
     #[arg(long)]
     json: bool,
 }
@@ -92,41 +106,54 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--friction stick is solved directly, and without a range of the attraction: leave out the \
          table and --interaction-range"
     );
-    let (contact, state) = match attracting.interaction_range {
-        Some(range) => (None, bodies.cohesive(range)?.pull_off(control)?),
-        None => {
-            let (contact, state) = match sticks {
-                Some(nu2) => sticking(arguments, &bodies, nu2, control)?,
-                None => jkr(arguments, &bodies, control)?,
+    let found = |load: f64| {
+        ensure!(
+            load < 0.0,
+            "--load {load:?}: a pull-off load is below 0, because the probe is pulled; for {:?} N give --load {:?}",
+            load.abs(),
+            -load.abs()
+        );
+        let at = |work_of_adhesion| {
+            let bodies = Bodies {
+                work_of_adhesion,
+                ..bodies.clone()
             };
-            let state = CohesiveState {
-                contact_radius: state.contact_radius,
-                outer_radius: state.contact_radius,
-                load: state.load,
-                penetration: state.penetration,
-            };
-            (Some(contact), state)
-        }
+            Ok::<_, anyhow::Error>(pull_off(arguments, &bodies, control)?.1.load)
+        };
+        work_of_adhesion_at_pull_off(load, bodies.system.probe.radius(), at)
+            .with_context(|| format!("--load {load:?} N"))
     };
-    let values = [
+    let work = arguments.load.map(found).transpose()?;
+    let bodies = Bodies {
+        work_of_adhesion: work.unwrap_or(bodies.work_of_adhesion),
+        ..bodies.clone()
+    };
+    attracting.bodies.check(&bodies)?;
+    let (contact, state) = pull_off(arguments, &bodies, control)?;
+    let of_state = [
         ("load", state.load),
         ("contact_radius", state.contact_radius),
         ("outer_radius", state.outer_radius),
         ("penetration", state.penetration),
     ];
+    let values = work.map(|work| ("work_of_adhesion", work)).into_iter();
+    let values = values.chain(of_state);
     let text = if arguments.json {
         let object: serde_json::Map<String, serde_json::Value> = values
-            .into_iter()
             .map(|(name, value)| (name.to_owned(), value.into()))
             .collect();
         format!("{}\n", serde_json::Value::Object(object))
     } else {
         values
-            .into_iter()
             .map(|(name, value)| format!("{name:14} = {}\n", number(value)))
             .collect()
     };
-    attracting.bodies.name_example();
+    let unused: &[Value] = if work.is_some() {
+        &[Value::WorkOfAdhesion]
+    } else {
+        &[]
+    };
+    attracting.bodies.name_example(unused);
     bodies.note_large_contact(state.contact_radius);
     if state.contact_radius > 0.0 {
         bodies.note_strain(contact.as_ref(), state.contact_radius);
@@ -135,6 +162,28 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
     }
     print(text.as_bytes())
+}
+
+/// Finds the pull-off of bodies, with their contact where the attraction has no range.
+fn pull_off(
+    arguments: &Arguments,
+    bodies: &Bodies,
+    control: Control,
+) -> anyhow::Result<(Option<Contact>, CohesiveState)> {
+    if let Some(range) = arguments.attracting.interaction_range {
+        return Ok((None, bodies.cohesive(range)?.pull_off(control)?));
+    }
+    let (contact, state) = match arguments.history.sticks()? {
+        Some(nu2) => sticking(arguments, bodies, nu2, control)?,
+        None => jkr(arguments, bodies, control)?,
+    };
+    let state = CohesiveState {
+        contact_radius: state.contact_radius,
+        outer_radius: state.contact_radius,
+        load: state.load,
+        penetration: state.penetration,
+    };
+    Ok((Some(contact), state))
 }
 
 /// A contact, and its pull-off.

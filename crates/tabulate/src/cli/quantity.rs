@@ -14,6 +14,11 @@ pub fn modulus(text: &str) -> Result<f64, String> {
     value(text, Some(Dimension::Modulus))
 }
 
+/// Reads a force.
+pub fn force(text: &str) -> Result<f64, String> {
+    read(text, Some(Dimension::Force))
+}
+
 /// Reads a stiffness or a work of adhesion.
 pub fn force_per_length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::ForcePerLength))

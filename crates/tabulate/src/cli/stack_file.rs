@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
+use std::sync::Arc;
 
 use anyhow::Context;
 use interp::Curve;
@@ -27,12 +28,12 @@ pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { yo
 const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// A stack of layers that the command line names.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Layers {
     /// Of a TOML file. Contacts are solved.
     Text(NamedStack),
     /// Of a table. Contacts are looked up.
-    Table(Box<StackTable<'static>>),
+    Table(Arc<StackTable<'static>>),
 }
 
 impl Layers {
@@ -73,7 +74,7 @@ pub fn read(path: &Path) -> anyhow::Result<Layers> {
     }
     let table = TableName::File(path.to_owned()).read()?;
     let table = StackTable::new(&table).with_context(|| printable::path(path))?;
-    Ok(Layers::Table(Box::new(table.into_owned())))
+    Ok(Layers::Table(Arc::new(table.into_owned())))
 }
 
 /// Notes on standard error that a modulus is that of no usual solid: a stack file has no units.

@@ -17,7 +17,7 @@ use crate::cli::note;
 use crate::cli::output::Output;
 use crate::cli::points::{evenly, number};
 use crate::cli::quantity::{self, force_per_length};
-use crate::cli::system::{self, Value};
+use crate::cli::system::Value;
 use crate::cli::table_name::{self, TableName};
 
 /// Print a contact in time as CSV where the film relaxes, in SI units: approach and retract, holds,
@@ -132,11 +132,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut sorted = times.clone();
     sorted.sort_by(f64::total_cmp);
     let course = arguments.course(&bodies, &law, control, &program, &sorted)?;
-    if given.system.specimen.is_none() {
-        let mut missing = given.missing(false);
-        missing.retain(|&value| value != Value::WorkOfAdhesion);
-        system::name_example(&missing);
-    }
+    given.name_example(&[Value::WorkOfAdhesion]);
     let radii = course.states.iter().map(|at| at.state.contact_radius);
     bodies.note_large_contact(radii.fold(0.0, f64::max));
     arguments.warn(&bodies.system, &course);
