@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 use std::slice;
 
-use acceptance::{Contacts, paper_system, rigid_probe, solid, solved_contact};
+use acceptance::{Contacts, Words, assert_names, paper_system, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::data::Format;
 use fit::{
@@ -16,6 +16,14 @@ use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 /// The parameters of a JKR test.
 pub const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
+
+/// The parameters of a force curve with adhesion.
+pub const FORCE_CURVE: [Parameter; 4] = [
+    Parameter::FilmModulus,
+    Parameter::WorkOfAdhesion,
+    Parameter::ContactPoint,
+    Parameter::Baseline,
+];
 
 /// How an imagined experiment brings sphere and sample together.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +99,19 @@ pub fn assert_no_doubts(found: &Fit, expected: &[WarningKind]) {
     assert!(doubts.is_empty(), "{doubts:?}");
 }
 
+/// Asserts that a fit has a warning of a kind.
+#[track_caller]
+pub fn assert_warned(found: &Fit, kind: WarningKind) {
+    assert!(found.warns_of(kind), "no {kind:?} in {:?}", found.warnings);
+}
+
+/// Asserts that a fit has a warning of a kind, and that its text names all `words`.
+#[track_caller]
+pub fn assert_warns(found: &Fit, kind: WarningKind, words: &(impl Words + ?Sized)) {
+    assert_warned(found, kind);
+    assert_names(&text(found, kind), words);
+}
+
 /// Asserts that a fit has no warning of a kind.
 #[track_caller]
 pub fn assert_silent(found: &Fit, kind: WarningKind) {
@@ -111,6 +132,12 @@ pub fn text(found: &Fit, kind: WarningKind) -> String {
     let of_kind = warnings.filter(|warning| warning.kind == kind);
     let texts: Vec<&str> = of_kind.map(|warning| &*warning.text).collect();
     texts.join("; ")
+}
+
+/// Returns by how many standard errors the estimate of a parameter is above a value.
+pub fn off(found: &Fit, parameter: Parameter, truth: f64) -> f64 {
+    let estimate = found.estimate(parameter).expect("it is free");
+    (estimate.value - truth) / estimate.standard_error
 }
 
 /// Returns parameters as free ones, without bounds, priors or starts.
@@ -137,6 +164,19 @@ pub fn fit_with(
 /// Fits an experiment that is sound, by default options.
 pub fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
     fit_with(experiment, free, |_| ()).expect("sound")
+}
+
+/// Fits an experiment that is sound, although most of its points may be left out.
+pub fn fitted_of_few(experiment: &Experiment, free: &[Free]) -> Fit {
+    fit_with(experiment, free, |options| options.allow_left_out = true).expect("sound")
+}
+
+/// Fits an experiment that is sound, with an interval of the profile likelihood of 95 % for each estimate.
+pub fn profiled(experiment: &Experiment, free: &[Free]) -> Fit {
+    fit_with(experiment, free, |options| {
+        options.profile_level = Some(0.95)
+    })
+    .expect("sound")
 }
 
 /// Fits experiments together with the embedded table, by default options.

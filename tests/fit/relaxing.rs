@@ -29,7 +29,7 @@ fn gel(thickness: f64) -> Bodies {
 }
 
 /// An approach from before the contact in 1 s, a hold, and a retract, with 60 points.
-fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Experiment {
+pub fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Experiment {
     const POINTS: u32 = 60;
     let times = (0..POINTS).map(|i| (2.0 + hold) * f64::from(i) / f64::from(POINTS - 1));
     let times: Vec<f64> = times.collect();
@@ -43,11 +43,7 @@ fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Experimen
         line,
         abscissa: 3e-7 + sense * depth(t),
         ordinate: 0.0,
-        direction: Some(if t <= 1.0 + hold {
-            Direction::Approach
-        } else {
-            Direction::Retract
-        }),
+        direction: Some(Direction::ALL[usize::from(t > 1.0 + hold)]),
     };
     let measurement = measurement(kind, (1..).zip(&times).map(point).collect());
     let mut planned = Experiment::new(measurement, gel(thickness));
@@ -58,14 +54,20 @@ fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Experimen
     planned
 }
 
-/// Returns the data with noise of a hundredth of the largest load; nothing that is free is told.
-fn measured(plan: &Experiment, seed: u64) -> Experiment {
+/// Returns the data with noise of a hundredth of the largest load.
+pub fn noisy(plan: &Experiment, seed: u64) -> Experiment {
     let exact = simulate(Table::embedded(), plan, 0.0, 0).expect("in the table");
     let loads = exact.points.iter().map(|point| point.ordinate);
     let noise = 0.01 * loads.fold(0.0, f64::max);
     let mut made = plan.clone();
     made.measurement = simulate(Table::embedded(), plan, noise, seed).expect("in the table");
     made.noise = Some(noise);
+    made
+}
+
+/// Returns the data with noise; nothing that is free is told.
+fn measured(plan: &Experiment, seed: u64) -> Experiment {
+    let mut made = noisy(plan, seed);
     made.contact_point = 0.0;
     if let Some(relaxing) = &mut made.relaxing {
         for parameter in relaxing.parameters() {
@@ -87,10 +89,8 @@ fn recover(
 ) {
     let free = free_of(free);
     let fit_of = |set: u64| {
-        let data = plans
-            .iter()
-            .zip(0..)
-            .map(|(plan, i)| measured(plan, 10 * set + i));
+        let plans = plans.iter().zip(0..);
+        let data = plans.map(|(plan, i)| measured(plan, 10 * set + i));
         let data: Vec<Experiment> = data.collect();
         fit_all(&data, &free).expect("sound data")
     };
@@ -98,11 +98,9 @@ fn recover(
     assert_recovers(name, &plans[0], seeds, fit_of, expected);
 }
 
-fn power() -> Relaxation {
-    Relaxation::PowerLaw {
-        exponent: 0.2,
-        time: 1.0,
-    }
+pub fn power() -> Relaxation {
+    let (exponent, time) = (0.2, 1.0);
+    Relaxation::PowerLaw { exponent, time }
 }
 
 fn linear_solid() -> Relaxation {
@@ -128,12 +126,8 @@ fn power_laws_are_recovered() {
 
 #[test]
 fn solids_are_recovered() {
-    let free = [
-        FilmModulus,
-        RelaxedFraction,
-        RelaxationTime(1),
-        ContactPoint,
-    ];
+    let [time, point] = [RelaxationTime(1), ContactPoint];
+    let free = [FilmModulus, RelaxedFraction, time, point];
     let plan = planned(Kind::LoadPenetration, 1e-5, &linear_solid(), 1.0);
     recover("standard linear solid", &[plan], &free, 104, &[]);
     let plan = planned(Kind::ForceHeight, 1e-5, &linear_solid(), 1.0);
@@ -143,12 +137,7 @@ fn solids_are_recovered() {
         exponent: 0.5,
         time: 0.1,
     };
-    let free = [
-        FilmModulus,
-        RelaxationExponent,
-        RelaxationTime(1),
-        ContactPoint,
-    ];
+    let free = [FilmModulus, RelaxationExponent, time, point];
     let plan = planned(Kind::LoadPenetration, 1e-5, &modified, 1.0);
     // Its time is below two intervals in some sets.
     let expected = [WarningKind::RelaxationTime];
@@ -217,32 +206,25 @@ fn bodies_that_do_not_relax_are_doubted_or_refused() {
     let glass = found(&with_base(7e10, false)).expect("nothing to see");
     assert!(!glass.warns_of(WarningKind::UnlikeBodies));
     let stiff = found(&with_base(1e6, false)).expect("a doubt");
-    let bound = stiff.experiments[0]
-        .relaxation
-        .expect("it relaxes")
-        .unlike_bodies;
-    println!("a base of 1 MPa: {bound:.1e}");
+    let relaxation = stiff.experiments[0].relaxation.expect("it relaxes");
+    let bound = relaxation.unlike_bodies;
     assert!(1e-4 < bound && bound < 2e-2, "{bound}");
     let soft = found(&with_base(2e4, false)).expect_err("too different");
     assert!(matches!(soft, Error::History(_)), "{soft}");
-    assert_names(&soft.to_string(), &["relax"]);
+    assert_names(&soft.to_string(), "relax");
     assert!(found(&with_base(2e4, true)).is_ok());
 }
 
 /// A spring that stops suddenly relaxes in much less than a step where the law nearly flows.
 #[test]
 fn steps_that_are_seen_beside_the_noise_are_told() {
-    let law = |exponent: f64| Relaxation::PowerLaw {
-        exponent,
-        time: 1e-3,
-    };
+    let time = 1e-3;
     let warns = |exponent: f64, noise: f64| {
-        let plan = planned(Kind::ForceHeight, 5e-6, &law(exponent), 1.0);
+        let law = Relaxation::PowerLaw { exponent, time };
+        let plan = planned(Kind::ForceHeight, 5e-6, &law, 1.0);
         let mut data = measured(&plan, 3);
         data.noise = Some(noise * data.noise.expect("a noise"));
         let fit = fit_all(&[data], &[Free::new(FilmModulus)]).expect("a fit");
-        let relaxation = fit.experiments[0].relaxation.expect("it relaxes");
-        println!("{exponent}: {:.1e}", relaxation.steps_error);
         fit.warns_of(WarningKind::Steps)
     };
     assert!(warns(0.9, 0.1));
@@ -272,11 +254,8 @@ fn units() {
     let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
     let mut other = data.clone();
     other.times.iter_mut().for_each(|time| *time *= 1e3);
-    let law = Relaxation::PowerLaw {
-        exponent: 0.3,
-        time: 1e3,
-    };
-    other.relaxing = Some(Relaxing::new(law));
+    let (exponent, time) = (0.3, 1e3);
+    other.relaxing = Some(Relaxing::new(Relaxation::PowerLaw { exponent, time }));
     let [one, other] = [data, other].map(|data| {
         let found = fit_all(&[data], &free);
         found.expect("sound data").estimates
@@ -294,17 +273,15 @@ fn heights_with_noise() {
     let heights = planned(Kind::ForceHeight, 1e-5, &power(), 0.5);
     // The hold is as long as approach and retract: a part of it that falls would turn the contact around.
     let penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 1.0);
-    let cases = [
+    let phases = [
         (&heights, 0),
         (&heights, 1),
         (&heights, 2),
         (&penetrations, 0),
     ];
     let noises = [(1, 3e-10), (2, 1e-9), (3, 2e-9), (4, 2e-9)];
-    for ((plan, phase), (seed, noise)) in cases
-        .into_iter()
-        .flat_map(|case| noises.map(|noise| (case, noise)))
-    {
+    let cases = phases.map(|phase| noises.map(|noise| (phase, noise)));
+    for ((plan, phase), (seed, noise)) in cases.into_iter().flatten() {
         let retract = plan.times[plan.times.len() - 1] - 1.0;
         let is_noisy = |t: f64| [true, (1.0..retract).contains(&t), t > retract][phase];
         let mut data = measured(plan, seed);
@@ -315,13 +292,9 @@ fn heights_with_noise() {
             }
         }
         let found = fit_all(&[data], &free).expect("a fit");
-        for (estimate, truth) in found.estimates.iter().zip([2e3, 0.2, 3e-7]) {
-            let deviations = (estimate.value - truth) / estimate.standard_error;
-            let name = estimate.parameter.name();
-            assert!(
-                deviations.abs() < 4.0,
-                "{name}: {deviations:.1}, phase {phase}, {noise:e}"
-            );
+        for (one, truth) in found.estimates.iter().zip([2e3, 0.2, 3e-7]) {
+            let off = (one.value - truth) / one.standard_error;
+            assert!(off.abs() < 4.0, "{one:?}, phase {phase}, {noise:e}");
         }
         assert!(!found.warns_of(WarningKind::NotMonotone));
     }
@@ -334,10 +307,8 @@ fn a_penetration_that_goes_back_and_forth() {
     let mut data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
     data.measurement.points[20].abscissa += 6e-8;
     let found = fit_all(&[data], &free).expect("a fit");
-    let changed = found.experiments[0]
-        .relaxation
-        .expect("it relaxes")
-        .made_monotone;
+    let relaxation = found.experiments[0].relaxation.expect("it relaxes");
+    let changed = relaxation.made_monotone;
     assert!((2e-8..6e-8).contains(&changed), "{changed:e}");
     assert!(found.warns_of(WarningKind::NotMonotone));
 }
