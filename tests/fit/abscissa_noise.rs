@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused, assert_names, solid};
+use acceptance::{Contacts, Refused, solid};
 use fit::data::{Format, read_from};
 use fit::{Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
 use interp::Table;
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_no_doubts, assert_silent, fit_all, fit_with, half_space, lens,
-    text,
+    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warned, assert_warns, fit_all,
+    fit_with, half_space, lens, text,
 };
 use crate::recovery::{SETS, assert_recovers};
 
@@ -109,11 +109,7 @@ fn noise_in_the_radius_that_is_not_given_is_a_poor_fit_under_any_loss() {
     for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
         for seed in 0..20 {
             let found = fitted(blur(seed), &lens, loss);
-            assert!(
-                found.warns_of(WarningKind::PoorFit),
-                "{loss:?}: {:?}",
-                found.warnings
-            );
+            assert_warned(&found, WarningKind::PoorFit);
             let mut given = blur(seed);
             given.abscissa_noise = RADIUS_NOISE;
             let found = fitted(given, &lens, loss);
@@ -253,11 +249,8 @@ fn noise_in_the_height_that_is_not_given_is_seen_beside_the_baseline() {
             {
                 continue;
             }
-            let said = text(&found, WarningKind::UnequalNoise);
-            assert_names(
-                &said,
-                "imagined.csv; in contact scatter; noise of the force; standard errors; too small; height",
-            );
+            let words = "imagined.csv; in contact scatter; noise of the force; standard errors; too small; height";
+            assert_warns(&found, WarningKind::UnequalNoise, words);
             named += 1;
             // A robust loss would take the baseline for the rule.
             if found.warns_of(WarningKind::Outliers) {

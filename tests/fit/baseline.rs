@@ -3,7 +3,9 @@
 
 use fit::{Experiment, Fit, Parameter, WarningKind};
 
-use crate::imagined::{Course, Imagined, assert_silent, fitted};
+use crate::imagined::{
+    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, fitted, off as off_by,
+};
 
 /// The parameters of a force curve without adhesion.
 const HERTZ: [Parameter; 3] = [
@@ -30,8 +32,7 @@ fn changed(experiment: &Experiment, by: impl Fn(usize, f64) -> f64) -> Experimen
 
 /// Returns how far the modulus of the film is from 20 kPa, in standard errors.
 fn off(found: &Fit) -> f64 {
-    let modulus = found.estimate(Parameter::FilmModulus).expect("free");
-    (modulus.value - 2e4) / modulus.standard_error
+    off_by(found, Parameter::FilmModulus, 2e4)
 }
 
 #[test]
@@ -41,10 +42,8 @@ fn a_force_that_is_added_to_all_changes_the_baseline_alone() {
     let here = fitted(&measured, &hertz.free);
     for level in [-1e-6, -3e-9, 1e-9, 1e-8, 1e-7] {
         let found = fitted(&changed(&measured, |_, _| level), &hertz.free);
-        assert!(
-            (off(&found) - off(&here)).abs() < 0.01,
-            "{level}: {found:?}"
-        );
+        let moved = off(&found) - off(&here);
+        assert!(moved.abs() < 0.01, "{level}: {found:?}");
         let [here, there] =
             [&here, &found].map(|fit| fit.estimate(Parameter::Baseline).expect("free"));
         let error = there.value - level - here.value;
@@ -65,10 +64,8 @@ fn a_ramp_may_begin_far_from_the_surface() {
         for level in [0.0, 5e-9] {
             let measured = changed(&hertz.measured(&exact, 5), |_, _| level);
             let found = fitted(&measured, &hertz.free);
-            assert!(
-                found.converged && off(&found).abs() < 4.0,
-                "{times}, {level}: {found:?}"
-            );
+            let is_near = found.converged && off(&found).abs() < 4.0;
+            assert!(is_near, "{times}, {level}: {found:?}");
         }
     }
 }
@@ -76,11 +73,7 @@ fn a_ramp_may_begin_far_from_the_surface() {
 /// A pull-off is where the force stays down before it and up after it.
 #[test]
 fn a_spike_on_the_baseline_is_no_pull_off() {
-    let probe = Imagined::probe(
-        Course::Cycle,
-        1e-4,
-        &[&HERTZ[..], &[Parameter::WorkOfAdhesion]].concat(),
-    );
+    let probe = Imagined::probe(Course::Cycle, 1e-4, &FORCE_CURVE);
     let exact = probe.exact();
     let baseline = |i: &usize| exact.points[*i].abscissa > 2e-6;
     let far: Vec<usize> = (0..exact.points.len()).filter(baseline).collect();
@@ -97,16 +90,9 @@ fn a_spike_on_the_baseline_is_no_pull_off() {
             let is_hit = |i: usize| (spike..spike + width).contains(&i);
             let with = changed(&measured, |i, _| if is_hit(i) { height } else { 0.0 });
             let found = fitted(&with, &probe.free);
-            assert!(
-                off(&found).abs() < 4.0,
-                "{place}, {height}, {width}: {:?}",
-                found.estimates
-            );
-            assert!(
-                found.warns_of(WarningKind::Outliers),
-                "{:?}",
-                found.warnings
-            );
+            let off = off(&found);
+            assert!(off.abs() < 4.0, "{place}, {height}, {width}: {off}");
+            assert_warned(&found, WarningKind::Outliers);
         }
     }
 }

@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_names, solid};
+use acceptance::{Contacts, solid};
 use fit::{Direction, Experiment, Fit, Kind, Measurement, Parameter, Point, WarningKind};
 
 use crate::imagined::{
-    Course, Imagined, assert_silent, doubts, fit_with, free_of, half_space, measurement, text,
+    Course, FORCE_CURVE, Imagined, LENS, assert_silent, assert_warned, assert_warns, doubts,
+    fit_with, free_of, half_space, measurement, number_after, text,
 };
 
 const RADIUS: f64 = 10e-6;
@@ -15,8 +16,9 @@ fn fitted(experiment: &Experiment, free: &[Parameter]) -> Fit {
     fit_with(experiment, &free_of(free), |_| ()).expect("sound")
 }
 
-/// Returns the number before ` J` in a warning.
-fn energy(text: &str) -> f64 {
+/// Returns the energy that the warning of a loop states, J.
+fn energy(found: &Fit) -> f64 {
+    let text = text(found, WarningKind::Hysteresis);
     let before = text.split(" J").next().expect("a part");
     let word = before.rsplit(' ').next().expect("a word");
     word.parse()
@@ -74,9 +76,8 @@ fn area(curve: impl Fn(f64) -> f64, [from, to]: [f64; 2]) -> f64 {
 
 #[test]
 fn the_loop_of_a_lens_is_the_difference_of_its_works_of_adhesion_over_the_area() {
-    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
     for kind in [Kind::LoadRadius, Kind::LoadPenetration] {
-        let mut lens = Imagined::lens(kind, 10e-6, 2e-6, &free);
+        let mut lens = Imagined::lens(kind, 10e-6, 2e-6, &LENS);
         lens.course = Course::Cycle;
         lens.radii[0] = 60e-6;
         lens.points[0] = 80;
@@ -84,26 +85,24 @@ fn the_loop_of_a_lens_is_the_difference_of_its_works_of_adhesion_over_the_area()
         lens.truth.work_of_adhesion_receding = Some(0.06);
         let mut experiment = lens.measured(&lens.exact(), 1);
         experiment.work_of_adhesion_receding = None;
-        let found = fitted(&experiment, &free);
-        let warning = &text(&found, WarningKind::Hysteresis);
-        assert_names(
-            warning,
-            "imagined.csv; work of loading; half of the largest load; work-of-adhesion-receding",
-        );
+        let found = fitted(&experiment, &LENS);
+        let words =
+            "imagined.csv; work of loading; half of the largest load; work-of-adhesion-receding";
+        assert_warns(&found, WarningKind::Hysteresis, words);
         if kind == Kind::LoadRadius {
             // From the smallest radius of the retract on.
             let expected = 0.03 * PI * (131e-6_f64.powi(2) - 60e-6_f64.powi(2));
-            let off = energy(warning) / expected - 1.0;
-            assert!(off.abs() < 0.03, "{off}: {warning}");
+            let off = energy(&found) / expected - 1.0;
+            assert!(off.abs() < 0.03, "{off}");
         }
         // Two works of adhesion make this loop: there is nothing left to name.
-        let both = [free[0], free[1], Parameter::WorkOfAdhesionReceding];
+        let both = [LENS[0], LENS[1], Parameter::WorkOfAdhesionReceding];
         let found = fitted(&experiment, &both);
         assert_silent(&found, WarningKind::Hysteresis);
         // One way has no loop.
         let points = &mut experiment.measurement.points;
         points.retain(|point| point.direction == Some(Direction::Retract));
-        assert!(!fitted(&experiment, &free).warns_of(WarningKind::Hysteresis));
+        assert_silent(&fitted(&experiment, &LENS), WarningKind::Hysteresis);
     }
 }
 
@@ -111,14 +110,8 @@ fn the_loop_of_a_lens_is_the_difference_of_its_works_of_adhesion_over_the_area()
 fn an_elastic_cycle_has_no_loop_to_be_named_though_its_ends_jump() {
     // The jumps of a soft spring, and those of an adhesive contact at imposed penetrations, lose
     // energy, which the model loses, too.
-    let free = [
-        Parameter::FilmModulus,
-        Parameter::WorkOfAdhesion,
-        Parameter::ContactPoint,
-        Parameter::Baseline,
-    ];
     for seed in 0..40 {
-        let mut probe = Imagined::probe(Course::Cycle, 1e-4, &free);
+        let mut probe = Imagined::probe(Course::Cycle, 1e-4, &FORCE_CURVE);
         probe.noise_is_known = seed % 2 == 0;
         let found = probe.fit(seed);
         assert_silent(&found, WarningKind::Hysteresis);
@@ -178,21 +171,19 @@ fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
     };
     let experiment = pressed(|x| on(&up, x), |x| on(&down, x), [deepest, 2e-10], 1);
     let found = fitted(&experiment, &[Parameter::FilmModulus]);
-    let warning = &text(&found, WarningKind::Hysteresis);
-    assert_names(warning, &["viscous", "fit one direction alone"]);
+    let words = "viscous; fit one direction alone";
+    assert_warns(&found, WarningKind::Hysteresis, words);
     let range = [0.05 * deepest, deepest];
     let expected = area(|x| on(&up, x), range) - area(|x| on(&down, x), range);
-    let off = energy(warning) / expected - 1.0;
-    assert!(off.abs() < 0.03, "{off}: {warning}");
+    let off = energy(&found) / expected - 1.0;
+    assert!(off.abs() < 0.03, "{off}");
     // Without the directions, the order in time tells them.
     let mut unnamed = experiment.clone();
     let points = &mut unnamed.measurement.points;
     points.iter_mut().for_each(|point| point.direction = None);
     let found = fitted(&unnamed, &[Parameter::FilmModulus]);
-    assert_names(
-        &text(&found, WarningKind::Hysteresis),
-        "give the points their directions",
-    );
+    let words = "give the points their directions";
+    assert_warns(&found, WarningKind::Hysteresis, words);
     // Directions that are swapped.
     let mut swapped = experiment;
     for point in &mut swapped.measurement.points {
@@ -202,10 +193,7 @@ fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
         };
     }
     let found = fitted(&swapped, &[Parameter::FilmModulus]);
-    assert_names(
-        &text(&found, WarningKind::Hysteresis),
-        "check the directions",
-    );
+    assert_warns(&found, WarningKind::Hysteresis, "check the directions");
 }
 
 /// Oliver and Pharr's unloading (J. Mater. Res. 7, 1564, 1992) from a depth that remains.
@@ -219,22 +207,11 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
         let mut experiment = pressed(loading, unloading, [deepest, 1e-3 * most], seed);
         experiment.bodies = half_space(RADIUS, f64::INFINITY, solid(1e10, 0.3));
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
-        let warning = &text(&found, WarningKind::Plasticity);
-        assert_names(
-            warning,
-            "plastically; upper part of the unloading; contact point",
-        );
-        let depth: f64 = warning
-            .split("a depth of ")
-            .nth(1)
-            .and_then(|rest| rest.split(' ').next()?.parse().ok())
-            .expect("a number");
-        assert!((depth - remains).abs() < 0.05 * deepest, "{warning}");
-        assert!(
-            found.warns_of(WarningKind::Hysteresis),
-            "{:?}",
-            found.warnings
-        );
+        let words = "plastically; upper part of the unloading; contact point";
+        assert_warns(&found, WarningKind::Plasticity, words);
+        let depth = number_after(&text(&found, WarningKind::Plasticity), "a depth of ");
+        assert!((depth - remains).abs() < 0.05 * deepest, "{depth}");
+        assert_warned(&found, WarningKind::Hysteresis);
         // What the warning tells to do.
         let points = &mut experiment.measurement.points;
         points.retain(|point| {
@@ -247,10 +224,8 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
         let estimate = found.estimate(Parameter::FilmModulus).expect("free");
         let truth = modulus * (1.0 - 0.3 * 0.3);
         let off = (estimate.value - truth) / estimate.standard_error;
-        assert!(
-            off.abs() < 4.0 && estimate.standard_error < 0.1 * truth,
-            "{estimate:?}"
-        );
+        let is_near = off.abs() < 4.0 && estimate.standard_error < 0.1 * truth;
+        assert!(is_near, "{estimate:?}");
     }
     // An elastic cycle leaves nothing.
     for seed in 0..20 {

@@ -1,16 +1,17 @@
 //! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
 
 use acceptance::Contacts;
-use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
+use fit::{Experiment, Fit, Free, Parameter, WarningKind};
 
 use crate::contact_stiffness::{at_radii, noisy, oxide};
-use crate::imagined::{Course, Imagined, assert_no_doubts, assert_silent, fit_with, free_of, text};
+use crate::imagined::{
+    Course, FORCE_CURVE, Imagined, assert_no_doubts, assert_silent, assert_warns, fitted,
+    fitted_of_few, free_of, lens, text,
+};
 
 /// Returns a force curve on a gel with adhesion, its work of adhesion free.
 fn probe() -> Imagined {
-    use Parameter::{Baseline, ContactPoint, FilmModulus, WorkOfAdhesion};
-    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
-    Imagined::probe(Course::Cycle, 1e-4, &free)
+    Imagined::probe(Course::Cycle, 1e-4, &FORCE_CURVE)
 }
 
 /// Returns the fit of an experiment whose readings a detector has changed.
@@ -19,10 +20,7 @@ fn through(experiment: &Experiment, free: &[Free], detector: impl Fn(f64) -> f64
     for point in &mut experiment.measurement.points {
         point.ordinate = detector(point.ordinate);
     }
-    fit_with(&experiment, free, |options| {
-        options.allow_left_out = true;
-    })
-    .expect("sound")
+    fitted_of_few(&experiment, free)
 }
 
 /// Returns the smallest and the largest reading of an experiment.
@@ -43,12 +41,8 @@ fn readings_at_the_end_of_the_range_are_doubted() {
         let at_the_bottom = through(&experiment, &probe.free, |y| y.max(0.85 * least));
         let at_the_top = through(&experiment, &probe.free, |y| y.min(0.8 * most));
         for (found, which) in [(at_the_bottom, "smallest"), (at_the_top, "largest")] {
-            let said = text(&found, WarningKind::Saturated);
-            assert!(
-                said.contains(&format!("exactly the {which} force")),
-                "{said}"
-            );
-            assert!(said.contains("leave these points out, in lines"), "{said}");
+            let words = format!("exactly the {which} force; leave these points out, in lines");
+            assert_warns(&found, WarningKind::Saturated, &words);
         }
     }
 }
@@ -61,11 +55,8 @@ fn coarse_steps_are_doubted() {
         let experiment = probe.measured(&exact, seed);
         let step = 5.0 * probe.noise;
         let found = through(&experiment, &probe.free, |y| step * (y / step).round());
-        let said = text(&found, WarningKind::CoarseSteps);
-        assert!(
-            said.contains("values of the force, in steps of 7.500e-10 N"),
-            "{said}"
-        );
+        let words = "values of the force, in steps of 7.500e-10 N";
+        assert_warns(&found, WarningKind::CoarseSteps, words);
         assert_silent(&found, WarningKind::Saturated);
         // Rounding makes neighbours alike, which is no other reason for doubts.
         let kinds = [WarningKind::StructuredResiduals, WarningKind::PoorFit];
@@ -91,8 +82,7 @@ fn sound_readings_of_few_values_are_not_doubted() {
         assert_no_doubts(&through(&experiment, &probe.free, digits), &strain);
     }
     // Each load is set three times, the last may be held for longer, and the radius has the noise.
-    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
-    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &free);
+    let mut lens = lens();
     lens.points[0] = 12;
     let exact = lens.exact();
     for (seed, held) in (0..50).flat_map(|seed| [(seed, 3), (seed, 20)]) {
@@ -109,8 +99,7 @@ fn sound_readings_of_few_values_are_not_doubted() {
             point.abscissa += experiment.abscissa_noise * random.normal();
             point.line = i as u64 + 2;
         }
-        let found = fit_with(&experiment, &lens.free, |_| ()).expect("sound");
-        assert_no_doubts(&found, &[]);
+        assert_no_doubts(&fitted(&experiment, &lens.free), &[]);
     }
 }
 
@@ -127,12 +116,8 @@ fn readings_of_a_contact_stiffness_are_doubted_in_its_unit() {
             let sound = through(&experiment, &free, |y| y);
             assert_no_doubts(&sound, &[WarningKind::Friction]);
             let at_the_top = through(&experiment, &free, |y| y.min(0.8 * most));
-            let said = text(&at_the_top, WarningKind::Saturated);
-            assert!(
-                said.contains("exactly the largest contact stiffness"),
-                "{said}"
-            );
-            assert!(said.contains(" N/m, where the fit changes by "), "{said}");
+            let words = "exactly the largest contact stiffness;  N/m, where the fit changes by ";
+            assert_warns(&at_the_top, WarningKind::Saturated, words);
             // Steps of 0.01 N/m are fine beside 1 %, though 0.01 is the noise.
             let fine = through(&experiment, &free, |y| 0.01 * (y / 0.01).round());
             assert_no_doubts(&fine, &[WarningKind::Friction]);
@@ -140,10 +125,7 @@ fn readings_of_a_contact_stiffness_are_doubted_in_its_unit() {
         let experiment = noisy(&exact, 2e-3, seed);
         let step = 0.04 * most;
         let coarse = through(&experiment, &free, |y| step * (y / step).round().max(1.0));
-        let said = text(&coarse, WarningKind::CoarseSteps);
-        assert!(
-            said.contains(" N/m, beside which the noise is small"),
-            "{said}"
-        );
+        let words = " N/m, beside which the noise is small";
+        assert_warns(&coarse, WarningKind::CoarseSteps, words);
     }
 }

@@ -4,14 +4,14 @@ use std::slice;
 
 use acceptance::{Contacts, Refused};
 use fit::{Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Options, Parameter, Point};
-use fit::{Scope, fit, simulate};
+use fit::{Scope, simulate};
 use interp::Table;
 
-use crate::imagined::{Course, Imagined, LENS, fit_all, fit_with, gel, measurement};
+use crate::imagined::{Course, Imagined, fit_all, fit_with, gel, lens, measurement};
 
 /// Fits the lens on a film of 10 um to points that are changed first.
 fn with(edit: impl Fn(&mut Vec<Point>)) -> Result<Fit, Error> {
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let lens = lens();
     let mut experiment = lens.measured(&lens.exact(), 1);
     edit(&mut experiment.measurement.points);
     fit_all(&[experiment], &lens.free)
@@ -50,7 +50,7 @@ fn the_order_of_points_does_not_matter_and_duplicates_count_twice() {
 
 #[test]
 fn settings_that_cannot_be_used_are_named() {
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let lens = lens();
     let measured = lens.measured(&lens.exact(), 1);
     let one = slice::from_ref(&measured);
     fit_all(&[], &lens.free).refused("no experiment");
@@ -121,10 +121,8 @@ fn settings_that_cannot_be_used_are_named() {
 #[test]
 fn parameters_are_known_by_name() {
     for parameter in Parameter::ALL {
-        assert_eq!(
-            parameter.name().parse::<Parameter>().expect("its name"),
-            parameter
-        );
+        let read = parameter.name().parse::<Parameter>();
+        assert_eq!(read.expect("its name"), parameter);
     }
     let error = "nu1".parse::<Parameter>();
     error.refused("nu1; film-modulus; baseline-slope; stiffness");
@@ -160,10 +158,9 @@ fn data_without_sense_give_an_error_or_a_result() {
                 _ => random.uniform(0.0, 1.0) * 10_f64.powi(-(unit as i32)),
             };
             let (abscissa, ordinate) = (number(abscissa_unit), number(ordinate_unit));
-            let abscissa = if matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius) {
-                abscissa.abs()
-            } else {
-                abscissa
+            let abscissa = match kind {
+                Kind::LoadRadius | Kind::PenetrationRadius => abscissa.abs(),
+                _ => abscissa,
             };
             points.push(Point {
                 line: i as u64,
@@ -182,11 +179,7 @@ fn data_without_sense_give_an_error_or_a_result() {
             .map(Free::new)
             .collect();
         let loss = [Loss::Squares, Loss::HUBER, Loss::SOFT_L1][seed as usize % 3];
-        let options = Options {
-            loss,
-            ..Options::default()
-        };
-        match fit(Table::embedded(), &[experiment], &free, &options) {
+        match fit_with(&experiment, &free, |options| options.loss = loss) {
             // Random numbers are no contact: there is always a doubt.
             Ok(found) => {
                 fitted += 1;
@@ -198,13 +191,12 @@ fn data_without_sense_give_an_error_or_a_result() {
             }
         }
     }
-    println!("{fitted} fitted with doubts, {refused} refused");
-    assert!(fitted > 0 && refused > 0);
+    assert!(fitted > 0 && refused > 0, "{fitted} {refused}");
 }
 
 #[test]
 fn predictions_and_simulations_refuse_what_is_not_finite() {
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let lens = lens();
     let sound = lens.measured(&lens.exact(), 1);
     let refused = |experiment: &Experiment, words: &str| {
         let table = Table::embedded();

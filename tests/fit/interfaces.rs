@@ -1,12 +1,12 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
 use acceptance::{Refused, assert_names, solid, springs};
-use fit::{Bodies, Fit, Kind, Parameter, WarningKind, forecast};
+use fit::{Bodies, Fit, Free, Kind, Parameter, WarningKind, forecast};
 use interp::{System, Table};
 use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
 
-use crate::imagined::Imagined;
+use crate::imagined::{Imagined, assert_silent};
 use crate::layers::{fit_of, layer, named, on_layers, recover, with_reach};
 
 const INFINITY: f64 = f64::INFINITY;
@@ -19,9 +19,11 @@ fn modulus() -> Parameter {
     Parameter::LayerModulus(named("film"))
 }
 
-/// A lens on an elastomer of 10 um on silicon, with an interface between them.
-fn lens(interface: Interface, free: &[Parameter]) -> Imagined {
-    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 1e-6, free);
+/// A lens on an elastomer of 10 um on silicon, with an interface between them. A parameter and the work of
+/// adhesion are free.
+fn lens(interface: Interface, parameter: Parameter) -> Imagined {
+    let free = [parameter, Parameter::WorkOfAdhesion];
+    let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 1e-6, &free);
     set(&mut lens, interface, |_| {});
     lens
 }
@@ -56,23 +58,19 @@ fn only(found: &Fit, kind: WarningKind) -> &str {
 
 #[test]
 fn the_stiffness_of_an_interface_is_found() {
+    let lens = lens(springs(3e11, INFINITY), stiffness());
     recover(
         "lens, interface's stiffness",
-        &lens(
-            springs(3e11, INFINITY),
-            &[stiffness(), Parameter::WorkOfAdhesion],
-        ),
+        &lens,
         &[WarningKind::LargeStrain],
     );
 }
 
 #[test]
 fn the_modulus_of_a_sliding_film_is_found() {
-    recover(
-        "lens, modulus of a sliding film",
-        &lens(Interface::Sliding, &[modulus(), Parameter::WorkOfAdhesion]),
-        &[WarningKind::LargeStrain, WarningKind::Friction],
-    );
+    let lens = lens(Interface::Sliding, modulus());
+    let expected = [WarningKind::LargeStrain, WarningKind::Friction];
+    recover("lens, modulus of a sliding film", &lens, &expected);
 }
 
 /// Data of a film that slides tell no lower bound of the stiffness, data of a bonded one no upper
@@ -87,10 +85,8 @@ fn data_that_do_not_tell_the_interface_are_named() {
         (slides, 5e-3, "not told by these data; wider"),
     ];
     for (truth, thickness, words) in cases {
-        let mut of_truth = lens(truth, &[stiffness(), Parameter::WorkOfAdhesion]);
-        set(&mut of_truth, truth, |system| {
-            system.film_thickness = thickness
-        });
+        let mut of_truth = lens(truth, stiffness());
+        set(&mut of_truth, truth, |of| of.film_thickness = thickness);
         let exact = of_truth.exact();
         for seed in 0..5 {
             let found = fit_of(of_truth.measured(&exact, seed), &of_truth);
@@ -98,19 +94,16 @@ fn data_that_do_not_tell_the_interface_are_named() {
         }
     }
     // Where the stiffness is found, nothing is open.
-    let told = lens(
-        springs(3e11, INFINITY),
-        &[stiffness(), Parameter::WorkOfAdhesion],
-    );
+    let told = lens(springs(3e11, INFINITY), stiffness());
     let found = fit_of(told.measured(&told.exact(), 0), &told);
-    assert!(!found.warns_of(WarningKind::InterfaceNotSeen));
+    assert_silent(&found, WarningKind::InterfaceNotSeen);
 }
 
 /// Under a rigid sphere on a rigid base, the load is proportional to the modulus: the
 /// factor is the ratio of the stiffnesses of the widest contact.
 #[test]
 fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
-    let mut bonded = lens(Interface::Bonded, &[modulus(), Parameter::WorkOfAdhesion]);
+    let mut bonded = lens(Interface::Bonded, modulus());
     set(&mut bonded, Interface::Bonded, |system| {
         system.sphere_modulus = INFINITY;
         system.substrate = solid(INFINITY, 0.25);
@@ -139,30 +132,28 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
         .and_then(|before| before.rsplit(' ').next())
         .and_then(|number| number.parse::<f64>().ok())
         .expect("a factor");
-    println!("the factor is {printed}, and the ratio of stiffnesses {factor}");
-    assert!((printed / factor - 1.0).abs() <= 2e-3);
+    assert!((printed / factor - 1.0).abs() <= 2e-3, "{printed} {factor}");
 
     // A film that slides, or is on springs, assumes nothing.
     for interface in [Interface::Sliding, springs(3e11, INFINITY)] {
-        let other = lens(interface, &[modulus(), Parameter::WorkOfAdhesion]);
+        let other = lens(interface, modulus());
         let found = fit_of(other.measured(&other.exact(), 0), &other);
-        assert!(!found.warns_of(WarningKind::AssumesBonding));
+        assert_silent(&found, WarningKind::AssumesBonding);
     }
     // Contacts that are small beside the film do not feel its interface.
-    let mut thick = lens(Interface::Bonded, &[modulus(), Parameter::WorkOfAdhesion]);
-    set(&mut thick, Interface::Bonded, |system| {
-        system.film_thickness = 0.1;
-    });
+    let mut thick = lens(Interface::Bonded, modulus());
+    set(&mut thick, Interface::Bonded, |of| of.film_thickness = 0.1);
     let found = fit_of(thick.measured(&thick.exact(), 0), &thick);
-    assert!(!found.warns_of(WarningKind::AssumesBonding));
+    assert_silent(&found, WarningKind::AssumesBonding);
 }
 
 /// The errors of a plan are those at the planned value, and a bonded or sliding film has none.
 #[test]
 fn the_stiffness_of_an_interface_is_planned_where_it_is_free() {
     let planned = |interface| {
-        let lens = lens(interface, &[modulus(), stiffness()]);
-        forecast(Table::embedded(), &[with_reach(lens.planned())], &lens.free)
+        let planned = with_reach(lens(interface, modulus()).planned());
+        let free = [modulus(), stiffness()].map(Free::new);
+        forecast(Table::embedded(), &[planned], &free)
     };
     planned(springs(2e11, INFINITY)).expect("a stiffness is planned");
     for interface in [Interface::Bonded, Interface::Sliding] {

@@ -6,7 +6,7 @@ use interp::System;
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::{Course, Imagined, fit_with, of_file, text};
+use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, fit_with, of_file, profiled, text};
 
 /// The levels of the intervals.
 const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
@@ -31,25 +31,14 @@ fn assert_sound(name: &str, fits: &[Fit]) -> usize {
         let all: Vec<Estimate> = fits.iter().map(|fit| fit.estimates[i]).collect();
         for (fit, estimate) in fits.iter().zip(&all) {
             let Some([low, high]) = estimate.profile else {
-                assert!(
-                    !fit.converged,
-                    "{name}: {} has no interval",
-                    estimate.parameter
-                );
+                assert!(!fit.converged, "{name}: {estimate:?}");
                 continue;
             };
             let is_open = [low, high].iter().any(|end| !end.is_finite())
                 || (estimate.parameter.is_positive() && low == 0.0);
-            assert_eq!(
-                is_open,
-                fit.warnings.iter().any(|warning| {
-                    warning.kind == WarningKind::OpenInterval
-                        && warning
-                            .text
-                            .contains(&format!("interval of {} ", estimate.parameter))
-                }),
-                "{name}: {estimate:?}"
-            );
+            let words = format!("interval of {} ", estimate.parameter);
+            let is_named = text(fit, WarningKind::OpenInterval).contains(&words);
+            assert_eq!(is_open, is_named, "{name}: {estimate:?}");
             for (end, is_outside) in [(low, low > estimate.value), (high, high < estimate.value)] {
                 assert!(end.is_nan() || !is_outside, "{name}: {estimate:?}");
             }
@@ -62,11 +51,7 @@ fn assert_sound(name: &str, fits: &[Fit]) -> usize {
         compared += 1;
         for pair in ends.windows(2) {
             let ([low, high], [lower, higher]) = (pair[0], pair[1]);
-            assert!(
-                !(lower > low || higher < high),
-                "{name}, {}: {ends:?}",
-                all[0].parameter
-            );
+            assert!(!(lower > low || higher < high), "{name}: {all:?}");
         }
     }
     compared
@@ -101,7 +86,6 @@ fn four_values_of_a_lens_with_a_robust_loss_have_nested_intervals() {
         let fits = fits(&lens(), &free, Loss::HUBER).expect("sound data");
         compared += assert_sound(&format!("lens without {fixed}"), &fits);
     }
-    println!("{compared} of 20 compared");
     assert!(compared >= 12, "{compared}");
 }
 
@@ -117,7 +101,6 @@ fn intervals_of_random_fits_are_nested() {
         fits.map_or(0, |fits| assert_sound(&format!("seed {seed}"), &fits))
     };
     let compared: usize = (0..60).into_par_iter().map(one).sum();
-    println!("{compared} values compared");
     assert!(compared > 90, "{compared}");
 }
 
@@ -146,29 +129,22 @@ fn an_open_interval_gives_the_reason() {
 
 #[test]
 fn intervals_of_few_points_hold_the_truth_as_often_as_their_level_says() {
-    let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
     for (points, noise_is_known) in [(4, false), (4, true), (6, false)] {
-        let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 2e-6, &free);
+        let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 2e-6, &LENS);
         lens.points = [points, 0];
         lens.noise_is_known = noise_is_known;
         let exact = lens.exact();
         let holds = |seed: u64| {
-            let experiment = lens.measured(&exact, seed);
-            let found = fit_with(&experiment, &lens.free, |options| {
-                options.profile_level = Some(0.95);
-            });
-            found.expect("sound").estimates.iter().all(|estimate| {
+            let found = profiled(&lens.measured(&exact, seed), &lens.free);
+            found.estimates.iter().all(|estimate| {
                 let truth = lens.truth.get(estimate.parameter).expect("a value");
                 let [low, high] = estimate.profile.expect("it was asked for");
                 truth >= low && truth <= high
             })
         };
         let many = 300_u64;
-        let held = (0..many)
-            .into_par_iter()
-            .filter(|&seed| holds(seed))
-            .count();
-        println!("{points} points: {held} of {many} hold both truths");
+        let seeds = (0..many).into_par_iter();
+        let held = seeds.filter(|&seed| holds(seed)).count();
         // Both at once: between 0.95^2 of independent ones and 0.95. Three standard deviations of a
         // count are 4 %.
         let part = held as f64 / many as f64;
@@ -179,21 +155,11 @@ fn intervals_of_few_points_hold_the_truth_as_often_as_their_level_says() {
 /// Without adhesion the data still tell how large it is at most.
 #[test]
 fn a_work_of_adhesion_that_vanishes_has_an_upper_end() {
-    let free = [
-        Parameter::FilmModulus,
-        Parameter::ContactPoint,
-        Parameter::Baseline,
-        Parameter::WorkOfAdhesion,
-    ];
-    let probe = Imagined::probe(Course::Approach, 0.0, &free);
+    let probe = Imagined::probe(Course::Approach, 0.0, &FORCE_CURVE);
     let exact = probe.exact();
     let mut told = 0;
     for seed in 0..20 {
-        let experiment = probe.measured(&exact, seed);
-        let found = fit_with(&experiment, &probe.free, |options| {
-            options.profile_level = Some(0.95);
-        });
-        let found = found.expect("sound");
+        let found = profiled(&probe.measured(&exact, seed), &probe.free);
         let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");
         let [_, most] = work.profile.expect("asked for");
         // 1.5 pi w R is 0.1 nN, the noise of a point, at 1 uJ/m^2.

@@ -9,7 +9,8 @@ use fit::{
 use interp::{Probe, System, Table};
 
 use crate::imagined::{
-    Course, Imagined, fit_all, fit_with, free_of, gel, measurement, measurement_at, of_file, text,
+    Course, FORCE_CURVE, Imagined, LENS, assert_warns, fit_all, fit_with, free_of, gel,
+    measurement, measurement_at, of_file, text,
 };
 
 /// Fits an experiment; most of its points may be left out if `allow`.
@@ -17,6 +18,20 @@ fn fitted(experiment: &Experiment, free: &[Parameter], allow: bool) -> Result<Fi
     fit_with(experiment, &free_of(free), |options| {
         options.allow_left_out = allow
     })
+}
+
+/// Returns the number of points of a fit that are left out, in contact or anywhere.
+fn left_out(found: &Fit, in_contact: bool) -> usize {
+    let groups = found.experiments[0].left_out.iter();
+    let groups = groups.filter(|group| !in_contact || group.reason.is_of_contact());
+    groups.map(|group| group.points).sum()
+}
+
+/// Asserts that as many points are left out as have no other branch.
+fn assert_counted(found: &Fit) {
+    let points = found.experiments[0].points.iter();
+    let branches = points.filter(|point| point.branch == Branch::LeftOut);
+    assert_eq!(left_out(found, false), branches.count());
 }
 
 /// A retract whose tension grows in proportion to the height up to a jump, as that of a viscous
@@ -42,69 +57,29 @@ fn viscous() -> Experiment {
 #[test]
 fn most_points_left_out_are_an_error_unless_allowed() {
     let free = [Parameter::WorkOfAdhesion];
-    let refused = fitted(&viscous(), &free, false);
-    assert!(
-        matches!(
-            refused,
-            Err(fit::Error::LeftOut {
-                in_contact: 101,
-                ..
-            })
-        ),
-        "{refused:?}"
-    );
-    refused.refused(
+    fitted(&viscous(), &free, false).refused(
         "imagined.csv; of 101 points in contact are left out, more than a third; within 4 standard errors of the end; \
          beyond the end of the fitted branch; Check the units",
     );
     let allowed = fitted(&viscous(), &free, true).expect("allowed");
-    let fitted = &allowed.experiments[0];
-    let branches = fitted.points.iter().map(|point| point.branch);
-    let left_out = branches.filter(|branch| *branch == Branch::LeftOut).count();
-    let counted: usize = fitted.left_out.iter().map(|group| group.points).sum();
-    assert_eq!(counted, left_out, "{:?}", fitted.left_out);
-    let of_contact: usize = fitted
-        .left_out
-        .iter()
-        .filter(|group| group.reason.is_of_contact())
-        .map(|group| group.points)
-        .sum();
-    let doubt = text(&allowed, WarningKind::LeftOut);
-    assert_names(
-        &doubt,
-        &format!("{of_contact} of 101 points in contact do not count"),
-    );
+    assert_counted(&allowed);
+    let count = left_out(&allowed, true);
+    let words = format!("{count} of 101 points in contact do not count");
+    assert_warns(&allowed, WarningKind::LeftOut, &words);
 }
 
 #[test]
 fn every_point_left_out_has_its_reason() {
-    let free = [
-        Parameter::FilmModulus,
-        Parameter::WorkOfAdhesion,
-        Parameter::ContactPoint,
-        Parameter::Baseline,
-    ];
-    let probe = Imagined::probe(Course::Retract, 1e-4, &free);
-    let found = probe.fit(3);
-    let fitted = &found.experiments[0];
-    let counted: usize = fitted.left_out.iter().map(|group| group.points).sum();
-    let branches = fitted.points.iter().map(|point| point.branch);
-    assert_eq!(
-        counted,
-        branches.filter(|branch| *branch == Branch::LeftOut).count()
-    );
-    assert!(counted > 0, "some are near the end of the branch");
-    let reasons: Vec<LeftOutReason> = fitted.left_out.iter().map(|group| group.reason).collect();
-    assert!(
-        reasons.is_sorted() && reasons.contains(&LeftOutReason::NearEnd),
-        "{reasons:?}"
-    );
-    for group in &fitted.left_out {
+    let found = Imagined::probe(Course::Retract, 1e-4, &FORCE_CURVE).fit(3);
+    assert_counted(&found);
+    let groups = &found.experiments[0].left_out;
+    let reasons: Vec<LeftOutReason> = groups.iter().map(|group| group.reason).collect();
+    assert!(reasons.is_sorted(), "{reasons:?}");
+    assert!(reasons.contains(&LeftOutReason::NearEnd), "{reasons:?}");
+    for group in groups {
         let [first, last] = group.lines;
-        assert!(
-            first <= last && (last - first) as usize + 1 >= group.points,
-            "{group:?}"
-        );
+        let are_within = first <= last && (last - first) as usize + 1 >= group.points;
+        assert!(are_within && group.points > 0, "{group:?}");
     }
 }
 
@@ -116,17 +91,10 @@ fn a_value_that_changes_nothing_is_no_result() {
     assert!(fitted(&experiment, &free, false).is_ok());
     // No point is on retract.
     let all = [free[0], free[1], Parameter::WorkOfAdhesionReceding];
-    let refused = fitted(&experiment, &all, false);
-    assert!(
-        matches!(refused, Err(fit::Error::NotDetermined { .. })),
-        "{refused:?}"
-    );
-    refused.refused("do not determine work-of-adhesion-receding; Fix it; prior");
-    let known = [
-        Free::new(all[0]),
-        Free::new(all[1]),
-        Free::new(all[2]).with_prior(1e-4, 1e-5),
-    ];
+    let words = "do not determine work-of-adhesion-receding; Fix it; prior";
+    fitted(&experiment, &all, false).refused(words);
+    let mut known = all.map(Free::new);
+    known[2] = known[2].with_prior(1e-4, 1e-5);
     let found = fit_all(&[experiment], &known);
     assert!(found.expect("the prior tells it").converged);
 }
@@ -166,13 +134,9 @@ fn a_start_that_leads_nowhere_does_not_leave_out_all_points() {
         assert!(error < largest, "{estimate:?}");
         assert!((estimate.value - truth).abs() < 3.0 * error, "{estimate:?}");
     }
-    let near: usize = found.experiments[0]
-        .left_out
-        .iter()
-        .filter(|group| group.reason.is_of_contact())
-        .map(|group| group.points)
-        .sum();
-    assert!(near <= 10, "{near} of 94 points in contact are left out");
+    // Of 94 points in contact.
+    let near = left_out(&found, true);
+    assert!(near <= 10, "{near}");
 }
 
 /// Loads without adhesion, whose noise asks for less than none in half of the cases.
@@ -189,13 +153,8 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
         made.measurement = simulate(Table::embedded(), &plan, noise, seed).expect("in the table");
         made.noise = Some(noise);
         made.work_of_adhesion = 0.04;
-        let free = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
-        let found = fitted(&made, &free, true).expect("sound data");
-        let work = found
-            .estimate(Parameter::WorkOfAdhesion)
-            .expect("free")
-            .value;
-        println!("{seed}: {work:.1e} J/m^2");
+        let found = fitted(&made, &LENS, true).expect("sound data");
+        let work = found.estimate(LENS[1]).expect("free").value;
         if work < 1e-12 {
             ended += 1;
             let told = text(&found, WarningKind::AtBound);
@@ -210,13 +169,7 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
 /// the ends of the branches are the same, and so is the result.
 #[test]
 fn the_value_of_a_free_work_of_adhesion_does_not_count() {
-    let free = [
-        Parameter::FilmModulus,
-        Parameter::WorkOfAdhesion,
-        Parameter::ContactPoint,
-        Parameter::Baseline,
-    ];
-    let probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+    let probe = Imagined::probe(Course::Cycle, 5e-5, &FORCE_CURVE);
     let exact = probe.exact();
     for seed in 0..20 {
         let mut experiment = probe.measured(&exact, seed);

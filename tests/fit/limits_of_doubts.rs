@@ -5,7 +5,8 @@ use fit::{Bodies, Experiment, Kind, Loss, Parameter, WarningKind};
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, fit_all, fit_with, fitted, free_of, measurement_at, number_after, text,
+    Course, Imagined, LENS, assert_warns, fit_all, fit_with, fitted, free_of, lens, measurement_at,
+    number_after, text,
 };
 
 #[test]
@@ -21,7 +22,7 @@ fn a_work_of_adhesion_that_no_bodies_have_is_doubted() {
 
 #[test]
 fn an_infinite_threshold_is_refused() {
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+    let lens = lens();
     let experiment = lens.measured(&lens.exact(), 1);
     for threshold in [0.0, f64::NAN, f64::INFINITY] {
         for loss in [Loss::Huber { threshold }, Loss::SoftL1 { threshold }] {
@@ -62,8 +63,7 @@ fn where_the_sphere_deforms_friction_bounds_nothing() {
             system.sphere_modulus = modulus;
             system.substrate = solid(f64::INFINITY, 0.25);
         }
-        let said = text(&lens.fit(1), WarningKind::Friction);
-        assert!(said.contains(expected), "{modulus:e}: {said}");
+        assert_warns(&lens.fit(1), WarningKind::Friction, expected);
     }
 }
 
@@ -77,11 +77,8 @@ fn the_scatter_at_large_loads_is_told_beside_that_at_small_ones() {
         let mut experiment = lens.measured(&exact, seed);
         experiment.noise = None;
         // The loads rise with the radius from below 0; the larger half of their sizes has three times the noise.
-        let mut sizes: Vec<f64> = exact
-            .points
-            .iter()
-            .map(|point| point.ordinate.abs())
-            .collect();
+        let sizes = exact.points.iter().map(|point| point.ordinate.abs());
+        let mut sizes: Vec<f64> = sizes.collect();
         sizes.sort_by(f64::total_cmp);
         for point in &mut experiment.measurement.points {
             let is_large = point.ordinate.abs() > sizes[99];
@@ -99,10 +96,8 @@ fn the_scatter_at_large_loads_is_told_beside_that_at_small_ones() {
         let sum = |part: &[[f64; 2]]| part.iter().map(|[_, square]| square).sum::<f64>();
         let expected = (sum(large) / sum(small)).sqrt();
         // The two values that are fitted take some of the residuals, and outliers are cut.
-        assert!(
-            (0.75..1.05).contains(&(told / expected)),
-            "{expected}: {said}"
-        );
+        let part = told / expected;
+        assert!((0.75..1.05).contains(&part), "{expected}: {said}");
     }
 }
 

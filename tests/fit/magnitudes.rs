@@ -4,7 +4,7 @@ use acceptance::{Refused, assert_names, solid};
 use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
 use interp::{Probe, System};
 
-use crate::imagined::{Course, Imagined, LENS, fit_all, half_space};
+use crate::imagined::{Course, Imagined, LENS, assert_warned, fit_all, half_space, text};
 
 /// Makes a mistake in a lens of 1 mm on a film of 10 um. Returns as an error what is said of it: of the
 /// experiment, else of the fit.
@@ -85,7 +85,7 @@ fn a_result_that_no_solid_has_is_named_and_warned_of() {
         &magnitudes[0].to_string(),
         "film-modulus; 1 Pa to 2000 GPa; mN or uN taken for N",
     );
-    assert!(found.warns_of(WarningKind::Implausible));
+    assert_warned(&found, WarningKind::Implausible);
 }
 
 #[test]
@@ -93,24 +93,19 @@ fn a_film_that_the_contacts_hardly_see_is_doubted_and_one_that_they_see_is_not()
     for (thickness, words) in [
         (
             3e-3,
-            Some(["larger than the radius of the sphere", "half-space"]),
+            Some("larger than the radius of the sphere; half-space"),
         ),
-        (3e-8, Some(["the film hardly shows", "check the units"])),
+        (3e-8, Some("the film hardly shows; check the units")),
         (30e-6, None),
         (1e-6, None),
     ] {
         let lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &LENS);
         let experiment = lens.measured(&lens.exact(), 1);
         let found = fit_all(&[experiment], &lens.free);
-        let found = found.expect("possible");
-        let of_kind = found
-            .warnings
-            .iter()
-            .filter(|one| one.kind == WarningKind::Implausible);
-        let texts: Vec<&str> = of_kind.map(|one| one.text.as_str()).collect();
+        let said = text(&found.expect("possible"), WarningKind::Implausible);
         match words {
-            Some(words) => assert_names(&texts.join("; "), &words),
-            None => assert!(texts.is_empty(), "{thickness:e}: {texts:?}"),
+            Some(words) => assert_names(&said, words),
+            None => assert_eq!(said, "", "{thickness:e}"),
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{assert_names, paper_system, solid};
+use acceptance::{paper_system, solid};
 use fit::{
     Bodies, Direction, Experiment, Fit, Free, Kind, Parameter, Point, WarningKind, simulate,
 };
@@ -11,7 +11,7 @@ use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::{fit_all, measurement, text};
+use crate::imagined::{FORCE_CURVE, assert_warns, fit_all, fitted, free_of, measurement};
 
 /// The probability of a normal number beyond 5 standard deviations.
 const CHANCE: f64 = 5.733e-7;
@@ -169,11 +169,8 @@ fn assert_honest(name: &str, count: &Count) {
         count.missed_with_doubt,
         count.missed
     );
-    assert!(
-        count.missed.is_empty() && expected < 0.1,
-        "{name}: {:?}",
-        count.missed
-    );
+    let is_honest = count.missed.is_empty() && expected < 0.1;
+    assert!(is_honest, "{name}: {:?}", count.missed);
 }
 
 #[test]
@@ -220,14 +217,8 @@ fn starts_do_not_decide() {
             let same = pairs
                 .into_iter()
                 .all(|(one, other)| (one.value - other.value).abs() < 0.1 * one.standard_error);
-            assert!(
-                same || is_doubted(&found) && is_doubted(&other),
-                "{seed}, {factor}: {:?} {:?}, {:?} {:?}",
-                found.estimates,
-                found.warnings,
-                other.estimates,
-                other.warnings
-            );
+            let are_doubted = is_doubted(&found) && is_doubted(&other);
+            assert!(same || are_doubted, "{seed}, {factor}: {found:?} {other:?}");
             compared += 1;
         }
     }
@@ -239,7 +230,7 @@ fn another_minimum_is_named_with_its_values() {
     let drawn = Drawn::new(4043);
     let found = fit_of(&drawn, &drawn.free).expect("sound");
     let words = "another minimum; chi^2; sphere-modulus; film-modulus; Pa; prior";
-    assert_names(&text(&found, WarningKind::SeveralMinima), words);
+    assert_warns(&found, WarningKind::SeveralMinima, words);
 }
 
 /// Under a soft sphere on a thin film, noise may make the largest load one that no film gives. The search
@@ -265,24 +256,16 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
         noise: Some(noise),
         ..Experiment::new(measurement, Bodies::Coated(system))
     };
-    let free = [
-        Parameter::FilmModulus,
-        Parameter::WorkOfAdhesion,
-        Parameter::ContactPoint,
-    ]
-    .map(Free::new);
+    let free = free_of(&FORCE_CURVE[..3]);
     (0..20).into_par_iter().for_each(|seed| {
         let measurement = simulate(Table::embedded(), &planned, noise, seed).expect("in the table");
         let measured = Experiment {
             measurement,
             ..planned.clone()
         };
-        let found = fit_all(&[measured], &free);
-        let found = found.expect("sound data");
+        let found = fitted(&measured, &free);
         let film = found.estimate(Parameter::FilmModulus).expect("it is free");
-        assert!(
-            (film.value - modulus).abs() < 5.0 * film.standard_error && film.value < 2.0 * modulus,
-            "seed {seed}: {film:?}"
-        );
+        let is_near = (film.value - modulus).abs() < 5.0 * film.standard_error;
+        assert!(is_near && film.value < 2.0 * modulus, "{seed}: {film:?}");
     });
 }

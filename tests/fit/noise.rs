@@ -4,7 +4,10 @@
 use acceptance::{Contacts, assert_names};
 use fit::{Experiment, Free, Loss, Parameter, Scope, WarningKind};
 
-use crate::imagined::{Imagined, LENS, assert_silent, fit_all, fit_with, fitted, lens, text};
+use crate::imagined::{
+    Imagined, LENS, assert_silent, assert_warns, fit_all, fit_with, fitted, lens, number_after,
+    text,
+};
 
 #[test]
 fn a_noise_that_is_given_too_large_is_doubted() {
@@ -13,23 +16,13 @@ fn a_noise_that_is_given_too_large_is_doubted() {
     for seed in 0..20 {
         let mut experiment = lens.measured(&exact, seed);
         experiment.noise = Some(10.0 * lens.noise);
-        let said = text(&fitted(&experiment, &lens.free), WarningKind::LargeNoise);
-        assert_names(
-            &said,
-            "imagined.csv; noise that is given for the load; scatter less; reduced chi^2; leave it out",
-        );
+        let found = fitted(&experiment, &lens.free);
+        let words = "imagined.csv; noise that is given for the load; scatter less; reduced chi^2; leave it out";
+        assert_warns(&found, WarningKind::LargeNoise, words);
+        let said = text(&found, WarningKind::LargeNoise);
         let factor = number_after(&said, "by a factor of some ");
         assert!((7.0..14.0).contains(&factor), "{said}");
     }
-}
-
-/// Returns the number that follows some words.
-fn number_after(text: &str, words: &str) -> f64 {
-    let rest = text.split(words).nth(1).expect("the words");
-    let number = rest.split([' ', ',']).next();
-    number
-        .and_then(|number| number.parse().ok())
-        .expect("a number")
 }
 
 /// Of two files the one whose noise is too large is named, and what is said is what was given.
@@ -81,11 +74,8 @@ fn a_noise_of_few_points_does_not_depend_on_errors_that_do_not_matter() {
             assert!(!doubted, "{points} points: {:?}", fits[1].warnings);
             let [exact, inexact] = fits.each_ref().map(|found| found.experiments[0].noise);
             if loss == Loss::Squares {
-                let ratio = inexact / exact;
-                assert!(
-                    (ratio - 1.0).abs() < 0.02,
-                    "{points} points, {seed}: {ratio}"
-                );
+                let change = inexact / exact - 1.0;
+                assert!(change.abs() < 0.02, "{points} points, {seed}: {change}");
             }
         }
     }
@@ -150,15 +140,10 @@ fn noise_that_is_not_independent_is_doubted_with_any_noise() {
             // One cause is said once.
             let kinds = [WarningKind::StructuredResiduals, WarningKind::PoorFit];
             let [alike, poor] = kinds.map(|kind| text(&found, kind));
-            assert!(
-                noise.is_some() || alike.is_empty() || poor.is_empty(),
-                "{poor}; {alike}"
-            );
-            let said = if alike.is_empty() && noise.is_none() {
-                poor
-            } else {
-                alike
-            };
+            let are_both = !alike.is_empty() && !poor.is_empty();
+            assert!(noise.is_some() || !are_both, "{poor}; {alike}");
+            let is_poor = alike.is_empty() && noise.is_none();
+            let said = if is_poor { poor } else { alike };
             if !said.is_empty() {
                 assert_names(&said, "neighbouring; not independent; factor");
                 let factor = number_after(&said, "too small by a factor of some ");
@@ -167,10 +152,7 @@ fn noise_that_is_not_independent_is_doubted_with_any_noise() {
             }
         }
     }
-    assert!(
-        doubted.iter().all(|&count| count >= 48),
-        "{doubted:?} of 50"
-    );
+    assert!(doubted.iter().all(|&count| count >= 48), "{doubted:?}");
 }
 
 #[test]
@@ -182,11 +164,9 @@ fn a_prior_that_the_data_contradict_is_named_with_its_distance() {
             let mut experiment = lens.measured(&exact, seed);
             experiment.noise = noise;
             lens.free[0] = Free::new(LENS[0]).with_prior(3e6, 1e4);
-            let said = text(&fitted(&experiment, &lens.free), WarningKind::Prior);
-            assert_names(
-                &said,
-                "prior of sphere-modulus, 3.0000e6 +- 1.0e4 Pa; apart",
-            );
+            let found = fitted(&experiment, &lens.free);
+            let words = "prior of sphere-modulus, 3.0000e6 +- 1.0e4 Pa; apart";
+            assert_warns(&found, WarningKind::Prior, words);
             lens.free[0] = Free::new(LENS[0]).with_prior(2.02e6, 1e4);
             let found = fitted(&experiment, &lens.free);
             assert_silent(&found, WarningKind::Prior);
@@ -206,16 +186,11 @@ fn a_prior_is_named_with_its_unit_and_its_file() {
     let prior = Free::new(work).with_prior(0.08, 1e-3);
     let free = [lens.free[0], prior.with_scope(Scope::Own)];
     let found = fit_all(&[first.clone(), second], &free).expect("sound");
-    assert_names(
-        &text(&found, WarningKind::Prior),
-        "prior of work-of-adhesion of second.csv, 8.0000e-2 +- 1.0e-3 J/m^2, and; lies between them",
-    );
+    let words = "prior of work-of-adhesion of second.csv, 8.0000e-2 +- 1.0e-3 J/m^2, and; lies between them";
+    assert_warns(&found, WarningKind::Prior, words);
     let free = [lens.free[1], Free::new(ratio).with_prior(0.1, 1e-3)];
-    let said = text(&fitted(&first, &free), WarningKind::Prior);
-    assert_names(
-        &said,
-        "prior of film-poisson-ratio, 1.0000e-1 +- 1.0e-3, and; lies between",
-    );
+    let words = "prior of film-poisson-ratio, 1.0000e-1 +- 1.0e-3, and; lies between";
+    assert_warns(&fitted(&first, &free), WarningKind::Prior, words);
 }
 
 /// Of ten experiments in one fit, one that chance makes alike once in a thousand times is no reason.

@@ -4,30 +4,25 @@ use acceptance::Refused;
 use fit::{Direction, Free, Kind, Parameter, WarningKind, forecast, simulate};
 use interp::Table;
 
-use crate::imagined::{Course, Imagined};
+use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, assert_warned, lens};
 
 /// Returns the experiments of all kinds and courses.
 fn imagined() -> Vec<Imagined> {
-    use Parameter::{ContactPoint, FilmModulus, SphereModulus, WorkOfAdhesion};
-    let lens = [SphereModulus, WorkOfAdhesion];
-    let probe = [FilmModulus, WorkOfAdhesion, ContactPoint];
-    let mut hysteresis = Imagined::probe(Course::Cycle, 5e-5, &probe);
+    use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
+    let probe = &FORCE_CURVE[..3];
+    let mut hysteresis = Imagined::probe(Course::Cycle, 5e-5, probe);
     hysteresis.truth.work_of_adhesion_receding = Some(1.5e-4);
     hysteresis.truth.baseline_slope = 2e-4;
     let mut hertz = Imagined::probe(Course::Cycle, 0.0, &[FilmModulus, ContactPoint]);
     hertz.radii[0] = 0.5e-6;
-    let mut retract = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &lens);
+    let mut retract = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &LENS);
     (retract.course, retract.radii[0], retract.points) = (Course::Retract, 10e-6, [60, 20]);
+    let depths = [WorkOfAdhesion, FilmModulus];
     vec![
-        Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &lens),
-        Imagined::lens(
-            Kind::PenetrationRadius,
-            100e-6,
-            5e-9,
-            &[WorkOfAdhesion, FilmModulus],
-        ),
+        lens(),
+        Imagined::lens(Kind::PenetrationRadius, 100e-6, 5e-9, &depths),
         retract,
-        Imagined::probe(Course::Cycle, 1e-4, &probe),
+        Imagined::probe(Course::Cycle, 1e-4, probe),
         hysteresis,
         hertz,
     ]
@@ -46,11 +41,7 @@ fn simulated_data_are_those_of_direct_solves() {
             let at_touch = point.direction == Some(Direction::Approach)
                 && (point.abscissa - experiment.contact_point).abs() < 2e-9;
             let off = (point.ordinate - made.ordinate).abs() / scale;
-            assert!(
-                off < 2e-5 || at_touch,
-                "{:?}: {point:?}, {made:?}",
-                exact.kind
-            );
+            assert!(off < 2e-5 || at_touch, "{point:?}, {made:?}");
         }
     }
 }
@@ -75,11 +66,8 @@ fn noise_is_normal_and_belongs_to_its_seed() {
     // 4000 normal numbers: the moments are within 4.5 standard deviations of 0, 1, 0, 3.
     for (power, moment, spread) in [(1, 0.0, 1.0), (2, 1.0, 2.0), (3, 0.0, 15.0), (4, 3.0, 96.0)] {
         let most = 4.5 * f64::sqrt(spread / deviations.len() as f64);
-        assert!(
-            (mean_of(power) - moment).abs() < most,
-            "moment {power}: {}",
-            mean_of(power)
-        );
+        let mean = mean_of(power);
+        assert!((mean - moment).abs() < most, "moment {power}: {mean}");
     }
     for noise in [-1.0, f64::NAN] {
         simulate(Table::embedded(), &experiment, noise, 1).refused("noise");
@@ -92,26 +80,18 @@ fn a_plan_outside_the_model_is_told_as_its_fit_is() {
     let mut probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
     probe.radii[1] = 9e-6;
     let planned = probe.planned();
-    let of_plan = planned
-        .broken_assumptions(Table::embedded())
-        .expect("sound");
+    let of_plan = planned.broken_assumptions(Table::embedded());
+    let of_plan = of_plan.expect("sound");
     let kinds: Vec<WarningKind> = of_plan.iter().map(|one| one.kind).collect();
     assert_eq!(kinds, [WarningKind::LargeContact, WarningKind::LargeStrain]);
     let expected = forecast(Table::embedded(), &[planned], &probe.free).expect("sound");
-    assert!(
-        expected.warnings.starts_with(&of_plan),
-        "{:?}",
-        expected.warnings
-    );
+    assert_eq!(expected.warnings[..of_plan.len()], of_plan);
     let found = probe.fit(1);
-    assert!(
-        kinds.iter().all(|&kind| found.warns_of(kind)),
-        "{:?}",
-        found.warnings
-    );
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &[Parameter::SphereModulus]).planned();
-    let none = lens.broken_assumptions(Table::embedded()).expect("sound");
-    assert!(none.is_empty(), "{none:?}");
+    for kind in kinds {
+        assert_warned(&found, kind);
+    }
+    let none = lens().planned().broken_assumptions(Table::embedded());
+    assert_eq!(none.expect("sound"), []);
 }
 
 #[test]
@@ -127,30 +107,19 @@ fn a_forecast_tells_the_errors_of_the_fit() {
         let found = imagined.fit(5);
         for (one, other) in expected.estimates.iter().zip(&found.estimates) {
             let ratio = one.standard_error / other.standard_error;
-            println!(
-                "{:?} {}: {ratio}",
-                imagined.truth.measurement.kind, one.parameter
-            );
             assert!((0.95..1.05).contains(&ratio), "{} {ratio}", one.parameter);
             assert_eq!(Some(one.value), imagined.truth.get(one.parameter));
         }
     }
     // Nothing tells the film's modulus here, and the forecast says so.
-    let free = [
-        Parameter::SphereModulus,
-        Parameter::WorkOfAdhesion,
-        Parameter::FilmModulus,
-    ];
+    let free = [LENS[0], LENS[1], Parameter::FilmModulus];
     let lens = Imagined::lens(Kind::LoadRadius, 1e-6, 5e-6, &free);
     let mut experiment = lens.planned();
     let one = std::slice::from_ref(&experiment);
     let expected = forecast(Table::embedded(), one, &lens.free).expect("sound");
-    assert!(
-        expected
-            .undetermined
-            .iter()
-            .any(|one| one.text.contains("film-modulus"))
-    );
+    let others: Vec<&str> = expected.undetermined.iter().map(|one| &*one.text).collect();
+    let is_named = others.iter().any(|text| text.contains("film-modulus"));
+    assert!(is_named, "{others:?}");
     // Points of an approach alone tell nothing of the receding work of adhesion, whose variance overflows: that hides
     // no other combination.
     let mut approach = experiment.clone();
@@ -163,7 +132,6 @@ fn a_forecast_tells_the_errors_of_the_fit() {
     let lost = forecast(Table::embedded(), &[approach], &free).expect("sound");
     let mut texts: Vec<&str> = lost.undetermined.iter().map(|one| &*one.text).collect();
     assert_eq!(texts.remove(0), "work-of-adhesion-receding");
-    let others: Vec<&str> = expected.undetermined.iter().map(|one| &*one.text).collect();
     assert_eq!(texts, others);
     experiment.noise = None;
     let planned = forecast(Table::embedded(), &[experiment], &lens.free);
@@ -174,43 +142,28 @@ fn a_forecast_tells_the_errors_of_the_fit() {
 fn the_errors_of_many_fits_are_those_of_a_forecast() {
     /// Fits. The mean square of as many normal numbers is between 0.62 and 1.5 in 999 of 1000 cases.
     const FITS: u32 = 100;
-    let free = [
-        Parameter::SphereModulus,
-        Parameter::FilmModulus,
-        Parameter::WorkOfAdhesion,
-    ];
+    let free = [LENS[0], LENS[1], Parameter::FilmModulus];
     // Noise so small that the model is linear over the errors.
     let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-7, &free);
     let expected = forecast(Table::embedded(), &[lens.planned()], &lens.free).expect("sound");
     let mut squares = [0.0; 3];
     for seed in 0..FITS {
         let found = lens.fit(seed.into());
-        for (square, (found, expected)) in squares
-            .iter_mut()
-            .zip(found.estimates.iter().zip(&expected.estimates))
-        {
+        let pairs = found.estimates.iter().zip(&expected.estimates);
+        for (square, (found, expected)) in squares.iter_mut().zip(pairs) {
             let off = (found.value - expected.value) / expected.standard_error;
             *square += off * off / f64::from(FITS);
         }
     }
-    println!("mean squares in expected variances: {squares:.2?}");
-    assert!(
-        squares.iter().all(|square| (0.62..1.5).contains(square)),
-        "{squares:?}"
-    );
+    let is_usual = |square: &f64| (0.62..1.5).contains(square);
+    assert!(squares.iter().all(is_usual), "{squares:?}");
 }
 
 #[test]
 fn free_parameters_are_made_with_the_scope_they_need() {
-    let own = Parameter::ALL.map(|parameter| Free::new(parameter).scope == fit::Scope::Own);
-    let names: Vec<_> = Parameter::ALL
-        .iter()
-        .zip(own)
-        .filter(|(_, own)| *own)
-        .map(|(parameter, _)| parameter.name())
-        .collect();
-    assert_eq!(
-        names,
-        ["load-offset", "contact-point", "baseline", "baseline-slope"]
-    );
+    let is_own = |parameter: &Parameter| Free::new(*parameter).scope == fit::Scope::Own;
+    let own = Parameter::ALL.into_iter().filter(is_own);
+    let names: Vec<_> = own.map(|parameter| parameter.name()).collect();
+    let expected = ["load-offset", "contact-point", "baseline", "baseline-slope"];
+    assert_eq!(names, expected);
 }

@@ -7,7 +7,9 @@ use fit::{Bodies, Experiment, Fit, Free, Kind, Loss, Parameter, WarningKind};
 use interp::Probe;
 use rayon::prelude::*;
 
-use crate::imagined::{Course, Imagined, doubts, fit_all, half_space, of_file};
+use crate::imagined::{
+    Course, FORCE_CURVE, Imagined, LENS, doubts, fit_all, half_space, lens, of_file,
+};
 use Parameter::{
     Baseline, BaselineSlope, ContactPoint, FilmModulus, LoadOffset, SphereModulus, WorkOfAdhesion,
     WorkOfAdhesionReceding,
@@ -38,10 +40,8 @@ pub fn assert_coverage(
     let (_, between) = known.expect("50 or 200 data sets");
     assert!(fits.iter().all(|fit| fit.converged), "{name}");
     for (i, estimate) in fits[0].estimates.iter().enumerate() {
-        let (parameter, truth) = (
-            estimate.parameter,
-            truth(estimate.parameter, estimate.experiment),
-        );
+        let parameter = estimate.parameter;
+        let truth = truth(parameter, estimate.experiment);
         let covered = [1.0, 1.96].map(|z| {
             let holds = |fit: &&Fit| {
                 let [low, high] = fit.estimates[i].interval(z);
@@ -54,10 +54,8 @@ pub fn assert_coverage(
             estimate.standard_error / truth.abs()
         );
         for (covered, [least, most]) in covered.into_iter().zip(between) {
-            assert!(
-                (least..=most).contains(&covered),
-                "{name}, {parameter}: {covered} of {sets}, not {least} to {most}"
-            );
+            let is_usual = (least..=most).contains(&covered);
+            assert!(is_usual, "{name}, {parameter}: {covered} of {sets}");
         }
     }
     // Neighbouring residuals are alike by chance in one fit in a thousand, and a zero is hinted at in one in two thousand.
@@ -67,10 +65,8 @@ pub fn assert_coverage(
     ];
     for (kind, most) in by_chance {
         let count = fits.iter().filter(|fit| fit.warns_of(kind)).count();
-        assert!(
-            expected.contains(&kind) || count <= most,
-            "{name}: {count} {kind:?}"
-        );
+        let is_usual = expected.contains(&kind) || count <= most;
+        assert!(is_usual, "{name}: {count} {kind:?}");
     }
     // All films of this file are bonded.
     let known = [
@@ -109,7 +105,7 @@ fn recover(name: &str, imagined: &Imagined, seed: u64, expected: &[WarningKind])
 #[test]
 fn a_lens_on_a_film() {
     let kind = Kind::LoadRadius;
-    let thin = Imagined::lens(kind, 10e-6, 5e-6, &[SphereModulus, WorkOfAdhesion]);
+    let thin = lens();
     recover("lens", &thin, 1, &[]);
     let estimated = Imagined {
         noise_is_known: false,
@@ -121,7 +117,7 @@ fn a_lens_on_a_film() {
     offset.truth.load_offset = 2e-5;
     recover("lens, load offset", &offset, 3, &[]);
     // The nodes of the table end at a/t of 1000.
-    let thinnest = Imagined::lens(kind, 50e-9, 5e-6, &[SphereModulus, WorkOfAdhesion]);
+    let thinnest = Imagined::lens(kind, 50e-9, 5e-6, &LENS);
     recover("lens, a/t of 840 to 2620", &thinnest, 41, &[]);
     let free = [SphereModulus, WorkOfAdhesion, FilmModulus];
     let thick = Imagined::lens(kind, 100e-6, 5e-7, &free);
@@ -164,9 +160,8 @@ fn a_lens_at_penetrations() {
 
 #[test]
 fn a_probe_on_a_gel() {
-    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
     let strain = [WarningKind::LargeStrain];
-    let probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    let probe = Imagined::probe(Course::Retract, 1e-4, &FORCE_CURVE);
     recover("probe, retract", &probe, 9, &strain);
     let mut thickness = probe;
     thickness.free.push(Free::new(Parameter::FilmThickness));
@@ -200,8 +195,7 @@ fn a_probe_with_adhesion_hysteresis() {
 
 #[test]
 fn a_probe_on_a_half_space() {
-    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
-    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &FORCE_CURVE);
     probe.truth.bodies = half_space(20e-6, f64::INFINITY, solid(2e4, 0.5));
     recover("probe, half-space", &probe, 13, &[]);
 }
@@ -226,20 +220,14 @@ fn a_hard_probe_on_a_hard_coating() {
 #[test]
 fn five_percent_of_outliers() {
     let outliers = [WarningKind::Outliers, WarningKind::LargeStrain];
-    let mut lens = Imagined::lens(
-        Kind::LoadRadius,
-        10e-6,
-        5e-6,
-        &[SphereModulus, WorkOfAdhesion],
-    );
+    let mut lens = lens();
     lens.points[0] = 120;
     lens.outliers = true;
     lens.loss = Loss::HUBER;
     recover("lens, outliers, Huber", &lens, 15, &outliers);
     lens.noise_is_known = false;
     recover("lens, outliers, noise not known", &lens, 16, &outliers);
-    let free = [FilmModulus, WorkOfAdhesion, ContactPoint, Baseline];
-    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &FORCE_CURVE);
     probe.outliers = true;
     probe.loss = Loss::SOFT_L1;
     recover("probe, outliers, soft L1", &probe, 17, &outliers);
@@ -248,15 +236,12 @@ fn five_percent_of_outliers() {
 #[test]
 fn films_of_three_thicknesses_share_their_modulus() {
     let free = [SphereModulus, FilmModulus, WorkOfAdhesion, LoadOffset];
-    let lenses: Vec<Imagined> = [(20e-6, 1e-5), (60e-6, -2e-5), (150e-6, 3e-5)]
-        .into_iter()
-        .map(|(thickness, offset)| {
-            let mut lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &free);
-            lens.truth.load_offset = offset;
-            lens
-        })
-        .collect();
-    let exact: Vec<_> = lenses.iter().map(Imagined::exact).collect();
+    let lenses = [(20e-6, 1e-5), (60e-6, -2e-5), (150e-6, 3e-5)].map(|(thickness, offset)| {
+        let mut lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &free);
+        lens.truth.load_offset = offset;
+        lens
+    });
+    let exact = lenses.each_ref().map(Imagined::exact);
     let fit_of = |seed: u64| {
         let measured = lenses.iter().zip(&exact).zip(0..);
         let experiments: Vec<Experiment> = measured
@@ -269,11 +254,8 @@ fn films_of_three_thicknesses_share_their_modulus() {
         let lens = &lenses[experiment.unwrap_or(0)];
         lens.truth.get(parameter).expect("a value")
     };
-    assert_eq!(
-        fits[0].estimates.len(),
-        6,
-        "three are shared, three are own"
-    );
+    // Three are shared, three are own.
+    assert_eq!(fits[0].estimates.len(), 6);
     assert_coverage("three films", &fits, truth, &[WarningKind::LargeStrain]);
 }
 
@@ -286,12 +268,12 @@ fn the_data_of_the_example_are_made_as_they_say() {
     let read = read.measurement.points;
     assert_eq!(read.len(), made.len());
     for (read, made) in read.iter().zip(made) {
-        assert!(
-            (read.abscissa / made.abscissa - 1.0).abs() < 1e-6,
-            "{read:?}"
-        );
-        let error = read.ordinate - made.ordinate;
-        assert!(error.abs() < 1e-9, "{read:?}, not {made:?}");
+        let errors = [
+            (read.abscissa / made.abscissa - 1.0) / 1e-6,
+            (read.ordinate - made.ordinate) / 1e-9,
+        ];
+        let are_close = errors.iter().all(|error| error.abs() < 1.0);
+        assert!(are_close, "{read:?}, not {made:?}");
     }
 }
 
@@ -300,11 +282,7 @@ fn wrong_starts_lead_to_the_truth_or_are_doubted() {
     let lens = [SphereModulus, WorkOfAdhesion, FilmModulus];
     let experiments = [
         Imagined::lens(Kind::LoadRadius, 100e-6, 5e-7, &lens),
-        Imagined::probe(
-            Course::Retract,
-            1e-4,
-            &[FilmModulus, WorkOfAdhesion, ContactPoint],
-        ),
+        Imagined::probe(Course::Retract, 1e-4, &FORCE_CURVE[..3]),
     ];
     let (mut recovered, mut refused) = (0, 0);
     for mut imagined in experiments {
@@ -326,24 +304,14 @@ fn wrong_starts_lead_to_the_truth_or_are_doubted() {
             };
             let estimate = found.estimate(FilmModulus).expect("free");
             let off = (estimate.value - truth).abs() / estimate.standard_error;
-            println!(
-                "{factor:e}: {off:.1} standard errors, {} evaluations",
-                found.evaluations
-            );
-            if found.converged && off < 4.5 {
-                recovered += 1;
-            } else {
-                let kinds = [WarningKind::PoorFit, WarningKind::NotConverged];
-                assert!(
-                    kinds.iter().any(|kind| found.warns_of(*kind)),
-                    "{factor:e}: {found:?}"
-                );
-            }
+            let kinds = [WarningKind::PoorFit, WarningKind::NotConverged];
+            let is_doubted = kinds.iter().any(|kind| found.warns_of(*kind));
+            let is_recovered = found.converged && off < 4.5;
+            assert!(is_recovered || is_doubted, "{factor:e}: {found:?}");
+            recovered += usize::from(is_recovered);
         }
     }
-    println!("{recovered} of 12 recovered, {refused} refused");
-    assert!(
-        recovered >= 8 && refused <= 2,
-        "{recovered} recovered, {refused} refused"
-    );
+    // Of 12.
+    let counts = [recovered, refused];
+    assert!(recovered >= 8 && refused <= 2, "{counts:?}");
 }

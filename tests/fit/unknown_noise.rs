@@ -1,21 +1,19 @@
 //! Doubts where nobody gives the noise: it is estimated, and the same tests run.
 
-use acceptance::assert_names;
 use fit::{Experiment, Fit, Free, Kind, Parameter, WarningKind};
 
-use crate::imagined::{Course, Imagined, LENS, fit_all, fit_with, text};
+use crate::imagined::{
+    Course, FORCE_CURVE, Imagined, LENS, assert_silent, assert_warned, assert_warns, fit_all,
+    fitted_of_few, lens, off,
+};
 
-fn fitted(experiment: &Experiment, free: &[Free]) -> Fit {
-    // A zero of the instrument that is wrong puts points beyond the end of their branch.
-    fit_with(experiment, free, |options| options.allow_left_out = true).expect("sound")
-}
-
-/// Fits with and without the noise.
+/// Fits with and without the noise. A zero of the instrument that is wrong puts points beyond the end of
+/// their branch.
 fn both(experiment: &Experiment, free: &[Free], noise: f64) -> [Fit; 2] {
     [Some(noise), None].map(|noise| {
         let mut experiment = experiment.clone();
         experiment.noise = noise;
-        fitted(&experiment, free)
+        fitted_of_few(&experiment, free)
     })
 }
 
@@ -24,13 +22,12 @@ fn an_offset_that_is_not_fitted_is_missed_with_and_without_the_noise() {
     let mut missed = Vec::new();
     let mut compare = |case: String, [with, without]: &[Fit; 2]| {
         let [with, without] = [with, without].map(|fit| fit.warns_of(WarningKind::OffsetWanted));
-        println!("{case}: {with}, {without}");
         if with && !without {
             missed.push(case);
         }
     };
     for points in [10, 20, 40] {
-        let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, &LENS);
+        let mut lens = lens();
         lens.points[0] = points;
         lens.truth.load_offset = 8e-5;
         for seed in 0..20 {
@@ -50,13 +47,12 @@ fn an_offset_that_is_not_fitted_is_missed_with_and_without_the_noise() {
         for seed in 0..10 {
             let mut experiment = probe.measured(&exact, seed);
             let truth = experiment.get(parameter).expect("a value");
-            experiment
-                .set(parameter, truth + change)
-                .expect("any value");
+            let wrong = truth + change;
+            experiment.set(parameter, wrong).expect("any value");
             let fits = both(&experiment, &probe.free, probe.noise);
             if seed == 1 {
-                let said = text(&fits[0], WarningKind::OffsetWanted);
-                assert_names(&said, &format!("{parameter}; free it"));
+                let words = format!("{parameter}; free it");
+                assert_warns(&fits[0], WarningKind::OffsetWanted, &words);
             }
             compare(format!("{parameter}, seed {seed}"), &fits);
         }
@@ -70,19 +66,14 @@ fn a_model_that_does_not_describe_the_data_is_doubted_without_the_noise_too() {
     let exact = lens.exact();
     for seed in 0..20 {
         let mut experiment = lens.measured(&exact, seed);
-        experiment
-            .set(Parameter::FilmThickness, 10e-6)
-            .expect("physical");
-        for found in both(&experiment, &lens.free, lens.noise) {
-            assert!(found.warns_of(WarningKind::PoorFit), "{:?}", found.warnings);
-        }
         // The true film is described.
-        for found in both(&lens.measured(&exact, seed), &lens.free, lens.noise) {
-            assert!(
-                !found.warns_of(WarningKind::PoorFit),
-                "{:?}",
-                found.warnings
-            );
+        for found in both(&experiment, &lens.free, lens.noise) {
+            assert_silent(&found, WarningKind::PoorFit);
+        }
+        let thickness = Parameter::FilmThickness;
+        experiment.set(thickness, 10e-6).expect("physical");
+        for found in both(&experiment, &lens.free, lens.noise) {
+            assert_warned(&found, WarningKind::PoorFit);
         }
     }
 }
@@ -106,7 +97,7 @@ fn a_report_says_what_standard_errors_of_few_points_mean() {
         lens.points = [points, 0];
         let mut experiment = lens.measured(&lens.exact(), 1);
         experiment.noise = None;
-        let here = fitted(&experiment, &lens.free);
+        let here = fitted_of_few(&experiment, &lens.free);
         let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
         assert!(report.contains(said), "{report}");
     }
@@ -116,25 +107,17 @@ fn a_report_says_what_standard_errors_of_few_points_mean() {
 /// contact counts.
 #[test]
 fn few_points_of_a_retract_are_not_taken_for_noise() {
-    let free = [
-        Parameter::FilmModulus,
-        Parameter::WorkOfAdhesion,
-        Parameter::ContactPoint,
-    ];
-    let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
+    let mut probe = Imagined::probe(Course::Retract, 1e-4, &FORCE_CURVE[..3]);
     probe.points = [10, 5];
     probe.noise = 5e-11;
     for seed in 0..10 {
         let mut experiment = probe.measured(&probe.exact(), seed);
         experiment.noise = None;
-        let found = fitted(&experiment, &probe.free);
+        let found = fitted_of_few(&experiment, &probe.free);
         let modulus = found.estimate(Parameter::FilmModulus).expect("free");
         let off = (modulus.value / 2e4 - 1.0).abs();
-        assert!(off < 0.02, "seed {seed}: {modulus:?}");
-        assert!(
-            modulus.standard_error < 0.02 * modulus.value,
-            "seed {seed}: {modulus:?}"
-        );
+        let error = modulus.standard_error / modulus.value;
+        assert!(off < 0.02 && error < 0.02, "seed {seed}: {modulus:?}");
         let counting = found.experiments[0].points.iter();
         let counting = counting.filter(|point| point.fit.is_some()).count();
         assert!(counting >= 12, "seed {seed}: {counting} of 15");
@@ -164,8 +147,7 @@ fn short_files_have_their_noise_together() {
             })
             .collect();
         let found = fit_all(&experiments, &lenses[0].free).expect("sound");
-        let modulus = found.estimate(Parameter::SphereModulus).expect("free");
-        squares += ((modulus.value - 2e6) / modulus.standard_error).powi(2);
+        squares += off(&found, Parameter::SphereModulus, 2e6).powi(2);
     }
     let spread = (squares / SETS as f64).sqrt();
     // Student's t of 22 degrees of freedom has 1.05; the noise of each file alone gave 1.65.
@@ -185,12 +167,9 @@ fn a_noise_that_grows_with_the_load_is_named() {
         for point in &mut experiment.measurement.points {
             point.ordinate *= 1.0 + 0.02 * random.normal();
         }
-        let found = fitted(&experiment, &lens.free);
-        let said = text(&found, WarningKind::UnequalNoise);
-        assert_names(
-            &said,
-            "larger half of the loads; grows with the load; standard deviation",
-        );
+        let found = fitted_of_few(&experiment, &lens.free);
+        let words = "larger half of the loads; grows with the load; standard deviation";
+        assert_warns(&found, WarningKind::UnequalNoise, words);
         for warning in &found.warnings {
             assert!(!warning.text.contains("robust"), "{warning:?}");
         }

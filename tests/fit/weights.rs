@@ -18,17 +18,11 @@ fn pinned_points_count_in_the_likelihood_as_in_the_fit() {
     let points = &found.experiments[0].points;
     let branches: Vec<Branch> = points.iter().map(|point| point.branch).collect();
     assert!(branches.contains(&Branch::Pinned));
-    let likelihood = Likelihood::new(
-        Table::embedded(),
-        &[experiment],
-        &probe.free,
-        Some(&[branches]),
-    )
-    .expect("sound");
+    let (table, experiments) = (Table::embedded(), [experiment]);
+    let likelihood = Likelihood::new(table, &experiments, &probe.free, Some(&[branches]));
     let values: Vec<f64> = found.estimates.iter().map(|one| one.value).collect();
-    let value = likelihood
-        .value(Table::embedded(), &values)
-        .expect("in range");
+    let value = likelihood.expect("sound").value(table, &values);
+    let value = value.expect("in range");
     let of_points = points.iter().filter_map(|point| {
         let part = point.residual()? / probe.noise;
         Some(-0.5 * part * part - ((2.0 * PI).sqrt() * probe.noise).ln())
@@ -47,9 +41,7 @@ fn the_error_of_a_known_value_moves_estimates_together() {
         (Fixed::Parameter(Parameter::FilmModulus), 1e5),
     ] {
         let found = |known: &[Known]| {
-            let fit = fit_with(&experiment, &lens.free, |options| {
-                options.known = known.to_vec();
-            });
+            let fit = fit_with(&experiment, &lens.free, |of| of.known = known.to_vec());
             fit.expect("sound")
         };
         let (with, bare) = (found(&[Known { quantity, error }]), found(&[]));
@@ -73,8 +65,7 @@ fn the_error_of_a_known_value_moves_estimates_together() {
 
 #[test]
 fn the_ends_of_an_interval_under_a_robust_loss_are_equally_likely() {
-    let free = [LENS[0], LENS[1]];
-    let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 5e-6, &free);
+    let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 5e-6, &LENS);
     lens.points[0] = 12;
     // A prior that is eight of its errors away.
     lens.free[0] = Free::new(LENS[0]).with_prior(2.4e6, 5e4);
@@ -83,12 +74,8 @@ fn the_ends_of_an_interval_under_a_robust_loss_are_equally_likely() {
         unreachable!("it is Huber's")
     };
     let huber = |r: f64| {
-        let size = r.abs();
-        if size <= threshold {
-            r * r
-        } else {
-            threshold * (2.0 * size - threshold)
-        }
+        let linear = threshold * (2.0 * r.abs() - threshold);
+        if r.abs() <= threshold { r * r } else { linear }
     };
     let found = fit_with(&experiment, &lens.free, |options| {
         options.loss = Loss::HUBER;
@@ -167,16 +154,12 @@ fn derivatives_of_pinned_points_are_differences() {
         ..probe.truth
     };
     let branches = experiment.branches(&[]).expect("sound");
-    let found = fitted(
-        &Experiment {
-            noise: Some(1e-10),
-            ..experiment.clone()
-        },
-        &free_of(&free),
-    );
-    let pinned: Vec<usize> = (0..branches.len())
-        .filter(|&i| found.experiments[0].points[i].branch == Branch::Pinned)
-        .collect();
+    let mut known = experiment.clone();
+    known.noise = Some(1e-10);
+    let found = fitted(&known, &free_of(&free));
+    let points = &found.experiments[0].points;
+    let is_pinned = |&i: &usize| points[i].branch == Branch::Pinned;
+    let pinned: Vec<usize> = (0..branches.len()).filter(is_pinned).collect();
     assert!(pinned.len() > 5, "{pinned:?}");
     for (parameter, step) in [
         (Parameter::BaselineSlope, 1e-6),
@@ -187,19 +170,15 @@ fn derivatives_of_pinned_points_are_differences() {
     ] {
         let at = |by: f64| {
             let mut moved = experiment.clone();
-            moved
-                .set(parameter, moved.get(parameter).expect("a value") + by)
-                .expect("physical");
-            moved
-                .predictions(Table::embedded(), Some(&branches), &[parameter])
-                .expect("sound")
+            let value = moved.get(parameter).expect("a value") + by;
+            moved.set(parameter, value).expect("physical");
+            let predictions = moved.predictions(Table::embedded(), Some(&branches), &[parameter]);
+            predictions.expect("sound")
         };
         let (before, here, after) = (at(-step), at(0.0), at(step));
         let derivative = |i: usize| (after.ordinates[i] - before.ordinates[i]) / (2.0 * step);
-        let size = pinned
-            .iter()
-            .map(|&i| derivative(i).abs())
-            .fold(0.0, f64::max);
+        let sizes = pinned.iter().map(|&i| derivative(i).abs());
+        let size = sizes.fold(0.0, f64::max);
         for &i in &pinned {
             let off = (here.derivatives[i] - derivative(i)).abs() / size;
             assert!(off < 1e-5, "{parameter}, {i}: {off:e}");

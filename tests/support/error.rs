@@ -59,3 +59,17 @@ pub fn all_bits(table: &Table) -> Vec<Option<Vec<u64>>> {
         .chain(Quantity::ALL.map(|quantity| table.values(quantity).map(bits)))
         .collect()
 }
+
+/// Asserts that a number is another one, up to an error relative to it.
+#[track_caller]
+pub fn assert_close(found: f64, expected: f64, error: f64) {
+    let is_close = (found / expected - 1.0).abs() < error;
+    assert!(is_close, "{found:e}, not {expected:e} to {error:e}");
+}
+
+/// Asserts that a number is another one, up to an absolute error.
+#[track_caller]
+pub fn assert_near(found: f64, expected: f64, error: f64) {
+    let is_near = (found - expected).abs() < error;
+    assert!(is_near, "{found:e}, not {expected:e} within {error:e}");
+}

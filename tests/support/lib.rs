@@ -17,7 +17,10 @@ mod workdir;
 
 pub use contacts::Contacts;
 pub use data::{Case, Data};
-pub use error::{TRUTH, all_bits, bits, error_at, larger, relative_error, relative_errors};
+pub use error::{
+    TRUTH, all_bits, assert_close, assert_near, bits, error_at, larger, relative_error,
+    relative_errors,
+};
 pub use forgery::{Checked, checksum, with_payload};
 pub use material::{looked_up, material, paper_system, rigid_probe, solved, solved_contact};
 pub use printed::{assert_estimate, estimate, json, kinds, number, value};

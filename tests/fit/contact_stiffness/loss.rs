@@ -51,7 +51,6 @@ fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
     let worst = misses.iter().fold([0.0_f64; 2], |worst, one| {
         [larger(worst[0], one[0]), larger(worst[1], one[1])]
     });
-    println!("largest misses of the modulus and of the loss tangent: {worst:?}");
     assert!(worst[0] < 0.01 && worst[1] < 0.01, "{misses:?}");
 }
 

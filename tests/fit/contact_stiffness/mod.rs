@@ -6,7 +6,7 @@ mod refused;
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_names, larger, rigid_probe, solid, solved_contact};
+use acceptance::{Contacts, assert_close, larger, rigid_probe, solid, solved_contact};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Parameter,
@@ -14,7 +14,10 @@ use fit::{
 };
 use interp::{Probe, System, Table};
 
-use crate::imagined::{fit_all, free_of, half_space, measurement, measurement_at, text};
+use crate::imagined::{
+    assert_silent, assert_warned, assert_warns, fit_all, free_of, half_space, measurement,
+    measurement_at,
+};
 use crate::layers::{layer, named, on_layers};
 use crate::recovery::{SETS, assert_recovers};
 
@@ -107,31 +110,30 @@ pub fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
     let contact = solved(system, radii);
     let point = |a| [a, contact.stiffness(a).expect("in range")];
     let points = evenly(radii, count).map(point).collect();
-    experiment(
-        Kind::StiffnessRadius,
-        Bodies::Coated(system.clone()),
-        points,
-    )
+    let bodies = Bodies::Coated(system.clone());
+    experiment(Kind::StiffnessRadius, bodies, points)
 }
 
 #[test]
 fn stiffness_at_contact_radii() {
     use Parameter::{FilmModulus, FilmThickness};
-    let exact = at_radii(&oxide(), [5e-8, 1.5e-6], 30);
+    let exact = [at_radii(&oxide(), [5e-8, 1.5e-6], 30)];
+    let expected = [WarningKind::Friction];
+    let [known, unknown] = [true, false].map(|is_known| (0.02, is_known));
     recover(
         "stiffness, radius",
-        std::slice::from_ref(&exact),
-        (0.02, true),
+        &exact,
+        known,
         &[FilmModulus],
-        &[WarningKind::Friction],
+        &expected,
     );
     let both = [FilmModulus, FilmThickness];
     recover(
         "stiffness, radius, thickness",
-        &[exact],
-        (0.02, false),
+        &exact,
+        unknown,
         &both,
-        &[WarningKind::Friction],
+        &expected,
     );
 }
 
@@ -147,12 +149,13 @@ fn stiffness_at_loads_with_one_hardness() {
         point.ordinate *= 1.034;
     }
     let free = [FilmModulus, Hardness];
+    let expected = [WarningKind::Friction];
     recover(
         "stiffness, load, hardness",
         &[exact],
         (0.01, true),
         &free,
-        &[WarningKind::Friction],
+        &expected,
     );
 }
 
@@ -174,10 +177,8 @@ fn stiffness_at_loads_of_an_elastic_contact() {
             let load = contact.load(a, w).expect("in range");
             [load, contact.stiffness(a).expect("in range")]
         };
-        let points = evenly(radii, 40)
-            .map(point)
-            .filter(|[load, _]| *load > 0.0)
-            .collect();
+        let points = evenly(radii, 40).map(point);
+        let points = points.filter(|[load, _]| *load > 0.0).collect();
         let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(film.clone()), points);
         exact.work_of_adhesion = w;
         // The widest contacts are as wide as this nearly incompressible film is thick.
@@ -226,24 +227,21 @@ fn stiffness_at_depths_with_a_reference_sample() {
         ..Indentation::NEW
     };
     let system = oxide();
-    let film = at_depths(
-        Bodies::Coated(system.clone()),
-        &solved(&system, [8e-8, 5e-7]),
-        &known,
-        1e10,
-    );
+    let contact = solved(&system, [8e-8, 5e-7]);
+    let film = at_depths(Bodies::Coated(system.clone()), &contact, &known, 1e10);
     let bare = Contact::half_space(&system.without_film()).expect("physical");
     let reference = at_depths(on_layers(&system, &[]), &bare, &known, 1.2e10);
     let definition = [WarningKind::ContactDepth, WarningKind::Friction];
+    let both = [film, reference];
+    let one = [FilmModulus];
     recover(
         "stiffness, depth",
-        std::slice::from_ref(&film),
+        &both[..1],
         (0.01, true),
-        &[FilmModulus],
+        &one,
         &definition,
     );
     let free = [FilmModulus, TipRounding, FrameCompliance];
-    let both = [film, reference];
     recover(
         "stiffness, depth, reference",
         &both,
@@ -336,13 +334,13 @@ fn doubts_of_metals_are_named() {
     metal.noise = Some(0.01);
     let found = fitted(metal.clone(), [Parameter::FilmModulus]).expect("sound data");
     let words = "oliver-pharr; loubet; plastic; pile up; film-modulus";
-    assert_names(&text(&found, WarningKind::ContactDepth), words);
-    assert!(!found.warns_of(WarningKind::DeepContact));
+    assert_warns(&found, WarningKind::ContactDepth, words);
+    assert_silent(&found, WarningKind::DeepContact);
     // Twice as deep as the film's half.
     let mut thin = metal;
     thin.set(Parameter::FilmThickness, 1e-7).expect("a film");
     let found = fitted(thin, [Parameter::FilmModulus]).expect("sound data");
-    assert!(found.warns_of(WarningKind::DeepContact));
+    assert_warned(&found, WarningKind::DeepContact);
 }
 
 /// Standard deviations of the points are those of the stiffness, N/m.
@@ -363,16 +361,11 @@ fn standard_deviations_of_points_are_in_newtons_per_metre() {
         };
     });
     let [one, other] = [&relative, &absolute].map(|fit| &fit.estimates[0]);
-    assert!(
-        (one.value / other.value - 1.0).abs() < 1e-9,
-        "{one:?} {other:?}"
-    );
-    assert!((one.standard_error / other.standard_error - 1.0).abs() < 1e-6);
+    assert_close(one.value, other.value, 1e-9);
+    assert_close(one.standard_error, other.standard_error, 1e-6);
     let point = &relative.experiments[0].points[0];
-    assert!(
-        (point.deviation / point.ordinate - 0.01).abs() < 1e-12,
-        "{point:?}"
-    );
+    let error = point.deviation / point.ordinate - 0.01;
+    assert!(error.abs() < 1e-12, "{point:?}");
 }
 
 /// Loubet's depth makes another contact from the same depth, and the half-space of the substrate
@@ -392,9 +385,6 @@ fn loubets_depth_is_found_from_data_made_by_it() {
     let made = simulate_experiment(Table::embedded(), &plan, 0.0, 1).expect("a contact");
     let free = [Parameter::FilmModulus, Parameter::TipRounding];
     let found = fitted(made, free).expect("sound data");
-    assert!(
-        (found.estimates[0].value / 1.7e11 - 1.0).abs() < 1e-6,
-        "{found:?}"
-    );
+    assert_close(found.estimates[0].value, 1.7e11, 1e-6);
     assert!((found.estimates[1].value - 5e-9).abs() < 1e-14, "{found:?}");
 }
