@@ -1,23 +1,14 @@
 //! Tables that cannot be read: each error names the place and the next step. `habits.rs` has others.
 
-use fit::data::{Cantilever, Format, Remedy};
+use fit::Kind;
+use fit::data::{Format, Remedy};
 
-use crate::{read, rows};
+use crate::{assert_told, named, of_kind, read, rows, with};
 
-/// Asserts that a text is refused with a message of one line that names all the words, which `; `
-/// parts.
+/// Asserts that a text is refused with these words.
 #[track_caller]
 fn refused(text: &str, format: &Format, words: &str) {
-    let error = read(text, format).expect_err(text).to_string();
-    assert_eq!(error.lines().count(), 1, "{error}");
-    for word in words.split("; ") {
-        let says = error.contains(word);
-        assert!(
-            says && !word.is_empty(),
-            "{text:?}: {word:?} is not in: {error}"
-        );
-    }
-    assert!(!error.contains("--"), "names a flag: {error}");
+    assert_told(read(text, format), words);
 }
 
 #[test]
@@ -68,46 +59,37 @@ fn an_error_names_line_column_value_and_next_step() {
 
 #[test]
 fn bytes_that_are_not_text_are_refused() {
-    for (bytes, word) in [
-        (&b"a,b\n1,\0\n"[..], "binary data"),
-        (&[b'1'; 70_000], "line 1: the line is longer than"),
+    for (bytes, words) in [
+        (&b"a,b\n1,\0\n"[..], "file; binary data"),
+        (&[b'1'; 70_000], "file; line 1: the line is longer than"),
     ] {
-        let error = fit::data::read_from(bytes, "file", &Format::default());
-        let error = error.expect_err("refused").to_string();
-        assert!(error.starts_with("file") && error.contains(word), "{error}");
+        assert_told(
+            fit::data::read_from(bytes, "file", &Format::default()),
+            words,
+        );
     }
-    let error = fit::data::read("no/such/file".as_ref(), &Format::default());
-    let error = error.expect_err("refused").to_string();
-    assert!(error.contains("no/such/file"), "{error}");
+    let missing = fit::data::read("no/such/file".as_ref(), &Format::default());
+    assert_told(missing, "no/such/file");
 }
 
 #[test]
 fn a_column_that_is_not_there_is_refused() {
-    let of = |columns: &[&str]| {
-        let columns = columns.iter().map(|text| text.parse().expect("a column"));
-        Format {
-            columns: columns.collect(),
-            ..Format::default()
-        }
-    };
-    let text = "Radius [um],Load [mN],Load (mN)\n1,2,3\n2,3,4\n";
-    let refused_by = |columns: &[&str], words| refused(text, &of(columns), words);
-    refused_by(&["load=Kraft [mN]"], "Kraft; load; Radius [um]");
+    let three = "Radius [um],Load [mN],Load (mN)\n1,2,3\n2,3,4\n";
+    let cases = r#"
+        load=Kraft [mN] | Kraft; load; Radius [um]
+        load=4 | "4"; the columns are
+        load=Load | columns 2 and 3
+        load=Radius [um] | "Radius [um]" is named as load; a force
+        load=2, load=3, contact_radius=1 | columns 2 and 3 could both be load
+        "#;
+    for [columns, words] in rows(cases) {
+        let columns: Vec<&str> = columns.split(", ").collect();
+        refused(three, &named(&columns), &words);
+    }
     let text = "a [um],Force (x10 nN)\n1,2\n2,3\n";
-    let unknown = of(&["load=Force (x10 nN)"]);
+    let unknown = named(&["load=Force (x10 nN)"]);
     refused(text, &unknown, "\"x10 nN\", which is not a known unit; mN");
-    refused_by(&["load=4"], "\"4\"; the columns are");
-    refused_by(&["load=Load"], "columns 2 and 3");
-    refused_by(
-        &["load=Radius [um]"],
-        "\"Radius [um]\" is named as load; a force",
-    );
-    let two = ["load=2", "load=3", "contact_radius=1"];
-    refused_by(&two, "columns 2 and 3 could both be load");
-    let format = Format {
-        kind: Some(fit::Kind::LoadPenetration),
-        ..Format::default()
-    };
+    let format = of_kind(Kind::LoadPenetration);
     let text = "Radius [um],Load [mN]\n1,2\n2,3\n";
     let words = "load-penetration lacks penetration (a length); \"Radius [um]\" (contact_radius), \"Load [mN]\" (load)";
     refused(text, &format, words);
@@ -118,58 +100,33 @@ fn a_column_that_is_not_there_is_refused() {
 #[test]
 fn a_length_is_offered_only_as_what_it_can_be() {
     let none = Format::default();
-    let depths = Format {
-        kind: Some(fit::Kind::StiffnessDepth),
-        ..Format::default()
-    };
-    for (heads, format, expected) in [
-        (
-            "Tip-Sample Separation (nm),Force (nN)",
-            &none,
-            "height=Tip-Sample Separation (nm) Separation",
-        ),
-        (
-            "Abstand [nm],Kraft [nN]",
-            &none,
-            "height=Abstand [nm] load=Kraft [nN] Separation",
-        ),
-        ("gap [nm],force", &none, "height=gap [nm] Separation"),
-        (
-            "Separation (nm),Deflection (nN)",
-            &none,
-            "height=Separation (nm) Separation",
-        ),
-        (
-            "Piezo distance (nm),Force (nN)",
-            &none,
-            "contact_radius=Piezo distance (nm), penetration=Piezo distance (nm), height=Piezo distance (nm)",
-        ),
-        (
-            "Contact Depth (nm),Load (mN),Stiffness [N/m]",
-            &depths,
-            "penetration=Contact Depth (nm) ContactDepth",
-        ),
-        (
-            "hc [nm],Load (mN),Stiffness [N/m]",
-            &depths,
-            "penetration=hc [nm] ContactDepth",
-        ),
-        (
-            "Kontakttiefe (nm),Load (mN)",
-            &none,
-            "contact_radius=HEADING [UNIT], penetration=HEADING [UNIT], height=HEADING [UNIT]",
-        ),
-        ("Kontaktdurchmesser (mm),Kraft (mN)", &none, ""),
-        ("Durchmesser (mm),Force (mN)", &none, ""),
-        ("Aire de contact (mm\u{b2}),Force (mN)", &none, ""),
-        ("Surface (mm2),Force (mN)", &none, ""),
-        ("\u{63a5}\u{89e6}\u{76f4}\u{5f84} (mm),F (mN)", &none, ""),
-        ("\u{9762}\u{79ef} (um^2),F (mN)", &none, ""),
-        ("Radius,Load [mN]", &none, "contact_radius=Radius [UNIT]"),
-    ] {
+    let depths = of_kind(Kind::StiffnessDepth);
+    let cases = r"
+        Tip-Sample Separation (nm),Force (nN) | height=Tip-Sample Separation (nm) Separation
+        Abstand [nm],Kraft [nN] | height=Abstand [nm] load=Kraft [nN] Separation
+        gap [nm],force | height=gap [nm] Separation
+        Separation (nm),Deflection (nN) | height=Separation (nm) Separation
+        Piezo distance (nm),Force (nN) | contact_radius=Piezo distance (nm), penetration=Piezo distance (nm), height=Piezo distance (nm)
+        Contact Depth (nm),Load (mN),Stiffness [N/m] | penetration=Contact Depth (nm) ContactDepth
+        hc [nm],Load (mN),Stiffness [N/m] | penetration=hc [nm] ContactDepth
+        Kontakttiefe (nm),Load (mN) | contact_radius=HEADING [UNIT], penetration=HEADING [UNIT], height=HEADING [UNIT]
+        Kontaktdurchmesser (mm),Kraft (mN) |
+        Durchmesser (mm),Force (mN) |
+        Aire de contact (mm²),Force (mN) |
+        Surface (mm2),Force (mN) |
+        接触直径 (mm),F (mN) |
+        面积 (um^2),F (mN) |
+        Radius,Load [mN] | contact_radius=Radius [UNIT]
+        ";
+    for [heads, expected] in rows(cases) {
+        let format = if heads.contains("Stiffness") {
+            &depths
+        } else {
+            &none
+        };
         let row = "1,2,3".split(',').take(heads.split(',').count());
         let row = row.collect::<Vec<_>>().join(",");
-        let error = read(&format!("{heads}\n{row}\n{row}\n"), format).expect_err(heads);
+        let error = read(&format!("{heads}\n{row}\n{row}\n"), format).expect_err(&heads);
         let ways = match error.remedy() {
             Some(Remedy::Columns(ways)) => ways,
             None => Vec::new(),
@@ -196,14 +153,7 @@ fn a_cantilever_that_makes_no_force_is_named() {
         (0.1, f64::NAN),
         (1e-300, 1e-300),
     ] {
-        let format = Format {
-            cantilever: Cantilever {
-                stiffness: Some(stiffness),
-                sensitivity: Some(sensitivity),
-            },
-            ..Format::default()
-        };
         let words = "turns no deflection into a force; positive and finite";
-        refused(text, &format, words);
+        refused(text, &with(stiffness, Some(sensitivity)), words);
     }
 }

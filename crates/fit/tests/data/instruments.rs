@@ -2,20 +2,14 @@
 //! exports.
 
 use fit::Kind;
-use fit::data::{Cantilever, Column, Format, Segments};
+use fit::data::{Format, Segments};
 
-use crate::{assert_values, directions, read, rows, sound, values};
+use crate::{assert_told, assert_values, directions, named, read, rows, sound, values, with};
 
 /// Headings, the kind that is asked for, and what one row of numbers gives in SI units.
 #[test]
 fn headings_of_instruments_are_recognised() {
-    let given = Format {
-        cantilever: Cantilever {
-            stiffness: Some(2.0),
-            sensitivity: Some(50e-9),
-        },
-        ..Format::default()
-    };
+    let given = with(2.0, Some(50e-9));
     // The writer, the file, whether it holds penetrations or heights, and the point. Signals in volts
     // are no length and no force. The sensors of Asylum Research and AFM Workshop and the piezo of
     // Optics11 grow towards the sample, the piezos of others need not.
@@ -69,21 +63,14 @@ fn segments_may_have_columns_of_their_own() {
     assert_eq!(directions(&reading), "aaarr");
     let notes = &reading.notes;
     assert_eq!(
-        (notes.pauses, notes.blocks, notes.other_segments),
-        (2, 2, 0)
+        [notes.pauses, notes.blocks, notes.other_segments],
+        [2, 2, 0]
     );
     // A segment whose columns cannot be read is an error, not rows under the headings before.
-    let text = JPK.replace(
-        "vDeflection strainGaugeHeight\n# spring",
-        "error time\n# spring",
-    );
-    let error = read(&text, &Format::default())
-        .expect_err("no height")
-        .to_string();
-    assert!(
-        error.contains("line 26: force-height lacks height"),
-        "{error}"
-    );
+    let columns = "vDeflection strainGaugeHeight\n# spring";
+    let text = JPK.replace(columns, "error time\n# spring");
+    let read = read(&text, &Format::default());
+    assert_told(read, "line 26: force-height lacks height");
 }
 
 #[test]
@@ -91,10 +78,8 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     let reading = sound(JPK, &Format::default());
     let from_head = reading.notes.from_head();
     assert_eq!(from_head.len(), 1, "a force needs no sensitivity");
-    assert_eq!(
-        from_head[0],
-        "stiffness 0.05 N/m from line 1, \"springConstant\""
-    );
+    let words = "stiffness 0.05 N/m from line 1, \"springConstant\"";
+    assert_eq!(from_head[0], words);
     // A deflection in volts needs both.
     let volts = JPK
         .replace("# units: m N m\n", "# units: m V m\n")
@@ -102,30 +87,17 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     let reading = sound(&volts, &Format::default());
     assert_values(&values(&reading)[1..3], &[[2.0, 2.5e-9], [1.0, 5e-9]]);
     assert_eq!(reading.notes.from_head().len(), 2);
-    let given = Format {
-        cantilever: Cantilever {
-            stiffness: Some(0.1),
-            sensitivity: None,
-        },
-        ..Format::default()
-    };
+    let given = with(0.1, None);
     let reading = sound(&volts, &given);
     assert_values(&values(&reading)[1..3], &[[2.0, 5e-9], [1.0, 1e-8]]);
     let text = &reading.notes.from_head()[0];
-    assert!(
-        text.contains("0.1 N/m as given") && text.contains("0.05"),
-        "{text}"
-    );
+    assert!(text.contains("0.1 N/m as given"), "{text}");
+    assert!(text.contains("0.05"), "{text}");
     // Two heads that differ.
-    let two = JPK.replace(
-        "strainGaugeHeight\n# springConstant: 0.05",
-        "strainGaugeHeight\n# springConstant: 0.06",
-    );
-    let error = read(&two, &Format::default()).expect_err("two").to_string();
-    assert!(
-        error.contains("0.05 in line 1 and 0.06 in line 23"),
-        "{error}"
-    );
+    let of_retract = "strainGaugeHeight\n# springConstant: 0.0";
+    let two = JPK.replace(&format!("{of_retract}5"), &format!("{of_retract}6"));
+    let found = read(&two, &Format::default());
+    assert_told(found, "0.05 in line 1 and 0.06 in line 23");
     assert!(read(&two, &given).is_ok(), "the one given holds");
 }
 
@@ -134,19 +106,12 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
 fn a_cantilever_that_is_not_calibrated_is_not_used() {
     let text = "Force-Distance Curve\nLight Lever Gain, mV/nm:\t1.000000\n\
                 Force Constant, nN/nm:\t1.000000\n\nExtend Z-Sense(nm),Extend T-B(V)\n1,2\n2,3\n";
-    let error = read(text, &Format::default())
-        .expect_err("no stiffness")
-        .to_string();
-    assert!(
-        error.contains("line 2 has 1") && error.contains("not calibrated"),
-        "{error}"
-    );
+    let found = read(text, &Format::default());
+    assert_told(found, "line 2 has 1; not calibrated");
     let text = text.replace("1.000000", "0.500000");
     let reading = sound(&text, &Format::default());
-    assert_values(
-        &values(&reading),
-        &[[-1e-9, 2.0 * 0.5 * 2e-6], [-2e-9, 3.0 * 0.5 * 2e-6]],
-    );
+    let expected = [[-1e-9, 2.0 * 0.5 * 2e-6], [-2e-9, 3.0 * 0.5 * 2e-6]];
+    assert_values(&values(&reading), &expected);
 }
 
 /// One return alone among other ends of lines.
@@ -159,10 +124,8 @@ fn mixed_ends_of_lines_are_read() {
         ..Format::default()
     };
     let reading = sound(text, &format);
-    assert_values(
-        &values(&reading),
-        &[[2e-9, 1e-6], [3e-9, 2e-6], [4e-9, 3e-6]],
-    );
+    let expected = [[2e-9, 1e-6], [3e-9, 2e-6], [4e-9, 3e-6]];
+    assert_values(&values(&reading), &expected);
     assert_eq!(reading.notes.cantilever.stiffness, Some(0.019));
     let lines: Vec<u64> = reading.measurement.points.iter().map(|p| p.line).collect();
     assert_eq!(lines, [5, 6, 7]);
@@ -183,21 +146,10 @@ fn segments_of_nanoindenters_are_read() {
 #[test]
 fn a_column_without_a_heading_can_have_a_direction() {
     let columns = ["height=1 [nm]", "load=2 extend [nN]", "load=3 retract [nN]"];
-    let columns = columns.map(|text| text.parse::<Column>().expect("a column"));
-    let format = Format {
-        columns: columns.to_vec(),
-        ..Format::default()
-    };
-    let reading = sound("-7,9\t1,5\t1,4\n-7,8\t1,6\t1,5\n", &format);
-    assert_values(
-        &values(&reading),
-        &[
-            [-7.9e-9, 1.5e-9],
-            [-7.8e-9, 1.6e-9],
-            [-7.9e-9, 1.4e-9],
-            [-7.8e-9, 1.5e-9],
-        ],
-    );
+    let reading = sound("-7,9\t1,5\t1,4\n-7,8\t1,6\t1,5\n", &named(&columns));
+    let nm_and_nn = [[-7.9, 1.5], [-7.8, 1.6], [-7.9, 1.4], [-7.8, 1.5]];
+    let expected = nm_and_nn.map(|point| point.map(|value| 1e-9 * value));
+    assert_values(&values(&reading), &expected);
     assert_eq!(directions(&reading), "aarr");
 }
 
@@ -207,21 +159,9 @@ fn a_first_row_on_the_line_of_headings_is_read() {
     let text = "# END METADATA\n#\n# force\theight (measured)\tsegment\ttime-1e-9\t5e-6\tFalse\t1.5\n\
                 0\t4e-6\tFalse\t1.6\n1e-9\t3e-6\tTrue\t1.7\n";
     let reading = sound(text, &Format::default());
-    assert_values(
-        &values(&reading),
-        &[[5e-6, -1e-9], [4e-6, 0.0], [3e-6, 1e-9]],
-    );
+    let expected = [[5e-6, -1e-9], [4e-6, 0.0], [3e-6, 1e-9]];
+    assert_values(&values(&reading), &expected);
     assert_eq!(directions(&reading), "aar");
-}
-
-fn named(columns: &[&str]) -> Format {
-    Format {
-        columns: columns
-            .iter()
-            .map(|text| text.parse().expect("a column"))
-            .collect(),
-        ..Format::default()
-    }
 }
 
 #[test]
@@ -230,11 +170,7 @@ fn standard_deviations_of_a_column_with_a_minus_are_positive() {
     let reading = sound(text, &named(&["contact_radius=R [um]", "load=-Cell [mN]"]));
     assert_eq!(reading.measurement.points[1].ordinate, 2e-4);
     for (found, expected) in reading.errors.ordinate.iter().zip([1e-5, 2e-5]) {
-        assert!(
-            (found / expected - 1.0).abs() < 1e-14,
-            "{:?}",
-            reading.errors
-        );
+        assert!((found / expected - 1.0).abs() < 1e-14, "{found}");
     }
     assert_eq!(reading.errors.ordinate.len(), 2);
 }
@@ -245,11 +181,8 @@ fn storage_and_loss_give_the_phase() {
                 100,1000,1000\n200,3000,1732.0508075688772\n";
     let reading = sound(text, &Format::default());
     for (found, degrees) in reading.phases.iter().zip([45.0_f64, 30.0]) {
-        assert!(
-            (found / degrees.to_radians() - 1.0).abs() < 1e-14,
-            "{:?}",
-            reading.phases
-        );
+        let error = found / degrees.to_radians() - 1.0;
+        assert!(error.abs() < 1e-14, "{found}");
     }
     assert_eq!(reading.phases.len(), 2);
 }

@@ -10,8 +10,8 @@ mod large;
 mod properties;
 mod tables;
 
-use fit::data::{DataError, Format, Reading, read_from};
-use fit::{Direction, Point};
+use fit::data::{Cantilever, DataError, Format, Reading, read_from};
+use fit::{Direction, Kind, Point};
 
 /// Reads a text.
 fn read(text: &str, format: &Format) -> Result<Reading, DataError> {
@@ -23,18 +23,35 @@ fn sound(text: &str, format: &Format) -> Reading {
     read(text, format).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Returns the cells of a table as text: one row a line, its cells parted by ` | `, with `\n` and `\t` as
-/// they are written in a string. It is an error if a line has another number of cells, or there is none.
+/// Returns the cells of a table as text: one row a line, its cells parted by ` | `, with `\n`, `\r` and `\t`
+/// as they are written in a string. It is an error if a line has another number of cells, or there is none.
 fn rows<const N: usize>(table: &str) -> Vec<[String; N]> {
+    const ESCAPES: [(&str, &str); 3] = [("\\n", "\n"), ("\\r", "\r"), ("\\t", "\t")];
     let lines = table.lines().filter(|line| !line.trim().is_empty());
-    let cell = |cell: &str| cell.trim().replace("\\n", "\n").replace("\\t", "\t");
+    let cell = |cell: &str| {
+        let replaced = |text: String, (escape, byte)| text.replace(escape, byte);
+        ESCAPES.into_iter().fold(cell.trim().to_owned(), replaced)
+    };
     let row = |line: &str| {
-        let cells: Vec<String> = line.split(" | ").map(cell).collect();
+        let cells: Vec<String> = format!("{line} ").split(" | ").map(cell).collect();
         <[String; N]>::try_from(cells).unwrap_or_else(|_| panic!("not {N} cells: {line}"))
     };
     let rows: Vec<_> = lines.map(row).collect();
     assert!(!rows.is_empty(), "a table without rows");
     rows
+}
+
+/// Asserts that an error is told in one line, which names all the words, which `; ` parts, and no flag of the
+/// program.
+#[track_caller]
+fn assert_told(found: Result<Reading, DataError>, words: &str) {
+    let error = found.expect_err(words).to_string();
+    assert_eq!(error.lines().count(), 1, "{error}");
+    for word in words.split("; ") {
+        assert!(!word.is_empty(), "{words}");
+        assert!(error.contains(word), "{word:?} is not in: {error}");
+    }
+    assert!(!error.contains("--"), "names a flag: {error}");
 }
 
 /// Returns abscissae and ordinates.
@@ -44,6 +61,34 @@ fn values(reading: &Reading) -> Vec<[f64; 2]> {
         .iter()
         .map(|point| [point.abscissa, point.ordinate])
         .collect()
+}
+
+/// Returns a format that names columns.
+fn named(columns: &[&str]) -> Format {
+    let columns = columns.iter().map(|text| text.parse().expect("a column"));
+    Format {
+        columns: columns.collect(),
+        ..Format::default()
+    }
+}
+
+/// Returns a format with the cantilever.
+fn with(stiffness: f64, sensitivity: Option<f64>) -> Format {
+    Format {
+        cantilever: Cantilever {
+            stiffness: Some(stiffness),
+            sensitivity,
+        },
+        ..Format::default()
+    }
+}
+
+/// Returns a format with the kind.
+fn of_kind(kind: Kind) -> Format {
+    Format {
+        kind: Some(kind),
+        ..Format::default()
+    }
 }
 
 /// Returns a letter for the direction of each point: `a` of approach, `r` of retract, `-` of none.
@@ -59,13 +104,8 @@ fn directions(reading: &Reading) -> String {
 /// Asserts that two lists of points are equal up to the rounding of a product.
 fn assert_values(found: &[[f64; 2]], expected: &[[f64; 2]]) {
     let near = |a: &f64, b: &f64| (a - b).abs() <= 2.0 * f64::EPSILON * b.abs();
-    assert!(
-        found.len() == expected.len()
-            && found
-                .iter()
-                .flatten()
-                .zip(expected.iter().flatten())
-                .all(|(a, b)| near(a, b)),
-        "{found:?}, not {expected:?}"
-    );
+    let mut pairs = found.iter().flatten().zip(expected.iter().flatten());
+    let are_near = pairs.all(|(a, b)| near(a, b));
+    let are_equal = found.len() == expected.len() && are_near;
+    assert!(are_equal, "{found:?}, not {expected:?}");
 }

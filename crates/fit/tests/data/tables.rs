@@ -1,9 +1,9 @@
 //! Tables as programs and instruments write them. The numbers are invented.
 
-use fit::data::{Cantilever, Format, Remedy, Segments};
+use fit::data::{Format, Remedy, Segments};
 use fit::{Direction, Kind};
 
-use crate::{assert_values, directions, sound, values};
+use crate::{assert_values, directions, named, of_kind, sound, values, with};
 
 /// Two points with a radius of 50 and 60 um and a load of -0.1 and 0.2 mN.
 const TWO: [[f64; 2]; 2] = [[50e-6, -0.1e-3], [60e-6, 0.2e-3]];
@@ -52,15 +52,9 @@ fn kinds_are_told_by_the_columns_or_by_the_user() {
         (Kind::PenetrationRadius, [1.0, 3.0]),
         (Kind::LoadPenetration, [3.0, 2.0]),
     ] {
-        let format = Format {
-            kind: Some(kind),
-            ..Format::default()
-        };
-        let reading = sound(curve, &format);
-        assert_eq!(
-            (reading.measurement.kind, values(&reading)[0]),
-            (kind, first)
-        );
+        let reading = sound(curve, &of_kind(kind));
+        assert_eq!(reading.measurement.kind, kind);
+        assert_eq!(values(&reading)[0], first);
     }
     for (header, kind) in [
         ("Indentation (nm),Load (uN)", Kind::LoadPenetration),
@@ -73,45 +67,27 @@ fn kinds_are_told_by_the_columns_or_by_the_user() {
         ("force,height (measured)", Kind::ForceHeight),
         ("z_nm,vDeflection_V", Kind::ForceHeight),
     ] {
-        let format = Format {
-            cantilever: Cantilever {
-                stiffness: Some(1.0),
-                sensitivity: Some(1.0),
-            },
-            ..Format::default()
-        };
-        let reading = sound(&format!("{header}\n1,2\n2,1\n"), &format);
+        let reading = sound(&format!("{header}\n1,2\n2,1\n"), &with(1.0, Some(1.0)));
         assert_eq!(reading.measurement.kind, kind, "{header}");
     }
 }
 
 #[test]
 fn columns_are_named_by_heading_by_number_and_with_a_minus() {
-    let named = |columns: &[&str], kind| Format {
-        kind,
-        columns: columns
-            .iter()
-            .map(|text| text.parse().expect("a column"))
-            .collect(),
-        ..Format::default()
-    };
     let text = "R,Cell [mN],Spare [mN]\n50,0.1,0\n60,-0.2,0\n";
     for columns in [
         ["contact_radius=R [um]", "load=-Cell [mN]"],
         ["contact_radius=r [um]", "load=-cell"],
         ["contact_radius=1 [um]", "load=-2"],
     ] {
-        assert_values(&values(&sound(text, &named(&columns, None))), &TWO);
+        assert_values(&values(&sound(text, &named(&columns))), &TWO);
     }
     let bare = "50;-0,1\n60;0,2\n";
     let numbers = ["contact_radius=1 [um]", "load=2 [mN]"];
-    assert_values(&values(&sound(bare, &named(&numbers, None))), &TWO);
+    assert_values(&values(&sound(bare, &named(&numbers))), &TWO);
     // A column that is named decides the kind.
     let text = "contact_radius,load,penetration\n1,2,3\n2,3,4\n";
-    let reading = sound(
-        text,
-        &named(&["load=load", "penetration=penetration"], None),
-    );
+    let reading = sound(text, &named(&["load=load", "penetration=penetration"]));
     assert_eq!(reading.measurement.kind, Kind::LoadPenetration);
 }
 
@@ -154,35 +130,21 @@ fn segments_come_from_a_column_from_comments_from_headings_or_from_the_course() 
 
 #[test]
 fn a_deflection_becomes_a_force_by_stiffness_and_sensitivity() {
-    let read = |text, stiffness, sensitivity| {
-        let format = Format {
-            cantilever: Cantilever {
-                stiffness: Some(stiffness),
-                sensitivity,
-            },
-            ..Format::default()
-        };
-        values(&sound(text, &format))
-    };
-    let expected = [[2e-6, 0.0], [1e-6, 3e-9]];
-    assert_values(&read("z [um],defl [nm]\n2,0\n1,30\n", 0.1, None), &expected);
-    assert_values(
-        &read("z [um],defl [V]\n2,0\n1,0.5\n", 0.1, Some(60e-9)),
-        &expected,
-    );
-    // A force is preferred to a deflection.
-    assert_values(
-        &read("z [um],defl [nm],force [nN]\n2,0,0\n1,99,3\n", 0.1, None),
-        &expected,
-    );
+    for (text, sensitivity) in [
+        ("z [um],defl [nm]\n2,0\n1,30\n", None),
+        ("z [um],defl [V]\n2,0\n1,0.5\n", Some(60e-9)),
+        // A force is preferred to a deflection.
+        ("z [um],defl [nm],force [nN]\n2,0,0\n1,99,3\n", None),
+    ] {
+        let found = values(&sound(text, &with(0.1, sensitivity)));
+        assert_values(&found, &[[2e-6, 0.0], [1e-6, 3e-9]]);
+    }
 }
 
 #[test]
 fn rows_without_values_are_left_out_and_counted() {
-    let reading = sound(
-        "contact_radius,load,note\n1,2,a\n,,b\nnan,NaN,c\n2,3,d\n",
-        &Format::default(),
-    );
+    let text = "contact_radius,load,note\n1,2,a\n,,b\nnan,NaN,c\n2,3,d\n";
+    let reading = sound(text, &Format::default());
     assert_values(&values(&reading), &[[1.0, 2.0], [2.0, 3.0]]);
     assert_eq!(reading.notes.missing, 2);
     assert_eq!(reading.notes.unused, ["note"]);
@@ -206,16 +168,10 @@ fn times_are_those_of_all_points_or_of_none() {
 /// A contact area gives the radius where the user says so.
 #[test]
 fn a_contact_area_gives_the_radius_of_a_kind_that_is_asked_for() {
-    let format = Format {
-        kind: Some(Kind::LoadRadius),
-        ..Format::default()
-    };
-    let square = std::f64::consts::PI * 50.0 * 50.0;
-    let text = format!(
-        "contact area [um^2];F [mN]\n{square};-0.1\n{};0.2\n",
-        1.44 * square
-    );
-    assert_values(&values(&sound(&text, &format)), &TWO);
+    let [small, large] = [50.0, 60.0].map(|radius| std::f64::consts::PI * radius * radius);
+    let text = format!("contact area [um^2];F [mN]\n{small};-0.1\n{large};0.2\n");
+    let reading = sound(&text, &of_kind(Kind::LoadRadius));
+    assert_values(&values(&reading), &TWO);
 }
 
 /// Loads of Hertz at depths from where the bodies are apart, at an even distance: `0` to `4`, with the
@@ -381,20 +337,13 @@ fn both_columns_of_a_sign_are_named() {
     let rows: String = (0..20).map(row).collect();
     let text = format!("Ramp_nm_Ex,Ramp_nm_Rt,Defl_nN_Ex,Defl_nN_Rt\n{rows}");
     let heights = ["height=Ramp_nm_Ex", "height=Ramp_nm_Rt"];
-    let format = Format {
-        columns: heights.map(|text| text.parse().expect("a column")).to_vec(),
-        ..Format::default()
-    };
-    let reading = sound(&text, &format);
+    let reading = sound(&text, &named(&heights));
     let Some(Remedy::Columns(ways)) = reading.notes.doubts[0].remedy() else {
         panic!("no columns: {:?}", reading.notes.doubts);
     };
-    let named: Vec<&str> = ways[0]
-        .columns
-        .iter()
-        .map(|(_, heading)| &**heading)
-        .collect();
-    assert_eq!(named, ["-Ramp_nm_Ex", "-Ramp_nm_Rt"]);
+    let columns = ways[0].columns.iter();
+    let headings: Vec<&str> = columns.map(|(_, heading)| &**heading).collect();
+    assert_eq!(headings, ["-Ramp_nm_Ex", "-Ramp_nm_Rt"]);
 }
 
 /// Times that are not read, as the user can name them.
@@ -403,29 +352,21 @@ fn columns_that_can_be_times_are_told() {
     for (heads, times) in [
         (
             "Zeit [min];Segment Time (s);Temp [C]",
-            vec!["Zeit [min]", "Segment Time (s)"],
+            "Zeit [min], Segment Time (s)",
         ),
-        ("Time;no;x", vec!["Time [UNIT]"]),
-        ("Index;no;x", vec![]),
+        ("Time;no;x", "Time [UNIT]"),
+        ("Index;no;x", ""),
     ] {
         let text = format!("penetration;load;{heads}\n1;2;3;4;5\n2;3;4;5;6\n");
-        assert_eq!(
-            sound(&text, &Format::default()).notes.unused_times,
-            times,
-            "{heads}"
-        );
+        let found = sound(&text, &Format::default()).notes.unused_times;
+        assert_eq!(found.join(", "), times, "{heads}");
     }
 }
 
 /// Unsorted rows and equal rows are a measurement like any other.
 #[test]
 fn the_order_of_rows_is_kept() {
-    let reading = sound(
-        "contact_radius,load\n3,1\n1,0\n1,0\n2,5\n",
-        &Format::default(),
-    );
-    assert_values(
-        &values(&reading),
-        &[[3.0, 1.0], [1.0, 0.0], [1.0, 0.0], [2.0, 5.0]],
-    );
+    let text = "contact_radius,load\n3,1\n1,0\n1,0\n2,5\n";
+    let expected = [[3.0, 1.0], [1.0, 0.0], [1.0, 0.0], [2.0, 5.0]];
+    assert_values(&values(&sound(text, &Format::default())), &expected);
 }
