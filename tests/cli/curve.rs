@@ -1,8 +1,8 @@
 //! `tabulate curve`
 
 use acceptance::{
-    Data, assert_names, json, larger, looked_up, number, paper_system, rigid_probe, solid, value,
-    workdir,
+    Data, assert_close, assert_names, larger, looked_up, number, paper_system, rigid_probe, solid,
+    value, workdir,
 };
 use contact::{Contact, Control, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System, Table};
@@ -18,23 +18,9 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
     const OF_BOTH: f64 = 1.0;
     let workdir = workdir!();
     let table_path = paper_table();
-    let outputs = [
-        workdir.succeed("curve"),
-        workdir.succeed(format!("curve {table_path}")),
-    ];
-    let [direct, looked_up] = outputs.each_ref().map(|text| Data::parse("curve", text));
-    assert_eq!(
-        direct.columns(),
-        [
-            "contact_radius",
-            "load",
-            "penetration",
-            "jkr_abscissa",
-            "jkr_ordinate",
-            "contact_stiffness",
-            "moving_stiffness"
-        ]
-    );
+    let [direct, looked_up] = ["", &table_path].map(|table| workdir.csv(format!("curve {table}")));
+    let columns = "contact_radius load penetration jkr_abscissa jkr_ordinate contact_stiffness moving_stiffness";
+    assert_eq!(direct.columns().join(" "), columns);
     assert_eq!(direct.columns(), looked_up.columns());
     assert_eq!(direct.cases().count(), 150);
 
@@ -56,16 +42,12 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
         let expected = mechanics.load_and_penetration(a, edge, &quantities);
         assert_eq!((direct.get("load"), direct.get("penetration")), expected);
         let from_table = contact.load_and_penetration(a, w).expect("inside");
-        assert_eq!(
-            (looked_up.get("load"), looked_up.get("penetration")),
-            from_table
-        );
+        assert_eq!(looked_up.get("load"), from_table.0);
+        assert_eq!(looked_up.get("penetration"), from_table.1);
         for (case, load) in [(&direct, expected.0), (&looked_up, from_table.0)] {
             let jkr = JkrPoint::new(a, load, mechanics.sphere_radius());
-            assert_eq!(
-                (case.get("jkr_abscissa"), case.get("jkr_ordinate")),
-                (jkr.abscissa, jkr.ordinate)
-            );
+            assert_eq!(case.get("jkr_abscissa"), jkr.abscissa);
+            assert_eq!(case.get("jkr_ordinate"), jkr.ordinate);
         }
         // The adhesive and the adhesionless term each have the error of the table.
         let bare = mechanics.load_and_penetration(a, 0.0, &quantities);
@@ -73,16 +55,12 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
             (from_table.0, expected.0, bare.0),
             (from_table.1, expected.1, bare.1),
         ] {
-            worst = larger(
-                worst,
-                (found - expected).abs() / (bare.abs() + (expected - bare).abs()) / certified,
-            );
+            let size = bare.abs() + (expected - bare).abs();
+            worst = larger(worst, (found - expected).abs() / size / certified);
         }
     }
-    println!(
-        "curve from the table: at most {worst:.2} times the certified {certified:.1e} and the solve's 1e-8 from the direct one"
-    );
-    assert!(worst <= OF_BOTH);
+    println!("{worst:.2} times the certified error at most");
+    assert!(worst <= OF_BOTH, "{worst}");
 }
 
 #[test]
@@ -111,9 +89,10 @@ fn curve_takes_every_part_of_the_system() {
         let a = case.get("contact_radius");
         let quantities = solved(a / 2e-6, &material, 1e-8).quantities;
         let edge = mechanics.edge_singularity(a, 0.07).expect("physical");
+        let (load, penetration) = mechanics.load_and_penetration(a, edge, &quantities);
         assert_eq!(
-            (case.get("load"), case.get("penetration")),
-            mechanics.load_and_penetration(a, edge, &quantities)
+            [case.get("load"), case.get("penetration")],
+            [load, penetration]
         );
     }
 }
@@ -141,14 +120,9 @@ fn a_radius_that_is_not_small_beside_the_spheres_is_warned_of_once() {
         (0.999e-3, Some("0.999 R")),
     ] {
         let paper = "curve embedded --specimen paper";
-        let run = workdir.run(format!("{paper} --to {to}"));
-        assert_eq!(run.status, 0);
-        assert_eq!(
-            run.stderr.matches(LARGE_CONTACT).count(),
-            usize::from(warned.is_some()),
-            "{}",
-            run.stderr
-        );
+        let run = workdir.answer(format!("{paper} --to {to}"));
+        let times = run.stderr.matches(LARGE_CONTACT).count();
+        assert_eq!(times, usize::from(warned.is_some()), "{run:?}");
         if let Some(part) = warned {
             assert_names(&run.stderr, &[LARGE_CONTACT, part, "--probe sphere"]);
         }
@@ -169,17 +143,12 @@ fn a_film_that_is_compressed_too_much_is_told_of() {
     ] {
         let call = format!("curve {options} {bodies} --from 0.1um --points 2");
         for (to, told) in [("0.34um", false), ("0.7um", true)] {
-            let run = workdir.run(format!("{call} --to {to}"));
-            assert_eq!(
-                (run.status, run.stderr.contains("compress")),
-                (0, told),
-                "{run:?}"
-            );
+            let run = workdir.answer(format!("{call} --to {to}"));
+            assert_eq!(run.stderr.contains("compress"), told, "{run:?}");
         }
         let without = workdir.run(format!("{call} --to 0.7um").replace("1uJ", "0J"));
         let rows = Data::parse("curve", &without.stdout);
-        let last = rows.cases().last().expect("a row");
-        let percent = 1e2 * last.get("penetration") / 3e-7;
+        let percent = 1e2 * rows.last().get("penetration") / 3e-7;
         let run = workdir.run(format!("{call} --to 0.7um"));
         assert_names(&run.stderr, &[&format!("the film by {percent:.0} %")]);
     }
@@ -190,12 +159,8 @@ fn a_steep_probe_is_told_of() {
     let workdir = workdir!();
     for (half_angle, slope) in [("50", None), ("20", Some("the slope is 2.75"))] {
         let call = "curve embedded --specimen paper --probe cone --points 2";
-        let run = workdir.run(format!("{call} --half-angle {half_angle} --to 1e-7"));
-        assert_eq!(
-            (run.status, run.stderr.contains("slope")),
-            (0, slope.is_some()),
-            "{run:?}"
-        );
+        let run = workdir.answer(format!("{call} --half-angle {half_angle} --to 1e-7"));
+        assert_eq!(run.stderr.contains("slope"), slope.is_some(), "{run:?}");
         if let Some(slope) = slope {
             assert_names(&run.stderr, &[slope, "from the axis"]);
         }
@@ -213,53 +178,41 @@ fn curve_and_pull_off_take_the_range_of_the_attraction() {
     let cohesive = Cohesive::new(&system, 0.04, 2e-7).expect("physical");
     let ranged = format!("{sphere} --interaction-range 2e-7");
     let radii = "--from 4e-6 --to 8e-6 --points 3";
-    let text = workdir.succeed(format!("curve {ranged} {radii}"));
-    let rows = Data::parse("curve", &text);
+    let rows = workdir.csv(format!("curve {ranged} {radii}"));
     assert_eq!(rows.columns()[5], "outer_radius");
     for case in rows.cases() {
-        let state = cohesive
-            .state(case.get("contact_radius"))
-            .expect("a contact");
+        let state = cohesive.state(case.get("contact_radius"));
+        let state = state.expect("a contact");
         assert_eq!(case.get("load"), state.load);
         assert_eq!(case.get("penetration"), state.penetration);
         assert_eq!(case.get("outer_radius"), state.outer_radius);
     }
 
-    let controls: [(&str, Control); 3] = [
+    let spring = Control::Spring { stiffness: 40.0 };
+    let controls = [
         ("", Control::Load),
         ("--control displacement", Control::Displacement),
-        (
-            "--control spring --stiffness 40",
-            Control::Spring { stiffness: 40.0 },
-        ),
+        ("--control spring --stiffness 40", spring),
     ];
     let table = looked_up(&system);
     for (flags, control) in controls {
         let state = cohesive.pull_off(control).expect("a pull-off");
-        let text = workdir.succeed(format!(
-            "pull-off {sphere} --interaction-range 2e-7 {flags} --json"
-        ));
-        let object = json(&text);
+        let object = workdir.json(format!("pull-off {ranged} {flags} --json"));
         for (name, value) in [
             ("load", state.load),
             ("contact_radius", state.contact_radius),
             ("outer_radius", state.outer_radius),
             ("penetration", state.penetration),
         ] {
-            let printed = number(&object, name);
             // The reader of JSON may miss the last bit.
-            assert!((printed / value - 1.0).abs() < 1e-15, "{name}: {text}");
+            assert_close(number(&object, name), value, 1e-15);
         }
         let jkr = table.pull_off(0.04, control).expect("a pull-off");
         let text = workdir.succeed(format!("pull-off embedded {sphere} {flags}"));
-        assert!(
-            text.contains(&format!("load           = {:?}\n", jkr.load)),
-            "{text}"
-        );
+        assert_names(&text, &format!("load           = {:?}\n", jkr.load));
         // Without a table the system is solved.
         let text = workdir.succeed(format!("pull-off {sphere} {flags}"));
-        let load = value(&text, "load");
-        assert!((load / jkr.load - 1.0).abs() < 1e-5, "{load}");
+        assert_close(value(&text, "load"), jkr.load, 1e-5);
     }
     workdir.refuses(
         "
@@ -288,16 +241,11 @@ fn the_shape_of_the_probe_is_chosen() {
         ("1.2217304763960306rad", ""),
     ] {
         let cone = format!("--probe=cone --half-angle={half_angle}");
-        let text = dir.succeed(format!("{homogeneous} {cone} {table}"));
-        let output = Data::parse("curve", &text);
-        for row in output.cases() {
+        for row in dir.csv(format!("{homogeneous} {cone} {table}")).cases() {
             let a = row.get("contact_radius");
-            let (load, penetration) = (
-                0.5 * std::f64::consts::PI * modulus * slope * a * a,
-                0.5 * std::f64::consts::PI * slope * a,
-            );
-            assert!((row.get("load") / load - 1.0).abs() < 3e-7);
-            assert!((row.get("penetration") / penetration - 1.0).abs() < 3e-7);
+            let penetration = 0.5 * std::f64::consts::PI * slope * a;
+            assert_close(row.get("load"), modulus * a * penetration, 3e-7);
+            assert_close(row.get("penetration"), penetration, 3e-7);
         }
     }
     dir.write("tip.csv", "r [um],z [nm]\n0,0\n1,100\n2,150\n");
@@ -317,19 +265,19 @@ fn the_shape_of_the_probe_is_chosen() {
 fn the_usual_radii_fit_the_sphere() {
     let workdir = workdir!();
     let radii = |arguments: &str| {
-        let text = workdir.succeed(format!("curve --points=3 {arguments}"));
-        let data = Data::parse("curve", &text);
-        let radii: Vec<f64> = data.cases().map(|row| row.get("contact_radius")).collect();
+        let data = workdir.csv(format!("curve --points=3 {arguments}"));
+        let radii = data.column("contact_radius");
         [radii[0], radii[2]]
     };
     assert_eq!(radii("--specimen=paper"), [1e-6, 1.5e-4]);
     let [from, to] = radii("--specimen=paper --sphere-radius=10um");
-    assert!((to / 3e-6 - 1.0).abs() < 1e-14 && (from / 2e-8 - 1.0).abs() < 1e-14);
+    assert_close(to, 3e-6, 1e-14);
+    assert_close(from, 2e-8, 1e-14);
     let given = "--specimen=paper --sphere-radius=10um --to=2um";
     assert_eq!(radii(given), [1e-6, 2e-6]);
     // A film that slides is solved up to a thousand times its thickness.
     let [_, to] = radii("--specimen=paper --film-thickness=0.1um --interface=sliding");
-    assert!((to / 1e-4 - 1.0).abs() < 1e-14);
+    assert_close(to, 1e-4, 1e-14);
 }
 
 /// Notes on films so much stiffer than their substrate that they bend as plates.
@@ -357,8 +305,7 @@ fn a_stiff_film_that_bends_is_told_of() {
             &["of its thickness", "stretched"],
         ),
     ] {
-        let run = workdir.run(format!("curve {bodies} {more}"));
-        assert_eq!(run.status, 0, "{run:?}");
+        let run = workdir.answer(format!("curve {bodies} {more}"));
         let told = run.stderr.contains("no disc") || run.stderr.contains("stretched");
         assert_eq!(told, !notes.is_empty(), "{run:?}");
         for note in notes {

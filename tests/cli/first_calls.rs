@@ -1,7 +1,7 @@
 //! Calls of a person who does not know the program yet: what must not pass silently, and thick films,
 //! wide spheres and full friction beside the table and beside differences.
 
-use acceptance::{Data, assert_names, shipped, workdir};
+use acceptance::{Data, assert_close, assert_names, assert_near, shipped, workdir};
 
 #[test]
 fn what_has_no_effect_or_another_meaning_is_refused() {
@@ -26,14 +26,10 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
     let sliding =
         format!("fit {lens} {bodies} --interface sliding --free film.modulus,work-of-adhesion");
     let depths = "simulate --specimen paper --kind stiffness-depth --from 40nm --to 300nm --noise 1% --hardness 1GPa";
-    workdir.write(
-        "loads.csv",
-        "load,contact_stiffness\n1e-3,100\n2e-3,140\n4e-3,200\n",
-    );
-    workdir.write(
-        "heights.csv",
-        "height [nm],deflection [nm]\n300,0\n200,1\n100,5\n0,9\n",
-    );
+    let loads = "load,contact_stiffness\n1e-3,100\n2e-3,140\n4e-3,200\n";
+    workdir.write("loads.csv", loads);
+    let heights = "height [nm],deflection [nm]\n300,0\n200,1\n100,5\n0,9\n";
+    workdir.write("heights.csv", heights);
     workdir.write("latin.csv", b"r [\xb5m],z [\xb5m]\n0,0\n1,1\n");
     workdir.write("raised.csv", "r [um],z [um]\n1,5\n2,6\n3,8\n");
     workdir.refuses(format!(
@@ -114,21 +110,16 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
 fn a_profile_needs_no_other_flag() {
     let workdir = workdir!();
     workdir.write("tip.csv", "r [um],z [um]\n0,0\n1,0.05\n2,0.2\n3,0.45\n");
-    let text =
-        workdir.succeed("curve --probe profile --profile tip.csv --points 3 --film-modulus 1GPa");
-    let radii = Data::parse("curve", &text);
-    let radii: Vec<f64> = radii.cases().map(|row| row.get("contact_radius")).collect();
-    assert_eq!(radii.last(), Some(&2.7e-6), "{text}");
+    let curve = "curve --probe profile --profile tip.csv --points 3 --film-modulus 1GPa";
+    assert_eq!(workdir.csv(curve).last().get("contact_radius"), 2.7e-6);
 }
 
 /// The usual radii of a curve end where an attraction of a short range is solved.
 #[test]
 fn a_range_of_the_attraction_needs_no_other_flag() {
     let workdir = workdir!();
-    let text = workdir.succeed("curve --specimen paper --interaction-range 5nm --points 3");
-    let curve = Data::parse("curve", &text);
-    let radii = curve.cases().map(|row| row.get("contact_radius"));
-    assert!(radii.last().expect("rows") > 1e-4, "{text}");
+    let curve = workdir.csv("curve --specimen paper --interaction-range 5nm --points 3");
+    assert!(curve.last().get("contact_radius") > 1e-4);
 }
 
 /// A work of adhesion of 0 is no start of a fit: there is none.
@@ -139,11 +130,8 @@ fn a_fit_without_adhesion() {
                      --to 130um --noise 2uN -o lens.csv");
     let found = workdir
         .json("fit lens.csv --specimen paper --film-thickness 30um --work-of-adhesion 0 --json");
-    let names: Vec<_> = found["parameters"]
-        .as_object()
-        .expect("an object")
-        .keys()
-        .collect();
+    let found = found["parameters"].as_object().expect("an object");
+    let names: Vec<_> = found.keys().collect();
     assert_eq!(names, ["sphere_modulus"]);
 }
 
@@ -158,9 +146,7 @@ fn a_contact_that_is_wide_beside_the_sphere_is_told() {
         ),
         format!("curve {bodies} --to 4um --points 3"),
     ] {
-        let run = workdir.run(&call);
-        assert_eq!(run.status, 0, "{run:?}");
-        assert_names(&run.stderr, &["0.3 R", "--probe sphere"]);
+        assert_names(&workdir.answer(&call).stderr, "0.3 R; --probe sphere");
     }
 }
 
@@ -180,28 +166,23 @@ fn thick_films_and_wide_spheres_are_solved_as_they_are_looked_up() {
         format!("{alike} --probe sphere"),
     ] {
         let [direct, looked_up] = ["", "embedded"].map(|table| {
-            let run = workdir.run(format!("curve {table} {call}"));
-            assert_eq!(run.status, 0, "{run:?}");
+            let run = workdir.answer(format!("curve {table} {call}"));
             Data::parse("curve", &run.stdout)
         });
         for column in ["load", "penetration"] {
-            let values = |data: &Data| data.cases().map(|row| row.get(column)).collect::<Vec<_>>();
-            let [direct, looked_up] = [values(&direct), values(&looked_up)];
-            let largest = direct
-                .iter()
-                .fold(0.0, |most: f64, value| most.max(value.abs()));
-            for (direct, looked_up) in direct.iter().zip(looked_up) {
-                let error = (direct - looked_up).abs() / largest;
-                assert!(error < 1e-6, "{call}: {column} {direct} and {looked_up}");
+            let [direct, looked_up] = [&direct, &looked_up].map(|data| data.column(column));
+            let sizes = direct.iter().map(|value| value.abs());
+            let largest = sizes.fold(0.0, f64::max);
+            for (direct, looked_up) in direct.into_iter().zip(looked_up) {
+                assert_near(direct, looked_up, 1e-6 * largest);
             }
         }
     }
     // A history in the same thick film knows its smallest contacts.
-    let history = workdir.run(
+    workdir.answer(
         "history --specimen paper --film-thickness 10mm --probe cone --half-angle 70 --relaxation power-law \
          -n 0.2 --all-relax --tolerance 1e-4 -p 'penetration 0:0 1:1um'",
     );
-    assert_eq!(history.status, 0, "{history:?}");
 }
 
 /// The slope of the force curve under full friction, by differences of its own rows.
@@ -209,16 +190,13 @@ fn thick_films_and_wide_spheres_are_solved_as_they_are_looked_up() {
 fn the_moving_stiffness_with_stick_is_the_slope_of_the_curve() {
     let workdir = workdir!();
     for work in ["0", "40mJ/m^2"] {
-        let text = workdir.succeed(format!(
+        let data = workdir.csv(format!(
             "curve --specimen paper --film-thickness 10um --sphere-modulus inf --friction stick --work-of-adhesion {work} \
              --from 39.9um --to 40.1um --points 3"
         ));
-        let data = Data::parse("curve", &text);
-        let rows: Vec<[f64; 3]> = data
-            .cases()
-            .map(|row| ["load", "penetration", "moving_stiffness"].map(|name| row.get(name)))
-            .collect();
-        let slope = (rows[2][0] - rows[0][0]) / (rows[2][1] - rows[0][1]);
-        assert!((rows[1][2] / slope - 1.0).abs() < 1e-4, "{work}: {rows:?}");
+        let [load, penetration, stiffness] =
+            ["load", "penetration", "moving_stiffness"].map(|name| data.column(name));
+        let slope = (load[2] - load[0]) / (penetration[2] - penetration[0]);
+        assert_close(stiffness[1], slope, 1e-4);
     }
 }

@@ -1,6 +1,6 @@
 //! `tabulate history`: the numbers of the library, the columns, and what mistakes are told.
 
-use acceptance::{Data, Workdir, assert_names, workdir};
+use acceptance::{Case, Data, Workdir, assert_names, assert_near, workdir};
 
 const GEL: &str = "history --sphere-radius=10um --sphere-modulus=inf --film-modulus=1kPa \
      --film-poisson-ratio=0.5 --film-thickness=3.5um --substrate-modulus=inf \
@@ -9,9 +9,7 @@ const GEL: &str = "history --sphere-radius=10um --sphere-modulus=inf --film-modu
 /// Runs the program, which must succeed, and returns its rows. The warning about the strain is
 /// meant.
 fn rows(workdir: &Workdir, arguments: &str) -> Data {
-    let run = workdir.run(arguments);
-    assert_eq!(run.status, 0, "{}", run.stderr);
-    Data::parse("history", &run.stdout)
+    Data::parse("history", &workdir.answer(arguments).stdout)
 }
 
 /// A cone with a flat end of 1 um.
@@ -26,20 +24,13 @@ const PROGRAM: &str = "--program 'penetration 0:0 1:1um 2:1um 3:0'";
 fn the_columns_hold_an_independent_series() {
     let workdir = workdir!();
     let data = Data::read("viscoelastic");
-    let series: Vec<_> = data
-        .cases()
-        .filter(|row| row.text("protocol") == "approach-hold-retract-sls")
-        .collect();
-    let times: Vec<String> = series
-        .iter()
-        .map(|row| row.get("time").to_string())
-        .collect();
+    let of_gel = |row: &Case<'_>| row.text("protocol") == "approach-hold-retract-sls";
+    let series: Vec<_> = data.cases().filter(of_gel).collect();
+    let times: Vec<&str> = series.iter().map(|row| row.text("time")).collect();
     let at = format!("--at={}", times.join(","));
     let own = rows(&workdir, &format!("{GEL} {PROGRAM} {at}"));
-    assert_eq!(
-        own.columns(),
-        ["time", "penetration", "load", "contact_radius", "phase"]
-    );
+    let columns = "time penetration load contact_radius phase";
+    assert_eq!(own.columns().join(" "), columns);
     assert_eq!(own.cases().count(), series.len());
     for (own, row) in own.cases().zip(&series) {
         for (column, largest) in [
@@ -48,12 +39,7 @@ fn the_columns_hold_an_independent_series() {
             ("load", 1.84e-8),
             ("contact_radius", 4.4e-6),
         ] {
-            let error = (own.get(column) - row.get(column)).abs();
-            assert!(
-                error <= 1e-8 * largest,
-                "{column} at {}: {error:e}",
-                row.get("time")
-            );
+            assert_near(own.get(column), row.get(column), 1e-8 * largest);
         }
     }
     let phases: Vec<String> = own.cases().map(|row| row.text("phase").into()).collect();
@@ -73,48 +59,31 @@ fn the_columns_hold_an_independent_series() {
 #[test]
 fn all_ways_to_ask_agree() {
     let workdir = workdir!();
-    let loads = |arguments: &str| {
-        rows(&workdir, &format!("{GEL} {arguments}"))
-            .cases()
-            .map(|row| row.get("load"))
-            .collect::<Vec<_>>()
-    };
+    let loads = |arguments: &str| rows(&workdir, &format!("{GEL} {arguments}")).column("load");
     let close = |a: &[f64], b: &[f64], tolerance: f64| {
         assert_eq!(a.len(), b.len());
         for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() < tolerance * 2e-8, "{a} {b}");
+            assert_near(*a, *b, tolerance * 2e-8);
         }
     };
     let solved = loads(&format!("{PROGRAM} --points 7"));
-    close(
-        &solved,
-        &loads(&format!("{PROGRAM} --at=0,0.5,1,1.5,2,2.5,3")),
-        1e-8,
-    );
-    close(
-        &solved,
-        &loads(&format!("embedded {PROGRAM} --points 7")),
-        1e-4,
-    );
-    workdir.write(
-        "moves.csv",
+    let at = format!("{PROGRAM} --at=0,0.5,1,1.5,2,2.5,3");
+    close(&solved, &loads(&at), 1e-8);
+    let embedded = format!("embedded {PROGRAM} --points 7");
+    close(&solved, &loads(&embedded), 1e-4);
+    for text in [
         "# a file\nnote,time,penetration\n,0,0\n,1,1um\n,2,1e-6\n,3,0\n",
-    );
-    close(&solved, &loads("--program moves.csv --points 7"), 1e-8);
-    workdir.write(
-        "units.csv",
         "time [ms],Penetration (nm)\n0,0\n1000,1000\n2000,1um\n3000,0\n",
-    );
-    close(&solved, &loads("--program units.csv --points 7"), 1e-8);
+    ] {
+        workdir.write("moves.csv", text);
+        close(&solved, &loads("--program moves.csv --points 7"), 1e-8);
+    }
     // Held, and in another order.
     let held = loads("--program 'penetration 0:0 1:1um' --at=1.5,0.5,1");
     close(&held, &[solved[3], solved[1], solved[2]], 1e-8);
     // Under the loads of a creep test the penetration grows.
-    let crept = rows(
-        &workdir,
-        &format!("{GEL} --program 'load 0:0 0.5:10nN' --at=0.5,1,10"),
-    );
-    let depths: Vec<f64> = crept.cases().map(|row| row.get("penetration")).collect();
+    let creep = "--program 'load 0:0 0.5:10nN' --at=0.5,1,10";
+    let depths = rows(&workdir, &format!("{GEL} {creep}")).column("penetration");
     assert!(depths[0] < depths[1] && depths[1] < depths[2], "{depths:?}");
     // A stiff cantilever imposes the penetration.
     let heights = "--program 'height 0:0 1:1um 2:1um 3:0' --stiffness=100kN/m --points=7";
@@ -125,44 +94,36 @@ fn all_ways_to_ask_agree() {
 fn adhesion_pulls_on_the_way_out_only() {
     let workdir = workdir!();
     let adhesive = "--work-of-adhesion-receding=20uJ/m^2 --points=31";
-    let adhesive = rows(&workdir, &format!("{GEL} {PROGRAM} {adhesive}"));
-    let plain = rows(&workdir, &format!("{GEL} {PROGRAM} --points=31"));
+    let [adhesive, plain] = [adhesive, "--points=31"]
+        .map(|more| rows(&workdir, &format!("{GEL} {PROGRAM} {more}")).column("load"));
     // Both are within the default tolerance of the largest load.
-    let largest = plain.cases().map(|row| row.get("load")).fold(0.0, f64::max);
-    for (own, plain) in adhesive.cases().zip(plain.cases()).take(21) {
-        let (own, plain) = (own.get("load"), plain.get("load"));
-        assert!((own - plain).abs() <= 2e-8 * largest, "{own} {plain}");
+    let largest = plain.iter().copied().fold(0.0, f64::max);
+    for (own, plain) in adhesive.iter().zip(&plain).take(21) {
+        assert_near(*own, *plain, 2e-8 * largest);
     }
-    assert!(adhesive.cases().any(|row| row.get("load") < -1e-10));
-    assert!(plain.cases().all(|row| row.get("load") >= 0.0));
+    assert!(adhesive.iter().any(|load| *load < -1e-10));
+    assert!(plain.iter().all(|load| *load >= 0.0));
 }
 
 #[test]
 fn the_error_and_the_doubts_are_stated() {
     let workdir = workdir!();
-    let run = workdir.run(format!("{GEL} {PROGRAM} --points=3"));
-    assert_eq!(run.status, 0);
-    assert_names(&run.stderr, &["0.29 of the film's thickness"]);
+    let run = workdir.answer(format!("{GEL} {PROGRAM} --points=3"));
+    assert_names(&run.stderr, "0.29 of the film's thickness");
     assert!(!run.stderr.contains("estimated"), "{}", run.stderr);
     // A second approach is followed by elements, whose error is told.
     let again = "--program 'penetration 0:0 1:100nm 2:0 3:100nm' --points=3";
-    let run = workdir.run(format!("{GEL} {again}"));
-    assert!(
-        run.status == 0 && run.stderr.starts_with("# estimated error: "),
-        "{}",
-        run.stderr
-    );
+    let run = workdir.answer(format!("{GEL} {again}"));
+    assert!(run.stderr.starts_with("# estimated error: "), "{run:?}");
     let soft = "--substrate-modulus=20kPa";
     let gel = GEL.replace("--substrate-modulus=inf", soft);
     let error = workdir.fail(1, format!("{gel} {PROGRAM}"));
     assert_names(&error, &["do not relax", "2e-2"]);
-    let relaxing = workdir.run(format!("{gel} {PROGRAM} --all-relax"));
-    assert_eq!(relaxing.status, 0, "{}", relaxing.stderr);
+    workdir.answer(format!("{gel} {PROGRAM} --all-relax"));
     let stiffer = "--substrate-modulus=1MPa";
     let gel = GEL.replace("--substrate-modulus=inf", stiffer);
-    let run = workdir.run(format!("{gel} {PROGRAM}"));
-    assert_eq!(run.status, 0, "{}", run.stderr);
-    assert_names(&run.stderr, &["warning", "do not relax"]);
+    let run = workdir.answer(format!("{gel} {PROGRAM}"));
+    assert_names(&run.stderr, "warning; do not relax");
 }
 
 /// The wrong first calls.
@@ -227,25 +188,18 @@ fn a_load_that_falls_comes_with_its_error() {
     let workdir = workdir!();
     let gel = GEL.split(" --relaxation").next().expect("a text");
     let program = "--relaxation=power-law --relaxation-exponent=0.2 --program 'load 0:0 1:1nN 2:0' --points 5";
-    let run = workdir.run(format!("{gel} {program}"));
-    assert_eq!(run.status, 0, "{}", run.stderr);
+    let run = workdir.answer(format!("{gel} {program}"));
     let (_, stated) = run.stderr.split_once("# estimated error: ").expect("it");
     let (stated, _) = stated.split_once(" of ").expect("an error");
     let stated: f64 = stated.parse().expect("a number");
     assert!(1e-5 < stated && stated < 1e-2, "{stated}");
     let message = workdir.fail(1, format!("{gel} {program} --tolerance=1e-5"));
     assert_names(&message, &["tolerance 1e-5 is not reached; give one above"]);
-    let own = Data::parse("history", &run.stdout);
+    let own = Data::parse("history", &run.stdout).column("penetration");
     let other = rows(&workdir, &format!("{gel} {program} --tolerance=1e-3"));
-    let penetration =
-        |data: &Data| -> Vec<f64> { data.cases().map(|row| row.get("penetration")).collect() };
-    let (own, other) = (penetration(&own), penetration(&other));
     let largest = own.iter().copied().fold(0.0, f64::max);
-    for (own, other) in own.iter().zip(&other) {
-        assert!(
-            (own - other).abs() <= (stated + 1e-3) * largest,
-            "{own} {other}"
-        );
+    for (own, other) in own.iter().zip(other.column("penetration")) {
+        assert_near(*own, other, (stated + 1e-3) * largest);
     }
 }
 
@@ -256,11 +210,8 @@ fn a_flat_end_and_times_with_units() {
     workdir.write("units.csv", "time,penetration\n0,0\n1e3ms,0.1um\n");
     let flat = FLAT.split(" --program").next().expect("a text");
     let of = |program: &str| {
-        let data = rows(
-            &workdir,
-            &format!("{flat} --film-thickness=10um --program {program} --points 2"),
-        );
-        data.cases().map(|row| row.get("load")).collect::<Vec<_>>()
+        let more = format!("--film-thickness=10um --program {program} --points 2");
+        rows(&workdir, &format!("{flat} {more}")).column("load")
     };
     let loads = of("units.csv");
     assert_eq!(loads, of("'penetration 0:0 1:0.1um'"));
@@ -280,13 +231,9 @@ fn a_stiff_film_on_a_soft_base_that_relax_together_is_told_of() {
         ("1kPa", "10kPa", false),
         ("2kPa", "1kPa", false),
     ] {
-        let run = workdir.run(format!(
-            "{RELAXING} {bodies} --film-modulus={film} --substrate-modulus={base} --all-relax"
-        ));
-        assert_eq!(
-            (run.status, run.stderr.contains("pull at the probe inside")),
-            (0, told),
-            "{run:?}"
-        );
+        let moduli = format!("--film-modulus={film} --substrate-modulus={base} --all-relax");
+        let run = workdir.answer(format!("{RELAXING} {bodies} {moduli}"));
+        let is_told = run.stderr.contains("pull at the probe inside");
+        assert_eq!(is_told, told, "{run:?}");
     }
 }

@@ -2,8 +2,8 @@
 //! and the key `interface` of a stack file.
 
 use acceptance::{
-    Data, Workdir, assert_estimate, assert_names, estimate, json, kinds, layer, number,
-    relative_error, solid, springs, with_interfaces, workdir,
+    Data, Workdir, assert_cases, assert_close, assert_estimate, estimate, json, kinds, layer,
+    number, relative_error, solid, springs, with_interfaces, workdir,
 };
 use contact::{Contact, Control};
 use interp::Quantities;
@@ -45,10 +45,8 @@ fn solve_takes_the_interface_of_one_film() {
             case.text("a_over_t")
         ));
         assert!(relative_error(&quantities(&object), &case.quantities()) <= 1e-10);
-        assert!(
-            object["interface_stiffness"][0].is_number()
-                || object["interface_stiffness"][0] == "inf"
-        );
+        let stiffness = &object["interface_stiffness"][0];
+        assert!(stiffness.is_number() || stiffness == "inf", "{object}");
         solved += 1;
     }
     assert!(solved >= 20);
@@ -77,10 +75,8 @@ fn solve_takes_rigid_spheres_and_files_of_points() {
     assert!(sliding.eeq < 0.9 * plain.eeq);
 
     workdir.write_points("2,0,0.3,inf\n");
-    let text = workdir.succeed("solve --points=points.csv --interface=sliding");
-    let rows = Data::parse("points", &text);
-    let row = rows.cases().next().expect("a row");
-    assert!(relative_error(&row.quantities(), &sliding) <= 1e-14);
+    let rows = workdir.csv("solve --points=points.csv --interface=sliding");
+    assert!(relative_error(&rows.first().quantities(), &sliding) <= 1e-14);
 }
 
 #[test]
@@ -96,24 +92,21 @@ fn curve_and_pull_off_are_those_of_a_stack_of_one_layer() {
     ] {
         let stack = film(interface);
         let ends = "--from=1e-5 --to=1e-4 --points=5";
-        let text = workdir.succeed(format!("curve {FILM} {ends} {flags}"));
+        let rows = workdir.csv(format!("curve {FILM} {ends} {flags}"));
         let curve = stack_curve(&stack, 2e6, [1.0, 10.0], 1e-8).expect("within reach");
         let contact = Contact::new(&stack.system(1e-3, 2e6), curve).expect("its curve");
-        let rows = Data::parse("curve", &text);
         assert_eq!(rows.cases().count(), 5);
         for row in rows.cases() {
-            let (load, penetration) = contact
-                .load_and_penetration(row.get("contact_radius"), 0.04)
-                .expect("in range");
-            assert!((row.get("load") / load - 1.0).abs() <= 1e-7);
-            assert!((row.get("penetration") / penetration - 1.0).abs() <= 1e-7);
+            let state = contact.load_and_penetration(row.get("contact_radius"), 0.04);
+            let (load, penetration) = state.expect("in range");
+            assert_close(row.get("load"), load, 1e-7);
+            assert_close(row.get("penetration"), penetration, 1e-7);
         }
         let found = workdir.json(format!("pull-off --json {FILM} {flags}"));
         let wide = stack_curve(&stack, 2e6, [1e-3, 50.0], 1e-9).expect("within reach");
         let contact = Contact::new(&stack.system(1e-3, 2e6), wide).expect("its curve");
         let expected = contact.pull_off(0.04, Control::Load).expect("it parts");
-        let load = number(&found, "load");
-        assert!((load / expected.load - 1.0).abs() <= 1e-7);
+        assert_close(number(&found, "load"), expected.load, 1e-7);
     }
     // Bonded, and springs without end, are the film as ever.
     let ends = "--from=1e-5 --to=1e-4 --points=5";
@@ -132,9 +125,8 @@ fn an_attraction_of_finite_range_feels_the_interface() {
         let found = workdir.json(format!("pull-off --json {FILM} {flags}"));
         number(&found, "load")
     };
-    let jkr = load("--interface=sliding");
     let short = load("--interface=sliding --interaction-range=10nm");
-    assert!((short / jkr - 1.0).abs() <= 1e-3, "{short} {jkr}");
+    assert_close(short, load("--interface=sliding"), 1e-3);
     let bonded = load("--interaction-range=10nm");
     assert!((short / bonded - 1.0).abs() > 4e-3, "{short} {bonded}");
 }
@@ -158,7 +150,7 @@ fn a_fit_finds_the_stiffness_of_an_interface() {
     // Without a start, the layer's own stiffness is one.
     let again = fit(&format!("--interface=sliding {free}"));
     let [value, other] = [&found, &again].map(|fit| estimate(fit, stiffness)[0]);
-    assert!((other / value - 1.0).abs() <= 1e-3);
+    assert_close(other, value, 1e-3);
     // A fit that assumes bonding says what sliding would change.
     let bonded = fit("--free=film-modulus,work-of-adhesion");
     assert!(kinds(&bonded).contains(&"assumes-bonding"), "{bonded}");
@@ -216,10 +208,9 @@ fn solve_file(workdir: &Workdir, text: &str) -> Result<Value, String> {
     workdir.write("stack.toml", text);
     let flags = "solve --stack=stack.toml --sphere-modulus=2e6 --a-over-t=3 --json";
     let run = workdir.run(flags);
-    if run.status == 0 {
-        Ok(json(&run.stdout))
-    } else {
-        Err(run.stderr)
+    match run.status {
+        0 => Ok(json(&run.stdout)),
+        _ => Err(run.stderr),
     }
 }
 
@@ -236,19 +227,11 @@ fn a_stack_file_has_the_interfaces_of_its_layers() {
     );
     let truth = solve_stack(3.0, &stack, 2e6, 1e-10).expect("within reach");
     assert!(relative_error(&quantities(&found), &truth.quantities) <= 1e-14);
-    for (from, to, parts) in [
-        (
-            "\"sliding\"",
-            "\"slide\"",
-            ["layer 2 of 2", "\"slide\" is none", "\"sliding\""],
-        ),
-        (
-            "= 2e11, normal",
-            "= -1, normal",
-            ["primer", "tangential", "-1.0 Pa/m"],
-        ),
-    ] {
-        let message = solve_file(&workdir, &STACK.replacen(from, to, 1)).expect_err("refused");
-        assert_names(&message, &parts);
-    }
+    let cases = r#"
+        "sliding" | "slide" | layer 2 of 2; "slide" is none; "sliding"
+        = 2e11, normal | = -1, normal | primer; tangential; -1.0 Pa/m
+        "#;
+    assert_cases(cases, |[from, to, _]| {
+        solve_file(&workdir, &STACK.replacen(from, to, 1)).expect_err("refused")
+    });
 }

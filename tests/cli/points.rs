@@ -1,7 +1,8 @@
 //! `tabulate solve` and `tabulate query`: one point, and points from CSV.
 
 use acceptance::{
-    Contacts, Data, assert_cases, assert_names, json, material, solid, table, workdir,
+    Contacts, Data, Refused, assert_cases, assert_names, json, material, paper_system,
+    relative_error, solid, table, workdir,
 };
 use contact::{Contact, Input};
 use interp::{Probe, System};
@@ -10,18 +11,7 @@ use solve::solve_power_laws;
 use crate::{TWO_QUANTITIES, solved};
 
 /// The columns of every CSV output of `solve` and `query`.
-const COLUMNS: [&str; 10] = [
-    "a_over_t",
-    "e1_over_e2",
-    "nu1",
-    "e0_over_e2",
-    "nu0",
-    "pi0",
-    "eeq",
-    "gamma",
-    "delta0",
-    "error",
-];
+const COLUMNS: &str = "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0,pi0,eeq,gamma,delta0,error";
 /// The tolerance of `solve` where none is given.
 const DEFAULT_TOLERANCE: f64 = 1e-10;
 
@@ -36,20 +26,10 @@ fn solve_prints_one_point_to_the_last_bit() {
             contacts.material([1e-2, 1e2], [1e-1, 1e6])
         };
         let x = contacts.log_uniform(1e-2, 1e2);
-        let tolerance = if round % 2 == 0 {
-            DEFAULT_TOLERANCE
-        } else {
-            1e-6
-        };
+        let tolerance = [DEFAULT_TOLERANCE, 1e-6][round % 2];
         let expected = solved(x, &given, tolerance);
-        let values_given = [
-            x,
-            given.e1_over_e2(),
-            given.nu1(),
-            given.e0_over_e2(),
-            given.nu0(),
-        ];
-        let [e1, nu1, e0, nu0] = [1, 2, 3, 4].map(|i| values_given[i]);
+        let (e1, nu1) = (given.e1_over_e2(), given.nu1());
+        let (e0, nu0) = (given.e0_over_e2(), given.nu0());
         let mut arguments = format!(
             "solve --a-over-t {x:?} --e1-over-e2 {e1:?} --nu1 {nu1:?} --e0-over-e2 {e0:?} --nu0 {nu0:?}"
         );
@@ -70,9 +50,8 @@ fn solve_prints_one_point_to_the_last_bit() {
             .lines()
             .map(|line| line.split_once(" = ").expect("name = value"))
             .collect();
-        let numbers = lines[..5]
-            .iter()
-            .map(|(name, value)| (name.trim(), value.parse().expect("a number")));
+        let numbers = lines[..5].iter();
+        let numbers = numbers.map(|(name, value)| (name.trim(), value.parse().expect("a number")));
         assert_eq!(numbers.collect::<Vec<(&str, f64)>>(), rows);
         let symbol = given.normalisation().symbol();
         assert_eq!(lines[5..], [("normalised_by", symbol)]);
@@ -87,21 +66,14 @@ fn solve_prints_one_point_to_the_last_bit() {
             assert_eq!(object["e0_over_e2"], "inf");
         }
         assert_eq!(object.as_object().expect("an object").len(), 13);
-        for (name, value) in COLUMNS.into_iter().zip(values_given).chain(rows) {
+        let values_given = [x, e1, nu1, e0, nu0];
+        for (name, value) in COLUMNS.split(',').zip(values_given).chain(rows) {
             // The digits themselves: serde_json's own reading may be one bit off.
-            let (_, rest) = text
-                .split_once(&format!("\"{name}\":"))
-                .expect("the name is there");
-            let digits = rest
-                .split([',', '}'])
-                .next()
-                .expect("a value")
-                .trim_matches('"');
-            assert_eq!(
-                digits.parse::<f64>().expect("a number").to_bits(),
-                value.to_bits(),
-                "{name}: {text}"
-            );
+            let name = format!("\"{name}\":");
+            let (_, rest) = text.split_once(&name).expect("the name is there");
+            let digits = rest.split([',', '}']).next().expect("a value");
+            let found: f64 = digits.trim_matches('"').parse().expect("a number");
+            assert_eq!(found.to_bits(), value.to_bits(), "{name} {text}");
         }
     }
 }
@@ -121,36 +93,25 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
 
     // Awkward numbers, without a column nu0: all come back as they were given.
     let mut contacts = Contacts::new(71);
-    let points: Vec<[f64; 4]> = (0..50)
-        .map(|_| {
-            let material = contacts.material([1e-2, 1e2], [1e-1, 1e6]);
-            [
-                contacts.log_uniform(1e-2, 1e2),
-                material.e1_over_e2(),
-                material.nu1(),
-                material.e0_over_e2(),
-            ]
-        })
-        .collect();
-    let rows: String = points
-        .iter()
-        .map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"))
-        .collect();
-    workdir.write_points(&rows);
+    let mut draw = |_| {
+        let material = contacts.material([1e-2, 1e2], [1e-1, 1e6]);
+        let (e1, nu1, e0) = (material.e1_over_e2(), material.nu1(), material.e0_over_e2());
+        [contacts.log_uniform(1e-2, 1e2), e1, nu1, e0]
+    };
+    let points = [(); 50].map(&mut draw);
+    let rows = points.map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"));
+    workdir.write_points(&rows.concat());
     for (arguments, nu0, tolerance) in [
         ("", 0.25, DEFAULT_TOLERANCE),
         ("--nu0 0.1 --tolerance 1e-6", 0.1, 1e-6),
     ] {
-        let data = Data::parse(
-            "output",
-            &workdir.succeed(format!("solve --points points.csv {arguments}")),
-        );
-        assert_eq!(data.columns(), COLUMNS);
+        let data = workdir.csv(format!("solve --points points.csv {arguments}"));
+        assert_eq!(data.columns().join(","), COLUMNS);
         assert_eq!(data.cases().count(), points.len());
-        for (case, [x, e1, nu1, e0]) in data.cases().zip(&points) {
-            let read: Vec<f64> = COLUMNS[..5].iter().map(|name| case.get(name)).collect();
-            assert_eq!(read, [*x, *e1, *nu1, *e0, nu0]);
-            let expected = solved(*x, &material([*e1, *nu1, *e0, nu0]), tolerance);
+        for (case, [x, e1, nu1, e0]) in data.cases().zip(points) {
+            let read = COLUMNS.split(',').take(5).map(|name| case.get(name));
+            assert_eq!(read.collect::<Vec<_>>(), [x, e1, nu1, e0, nu0]);
+            let expected = solved(x, &material([e1, nu1, e0, nu0]), tolerance);
             assert_eq!(case.quantities(), expected.quantities);
             assert_eq!(case.get("error"), expected.error);
         }
@@ -162,19 +123,16 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
     let workdir = workdir!();
     let table = table(TWO_QUANTITIES);
     workdir.write("table.bin", table.to_packed().expect("a small table"));
-    workdir.write(
-        "points.csv",
-        "e0_over_e2,nu1,a_over_t,e1_over_e2\ninf,0.5,0.1,1\ninf,0.5,3.3,1.9\n",
-    );
-    let run = workdir.run("query table.bin --points points.csv");
-    assert_eq!(run.status, 0);
+    let points = "e0_over_e2,nu1,a_over_t,e1_over_e2\ninf,0.5,0.1,1\ninf,0.5,3.3,1.9\n";
+    workdir.write("points.csv", points);
+    let run = workdir.answer("query table.bin --points points.csv");
     // The empty fields are explained.
-    let why = ["points.csv, line 2: fields are empty", "does not hold pi0"];
-    assert_names(&run.stderr, &why);
+    let why = "points.csv, line 2: fields are empty; does not hold pi0";
+    assert_names(&run.stderr, why);
     assert_eq!(run.stderr.lines().count(), 1);
     let answer = run.stdout;
     let mut lines = answer.lines();
-    assert_eq!(lines.next(), Some(&*COLUMNS.join(",")));
+    assert_eq!(lines.next(), Some(COLUMNS));
     for (line, [x, e1]) in lines.by_ref().zip([[0.1, 1.0], [3.3, 1.9]]) {
         let fields: Vec<&str> = line.split(',').collect();
         // The table's substrate stands in where the points have none.
@@ -202,24 +160,12 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
 /// Asserts that each row of a query holds all four quantities, within the error that the row states
 /// and `chance` times that, as the solve finds them.
 fn assert_all_four(answer: &str, chance: f64) {
-    let data = Data::parse("query", answer);
-    let mut rows = 0;
-    for case in data.cases() {
-        let [e1, nu1, e0, nu0] =
-            ["e1_over_e2", "nu1", "e0_over_e2", "nu0"].map(|name| case.get(name));
+    for case in Data::parse("query", answer).cases() {
         let x = case.get("a_over_t");
-        let expected = solved(x, &material([e1, nu1, e0, nu0]), 1e-9).quantities;
-        for quantity in interp::Quantity::ALL {
-            let found = case.get(quantity.name()) / expected.get(quantity) - 1.0;
-            assert!(
-                found.abs() <= chance * case.get("error"),
-                "{}: {found:e} at {x}",
-                quantity.name()
-            );
-        }
-        rows += 1;
+        let expected = solved(x, &case.material(), 1e-9).quantities;
+        let error = relative_error(&case.quantities(), &expected);
+        assert!(error <= chance * case.get("error"), "{error:e} at {x}");
     }
-    assert!(rows > 0);
 }
 
 #[test]
@@ -237,10 +183,9 @@ fn a_table_of_gamma_alone_answers_all_four_with_the_error_that_it_states() {
         assert!(!row.split(',').any(str::is_empty), "{row}");
     }
     // Beyond the nodes too, where the error is that of the expansion.
-    workdir.write(
-        "beyond.csv",
-        "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1e-4,1.75,0.5,1e5,0.25\n2e3,1.75,0.5,1e5,0.25\n",
-    );
+    let points =
+        "a_over_t,e1_over_e2,nu1,e0_over_e2,nu0\n1e-4,1.75,0.5,1e5,0.25\n2e3,1.75,0.5,1e5,0.25\n";
+    workdir.write("beyond.csv", points);
     assert_all_four(&workdir.succeed("query embedded --points beyond.csv"), 1.0);
 }
 
@@ -257,22 +202,16 @@ fn a_table_of_gamma_that_begins_too_late_says_why_fields_are_empty() {
             .replace("1e-2", "1e-4");
         workdir.write("late.bin", table(&late).to_packed().expect("a small table"));
         workdir.write_points("3.3,1.9,0.5,inf\n4,1,0.5,inf\n");
-        let run = workdir.run("query late.bin --points points.csv");
-        assert_eq!(run.status, 0);
-        let data = Data::parse("query", &run.stdout);
-        for case in data.cases() {
+        let run = workdir.answer("query late.bin --points points.csv");
+        for case in Data::parse("query", &run.stdout).cases() {
             assert!(case.get("gamma") > 0.0);
             assert_eq!(
-                (case.text("pi0"), case.text("eeq"), case.text("delta0")),
-                ("", "", "")
+                ["pi0", "eeq", "delta0"].map(|name| case.text(name)),
+                [""; 3]
             );
         }
-        let words = [
-            "points.csv, line 2: fields are empty",
-            "pi0 does not follow from gamma alone",
-            why,
-        ];
-        assert_names(&run.stderr, &words);
+        let words = "points.csv, line 2: fields are empty; pi0 does not follow from gamma alone";
+        assert_names(&run.stderr, &format!("{words}; {why}"));
     }
 }
 
@@ -283,39 +222,29 @@ fn query_prints_the_derivatives_that_the_table_knows() {
         table(&TWO_QUANTITIES.replace("['delta0', 'eeq']", "['pi0', 'eeq', 'gamma', 'delta0']"));
     workdir.write("table.bin", table.to_packed().expect("a small table"));
     workdir.write_points("3.3,1.9,0.5,inf\n");
-    let answer = workdir.succeed("query table.bin --points points.csv --gradient");
-    let data = Data::parse("query", &answer);
-    assert_eq!(data.columns()[..10], COLUMNS);
-    let curve = table
-        .curve_with_gradient(&material([1.9, 0.5, f64::INFINITY, 0.1]))
-        .expect("inside");
-    let gradient = curve.gradient(3.3).expect("inside");
-    let case = data.cases().next().expect("a point");
+    let data = workdir.csv("query table.bin --points points.csv --gradient");
+    assert_eq!(data.columns()[..10].join(","), COLUMNS);
+    let curve = table.curve_with_gradient(&material([1.9, 0.5, f64::INFINITY, 0.1]));
+    let gradient = curve.expect("inside").gradient(3.3).expect("inside");
+    let case = data.first();
     for quantity in interp::Quantity::ALL {
         let name = |parameter: &str| format!("d_{}_d_{parameter}", quantity.name());
-        assert_eq!(
-            case.get(&name("a_over_t")),
-            gradient.slopes().get(quantity) / 3.3
-        );
-        let by_film = gradient
-            .by(interp::MaterialParameter::E1OverE2)
-            .expect("an axis");
-        assert_eq!(case.get(&name("e1_over_e2")), by_film.get(quantity));
+        let by_radius = gradient.slopes().get(quantity) / 3.3;
+        assert_eq!(case.get(&name("a_over_t")), by_radius);
+        let by_film = gradient.by(interp::MaterialParameter::E1OverE2);
+        let by_film = by_film.expect("an axis").get(quantity);
+        assert_eq!(case.get(&name("e1_over_e2")), by_film);
         // The scene fixes it; a rigid substrate changes nothing.
         assert_eq!(case.text(&name("nu1")), "");
         assert_eq!(
-            (case.get(&name("e0_over_e2")), case.get(&name("nu0"))),
-            (0.0, 0.0)
+            ["e0_over_e2", "nu0"].map(|of| case.get(&name(of))),
+            [0.0; 2]
         );
     }
-    workdir.write(
-        "table.bin",
-        acceptance::table(TWO_QUANTITIES)
-            .to_packed()
-            .expect("a small table"),
-    );
-    let message = workdir.fail(1, "query table.bin --points points.csv --gradient");
-    assert!(message.contains("does not hold pi0"), "{message}");
+    let two = acceptance::table(TWO_QUANTITIES).to_packed();
+    workdir.write("table.bin", two.expect("a small table"));
+    let query = "query table.bin --points points.csv --gradient";
+    workdir.refuses(format!("1 | {query} | does not hold pi0"));
 }
 
 /// A table of a single `a/t` does not tell how the quantities grow with it.
@@ -327,25 +256,19 @@ fn a_single_a_over_t_has_no_slopes() {
     );
     workdir.write("table.bin", table.to_packed().expect("a small table"));
     workdir.write_points("1,1,0.5,inf\n");
-    let answer = workdir.succeed("query table.bin --points points.csv --gradient");
-    let data = Data::parse("query", &answer);
-    let case = data.cases().next().expect("a point");
+    let data = workdir.csv("query table.bin --points points.csv --gradient");
+    let case = data.first();
     assert_eq!(case.text("d_pi0_d_a_over_t"), "");
     assert!(case.get("d_pi0_d_e1_over_e2") != 0.0);
 
-    let curve = table
-        .curve(&material([1.0, 0.5, f64::INFINITY, 0.25]))
-        .expect("inside");
-    let unknown = curve
-        .slope(interp::Quantity::Pi0, 1.0)
-        .expect_err("unknown");
-    assert_names(&unknown.to_string(), &["a_over_t", "as ranges"]);
+    let curve = table.curve(&material([1.0, 0.5, f64::INFINITY, 0.25]));
+    let slope = curve.expect("inside").slope(interp::Quantity::Pi0, 1.0);
+    slope.refused("a_over_t; as ranges");
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-4 },
-        sphere_modulus: 2e6,
         film: solid(2e6, 0.5),
-        film_thickness: 1e-6,
         substrate: solid(f64::INFINITY, 0.25),
+        ..paper_system(1e-6)
     };
     let contact = Contact::in_table_with_gradient(&table, &system).expect("inside");
     let gradient = contact.gradient(1e-6, 0.04).expect("inside");
@@ -389,11 +312,8 @@ fn a_bad_file_of_points_is_named_with_the_line() {
     for command in ["solve", "query table.bin"] {
         assert_cases(BAD_POINTS, |[_, text, _]| {
             let escapes = [("\\n", "\n"), ("\\r", "\r"), ("\\0", "\0")];
-            let text = escapes
-                .iter()
-                .fold(text.to_owned(), |text, (escape, byte)| {
-                    text.replace(escape, byte)
-                });
+            let replaced = |text: String, (escape, byte)| text.replace(escape, byte);
+            let text = escapes.into_iter().fold(text.to_owned(), replaced);
             workdir.write("points.csv", &text);
             let message = workdir.fail(1, format!("{command} --points points.csv -o out.csv"));
             assert!(message.contains("points.csv"), "{text}: {message}");
@@ -422,25 +342,16 @@ fn solve_adds_the_columns_of_other_probes() {
     let text = workdir.succeed(&arguments);
     let json = workdir.succeed(format!("{arguments} --json"));
     for (name, value) in expected {
-        assert!(
-            text.contains(&format!("{name:13} = {value:?}\n")),
-            "{name}: {text}"
-        );
-        assert!(
-            json.contains(&format!("\"{name}\":{value:?}")),
-            "{name}: {json}"
-        );
+        assert_names(&text, &format!("{name:13} = {value:?}\n"));
+        assert_names(&json, &format!("\"{name}\":{value:?}"));
     }
 
     workdir.write_points("3,1.75,0.5,1e5\n");
-    let table = workdir.succeed(format!("solve --points points.csv {probes}"));
-    let data = Data::parse("solve", &table);
-    let further = ["pi_1", "delta_1", "pi_2.5", "delta_2.5"];
-    assert_eq!(data.columns(), [&COLUMNS[..], &further].concat());
-    for case in data.cases() {
-        for (name, value) in expected {
-            assert_eq!(case.get(name), value, "{name}");
-        }
+    let data = workdir.csv(format!("solve --points points.csv {probes}"));
+    let further = "pi_1,delta_1,pi_2.5,delta_2.5";
+    assert_eq!(data.columns().join(","), format!("{COLUMNS},{further}"));
+    for (name, value) in expected {
+        assert_eq!(data.column(name), [value], "{name}");
     }
 
     workdir.refuses(format!(

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use acceptance::{Data, Workdir, assert_names, workdir};
+use acceptance::{Data, Workdir, assert_names, material, workdir};
 use interp::Table;
 
 use crate::paper_table;
@@ -31,9 +31,8 @@ fn points_keep_their_order_over_many_batches() {
     let printed = workdir.succeed(format!("query {table} --points points.csv"));
     let data = Data::parse("query", &printed);
     let read = Table::read(&table).expect("sound");
-    let curve = read
-        .curve(&acceptance::material([1.75, 0.5, 1e5, 0.25]))
-        .expect("inside");
+    let curve = read.curve(&material([1.75, 0.5, 1e5, 0.25]));
+    let curve = curve.expect("inside");
     assert_eq!(data.cases().count(), MANY);
     for (i, case) in data.cases().enumerate() {
         let x = 1e-2 * (1.0 + i as f64);
@@ -88,17 +87,13 @@ fn memory_does_not_grow_with_the_number_of_points() {
     const COUNT: usize = 500_000;
     let workdir = workdir!();
     let table = paper_table();
-    workdir.write(
-        "points.csv",
-        HEADER.to_owned() + &"1,1,0.25,1\n".repeat(COUNT),
-    );
+    let points =
+        |row: &str, count| workdir.write("points.csv", HEADER.to_owned() + &row.repeat(count));
+    points("1,1,0.25,1\n", COUNT);
     // Film and substrate are equal, and solved in closed form.
     let solved = lines_within_memory(&workdir, "solve --points points.csv");
     assert_eq!(solved, COUNT + 1);
-    workdir.write(
-        "points.csv",
-        HEADER.to_owned() + &"1,1.75,0.5,1e5\n".repeat(COUNT / 4),
-    );
+    points("1,1.75,0.5,1e5\n", COUNT / 4);
     let query = format!("query {table} --points points.csv --gradient");
     assert_eq!(lines_within_memory(&workdir, &query), COUNT / 4 + 1);
 }
@@ -116,17 +111,16 @@ fn input_without_an_end_is_refused() {
         ("quoted.csv", quoted),
     ] {
         workdir.write(name, text);
-        let message = workdir.fail(1, format!("solve --points {name}"));
-        assert_names(&message, &[name, "longer than 1048576 bytes"]);
-    }
-    for (device, why) in [
-        ("solve --points /dev/zero", "no text in UTF-8"),
-        ("generate /dev/zero -o x.h5", "longer than"),
-        ("plot effects --data /dev/zero -o x.svg", "no text in UTF-8"),
-    ] {
-        assert_names(&workdir.fail(1, device), &["/dev/zero", why]);
+        let words = format!("{name}; longer than 1048576 bytes");
+        workdir.refuses(format!("1 | solve --points {name} | {words}"));
     }
     workdir.write("scene.toml", b"title = '\xe9'\n");
-    let error = workdir.fail(1, "generate scene.toml");
-    assert_names(&error, "scene.toml; save it with this encoding");
+    workdir.refuses(
+        "
+        1 | solve --points /dev/zero | /dev/zero; no text in UTF-8
+        1 | generate /dev/zero -o x.h5 | /dev/zero; longer than
+        1 | plot effects --data /dev/zero -o x.svg | /dev/zero; no text in UTF-8
+        1 | generate scene.toml | scene.toml; save it with this encoding
+        ",
+    );
 }

@@ -54,6 +54,21 @@ impl Data {
         self.columns.iter().collect()
     }
 
+    /// Returns the numbers of a column, in the order of the file.
+    pub fn column(&self, name: &str) -> Vec<f64> {
+        self.cases().map(|case| case.get(name)).collect()
+    }
+
+    /// Returns the first case.
+    pub fn first(&self) -> Case<'_> {
+        self.cases().next().expect("a file holds a case")
+    }
+
+    /// Returns the last case.
+    pub fn last(&self) -> Case<'_> {
+        self.cases().last().expect("a file holds a case")
+    }
+
     /// Returns the cases, in the order of the file.
     pub fn cases(&self) -> impl Iterator<Item = Case<'_>> {
         self.rows.iter().map(|row| Case {
@@ -63,9 +78,9 @@ impl Data {
     }
 }
 
-impl Case<'_> {
+impl<'a> Case<'a> {
     /// Returns the text in the column `column`.
-    pub fn text(&self, column: &str) -> &str {
+    pub fn text(&self, column: &str) -> &'a str {
         let index = self.columns.iter().position(|name| name == column);
         &self.row[index.unwrap_or_else(|| panic!("there is no column {column:?}"))]
     }

@@ -1,8 +1,8 @@
-//! Numbers that the program prints: as JSON, and as lines `name = value`.
+//! Numbers that the program prints: as JSON, as CSV, and as lines `name = value`.
 
 use serde_json::Value;
 
-use crate::{Arguments, Workdir};
+use crate::{Arguments, Data, Workdir};
 
 impl Workdir {
     /// Runs the program, which must succeed as [`Workdir::succeed`] says, and returns what it prints,
@@ -11,6 +11,12 @@ impl Workdir {
         let text = self.succeed(args);
         assert_eq!(text.lines().count(), 1, "{text}");
         json(&text)
+    }
+
+    /// Runs the program, which must succeed as [`Workdir::succeed`] says, and returns what it prints, which
+    /// must be CSV.
+    pub fn csv(&self, args: impl Arguments) -> Data {
+        Data::parse("standard output", &self.succeed(args))
     }
 }
 

@@ -199,6 +199,13 @@ impl Workdir {
         run.stdout
     }
 
+    /// Runs the program, which must succeed, whatever it says on standard error.
+    pub fn answer(&self, args: impl Arguments) -> Run {
+        let run = self.run(&args);
+        assert_eq!(run.status, 0, "{:?}: {run:?}", args.list());
+        run
+    }
+
     /// Makes data with `tabulate simulate`, which may warn that contacts leave the assumptions of the
     /// model, and returns its standard output.
     pub fn simulate(&self, args: impl std::fmt::Display) -> String {

@@ -3,7 +3,8 @@
 mod published;
 
 use acceptance::{
-    Data, Workdir, assert_names, larger, looked_up, number, paper_system, solid, workdir,
+    Workdir, assert_close, assert_names, assert_near, estimate, larger, looked_up, number,
+    paper_system, solid, workdir,
 };
 use interp::{Probe, System};
 use serde_json::Value;
@@ -19,9 +20,7 @@ fn with(first: &str, more: &str) -> String {
 
 /// Returns value and standard error of a parameter, in SI units.
 fn found(workdir: &Workdir, args: &str, parameter: &str) -> [f64; 2] {
-    let object = workdir.json(format!("{args} --json"));
-    let of = &object["parameters"][parameter];
-    ["value", "stderr"].map(|key| of[key].as_f64().unwrap_or(f64::NAN))
+    estimate(&workdir.json(format!("{args} --json")), parameter)
 }
 
 #[test]
@@ -32,8 +31,7 @@ fn curves_have_both_stiffnesses() {
     let system = paper_system(3e-5);
     let contact = looked_up(&system);
     for table in ["", "embedded"] {
-        let text = workdir.succeed(format!("curve {table} {film} {range}"));
-        let data = Data::parse("curve", &text);
+        let data = workdir.csv(format!("curve {table} {film} {range}"));
         let mut worst: f64 = 0.0;
         for row in data.cases() {
             let a = row.get("contact_radius");
@@ -46,22 +44,19 @@ fn curves_have_both_stiffnesses() {
     }
     // Without adhesion they are one, and a punch has no second.
     let none = "--work-of-adhesion 0";
-    let text = workdir.succeed(format!("curve {film} {range} {none}"));
-    for row in Data::parse("curve", &text).cases() {
+    for row in workdir.csv(format!("curve {film} {range} {none}")).cases() {
         assert_eq!(row.get("contact_stiffness"), row.get("moving_stiffness"));
     }
     let punch = "--probe flat-punch --sphere-radius 20um";
-    let text = workdir.succeed(format!("curve {film} {punch}"));
-    let row = Data::parse("curve", &text);
-    let row = row.cases().next().expect("one row");
+    let rows = workdir.csv(format!("curve {film} {punch}"));
     let system = System {
         probe: Probe::FlatPunch { radius: 2e-5 },
         ..system
     };
     let punch = looked_up(&system);
     let expected = punch.stiffness(2e-5).expect("its radius");
-    assert!((row.get("contact_stiffness") / expected - 1.0).abs() < 1e-5);
-    assert!(row.get("moving_stiffness").is_nan());
+    assert_close(rows.first().get("contact_stiffness"), expected, 1e-5);
+    assert!(rows.first().get("moving_stiffness").is_nan());
 }
 
 /// What `simulate` makes, `fit` finds. Stiffnesses at radii are simulated below, with phases.
@@ -85,17 +80,13 @@ fn simulated_stiffnesses_are_found_again() {
         let plan = format!("simulate --kind {kind} {ends} {more}");
         workdir.succeed(with(&plan, "--noise 1% -o made.csv"));
         let free = parameters.join(",").replace('_', "-");
-        let args = with(
-            "fit made.csv",
-            &format!("{more} --kind {kind} --free {free}"),
-        );
+        let more = format!("{more} --kind {kind} --free {free}");
+        let args = with("fit made.csv", &more);
         for parameter in parameters {
             let truth = if *parameter == "hardness" { 10e9 } else { 72e9 };
             let [value, error] = found(&workdir, &args, parameter);
-            assert!(
-                (value - truth).abs() < 3.5 * error && error < 0.1 * truth,
-                "{kind}: {value} {error}"
-            );
+            assert_near(value, truth, 3.5 * error);
+            assert!(error < 0.1 * truth, "{kind}: {value} {error}");
         }
     }
 }
@@ -113,7 +104,7 @@ fn the_errors_of_a_plan_are_those_of_its_fit() {
     workdir.succeed(format!("{plan} -o made.csv"));
     let fit = with("fit made.csv --kind stiffness-depth", "--noise 1%");
     let [_, error] = found(&workdir, &format!("{fit} {free}"), "film_modulus");
-    assert!((error / expected - 1.0).abs() < 0.05, "{error} {expected}");
+    assert_close(error, expected, 0.05);
 }
 
 /// Files as nanoindenters write them: units in a row below the headings, segments in the first
@@ -166,47 +157,38 @@ fn files_of_nanoindenters_are_read() {
     let depth = "--kind stiffness-depth";
     let args = with("fit csm.txt", depth);
     let [value, _] = found(&workdir, &args, "film_modulus");
-    assert!((value / 7.2e10 - 1.0).abs() < 1e-4, "{value}");
-    let text = workdir.succeed(&args);
-    assert_names(
-        &text,
-        "20 points; 1 rows without values; 3 rows of a pause; 1 rows of another segment",
-    );
+    assert_close(value, 7.2e10, 1e-4);
+    let words = "20 points; 1 rows without values; 3 rows of a pause; 1 rows of another segment";
+    assert_names(&workdir.succeed(&args), words);
     // No units at all: the message says what to type, and that works.
     let args = with("fit plain.txt", depth);
     workdir.refuses(format!("1 | {args} | unit"));
     let named = "--column 'penetration=h [nm]' --column 'load=P [mN]' --column \
          'contact_stiffness=S=dP/dh [N/m]'";
     let [value, _] = found(&workdir, &format!("{args} {named}"), "film_modulus");
-    assert!((value / 7.2e10 - 1.0).abs() < 1e-4, "{value}");
+    assert_close(value, 7.2e10, 1e-4);
     // The area as a column, and storage and loss.
     let args = with("fit hysitron.txt", "--kind stiffness-radius");
     let object = workdir.json(format!("{args} --json"));
     let tangent = number(&object, "loss/tangent");
     // The film is 0.5 to 0.9 of the compliance.
     assert!(tangent > 0.1 && tangent < 0.3, "{tangent}");
-    assert_names(
-        &workdir.succeed(&args),
-        "loss tangent; storage modulus; loss modulus",
-    );
+    let words = "loss tangent; storage modulus; loss modulus";
+    assert_names(&workdir.succeed(&args), words);
 }
 
 /// The wrong first call says what is wrong and what to type.
 #[test]
 fn wrong_first_calls_are_answered() {
     let workdir = workdir!();
-    workdir.write(
-        "depth.csv",
-        "penetration,load,contact_stiffness\n1e-7,1e-3,4e4\n2e-7,4e-3,8e4\n3e-7,9e-3,1.2e5\n",
-    );
-    workdir.write(
-        "radius.csv",
-        "contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n",
-    );
-    workdir.write(
-        "turned.csv",
-        "depth [m],load [N],contact stiffness [N/m]\n-1e-7,1e-3,4e4\n-2e-7,4e-3,8e4\n-3e-7,9e-3,1.2e5\n",
-    );
+    let heads = "penetration,load,contact_stiffness";
+    let depths = format!("{heads}\n1e-7,1e-3,4e4\n2e-7,4e-3,8e4\n3e-7,9e-3,1.2e5\n");
+    let with_units = "depth [m],load [N],contact stiffness [N/m]";
+    let turned = depths.replace(heads, with_units).replace('\n', "\n-");
+    workdir.write("turned.csv", turned.trim_end_matches('-'));
+    workdir.write("depth.csv", depths);
+    let radii = "contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n";
+    workdir.write("radius.csv", radii);
     let depth = with("fit depth.csv", "--kind stiffness-depth");
     let turned = with("fit turned.csv", "--kind stiffness-depth");
     let radius = with("fit radius.csv", "");
@@ -268,17 +250,14 @@ fn simulated_phases_give_their_loss_tangent_back() {
         let json = workdir.json(format!("{args} {} {used}", bodies("50GPa")));
         let near = |found: &Value, key: &str, truth: f64| {
             let [value, error] = [key, "stderr"].map(|key| number(found, key));
-            assert!((value - truth).abs() < 4.0 * error, "{kind}: {found}");
+            assert_near(value, truth, 4.0 * error);
             assert!(error < 0.02 * truth, "{kind}: {found}");
         };
         near(&json["parameters"]["film_modulus"], "value", 70e9);
         near(&json["loss"], "tangent", 0.6);
         if kind == "stiffness-radius" {
-            let ends = [0, 1].map(|i| number(&json, &format!("a_over_t/{i}")));
-            assert!(
-                (ends[0] - 0.1).abs() < 1e-9 && (ends[1] - 0.8).abs() < 1e-9,
-                "{ends:?}"
-            );
+            assert_near(number(&json, "a_over_t/0"), 0.1, 1e-9);
+            assert_near(number(&json, "a_over_t/1"), 0.8, 1e-9);
         }
     }
     let plan = format!("simulate --from 50nm --to 400nm {}", bodies("70GPa"));
