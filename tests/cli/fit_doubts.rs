@@ -1,6 +1,6 @@
 //! Doubts and errors of `tabulate fit`: what it says, and what to type next.
 
-use acceptance::{assert_names, json, kinds, number, workdir};
+use acceptance::{assert_close, assert_names, json, kinds, number, workdir};
 use serde_json::Value;
 
 /// Loads at penetrations of a rigid sphere of 10 um on a hard half-space, of which 60 nm remain.
@@ -28,10 +28,9 @@ fn a_depth_that_remains_is_named_with_the_flags_that_help() {
     workdir.write("data.csv", plastic());
     let of_film = format!("{HALF_SPACE} --free film-modulus");
     let report = workdir.run(&of_film).stdout;
-    assert_names(
-        &report,
-        "plastically; m remains; hysteresis; --only retract; --free film-modulus,contact-point",
-    );
+    let words =
+        "plastically; m remains; hysteresis; --only retract; --free film-modulus,contact-point";
+    assert_names(&report, words);
     let found = json(&workdir.run(format!("{of_film} --json")).stdout);
     let kinds = kinds(&found);
     for kind in ["hysteresis", "plasticity"] {
@@ -59,28 +58,24 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
     let (plain, widened) = (run(""), run(known));
     let error = |found: &Value| number(found, "parameters/sphere_modulus/stderr");
     assert!(error(&widened) > 2.0 * error(&plain));
-    let fixed = widened["fixed_values"].as_array().expect("a list").iter();
-    let of_film = fixed
-        .clone()
-        .find(|one| one["name"] == "film_thickness")
-        .expect("listed");
+    let fixed = widened["fixed_values"].as_array().expect("a list");
+    let named = |name: &str| {
+        fixed
+            .iter()
+            .find(|one| one["name"] == name)
+            .expect("listed")
+    };
+    let of_film = named("film_thickness");
     assert_eq!(
-        (of_film["error"].as_f64(), of_film["value"].as_f64()),
-        (Some(3e-6), Some(3e-5))
+        ["error", "value"].map(|key| number(of_film, key)),
+        [3e-6, 3e-5]
     );
     let expected = 10.0 * number(of_film, "changes/0");
-    let hypot = error(&plain).hypot(expected);
-    assert!((error(&widened) / hypot - 1.0).abs() < 1e-9);
-    assert!(
-        fixed
-            .clone()
-            .any(|one| one["name"] == "sphere_radius" && one["error"].is_null())
-    );
+    assert_close(error(&widened), error(&plain).hypot(expected), 1e-9);
+    assert!(named("sphere_radius")["error"].is_null());
     let all = format!("fit data.csv --film-thickness 3e-5 --specimen paper {known}");
-    assert_names(
-        &workdir.succeed(&all),
-        "what the fixed values do; sphere-radius; +1 %; 0.5 -> 0.49; hold those of film-thickness +- 3 um",
-    );
+    let words = "what the fixed values do; sphere-radius; +1 %; 0.5 -> 0.49; hold those of film-thickness +- 3 um";
+    assert_names(&workdir.succeed(&all), words);
     let known = "fit data.csv --film-thickness 3e-5 --specimen paper --known";
     workdir.refuses(format!(
         "
@@ -111,10 +106,8 @@ fn the_report_states_the_fixed_values_of_all_files() {
             let row = rows.iter().find_map(|row| row.trim().strip_prefix(name));
             row.unwrap_or_else(|| panic!("{name}: {run:?}")).trim()
         };
-        assert_eq!(
-            (of("film-thickness"), of("load-offset")),
-            ("30 um, 40 um", row)
-        );
+        let found = [of("film-thickness"), of("load-offset")];
+        assert_eq!(found, ["30 um, 40 um", row]);
     }
 }
 
@@ -138,11 +131,9 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     };
     let by_flag = run("data.csv --radius-noise 3e-7");
     let by_column = run("column.csv");
-    assert_names(&by_flag, &["of the abscissa 300 nm"]);
-    assert_names(
-        &by_column,
-        "of the abscissa 300 nm; contact_radius_error from \"radius_error [um]\"",
-    );
+    assert_names(&by_flag, "of the abscissa 300 nm");
+    let words = "of the abscissa 300 nm; contact_radius_error from \"radius_error [um]\"";
+    assert_names(&by_column, words);
     let found = |text: &str| {
         let found = text.split("\nfound\n").nth(1).expect("found");
         found.replace("column.csv", "data.csv")
@@ -151,11 +142,10 @@ fn errors_of_radii_come_from_a_flag_or_a_column() {
     // The flag stands for the column, and has another name for penetrations and heights.
     let exact = run("column.csv --abscissa-noise 0");
     assert_eq!(found(&exact), found(&run("data.csv")));
-    workdir.refuses(
-        "
-        1 | fit data.csv --film-thickness 3e-5 --specimen paper --radius-noise -1 | contact radius; -1; >= 0
-        ",
-    );
+    let fit = "fit data.csv --film-thickness 3e-5 --specimen paper";
+    workdir.refuses(format!(
+        "1 | {fit} --radius-noise -1 | contact radius; -1; >= 0"
+    ));
 }
 
 #[test]
@@ -163,10 +153,9 @@ fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
     let workdir = workdir!();
     lens(&workdir);
     let fit = "--film-thickness 3e-5 --specimen paper";
-    assert_names(
-        &workdir.succeed(format!("fit data.csv {fit} --radius-noise 3e-7")),
-        "the noise of the load is estimated; the noise of the ordinates: --noise 2uN",
-    );
+    let report = workdir.succeed(format!("fit data.csv {fit} --radius-noise 3e-7"));
+    let words = "the noise of the load is estimated; the noise of the ordinates: --noise 2uN";
+    assert_names(&report, words);
     let text = String::from_utf8(workdir.read("data.csv")).expect("text");
     let clipped: String = text
         .lines()
@@ -178,10 +167,9 @@ fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
         })
         .collect();
     workdir.write("clipped.csv", clipped);
-    assert_names(
-        &workdir.succeed(format!("fit clipped.csv {fit}")),
-        "exactly the largest load; leave these points out; let their lines begin with #",
-    );
+    let report = workdir.succeed(format!("fit clipped.csv {fit}"));
+    let words = "exactly the largest load; leave these points out; let their lines begin with #";
+    assert_names(&report, words);
 }
 
 /// The scene of a table of a few nodes.
@@ -220,11 +208,8 @@ fn a_table_that_misses_its_tolerance_is_told_of() {
     let workdir = workdir!();
     workdir.write("missed.toml", scene(1e-9, [", nodes = 6", ", nodes = 3"]));
     assert_eq!(workdir.run("generate missed.toml -o missed.h5").status, 1);
-    let run = workdir.run(
-        "curve missed.h5 --specimen paper --film-thickness 30um --substrate-modulus inf --to 100um",
-    );
-    assert_names(
-        &run.stderr,
-        "missed.h5 misses its tolerance of 1.0e-9; embedded",
-    );
+    let bodies = "--specimen paper --film-thickness 30um --substrate-modulus inf";
+    let run = workdir.run(format!("curve missed.h5 {bodies} --to 100um"));
+    let words = "missed.h5 misses its tolerance of 1.0e-9; embedded";
+    assert_names(&run.stderr, words);
 }
