@@ -59,8 +59,8 @@ fn no_command_replaces_its_input_under_any_name() {
             let files = workdir.files();
             let other = format!("folder/../{input}");
             for output in [*input, &other, &names[0], &names[1]] {
-                let message = workdir.fail(1, format!("{command} -o {output}"));
-                assert_names(&message, &["cannot write", output, "it is the input"]);
+                let words = format!("cannot write; {output}; it is the input");
+                workdir.refuses(format!("1 | {command} -o {output} | {words}"));
                 assert!(workdir.read(input) == content, "{command:?} -o {output}");
                 assert_eq!(workdir.files(), files);
             }
@@ -71,8 +71,7 @@ fn no_command_replaces_its_input_under_any_name() {
     }
     // The table of a figure has a name without the ending of a picture.
     symlink("table", workdir.path("map.svg")).expect("a link");
-    let message = workdir.fail(1, "plot error-map table -o map.svg");
-    assert_names(&message, &["map.svg", "it is the input"]);
+    workdir.refuses("1 | plot error-map table -o map.svg | map.svg; it is the input");
 }
 
 #[test]
@@ -87,33 +86,31 @@ fn what_is_appended_to_the_points_is_refused() {
 #[test]
 fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
     let workdir = workdir();
-    let solve = |output| ["solve", "--points", "points", "-o", output];
+    let solve = "solve --points points -o";
     symlink("nowhere.csv", workdir.path("dangling.csv")).expect("a link");
     symlink("circle.csv", workdir.path("circle.csv")).expect("a link");
     for output in ["dangling.csv", "circle.csv"] {
-        assert_names(
-            &workdir.fail(1, solve(output)),
-            &["cannot write", output, "is a link to", "remove the link"],
-        );
+        let words = format!("cannot write; {output}; is a link to; remove the link");
+        workdir.refuses(format!("1 | {solve} {output} | {words}"));
         assert!(workdir.path(output).is_symlink());
     }
     assert!(!workdir.path("nowhere.csv").exists());
     workdir.write("real.csv", "what was there");
     symlink("real.csv", workdir.path("link.csv")).expect("a link");
-    workdir.succeed(solve("link.csv"));
+    workdir.succeed(format!("{solve} link.csv"));
     assert!(workdir.path("link.csv").is_symlink());
     assert!(workdir.read("real.csv").starts_with(b"a_over_t,"));
-    for (output, words) in [
-        ("new/", "the name of a folder"),
-        ("-", "give the name of a file"),
-        ("/dev/null", "is not a file"),
-        ("/dev/stdout", "stream of the program"),
-        ("/proc/self/fd/1", "stream of the program"),
-        (".", "is not a file"),
-        ("missing/out.csv", "there is no folder missing"),
-    ] {
-        assert_names(&workdir.fail(1, solve(output)), &["cannot write", words]);
-    }
+    workdir.refuses(format!(
+        "
+        1 | {solve} new/ | cannot write; the name of a folder
+        1 | {solve} - | cannot write; give the name of a file
+        1 | {solve} /dev/null | cannot write; is not a file
+        1 | {solve} /dev/stdout | cannot write; stream of the program
+        1 | {solve} /proc/self/fd/1 | cannot write; stream of the program
+        1 | {solve} . | cannot write; is not a file
+        1 | {solve} missing/out.csv | cannot write; there is no folder missing
+        "
+    ));
 }
 
 #[test]
@@ -123,10 +120,7 @@ fn a_read_only_file_is_not_replaced() {
     let mut permissions = fs::metadata(&file).expect("a file").permissions();
     permissions.set_readonly(true);
     fs::set_permissions(&file, permissions).expect("ours");
-    assert_names(
-        &workdir.fail(1, "generate scene -o kept.h5"),
-        "kept.h5; read-only; another name",
-    );
+    workdir.refuses("1 | generate scene -o kept.h5 | kept.h5; read-only; another name");
     assert_eq!(workdir.read("kept.h5"), b"kept");
 }
 
@@ -155,16 +149,13 @@ fn what_killed_processes_leave_is_named_and_removed_by_the_next_run() {
             let run = workdir.script(&format!(
                 "ulimit -c 0; ulimit -f 8; \"$0\" {command} --points points -o out.csv; echo status $?"
             ));
-            assert!(
-                run.stdout.starts_with("status ") && run.stdout != "status 0\n",
-                "{run:?}"
-            );
+            assert!(run.stdout.starts_with("status "), "{run:?}");
+            assert_ne!(run.stdout, "status 0\n", "{run:?}");
         }
         assert_eq!(hidden(&workdir).len(), foreign.len() + 2, "{command}");
         let command = format!("{command} --points points -o out.csv");
-        let run = workdir.run(&command);
-        assert_eq!(run.status, 0, "{run:?}");
-        assert_names(&run.stderr, &[".out.csv.unfinished-", "is removed"]);
+        let run = workdir.answer(&command);
+        assert_names(&run.stderr, ".out.csv.unfinished-; is removed");
         assert_eq!(hidden(&workdir), foreign);
         let again = workdir.run(&command).stderr;
         assert!(!again.contains("is removed"), "{again}");
@@ -208,17 +199,17 @@ fn a_pipe_is_no_table_and_says_so() {
         .status()
         .expect("mkfifo runs");
     assert!(made.success());
-    for command in [
-        "info pipe",
-        "check pipe",
-        "query pipe --points points",
-        "curve pipe",
-        "pack pipe -o x.bin",
-        "info /dev/null",
-        "info .",
-    ] {
-        assert_names(&workdir.fail(1, command), "is not a file; to a file first");
-    }
+    workdir.refuses(
+        "
+        1 | info pipe | is not a file; to a file first
+        1 | check pipe | is not a file; to a file first
+        1 | query pipe --points points | is not a file; to a file first
+        1 | curve pipe | is not a file; to a file first
+        1 | pack pipe -o x.bin | is not a file; to a file first
+        1 | info /dev/null | is not a file; to a file first
+        1 | info . | is not a file; to a file first
+        ",
+    );
     let run = workdir.script("\"$0\" info /dev/stdin < table; cat table | \"$0\" info /dev/stdin");
     assert_eq!(run.status, 1, "{run:?}");
     assert_names(&run.stderr, &["/dev/stdin", "is not a file"]);

@@ -22,14 +22,10 @@ fn shows_the_examples() {
         ("crates/fit/examples/file.rs", "crates/fit/EXPERIMENTS.md"),
     ] {
         let example = read(path);
-        let program = example
-            .split_inclusive('\n')
-            .skip_while(|line| line.starts_with("//!"))
-            .collect::<String>();
-        assert!(
-            read(readme).contains(&format!("```rust\n{}```", program.trim_start())),
-            "{readme} shows another program than {path}"
-        );
+        let lines = example.split_inclusive('\n');
+        let program: String = lines.skip_while(|line| line.starts_with("//!")).collect();
+        let block = format!("```rust\n{}```", program.trim_start());
+        assert!(read(readme).contains(&block), "{readme}: {path}");
     }
 }
 
@@ -56,18 +52,10 @@ fn shows_what_its_commands_print() {
         let cells =
             |text: &str| -> Vec<String> { text.split([',', '\n']).map(str::to_owned).collect() };
         let (shown_cells, printed_cells) = (cells(output), cells(&printed));
-        assert_eq!(
-            shown_cells.len(),
-            printed_cells.len(),
-            "{command}:\n{printed}"
-        );
-        assert!(
-            shown_cells
-                .iter()
-                .zip(&printed_cells)
-                .all(|(a, b)| same(a, b)),
-            "{command}:\n{printed}"
-        );
+        assert_eq!(shown_cells.len(), printed_cells.len(), "{command}");
+        for (a, b) in shown_cells.iter().zip(&printed_cells) {
+            assert!(same(a, b), "{command}: {a}, {b}");
+        }
         shown += 1;
     }
     assert_eq!(shown, 1);
@@ -77,19 +65,12 @@ fn shows_what_its_commands_print() {
 fn quotes_the_certificates_of_the_shipped_tables() {
     for table in ["tables/paper.bin", "crates/interp/embedded/universal.bin"] {
         let path = format!("{}/../{table}", env!("CARGO_MANIFEST_DIR"));
-        let certificate = Table::read(path)
-            .expect("a shipped table")
-            .description()
-            .certificate;
-        let quoted = format!(
-            "{:.1e} ({:.1e})",
-            certificate.max_error, certificate.median_error
-        );
+        let shipped = Table::read(path).expect("a shipped table");
+        let certificate = shipped.description().certificate;
+        let [most, median] = [certificate.max_error, certificate.median_error];
+        let quoted = format!("{most:.1e} ({median:.1e})");
         for file in ["README.md", "tables/README.md"] {
-            assert!(
-                read(file).contains(&quoted),
-                "{file} does not quote {quoted} of {table}"
-            );
+            assert!(read(file).contains(&quoted), "{file}: {quoted} of {table}");
         }
     }
 }
@@ -103,11 +84,8 @@ fn the_commands_of_the_fits_print_what_is_shown() {
     let mut shown = 0;
     for block in readme.split("\n\n    tabulate ").skip(1) {
         let (command, rest) = block.split_once("\n\n").expect("the block ends");
-        let run = workdir.run(command.replace('\\', ""));
-        assert!(
-            run.status == 0 && run.stderr.is_empty(),
-            "{command}: {run:?}"
-        );
+        let run = workdir.answer(command.replace('\\', ""));
+        assert_eq!(run.stderr, "", "{command}");
         if let Some(rest) = rest.strip_prefix("```text\n") {
             let (output, _) = rest.split_once("```").expect("the output ends");
             assert_eq!(output, run.stdout, "{command}");
