@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, looked_up, paper_system, rigid_probe, solid};
+use acceptance::{Contacts, assert_matches, larger, looked_up, paper_system, rigid_probe, solid};
 use contact::Error;
 use contact::{Contact, JkrFit, JkrPoint, Neglected};
 use interp::{HalfSpace, Material, Mechanics, Probe, System, Table};
@@ -107,12 +107,9 @@ fn a_load_that_no_adhesive_contact_bears_has_no_energy_release_rate() {
         let error = contact
             .radius_and_energy_release_rate(load, penetration)
             .expect_err("no such contact");
-        assert!(
-            matches!(
-                error,
-                Error::Table(interp::Error::Unphysical { name: "load", .. })
-            ),
-            "{error}"
+        assert_matches!(
+            error,
+            Error::Table(interp::Error::Unphysical { name: "load", .. })
         );
     }
     // Deeper, and under more tension, than the largest radius has it.
@@ -211,16 +208,13 @@ fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
     let contact = Contact::new(&system, curve).expect("the system of the curve");
     let radii = [1e-5, 5e-5];
     let error = contact.film_bias(0.04, radii, 15).expect_err("no bias");
-    assert!(
-        matches!(
-            error,
-            Error::Table(interp::Error::InvalidArgument {
-                name: "sphere_modulus",
-                value: f64::INFINITY,
-                ..
-            })
-        ),
-        "{error}"
+    assert_matches!(
+        error,
+        Error::Table(interp::Error::InvalidArgument {
+            name: "sphere_modulus",
+            value: f64::INFINITY,
+            ..
+        })
     );
     acceptance::assert_names(
         &error.to_string(),
@@ -250,15 +244,12 @@ fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
 fn numbers_of_points_are_bounded() {
     for points in [0, 1, 1_000_001, usize::MAX] {
         let result = half_space().jkr_fit(0.04, [4e-5, 1.3e-4], points);
-        assert!(
-            matches!(
-                result,
-                Err(Error::Table(interp::Error::InvalidArgument {
-                    name: "number of points",
-                    ..
-                }))
-            ),
-            "{result:?}"
+        assert_matches!(
+            result,
+            Err(Error::Table(interp::Error::InvalidArgument {
+                name: "number of points",
+                ..
+            }))
         );
     }
 }

@@ -1,6 +1,6 @@
 //! The slope of the force curve, against differences of the curve and closed forms.
 
-use acceptance::{Contacts, larger, looked_up, paper_system, solid};
+use acceptance::{Contacts, assert_matches, larger, looked_up, paper_system, solid};
 use contact::Error;
 use contact::{Contact, Control};
 use interp::{HalfSpace, Probe, System};
@@ -131,10 +131,7 @@ fn a_flat_punch_and_a_wrong_radius_are_refused() {
     let punch = Contact::half_space(&system(Probe::FlatPunch { radius: 1e-5 })).expect("physical");
     for w in [0.0, 0.04] {
         let error = punch.moving_stiffness(1e-5, w).expect_err("it cannot move");
-        assert!(
-            matches!(error, Error::Table(interp::Error::OtherProbe { .. })),
-            "{error}"
-        );
+        assert_matches!(error, Error::Table(interp::Error::OtherProbe { .. }));
     }
     let sphere =
         Contact::half_space(&system(Probe::Paraboloid { radius: 1e-5 })).expect("physical");

@@ -1,7 +1,9 @@
 //! A stack of layers answers what a film answers; what would assume one film is an error, or is of
 //! all layers.
 
-use acceptance::{geometric, larger, layer, paper_system, solid, solved_contact, stack};
+use acceptance::{
+    assert_matches, geometric, larger, layer, paper_system, solid, solved_contact, stack,
+};
 use contact::Error;
 use contact::{Contact, Control};
 use interp::Quantity;
@@ -109,10 +111,7 @@ fn beyond_its_ends_the_curve_of_a_stack_is_an_error() {
             curve.quantity(Quantity::Eeq, x).expect_err("beyond").into(),
             contact.load(a, W).expect_err("beyond"),
         ] {
-            assert!(
-                matches!(error, Error::Table(interp::Error::OutsideTable { .. })),
-                "{error}"
-            );
+            assert_matches!(error, Error::Table(interp::Error::OutsideTable { .. }));
         }
     }
 }
@@ -121,10 +120,7 @@ fn beyond_its_ends_the_curve_of_a_stack_is_an_error() {
 fn derivatives_with_respect_to_one_films_parameters_are_an_error() {
     let contact = contact(&two_layers());
     let error = contact.gradient(5e-5, W).expect_err("none");
-    assert!(
-        matches!(error, Error::Table(interp::Error::NoGradient)),
-        "{error}"
-    );
+    assert_matches!(error, Error::Table(interp::Error::NoGradient));
 }
 
 /// Springs in series over squeeze flow, integrated numerically; and the formula for one film.

@@ -76,6 +76,17 @@ impl<T, E: Display> Refused for Result<T, E> {
     }
 }
 
+/// Asserts that a value has the shape of a pattern, which may have a condition.
+#[macro_export]
+macro_rules! assert_matches {
+    ($found:expr, $($pattern:tt)+) => {
+        match $found {
+            $($pattern)+ => (),
+            ref found => panic!("{found:?} is not {}", stringify!($($pattern)+)),
+        }
+    };
+}
+
 /// Returns the cells of a table as text: one row a line, its cells parted by ` | `. Blanks around a
 /// cell do not count, nor do empty lines.
 #[track_caller]

@@ -1,7 +1,7 @@
 //! Beyond the nodes of a table in `a/t`: the expansions about the limits are as accurate as they
 //! state, or are refused.
 
-use acceptance::{Contacts, ends, larger, material, relative_error, solved, table};
+use acceptance::{Contacts, assert_matches, ends, larger, material, relative_error, solved, table};
 use interp::{Error, Parameter, Quantity, Table};
 use solve::solve;
 
@@ -232,15 +232,12 @@ fn where_nothing_tells_the_error_or_there_is_no_limit_it_is_refused() {
             .expect("inside")
             .quantity(quantity, x)
             .expect_err("refused");
-        assert!(
-            matches!(
-                error,
-                Error::OutsideTable {
-                    axis: "a_over_t",
-                    ..
-                }
-            ),
-            "{error}"
+        assert_matches!(
+            error,
+            Error::OutsideTable {
+                axis: "a_over_t",
+                ..
+            }
         );
     };
     let paper = "e1_over_e2 = 1.75\nnu1 = 0.5\ne0_over_e2 = 1e5";
@@ -275,13 +272,7 @@ fn where_nothing_tells_the_error_or_there_is_no_limit_it_is_refused() {
     );
     let nothing = rigid.curve(&material(own)).expect("inside");
     for x in [0.0, -1.0, f64::INFINITY, f64::NAN] {
-        assert!(
-            matches!(nothing.quantities(x), Err(Error::OutsideTable { .. })),
-            "{x}"
-        );
-        assert!(
-            matches!(nothing.error(x), Err(Error::OutsideTable { .. })),
-            "{x}"
-        );
+        assert_matches!(nothing.quantities(x), Err(Error::OutsideTable { .. }));
+        assert_matches!(nothing.error(x), Err(Error::OutsideTable { .. }));
     }
 }

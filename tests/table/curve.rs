@@ -1,7 +1,8 @@
 //! Curves made without a table, from solves or from samples.
 
 use acceptance::{
-    Contacts, Refused, larger, material, paper_system, relative_error, shipped, solid, solved,
+    Contacts, Refused, assert_matches, larger, material, paper_system, relative_error, shipped,
+    solid, solved,
 };
 use contact::Contact;
 use interp::{Curve, Material, Probe, Quantities, System, Table};
@@ -299,10 +300,7 @@ fn a_contact_takes_the_curve_of_its_material_or_an_equivalent_one_only() {
         Contact::new(system, curve_of(&material)).expect("its own material, or an equivalent");
     }
     let error = Contact::new(&compressible, curve_of(&own)).expect_err("another film");
-    assert!(
-        matches!(error, contact::Error::OtherMaterial { .. }),
-        "{error:?}"
-    );
+    assert_matches!(error, contact::Error::OtherMaterial { .. });
     acceptance::assert_names(
         &error.to_string(),
         "made for e1_over_e2 = 1.75, nu1 = 0.5; system has e1_over_e2 = 1.75, nu1 = 0.4",

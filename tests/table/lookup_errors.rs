@@ -3,7 +3,9 @@
 use contact::Contact;
 use std::sync::LazyLock;
 
-use acceptance::{assert_names, ends, material, paper_system, solid, table, workdir};
+use acceptance::{
+    assert_matches, assert_names, ends, material, paper_system, solid, table, workdir,
+};
 use interp::{
     Elastic, Error, Material, Mechanics, Parameter, Probe, Quantities, SubstratePoissonRatio,
     System, Table,
@@ -175,16 +177,13 @@ fn a_rigid_substrate_is_outside_a_table_of_compliant_ones() {
     let error = TABLE
         .curve(&material([1.0, 0.3, f64::INFINITY, 0.25]))
         .expect_err("outside");
-    assert!(
-        matches!(
-            error,
-            Error::OutsideTable {
-                axis: "e0_over_e2",
-                value: f64::INFINITY,
-                ..
-            }
-        ),
-        "{error}"
+    assert_matches!(
+        error,
+        Error::OutsideTable {
+            axis: "e0_over_e2",
+            value: f64::INFINITY,
+            ..
+        }
     );
 }
 
@@ -194,17 +193,14 @@ fn a_fixed_parameter_holds_no_other_value() {
     assert!(look_up(&table, INSIDE).is_ok());
     for nu1 in [0.3 - 2e-12, 0.3 + 2e-12, 0.31] {
         let error = look_up(&table, with(Parameter::Nu1, nu1)).expect_err("not the fixed value");
-        assert!(
-            matches!(
-                error,
-                Error::OutsideTable {
-                    axis: "nu1",
-                    from: 0.3,
-                    to: 0.3,
-                    ..
-                }
-            ),
-            "{error}"
+        assert_matches!(
+            error,
+            Error::OutsideTable {
+                axis: "nu1",
+                from: 0.3,
+                to: 0.3,
+                ..
+            }
         );
     }
 }
@@ -263,10 +259,7 @@ fn a_material_without_an_equivalent_on_the_tables_substrate_is_an_error() {
             let Error::Equivalent { cause, .. } = error else {
                 unreachable!("matched above")
             };
-            assert!(
-                matches!(*cause, Error::Unphysical { name: "nu1", .. }),
-                "{cause}"
-            );
+            assert_matches!(*cause, Error::Unphysical { name: "nu1", .. });
             assert_names(
                 &message,
                 &[

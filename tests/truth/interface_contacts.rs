@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use acceptance::{layer, springs, stack};
+use acceptance::{assert_matches, layer, springs, stack};
 use contact::Contact;
 use interp::Quantities;
 use solve::stack::{Interface, Stack};
@@ -129,10 +129,7 @@ fn a_film_that_slides_has_no_compressibility_and_has_the_reach_of_stacks() {
 
     assert!(solve_stack(1000.0, &sliding, INFINITY, 1e-4).is_ok());
     let error = solve_stack(1000.1, &sliding, INFINITY, 1e-4).expect_err("beyond reach");
-    assert!(
-        matches!(error, Error::StackReach { layers: 1, .. }),
-        "{error}"
-    );
+    assert_matches!(error, Error::StackReach { layers: 1, .. });
     let bonded = stack(rigid(), &[layer(1.0, 0.5, 1.0)]);
     assert!(solve_stack(1000.1, &bonded, INFINITY, 1e-4).is_ok());
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use acceptance::{larger, layer, random_stack, relative_error, solid, stack};
+use acceptance::{assert_matches, larger, layer, random_stack, relative_error, solid, stack};
 use interp::{Elastic, Material, Quantities};
 use solve::Error;
 use solve::stack::{Layer, Stack};
@@ -405,10 +405,7 @@ fn a_contact_that_is_too_wide_beside_the_top_layer_is_refused_with_the_reach() {
     );
     assert!(solve_stack(250.0, &stack, 1.0, 1e-6).is_ok());
     let error = solve_stack(250.1, &stack, 1.0, 1e-6).expect_err("beyond reach");
-    assert!(
-        matches!(error, Error::StackReach { layers: 2, .. }),
-        "{error}"
-    );
+    assert_matches!(error, Error::StackReach { layers: 2, .. });
     for part in ["250.1", "4.0 times", "up to 250.0"] {
         assert!(error.to_string().contains(part), "{error}");
     }

@@ -1,6 +1,6 @@
 //! Load and penetration as functions of every input in SI units.
 
-use acceptance::{larger, paper_system, shipped, solid};
+use acceptance::{assert_matches, larger, paper_system, shipped, solid};
 use contact::Error;
 use contact::{Contact, Input};
 use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
@@ -106,12 +106,9 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 };
                 if input == Input::WorkOfAdhesion && w == 0.0 {
                     let error = gradient.by(input).expect_err("infinite");
-                    assert!(
-                        matches!(
-                            error,
-                            Error::Table(interp::Error::FixedParameter("work of adhesion"))
-                        ),
-                        "{error}"
+                    assert_matches!(
+                        error,
+                        Error::Table(interp::Error::FixedParameter("work of adhesion"))
                     );
                     continue;
                 }
@@ -190,10 +187,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
     for x in [1e4, f64::NAN] {
         let error = curve.gradient(x).expect_err("outside");
         let axis = Parameter::AOverT.name();
-        assert!(
-            matches!(error, interp::Error::OutsideTable { axis: found, .. } if found == axis),
-            "{error}"
-        );
+        assert_matches!(error, interp::Error::OutsideTable { axis: found, .. } if found == axis);
     }
 
     let plain = Contact::in_table(&paper, &paper_system(1e-6)).expect("inside");

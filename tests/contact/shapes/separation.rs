@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, geometric, rigid_probe, solid};
+use acceptance::{Contacts, assert_matches, geometric, rigid_probe, solid};
 use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
 use interp::{Probe, Profile};
@@ -48,10 +48,7 @@ fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
     let curve = solve::curve(&material, [1e-3, 1.0], 1e-8).expect("solved");
     let wide = Contact::new(&system, curve).expect("its own curve");
     let outside = wide.pull_off(1e-4, Control::Load);
-    assert!(
-        matches!(outside, Err(Error::OutsideRadii { from, .. }) if from == 1e-6),
-        "{outside:?}"
-    );
+    assert_matches!(outside, Err(Error::OutsideRadii { from, .. }) if from == 1e-6);
     let blunt = contact(blunt, solid(2e4, 0.5), 1e-3, solid(7e10, 0.25));
     let apart = blunt.pull_off(1e-4, Control::Load).expect("in range");
     assert!((apart.load / -1.100e-10 - 1.0).abs() < 1e-3, "{apart:?}");
@@ -235,10 +232,7 @@ fn a_flat_punch_has_one_contact_radius() {
             contact.jkr_fit(W, [radius, radius], 2).map(drop),
             contact.zone_size(W, 1e-9).map(drop),
         ] {
-            assert!(
-                matches!(result, Err(Error::Table(interp::Error::OtherProbe { .. }))),
-                "{result:?}"
-            );
+            assert_matches!(result, Err(Error::Table(interp::Error::OtherProbe { .. })));
         }
     }
     // On the half-space the stiffness is 2 E* a, and its derivatives are known in closed form.

@@ -1,6 +1,8 @@
 //! What is refused of contacts in time, and what is answered at the ends of the range.
 
-use acceptance::{Refused, assert_names, larger, rigid_probe, solid, solved_contact};
+use acceptance::{
+    Refused, assert_matches, assert_names, larger, rigid_probe, solid, solved_contact,
+};
 use contact::{Control, HistoryError, Hysteresis, RateDependent, Relaxation, TimedContact};
 use interp::{Probe, System};
 
@@ -38,10 +40,7 @@ fn bodies_that_do_not_relax() {
         "{soft} {stiff}"
     );
     let refused = run(3e3).expect_err("too soft a base");
-    assert!(
-        matches!(refused, HistoryError::UnlikeBodies { .. }),
-        "{refused}"
-    );
+    assert_matches!(refused, HistoryError::UnlikeBodies { .. });
     assert_names(&refused.to_string(), &["do not relax", "2e-2", "rigid"]);
     let own = contact(1e5);
     for other in [
@@ -265,10 +264,7 @@ fn mistakes() {
         let error = adhesive
             .at(control, program, &[0.5], None)
             .expect_err("not served");
-        assert!(
-            matches!(error, HistoryError::AdhesiveProgram { .. }),
-            "{error}"
-        );
+        assert_matches!(error, HistoryError::AdhesiveProgram { .. });
     }
 }
 
