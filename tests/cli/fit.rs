@@ -232,22 +232,16 @@ fn bounds_and_priors_hold() {
 fn a_fit_that_cannot_be_made_is_an_error_that_names_the_reason() {
     let workdir = workdir!();
     simulate(&workdir, &LENS, "lens.csv", 1);
-    for (file, text) in [
-        (
-            "gel.csv",
-            "z [nm],defl [nm]\n3,0\n2,0\n1,1\n0,2\n-1,3\n-2,4\n",
-        ),
-        ("bad.csv", "contact_radius,load\n1e-5,1e-6\n2e-5,x\n"),
-        ("one.csv", "contact_radius,load\n5e-5,-2e-4\n"),
-        (
-            "constant.csv",
-            "contact_radius,load\n5e-5,-2e-4\n6e-5,-2e-4\n",
-        ),
-        ("empty.csv", ""),
-        ("z.csv", "height,force\n2e-6,0\n1e-6,0\n0,1e-9\n"),
-    ] {
-        workdir.write(file, text);
-    }
+    workdir.write("empty.csv", "");
+    workdir.write_files(
+        r"
+        gel.csv | z [nm],defl [nm]\n3,0\n2,0\n1,1\n0,2\n-1,3\n-2,4\n
+        bad.csv | contact_radius,load\n1e-5,1e-6\n2e-5,x\n
+        one.csv | contact_radius,load\n5e-5,-2e-4\n
+        constant.csv | contact_radius,load\n5e-5,-2e-4\n6e-5,-2e-4\n
+        z.csv | height,force\n2e-6,0\n1e-6,0\n0,1e-9\n
+        ",
+    );
     let fit = "fit --specimen paper";
     workdir.refuses(format!(
         r#"

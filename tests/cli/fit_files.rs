@@ -1,7 +1,7 @@
 //! `tabulate fit`: files that need a word of the user, and what heads of files tell.
 
 use acceptance::{
-    Workdir, assert_cases, assert_close, assert_estimate, assert_names, assert_near, number, rows,
+    Workdir, assert_cases, assert_close, assert_estimate, assert_names, assert_near, number,
     workdir,
 };
 use serde_json::Value;
@@ -39,9 +39,7 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         diameter.csv | contact diameter [um];F [mN]\n1;2\n2;3\n
         head.csv | Spring constant: 1,000 mN/m\nz [nm];defl [nm]\n3;0\n2;1\n
         ";
-    for [file, text] in rows(files) {
-        workdir.write(file, text.replace("\\n", "\n"));
-    }
+    workdir.write_files(files);
     let cases = r#"
         two.csv |  | "Tiefe (nm)" (a length), "Kraft (mN)" (a force), "t (s)"; load-radius lacks contact_radius (a length) and load (a force);
         two.csv |  | type --kind load-radius --column "contact_radius=Tiefe (nm)" --column "load=Kraft (mN)", or

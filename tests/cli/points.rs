@@ -93,14 +93,15 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
 
     // Awkward numbers, without a column nu0: all come back as they were given.
     let mut contacts = Contacts::new(71);
-    let mut draw = |_| {
+    let draw = |_| {
         let material = contacts.material([1e-2, 1e2], [1e-1, 1e6]);
         let (e1, nu1, e0) = (material.e1_over_e2(), material.nu1(), material.e0_over_e2());
         [contacts.log_uniform(1e-2, 1e2), e1, nu1, e0]
     };
-    let points = [(); 50].map(&mut draw);
-    let rows = points.map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"));
-    workdir.write_points(&rows.concat());
+    let points: Vec<[f64; 4]> = (0..50).map(draw).collect();
+    let rows = points.iter();
+    let rows = rows.map(|[x, e1, nu1, e0]| format!("{x},{e1},{nu1},{e0}\n"));
+    workdir.write_points(&rows.collect::<String>());
     for (arguments, nu0, tolerance) in [
         ("", 0.25, DEFAULT_TOLERANCE),
         ("--nu0 0.1 --tolerance 1e-6", 0.1, 1e-6),
@@ -108,7 +109,7 @@ fn solve_takes_columns_in_any_order_and_gives_numbers_that_read_back() {
         let data = workdir.csv(format!("solve --points points.csv {arguments}"));
         assert_eq!(data.columns().join(","), COLUMNS);
         assert_eq!(data.cases().count(), points.len());
-        for (case, [x, e1, nu1, e0]) in data.cases().zip(points) {
+        for (case, &[x, e1, nu1, e0]) in data.cases().zip(&points) {
             let read = COLUMNS.split(',').take(5).map(|name| case.get(name));
             assert_eq!(read.collect::<Vec<_>>(), [x, e1, nu1, e0, nu0]);
             let expected = solved(x, &material([e1, nu1, e0, nu0]), tolerance);

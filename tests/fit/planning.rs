@@ -163,7 +163,7 @@ fn the_errors_of_many_fits_are_those_of_a_forecast() {
 fn free_parameters_are_made_with_the_scope_they_need() {
     let is_own = |parameter: &Parameter| Free::new(*parameter).scope == fit::Scope::Own;
     let own = Parameter::ALL.into_iter().filter(is_own);
-    let names: Vec<_> = own.map(|parameter| parameter.name()).collect();
+    let names: Vec<_> = own.map(Parameter::name).collect();
     let expected = ["load-offset", "contact-point", "baseline", "baseline-slope"];
     assert_eq!(names, expected);
 }

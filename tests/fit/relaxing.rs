@@ -39,11 +39,15 @@ pub fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Exper
         _ => 6e-7 * (1.0 - 1.2 * (t - 1.0 - hold)),
     };
     let sense = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
+    let direction = |t: f64| match t {
+        _ if t <= 1.0 + hold => Direction::Approach,
+        _ => Direction::Retract,
+    };
     let point = |(line, &t): (u64, &f64)| Point {
         line,
         abscissa: 3e-7 + sense * depth(t),
         ordinate: 0.0,
-        direction: Some(Direction::ALL[usize::from(t > 1.0 + hold)]),
+        direction: Some(direction(t)),
     };
     let measurement = measurement(kind, (1..).zip(&times).map(point).collect());
     let mut planned = Experiment::new(measurement, gel(thickness));

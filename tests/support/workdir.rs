@@ -7,6 +7,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::TempDir;
 
+use crate::rows;
+
 /// A temporary folder, and the program under test, which runs in it.
 #[derive(Debug)]
 pub struct Workdir {
@@ -126,6 +128,14 @@ impl Workdir {
         let path = self.path(name);
         fs::write(&path, content).unwrap_or_else(|e| panic!("{name}: {e}"));
         path
+    }
+
+    /// Writes the files of a table as text, which [`rows`] reads: the name of each and its content, in which `\n`
+    /// ends a line.
+    pub fn write_files(&self, table: &str) {
+        for [name, content] in rows(table) {
+            self.write(name, content.replace("\\n", "\n"));
+        }
     }
 
     /// Writes `points.csv`: rows of `a/t`, `E1/E2*`, the film's Poisson ratio and `E0/E2*`.

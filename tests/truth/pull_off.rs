@@ -1,7 +1,7 @@
 //! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
-use acceptance::{cases, larger, paper_system, solid};
+use acceptance::{assert_names, cases, larger, paper_system, solid};
 use contact::{CohesiveZone, Contact, Control};
 use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
@@ -408,9 +408,7 @@ fn a_pull_off_beyond_the_reach_names_the_layer() {
             .pull_off(control)
             .expect_err("too wide")
             .to_string();
-        for part in ["pull-off", "1e-7 m", "1.2e-5 m", "JKR"] {
-            assert!(error.contains(part), "{part}: {error}");
-        }
+        assert_names(&error, "pull-off; 1e-7 m; 1.2e-5 m; JKR");
         assert!(!error.contains("contact radius"), "{error}");
     }
 }

@@ -181,14 +181,13 @@ fn files_of_nanoindenters_are_read() {
 #[test]
 fn wrong_first_calls_are_answered() {
     let workdir = workdir!();
-    let heads = "penetration,load,contact_stiffness";
-    let depths = format!("{heads}\n1e-7,1e-3,4e4\n2e-7,4e-3,8e4\n3e-7,9e-3,1.2e5\n");
-    let with_units = "depth [m],load [N],contact stiffness [N/m]";
-    let turned = depths.replace(heads, with_units).replace('\n', "\n-");
-    workdir.write("turned.csv", turned.trim_end_matches('-'));
-    workdir.write("depth.csv", depths);
-    let radii = "contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n";
-    workdir.write("radius.csv", radii);
+    workdir.write_files(
+        r"
+        depth.csv | penetration,load,contact_stiffness\n1e-7,1e-3,4e4\n2e-7,4e-3,8e4\n3e-7,9e-3,1.2e5\n
+        radius.csv | contact_radius,contact_stiffness\n1e-7,4e4\n2e-7,8e4\n3e-7,1e5\n
+        turned.csv | depth [m],load [N],contact stiffness [N/m]\n-1e-7,1e-3,4e4\n-2e-7,4e-3,8e4\n-3e-7,9e-3,1.2e5\n
+        ",
+    );
     let depth = with("fit depth.csv", "--kind stiffness-depth");
     let turned = with("fit turned.csv", "--kind stiffness-depth");
     let radius = with("fit radius.csv", "");
