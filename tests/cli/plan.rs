@@ -42,6 +42,13 @@ fn the_size_of_a_plan_is_that_of_the_file() {
         let are_near = bytes <= FACTOR * expected && expected <= FACTOR * bytes;
         assert!(are_near, "{bytes} bytes, {expected} planned: {scene}");
         assert_eq!(plan["axes"], made["axes"]);
+        // A million points of a certificate take longer than the few nodes.
+        let planned =
+            workdir.json("generate scene.toml --plan --json --certificate-points 1000000");
+        assert!(
+            number(&planned, "seconds") > 3.0 * number(&plan, "seconds"),
+            "{planned} {plan}"
+        );
         assert_eq!(plan["points"], made["points_solved"]);
     }
 }

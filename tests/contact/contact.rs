@@ -361,6 +361,7 @@ fn validity_says_where_a_stiff_film_makes_no_disc() {
     let cone = Probe::Cone { half_angle: 1.5 };
     assert!(no_disc(&cone, 1e9, 1e-6));
     assert!(!no_disc(&Probe::Paraboloid { radius: 1e-3 }, 1e9, 1e-6));
+    assert!(!no_disc(&Probe::FlatPunch { radius: 1e-6 }, 1e9, 1e-6));
     let rounded = |radius: f64| Probe::RoundedCone {
         radius,
         half_angle: 1.5,

@@ -397,6 +397,8 @@ fn neglected_effects_that_are_larger_than_the_shape_are_named() {
 #[test]
 fn the_effect_of_the_shape_is_known_on_thin_films() {
     for (nu1, a_over_t, expected) in [
+        // Of a half-space, beyond the nodes: delta0/(10 R).
+        (0.5, 1e-4, 1e-3),
         (0.5, 0.01, 1.01e-3),
         (0.5, 1.0, 2.20e-3),
         (0.5, 10.0, 2.80e-3),

@@ -156,6 +156,8 @@ fn compressibility_is_that_of_all_layers() {
         &[layer(1e6, 0.4, 2e-5), layer(1e6, 0.4, 5e-5)],
     );
     assert!((film.compressibility() / (3.0 / 16.0 * 0.2 / 0.6) - 1.0).abs() <= 1e-14);
+    // Beside a cohesive zone its layers are one.
+    assert_eq!(film.shape().top, 1.0);
     let contact = contact(&two_layers());
     let validity = contact
         .validity(1e-4)

@@ -39,6 +39,7 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         paraboloid 1e-4 3.5e6 0.5   2e11   0.25 0.5  2e6  0.04 # larger than any lens
         paraboloid 1e-8 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04 # pull-off beyond the table's a/t
         sphere     1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04 # contact radii up to 0.4 R
+        sphere     1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.2  # contact radii up to 0.55 R, the largest
         sphere     1e-7 1e5   0.499 2e11   0.25 1e-5 2e6  0.04
         sphere     5e-8 2e9   0.35  1.3e11 0.25 2e-6 7e10 0.1
         sphere     1e-8 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.4  # high powers of the smallest a/R are 0

@@ -166,6 +166,23 @@ pub fn assert_shows(
             close("penetration", state.penetration, PICTURE);
             close("contact_radius", state.contact_radius, PICTURE);
         }
+        // The contacts that are unstable even at fixed penetration are the smallest, and dashed: left of the others in the
+        // drawing against contact radii.
+        let separates = !look["states"]["pull-off-penetration"]["load"].is_null();
+        if separates && setting.probe != "flat-punch" {
+            let [dashed, whole] = [2, 3].map(|path| {
+                let place = look["paths"][path]
+                    .as_str()
+                    .and_then(|path| path.split(['M', ' ']).nth(1));
+                place
+                    .and_then(|place| place.parse::<f64>().ok())
+                    .expect("a curve")
+            });
+            assert!(
+                dashed < whole,
+                "{what}: dashed from {dashed}, whole from {whole}"
+            );
+        }
     }
     let curves = if table.answers().contains(&Quantity::Delta0) {
         4

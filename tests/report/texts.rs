@@ -80,3 +80,15 @@ fn a_page_opens_on_a_system_whose_curve_reaches_zero_load() {
         assert_eq!(rest["load"], "0", "{look}");
     }
 }
+
+#[test]
+fn a_rigid_body_is_nothing_that_the_command_must_allow() {
+    let table = Table::read(embedded_universal()).expect("the embedded table");
+    let page = report(&table, &[], &SPHERE).expect("a report");
+    let Some(seen) = browse(&page, &["sphere_modulus=inf".to_owned()]) else {
+        return;
+    };
+    let command = seen["looks"][0]["command"].as_str().expect("a command");
+    assert_names(command, &["--sphere-modulus inf"]);
+    assert!(!command.contains("--allow"), "{command}");
+}

@@ -299,16 +299,18 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
     sound.set_certificate(certify(&sound, 1000, 1, &|_| {}).expect("within reach"));
     let workdir = workdir!();
     let tolerance = sound.description().tolerance;
-    // Errors in parts of the tolerance: the median reveals the first, the largest error the second.
-    for (off, word) in [
-        (0.0, None),
-        (0.03, Some("its median error is")),
-        (2.0, Some("its error is")),
+    // Errors in parts of the tolerance: the median reveals the first, of all values, the largest error the second, of one.
+    for (off, count, word) in [
+        (0.0, 0, None),
+        (0.03, usize::MAX, Some("its median error is")),
+        (2.0, 1, Some("its error is")),
     ] {
         let values = Quantity::ALL.map(|q| {
-            sound
-                .values(q)
-                .map(|values| values.iter().map(|v| v * (1.0 + off * tolerance)).collect())
+            let mut values = sound.values(q)?.to_vec();
+            for value in values.iter_mut().take(count) {
+                *value *= 1.0 + off * tolerance;
+            }
+            Some(values)
         });
         let table =
             Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
@@ -325,6 +327,35 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
                 "{run:?}"
             );
         }
+        let run = workdir.run("check table.bin --points 1000 --json");
+        let found: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");
+        assert_eq!(found["holds"], word.is_none(), "{run:?}");
+    }
+}
+
+#[test]
+fn a_certificate_whose_errors_are_out_of_order_is_malformed() {
+    let sound = &*FOUR_AXES;
+    let certificate = sound.description().certificate;
+    let (most, few) = (2.0 * certificate.max_error, 2.0 * certificate.p999_error);
+    for (p999_error, median_error) in [
+        (most, certificate.median_error),
+        (certificate.p999_error, few),
+    ] {
+        let values = Quantity::ALL.map(|quantity| sound.values(quantity).map(<[f64]>::to_vec));
+        let description = interp::Description {
+            certificate: interp::Certificate {
+                p999_error,
+                median_error,
+                ..certificate
+            },
+            ..sound.description().clone()
+        };
+        let found = Table::new(description, sound.axes(), values);
+        assert!(
+            matches!(found, Err(Error::Malformed(_))),
+            "{p999_error} {median_error}"
+        );
     }
 }
 

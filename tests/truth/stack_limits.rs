@@ -471,3 +471,16 @@ fn graded_films_converge_with_the_square_of_the_number_of_sublayers() {
         assert!(0.9 * stated < worst && worst <= stated, "{worst}");
     }
 }
+
+/// The square is the paraboloid, in the unit of the surface too.
+#[test]
+fn the_square_on_a_graded_film_is_the_paraboloid() {
+    let graded = Stack::graded(solid(1.0, 0.3), 1.0, 4, |z| solid(2.0 + z, 0.4));
+    let graded = graded.expect("physical");
+    for sphere in [1.0, f64::INFINITY] {
+        let found = solve::solve_stack_power_laws(1.0, &graded, sphere, &[2.0], 1e-9);
+        let (solution, powers) = found.expect("within reach");
+        let error = powers[0].pi / solution.quantities.pi0 - 1.0;
+        assert!(error.abs() <= 1e-12, "{sphere}: {error:e}");
+    }
+}

@@ -152,6 +152,26 @@ fn full_friction_does_not_explain_the_deviations_of_the_paper() {
     assert!((0.5..0.7).contains(&change), "{change}");
 }
 
+/// Griffith: where the line recedes, both stresses at its edge have the energy of its work of adhesion.
+/// That at which the line grew has left its normal stress there; the pull adds both.
+#[test]
+fn a_receding_line_has_the_energy_of_both_stresses() {
+    let curves = StickCurves::new(&confined(), [0.1, 10.0], 1e-8).expect("converges");
+    for ratio in [0.0, 0.3, 0.8, 1.0] {
+        let curve = curves.receding(ratio).expect("a ratio");
+        for x in [0.1, 1.0, 10.0] {
+            let (grown, gamma) = (
+                curves.at(x).expect("in range"),
+                curve.quantities(x).expect("in range").gamma,
+            );
+            let left = ratio.sqrt();
+            let pull = 1.0 / gamma - left / grown.gamma_g;
+            let energy = (left + pull * grown.gamma_s).hypot(pull * grown.gamma_t);
+            assert!((energy - 1.0).abs() < 1e-7, "{ratio}, {x}: {energy}");
+        }
+    }
+}
+
 /// What is not solved is refused with the reason.
 #[test]
 fn what_is_not_solved_is_refused() {

@@ -34,6 +34,11 @@ fn layers_of_one_material_are_one_film_and_dundurs_shift_changes_nothing() {
             }
         }
     }
+    // Of a punch up to 300 top layers wide, in thicknesses of all layers.
+    for (sticking, most) in [(&cut, 300.0), (&above, 180.0)] {
+        assert!(relative(sticking.most_of_punch(), most) <= 1e-12);
+        assert!(sticking.punch(1.001 * most, 1e-4).is_err());
+    }
     // E* = E/(1 - nu^2) is kept; b/E* is shifted.
     let shifted = |e: f64, nu: f64, shift: f64| {
         let reduced = e / (1.0 - nu * nu);

@@ -412,6 +412,10 @@ fn a_load_that_falls() {
             "{own:?} {back:?}"
         );
     }
+    // No tension is borne: the surfaces part where the load is 0.
+    let pulled = [loads[0], loads[1], (3.0, -1e-3)];
+    let apart = states(relaxing, Control::Load, &pulled, &[2.5], 1e-5)[0].state;
+    assert_eq!((apart.load, apart.contact_radius), (0.0, 0.0));
 }
 
 /// On a thick film the contact is that of the half-space.

@@ -4,6 +4,9 @@ use std::ffi::CStr;
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
+use contact::Contact;
+use interp::{Elastic, Probe, System, Table};
+
 use coated_contact::{
     CcContact, CcProbe, CcState, CcStatus, CcSystem, cc_contact_free, cc_contact_new, cc_error,
     cc_gradient, cc_load, cc_pull_off, cc_stiffness, cc_table_free, cc_table_read,
@@ -48,7 +51,7 @@ fn made(system: &CcSystem) -> Result<Box<CcContact>, CcStatus> {
 #[test]
 fn systems_that_cannot_be_are_refused() {
     use CcStatus::{Argument, Contact};
-    let cases: [(CcSystem, CcStatus, &[&str]); 5] = [
+    let cases: [(CcSystem, CcStatus, &[&str]); 6] = [
         (
             CcSystem { probe: 9, ..LENS },
             Argument,
@@ -61,7 +64,15 @@ fn systems_that_cannot_be_are_refused() {
                 ..LENS
             },
             Contact,
-            &["0.7"],
+            &["film: ", "0.7"],
+        ),
+        (
+            CcSystem {
+                substrate_poisson_ratio: 0.7,
+                ..LENS
+            },
+            Contact,
+            &["substrate: ", "0.7"],
         ),
         (
             CcSystem {
@@ -182,4 +193,67 @@ fn the_stiffness_of_the_machine_leads_from_a_dead_weight_to_a_rigid_one() {
     assert!(rigid < 0.9 * dead, "{rigid} {dead}");
     assert!((soft / dead - 1.0).abs() < 1e-4, "{soft} {dead}");
     assert!((stiff / rigid - 1.0).abs() < 1e-4, "{stiff} {rigid}");
+}
+
+/// A cone has no radius, and its load no derivative by one.
+#[test]
+fn each_shape_is_that_of_rust_and_a_derivative_without_its_input_is_none() {
+    let (radius, half_angle) = (1e-5, 1.2);
+    let shapes = [
+        (CcProbe::Paraboloid, Probe::Paraboloid { radius }),
+        (CcProbe::Sphere, Probe::Sphere { radius }),
+        (CcProbe::Cone, Probe::Cone { half_angle }),
+        (
+            CcProbe::RoundedCone,
+            Probe::RoundedCone { radius, half_angle },
+        ),
+        (CcProbe::FlatPunch, Probe::FlatPunch { radius }),
+        (
+            CcProbe::FlatEndedCone,
+            Probe::FlatEndedCone { radius, half_angle },
+        ),
+    ];
+    for (number, probe) in shapes {
+        let system = System {
+            probe,
+            sphere_modulus: 2e6,
+            film: Elastic::new(3.5e6, 0.5).expect("physical"),
+            film_thickness: 1e-6,
+            substrate: Elastic::new(2e11, 0.25).expect("physical"),
+        };
+        let contact = Contact::in_table_with_gradient(Table::embedded(), &system);
+        let contact = contact.expect("a contact");
+        let a = match number {
+            CcProbe::FlatPunch => radius,
+            CcProbe::Paraboloid | CcProbe::Sphere => 0.5 * radius,
+            // On the flank.
+            _ => 1.2 * radius,
+        };
+        let own = made(&CcSystem {
+            probe: number as i32,
+            probe_radius: radius,
+            half_angle,
+            ..LENS
+        });
+        let own = own.expect("a contact");
+        let (mut load, mut derivatives) = (0.0, [0.0; 9]);
+        // SAFETY: the pointers are those of one number, and of nine.
+        unsafe {
+            assert_eq!(
+                cc_load(Some(&own), &a, 1, 0.04, &mut load),
+                CcStatus::Ok,
+                "{}",
+                error()
+            );
+            let found = cc_gradient(Some(&own), a, 0.04, derivatives.as_mut_ptr());
+            assert_eq!(found, CcStatus::Ok, "{}", error());
+        }
+        assert_eq!(load, contact.load(a, 0.04).expect("in range"), "{number:?}");
+        let has_radius = number != CcProbe::Cone;
+        assert_eq!(
+            derivatives[2].is_nan(),
+            !has_radius,
+            "{number:?}: {derivatives:?}"
+        );
+    }
 }

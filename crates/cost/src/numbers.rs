@@ -40,3 +40,16 @@ pub fn listed(tolerances: &[f64]) -> String {
         .collect();
     texts.join(", ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_and_bytes_are_rounded_for_people() {
+        let counts = [41.6, 25_432.0, 2.54e6, f64::INFINITY].map(human_count);
+        assert_eq!(counts, ["42", "25,000", "2.5 million", "never"]);
+        let bytes = [999, 1540, 25_432, 2_540_000].map(human_bytes);
+        assert_eq!(bytes, ["999 bytes", "1.5 kB", "25 kB", "2.5 MB"]);
+    }
+}

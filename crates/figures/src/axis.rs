@@ -260,6 +260,14 @@ mod tests {
     }
 
     #[test]
+    fn minor_ticks_are_at_every_digit() {
+        let ticks = Axis::logarithmic("", [1.0, 100.0]).minor_ticks();
+        let expected = [1.0, 10.0]
+            .map(|decade| [2, 3, 4, 5, 6, 7, 8, 9].map(|digit| f64::from(digit) * decade));
+        assert_eq!(ticks, expected.concat());
+    }
+
+    #[test]
     fn decades_hold_the_values() {
         assert_eq!(
             Axis::decades("", [3e-7, 0.02, 0.0, f64::INFINITY]).range(),

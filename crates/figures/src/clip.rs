@@ -46,3 +46,17 @@ pub fn inside(points: &[Point], axes: &[Axis; 2]) -> Vec<Vec<(f64, f64)>> {
     }
     pieces
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// It leaves through the top at 0.35, and comes back at 0.65 without a point between.
+    #[test]
+    fn a_line_that_leaves_the_axes_comes_back_as_another() {
+        let axes = [0, 1].map(|_| Axis::linear("", [0.0, 1.0]));
+        let points = [[0.2, 0.5], [0.5, 1.5], [0.8, 0.5]];
+        let ends: Vec<usize> = inside(&points, &axes).iter().map(Vec::len).collect();
+        assert_eq!(ends, [2, 2]);
+    }
+}

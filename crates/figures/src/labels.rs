@@ -336,6 +336,12 @@ mod tests {
     }
 
     #[test]
+    fn the_first_side_is_beside_the_last() {
+        assert_eq!(Side::Right.turns(Side::AboveRight), 1);
+        assert_eq!(Side::Right.turns(Side::Left), 4);
+    }
+
+    #[test]
     fn a_label_gives_way_to_lines_labels_and_the_edge() {
         let mut line = Obstacles::default();
         line.line(RED, [0.0, 50.0], [200.0, 50.0]);

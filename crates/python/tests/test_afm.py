@@ -7,6 +7,7 @@ are fetched with the source distributions of both (afmformats: MIT, nanite: GPL-
 import os
 import sys
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,7 @@ from coated_contact import (
     fit_map,
     read_afm,
 )
+from coated_contact._afm import _Place, _surface
 from conftest import refuses
 
 GEL = HalfSpace(
@@ -287,14 +289,42 @@ def test_maps_and_pictures(force_map, axes):
     assert isinstance(maps, xarray.Dataset)
     np.testing.assert_array_equal(maps["film_modulus"], image)
     assert maps["film_modulus"].attrs["units"] == "Pa"
+    errors = found.image(results.stderr["film_modulus"])
+    np.testing.assert_array_equal(maps["film_modulus_stderr"], errors)
+    high = replace(found, pixel_size=(2e-6, 1e-6)).to_xarray(results)
+    assert [high["y"].values[0], high["x"].values[0]] == [1e-6, 5e-7]
     assert maps["x"].values[:2].tolist() == pytest.approx([3e-5, 9e-5])
     assert set(maps.data_vars) == {*FREE, *(f"{one}_stderr" for one in FREE), "chi_squared"}
     assert found.plot(moduli, "film modulus", "Pa", ax=axes) is axes
     assert axes.figure.axes[1].get_ylabel() == "film modulus (kPa)"
+    np.testing.assert_array_equal(axes.get_images()[0].get_array().filled(np.nan), image / 1e3)
     (bar,) = axes.artists
     assert bar.txt_label.get_text() == "200 µm"
     axes.figure.canvas.draw()
     refuses(FitError, r"shape \(2,\): give \(4,\)", lambda: found.image([1.0, 2.0]))
+
+
+def test_a_pixel_has_the_height_of_a_row_and_the_width_of_a_column():
+    sides = {"x": (0, 4, 4e-6), "y": (1, 2, 6e-6)}
+    metadata = {
+        f"grid {one} {axis}": value
+        for axis, values in sides.items()
+        for one, value in zip(("index", "shape", "size"), values, strict=True)
+    }
+    place = _Place(metadata)
+    assert (place.pixel, place.shape, place.pixel_size) == ((1, 0), (2, 4), (3e-6, 1e-6))
+
+
+def test_the_tip_is_above_the_base_by_the_deflection():
+    """The last force within 5 standard deviations (1.4826 each) of 0 is 6, over 10 N/m."""
+    force = np.array([1.0, -1.0] * 10 + [6.0] + [20.0] * 79)
+    fields = {
+        "abscissa": np.arange(100.0, 0.0, -1.0),
+        "ordinate": force,
+        "retract": np.full(100, False),
+        "stiffness": 10.0,
+    }
+    assert _surface(fields) == 80.0 + 6.0 / 10.0
 
 
 def test_wrong_calls_say_what_to_give(force_map, tmp_path):

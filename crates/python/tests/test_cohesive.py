@@ -58,6 +58,7 @@ def cohesive():
 def test_states_broadcast_and_are_those_of_a_branch(cohesive):
     branch = cohesive.branch((1e-6, 4e-6), 5)
     assert len(branch) == 5
+    assert branch.contact_radius == pytest.approx(np.geomspace(1e-6, 4e-6, 5), rel=1e-12)
     found = cohesive.state(branch.contact_radius)
     for name in ("contact_radius", "outer_radius", "load", "penetration"):
         assert getattr(found, name) == pytest.approx(getattr(branch, name), rel=1e-12)

@@ -135,6 +135,7 @@ def test_the_range_of_the_attraction(jkr):
     )
     assert found.cohesive_zone == pytest.approx(pi / 4 * MODULUS * z0**2 / w, rel=1e-12)
     assert found.is_jkr
-    assert found.is_short_beside(1e-6)
+    assert found.is_short_beside(10.001 * found.cohesive_zone)
+    assert not found.is_short_beside(9.999 * found.cohesive_zone)
     assert jkr.zone_size([w, 1e-9], interaction_range=1e-6).is_jkr.tolist() == [False, False]
     refuses(InputError, "work of adhesion", lambda: jkr.zone_size(0.0))

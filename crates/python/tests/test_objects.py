@@ -2,6 +2,8 @@
 
 import copy
 import dataclasses
+import errno
+import os
 import pickle
 from dataclasses import replace
 
@@ -211,6 +213,7 @@ def test_files_that_cannot_be_read(tmp_path):
         with pytest.raises(FileNotFoundError) as caught:
             read(missing)
         assert caught.value.filename == str(missing)
+        assert caught.value.strerror == os.strerror(errno.ENOENT)
         with pytest.raises(IsADirectoryError):
             read(tmp_path)
     refuses(TableError, "HDF5", lambda: Table.read(HDF5))

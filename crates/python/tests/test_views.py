@@ -12,11 +12,13 @@ from coated_contact import (
     Elastic,
     Experiment,
     FitError,
+    ForceDisplacement,
     Free,
     Indentation,
     Paraboloid,
     RateDependent,
     Stack,
+    States,
     Table,
     fit,
     fit_map,
@@ -25,6 +27,7 @@ from coated_contact import (
     simulate,
     solve,
 )
+from coated_contact._fit_plot import Curve
 from conftest import PROBES, loads_at, make_system, refuses, without_result
 from test_fit import WANTED, lens
 from test_indentation import system as oxide
@@ -45,6 +48,14 @@ def test_a_force_curve_is_a_table(curve):
     data = curve.to_xarray()
     assert np.array_equal(data["load"], table.load)
     assert data["penetration"].attrs["units"] == "m"
+
+
+def test_every_branch_of_a_force_curve_has_its_rows():
+    pytest.importorskip("pandas")
+    one, two, three = (States(*np.full((3, 2), value)) for value in (1.0, 2.0, 3.0))
+    table = ForceDisplacement(loading=(one, two), unloading=(three,), jumps=()).to_pandas()
+    assert table.load.tolist() == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
+    assert table.branch.tolist() == [0, 0, 1, 1, 0, 0]
 
 
 def test_states_are_a_table(contact):
@@ -217,6 +228,13 @@ def test_approach_and_retract_are_told_apart(there_and_back, axes):
     assert axes.get_xlabel() == "penetration (nm)"
 
 
+def test_points_of_a_hold_are_joined_in_their_order_in_time():
+    x, y, all_of_them = np.array([3.0, 2.0, 2.0, 1.0]), np.arange(4.0), np.full(4, True)
+    curve = Curve(x, y, y, y, np.array(["receding"] * 4), all_of_them, all_of_them)
+    ((places, values, _),) = curve.lines(y)
+    assert (places.tolist(), values.tolist()) == ([1.0, 2.0, 2.0, 3.0], [3.0, 2.0, 1.0, 0.0])
+
+
 def test_a_jkr_plot_is_drawn(axes):
     """Without a film it is the straight line 4 E*/(3 sqrt 6) x - sqrt(4 w E*/3)."""
     one = lens(seed=1)
@@ -363,5 +381,9 @@ def test_notebooks_show_maps_as_text(small_map):
     median = np.nanmedian(small_map.params["work_of_adhesion"])
     assert f"<td>{median:.4g}</td>" in shown
     assert "of 6 curves" in shown
+    errors = small_map.stderr["work_of_adhesion"].copy()
+    known, errors[:3] = np.median(errors[[3, 5]]), np.inf
+    unknown = replace(small_map, stderr=small_map.stderr | {"work_of_adhesion": errors})
+    assert f"<td>{known:.2g}</td>" in unknown._repr_html_()
     assert "<td>no result</td><td>1</td>" in shown
     assert "nan" in fit_map([], WANTED)._repr_html_()

@@ -221,6 +221,15 @@ fn a_flat_punch_has_one_contact_radius() {
                 );
             }
             assert_eq!(curve.jumps.len(), 2);
+            let [imposed, last] = [1e-7, control.imposed(found.load, found.penetration)];
+            for (i, state) in (0_u32..).zip(&curve.unloading[0]) {
+                let expected = imposed + (last - imposed) * 0.25 * f64::from(i);
+                let own = control.imposed(state.load, state.penetration);
+                assert!(
+                    (own - expected).abs() <= 1e-12 * (imposed + last.abs()),
+                    "{control:?}: {own}"
+                );
+            }
         }
         assert!(matches!(
             contact.load(0.9 * radius, W),
