@@ -287,10 +287,11 @@ impl Train {
             let numbers = functions * of_functions;
             let integer =
                 |degree: usize, pair: usize| (numbers[(degree, pair)] / step).round() as i64;
-            // Degrees of zeros alone are left out, and one is left in.
+            // Degrees of zeros alone are left out, and as many are left in as the bonds need.
             let is_zero =
                 |&degree: &usize| (0..before * after).all(|pair| integer(degree, pair) == 0);
-            let zeros = (1..numbers.nrows()).rev().take_while(is_zero).count();
+            let needed = if i == 3 { 1 } else { after.div_ceil(before) };
+            let zeros = (needed..numbers.nrows()).rev().take_while(is_zero).count();
             terms[i] = numbers.nrows() - zeros;
             let terms = terms[i];
             cores[i] = (0..before)
