@@ -135,8 +135,11 @@ fn whole_suite() -> Result<(), String> {
         python_tests::fetch()?;
         Ok::<_, String>(environment)
     });
-    python_tests::compile()?;
-    let environment = fetching.join().expect("fetching does not panic")?;
+    let compiled = python_tests::compile();
+    // What is fetched is left whole, whatever the compiler says.
+    let environment = fetching.join().expect("fetching does not panic");
+    compiled?;
+    let environment = environment?;
     let path = workspace::target()?.join("python-tests.log");
     let failed = |e: io::Error| format!("{}: {e}", path.display());
     let log = File::create(&path).map_err(failed)?;
