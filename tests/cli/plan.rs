@@ -42,13 +42,10 @@ fn the_size_of_a_plan_is_that_of_the_file() {
         let are_near = bytes <= FACTOR * expected && expected <= FACTOR * bytes;
         assert!(are_near, "{bytes} bytes, {expected} planned: {scene}");
         assert_eq!(plan["axes"], made["axes"]);
-        // A million points of a certificate take longer than the few nodes.
+        // The curves of a million points of a certificate count 300 s of one thread, whatever the solves take.
         let planned =
             workdir.json("generate scene.toml --plan --json --certificate-points 1000000");
-        assert!(
-            number(&planned, "seconds") > 3.0 * number(&plan, "seconds"),
-            "{planned} {plan}"
-        );
+        assert!(number(&planned, "seconds") > 1.0, "{planned}");
         assert_eq!(plan["points"], made["points_solved"]);
     }
 }

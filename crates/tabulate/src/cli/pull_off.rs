@@ -24,7 +24,7 @@ use solve::{A_OVER_T, curve};
 /// stable state may have no contact: its contact radius is 0.
 ///
 /// With --load, a measured pull-off load, the work of adhesion is found: that with which the last stable state has
-/// this load. Three or more loads at measured contact radii or penetrations tell more (`tabulate fit`).
+/// this load. All other values are then needed, or --specimen paper. Three or more loads at measured contact radii or penetrations tell more (`tabulate fit`).
 ///
 /// The surfaces slide freely. Where full friction would stiffen the contact by more than 5 %, a note on
 /// standard error says so. With --friction stick, surfaces that have touched never slide. The contact has grown from radius 0
@@ -113,6 +113,16 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             load.abs(),
             -load.abs()
         );
+        let system = &attracting.bodies.system;
+        let mut missing = attracting.bodies.missing(false);
+        missing.retain(|value| *value != Value::WorkOfAdhesion);
+        let flags: Vec<String> = missing.into_iter().map(Value::flag).collect();
+        ensure!(
+            flags.is_empty() || system.specimen.is_some(),
+            "--load is measured, and what was measured on is missing: give {}; --specimen paper takes what is not given from \
+             the paper's example",
+            flags.join(", ")
+        );
         let at = |work_of_adhesion| {
             let bodies = Bodies {
                 work_of_adhesion,
@@ -148,12 +158,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             .map(|(name, value)| format!("{name:14} = {}\n", number(value)))
             .collect()
     };
-    let unused: &[Value] = if work.is_some() {
-        &[Value::WorkOfAdhesion]
-    } else {
-        &[]
-    };
-    attracting.bodies.name_example(unused);
+    if work.is_none() {
+        attracting.bodies.name_example(&[]);
+    }
     bodies.note_large_contact(state.contact_radius);
     if state.contact_radius > 0.0 {
         bodies.note_strain(contact.as_ref(), state.contact_radius);
