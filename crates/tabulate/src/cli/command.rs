@@ -6,16 +6,17 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue};
 use clap::{Parser, Subcommand};
 
+#[cfg(feature = "compress")]
+use super::pack;
 use super::streams::{NAME, examples, note, print};
 use super::{
-    advice, check, completions, curve, generate, history, info, man, pack, pull_off, query, solve,
-    unpack,
+    advice, check, completions, curve, generate, history, info, man, pull_off, query, solve, unpack,
 };
 #[cfg(feature = "figures")]
 use super::{cost, fit, plot, report, simulate};
 
-/// The commands that a program without the feature `figures` does not have.
-const OF_FIGURES: [&str; 5] = ["fit", "simulate", "report", "plot", "cost"];
+/// The commands that a program with the feature `cli` alone does not have.
+const LEFT_OUT: [&str; 6] = ["fit", "simulate", "report", "plot", "cost", "pack"];
 
 /// Adhesive contact of a sphere (2) on a film (1) bonded to a substrate (0): solve it, tabulate it,
 /// look it up.
@@ -65,6 +66,7 @@ enum Command {
     Check(check::Arguments),
     #[cfg(feature = "figures")]
     Report(report::Arguments),
+    #[cfg(feature = "compress")]
     Pack(pack::Arguments),
     Unpack(unpack::Arguments),
     #[cfg(feature = "figures")]
@@ -99,7 +101,7 @@ fn explain(answer: clap::Error) -> anyhow::Result<ExitCode> {
         // With all commands the name is that of another one's subcommand.
         if cfg!(not(feature = "figures"))
             && let Some(ContextValue::String(name)) = answer.get(ContextKind::InvalidSubcommand)
-            && OF_FIGURES.contains(&name.as_str())
+            && LEFT_OUT.contains(&name.as_str())
         {
             note(&format!(
                 "this program was built without {name}; `cargo xtask cargo install --locked --path \
@@ -134,6 +136,7 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
         Command::Check(arguments) => check::run(&arguments),
         #[cfg(feature = "figures")]
         Command::Report(arguments) => report::run(&arguments),
+        #[cfg(feature = "compress")]
         Command::Pack(arguments) => pack::run(&arguments),
         Command::Unpack(arguments) => unpack::run(&arguments),
         #[cfg(feature = "figures")]
@@ -153,11 +156,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn commands_of_figures_are_there_with_that_feature_alone() {
+    fn the_named_commands_are_left_out_without_their_features() {
         let program = Arguments::command();
-        for name in OF_FIGURES {
+        for name in LEFT_OUT {
             let is_there = program.find_subcommand(name).is_some();
-            assert_eq!(is_there, cfg!(feature = "figures"), "{name}");
+            let has_feature = if name == "pack" {
+                cfg!(feature = "compress")
+            } else {
+                cfg!(feature = "figures")
+            };
+            assert_eq!(is_there, has_feature, "{name}");
         }
     }
 }

@@ -28,6 +28,7 @@ mod interface;
 mod json;
 mod man;
 mod output;
+#[cfg(feature = "compress")]
 mod pack;
 mod plan;
 #[cfg(feature = "figures")]

@@ -142,6 +142,7 @@ pub fn hdf5_file() -> impl TypedValueParser<Value = PathBuf> {
 }
 
 /// Parses the name of a packed file to write: any but one with the ending of another kind of file.
+#[cfg(feature = "compress")]
 pub fn packed_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| {
         refuse(

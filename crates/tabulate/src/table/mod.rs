@@ -13,6 +13,7 @@ pub mod archive;
 mod budget;
 mod build;
 mod certify;
+#[cfg(feature = "compress")]
 mod compress;
 pub(crate) mod extent;
 mod file;
@@ -34,6 +35,7 @@ pub(crate) use certify::Axis as SampledAxis;
 pub use certify::{
     Sample, certificate, certify, default_points, errors_by_quantity, measure, points_for, sample,
 };
+#[cfg(feature = "compress")]
 pub use compress::{compress, low_rank};
 pub use extent::Extent;
 pub use generate::{
