@@ -31,7 +31,8 @@ pub(super) struct Elements<'a> {
 
 /// The part of the largest penetration by which a ring outside the contact may be too deep from rounding.
 const RING: f64 = 1e-6;
-/// The most steps of Newton's method for a load or a spring.
+/// For a load or a spring: the change of the penetration, relative to it, at which Newton's method ends, and its most steps.
+const CLOSE: f64 = 1e-12;
 const NEWTON: usize = 60;
 
 impl Elements<'_> {
@@ -57,6 +58,8 @@ impl Elements<'_> {
             stress: vec![0.0; k],
             memories: vec![0.0; k * slots],
             free: vec![0.0; k],
+            separation: vec![0.0; k],
+            sums: vec![0.0; k],
         };
         let mut wanted = asked.iter().copied().peekable();
         let mut states: Vec<TimedContact> = Vec::with_capacity(asked.len());
@@ -138,6 +141,7 @@ impl Elements<'_> {
                 *free += (decay - 1.0) * amplitude;
             }
         }
+        self.sum(memory);
         let penetration = match self.control {
             Control::Displacement => value,
             Control::Load => self.balance(memory, step, |load, _| (load - value, 0.0))?,
@@ -168,6 +172,21 @@ impl Elements<'_> {
                 penetration,
             },
         })
+    }
+
+    /// Prepares the load of the elements in contact, whose stresses rise in proportion to the penetration.
+    fn sum(&self, memory: &mut Memory) {
+        let (mut largest, mut sum) = (f64::NEG_INFINITY, 0.0);
+        for i in 0..memory.touching {
+            let at = |i: usize| self.nodes[i].penetration + memory.free[i];
+            largest = at(i).max(largest);
+            memory.separation[i] = largest;
+            memory.sums[i] = sum;
+            if i + 1 < memory.touching {
+                let rise = self.nodes[i + 1].stiffness - self.nodes[i].stiffness;
+                sum += 0.5 * rise * (at(i) + at(i + 1));
+            }
+        }
     }
 
     /// Finds the penetration at which a rising function of load and penetration is 0. The function
@@ -213,7 +232,7 @@ impl Elements<'_> {
             }
             let change = (next - x).abs();
             x = next;
-            if change <= 1e-14 * x.abs() {
+            if change <= CLOSE * x.abs() {
                 break;
             }
         }
@@ -229,9 +248,10 @@ impl Elements<'_> {
         time: f64,
     ) -> Result<(), HistoryError> {
         let largest = self.nodes[self.nodes.len() - 1].penetration;
-        for (node, free) in self.nodes.iter().zip(&memory.free) {
+        let first = self.nodes.partition_point(|node| node.radius <= radius);
+        for (node, free) in self.nodes.iter().zip(&memory.free).skip(first) {
             let excess = penetration - node.penetration - free;
-            if node.radius > radius && excess > RING * largest {
+            if excess > RING * largest {
                 return Err(HistoryError::NotOneDisc {
                     time,
                     radius: node.radius,

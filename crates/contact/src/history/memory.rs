@@ -24,6 +24,11 @@ pub(super) struct Memory {
     pub memories: Vec<f64>,
     /// At the end of the step, m: `psi` of an element outside the contact; of one in contact that at which `N` would be 0 there.
     pub free: Vec<f64>,
+    /// The penetration (m) at the end of the step below which the elements up to each one in contact lose it.
+    pub separation: Vec<f64>,
+    /// For each element in contact the integral over the stiffness, from the first one to it, of the penetration at which
+    /// each element loses contact, N.
+    pub sums: Vec<f64>,
 }
 
 /// A step of the time.
@@ -71,18 +76,14 @@ impl Elements<'_> {
     /// Moves all elements to the end of a step at which the penetration is known.
     pub(super) fn remember(&self, memory: &mut Memory, step: &Step<'_>, penetration: f64) {
         let (k, before, used) = (self.nodes.len(), memory.touching, memory.used);
-        let stresses: Vec<f64> = (0..k)
-            .map(|i| self.stress(memory, step, i, penetration))
-            .take_while(|&stress| stress > 0.0)
-            .collect();
-        let now = stresses.len();
+        let (held, touching) = self.inside(memory, step, penetration);
+        let now = held + touching.len();
         for i in now..before {
             self.release(memory, step, i, penetration);
         }
         for i in before..now {
             self.touch(memory, step, i, penetration);
         }
-        let held = before.min(now);
         let changes: Vec<f64> = (0..held)
             .map(|i| penetration - self.nodes[i].penetration - memory.psi[i])
             .collect();
@@ -103,13 +104,37 @@ impl Elements<'_> {
         for (psi, node) in memory.psi[..now].iter_mut().zip(self.nodes) {
             *psi = penetration - node.penetration;
         }
-        memory.stress[..now].copy_from_slice(&stresses);
+        let terms = memory.stress.iter_mut().zip(self.nodes).zip(&memory.free);
+        for ((stress, node), free) in terms.take(held) {
+            *stress = step.w * (penetration - node.penetration - free);
+        }
         if now < before {
             memory.stress[now..before].fill(0.0);
+        } else {
+            memory.stress[held..now].copy_from_slice(&touching);
         }
         memory.touching = now;
         memory.used = used.max(now);
         memory.penetration = penetration;
+    }
+
+    /// Returns the number of elements that stay in contact up to the end of a step, and the stresses of those beyond that
+    /// touch within it.
+    pub(super) fn inside(
+        &self,
+        memory: &Memory,
+        step: &Step<'_>,
+        penetration: f64,
+    ) -> (usize, Vec<f64>) {
+        let before = memory.touching;
+        let held = memory.separation[..before].partition_point(|&at| at < penetration);
+        let mut touching = Vec::new();
+        if held == before {
+            let stresses =
+                (before..self.nodes.len()).map(|i| self.stress(memory, step, i, penetration));
+            touching.extend(stresses.take_while(|&stress| stress > 0.0));
+        }
+        (held, touching)
     }
 
     /// Brings an element that touches within a step to its end.
@@ -155,7 +180,9 @@ impl Elements<'_> {
             let memories: Vec<f64> = terms
                 .map(|(rate, own)| {
                     let z = rate * part * length;
-                    (-z).exp() * own + mean(z) * part * change
+                    let mean = mean(z);
+                    // 1 - z mean(z) = exp(-z)
+                    (1.0 - z * mean) * own + mean * part * change
                 })
                 .collect();
             let psi = begin + part * change;

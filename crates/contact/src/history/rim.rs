@@ -17,28 +17,26 @@ impl Elements<'_> {
         step: &Step<'_>,
         penetration: f64,
     ) -> (f64, f64, f64) {
-        let stress = |i: usize| self.stress(memory, step, i, penetration);
         let k = self.nodes.len();
-        let mut here = stress(0);
-        if here <= 0.0 {
+        let (held, touching) = self.inside(memory, step, penetration);
+        let n = held + touching.len();
+        if n == 0 {
             return (0.0, 0.0, 0.0);
         }
-        let mut inside = vec![here];
-        for i in 1..k {
-            here = stress(i);
-            if here <= 0.0 {
-                break;
-            }
-            inside.push(here);
-        }
-        let n = inside.len();
-        let radius = self.rim(memory, step, penetration, &inside);
+        let inside = |i: usize| {
+            let touches = i.checked_sub(held).map(|i| touching[i]);
+            touches.unwrap_or_else(|| self.stress(memory, step, i, penetration))
+        };
+        let radius = self.rim(memory, step, penetration, n, &inside);
         // Below the radius of a flat end all elements are one.
-        let mut load = inside[0] * self.nodes[0].stiffness;
-        for i in 0..n - 1 {
+        let mut load = inside(0) * self.nodes[0].stiffness;
+        let summed = n.saturating_sub(NEAR).min(held.saturating_sub(1));
+        let stiffness = self.nodes[summed].stiffness - self.nodes[0].stiffness;
+        load += step.w * (penetration * stiffness - memory.sums[summed]);
+        for i in summed..n - 1 {
             let rise = self.nodes[i + 1].stiffness - self.nodes[i].stiffness;
             let [far, near] = [i, i + 1].map(|i| radius - self.nodes[i].radius);
-            let ends = [inside[i], inside[i + 1]];
+            let ends = [inside(i), inside(i + 1)];
             load += rise
                 * if i + NEAR < n {
                     0.5 * (ends[0] + ends[1])
@@ -53,20 +51,27 @@ impl Elements<'_> {
             let rise = part * (next.stiffness - last.stiffness);
             let exponent = if n > 1 {
                 let distances = [n - 2, n - 1].map(|i| radius - self.nodes[i].radius);
-                power([inside[n - 2], inside[n - 1]], distances).clamp(0.0, 3.0)
+                power([inside(n - 2), inside(n - 1)], distances).clamp(0.0, 3.0)
             } else {
                 1.0
             };
-            load += rise * inside[n - 1] / (1.0 + exponent);
+            load += rise * inside(n - 1) / (1.0 + exponent);
             stiffness += rise;
         }
         (load, step.w * stiffness, radius)
     }
 
     /// Returns the contact radius (m), where the stress falls to 0 (a contact that recedes) or the gap outside ends
-    /// (a contact that grows).
-    fn rim(&self, memory: &Memory, step: &Step<'_>, penetration: f64, inside: &[f64]) -> f64 {
-        let (n, k) = (inside.len(), self.nodes.len());
+    /// (a contact that grows). `inside` has the stresses of the first `n` elements, which are in contact.
+    fn rim(
+        &self,
+        memory: &Memory,
+        step: &Step<'_>,
+        penetration: f64,
+        n: usize,
+        inside: &impl Fn(usize) -> f64,
+    ) -> f64 {
+        let k = self.nodes.len();
         if n == k {
             return self.nodes[k - 1].radius;
         }
@@ -93,20 +98,20 @@ impl Elements<'_> {
                 .collect()
         } else if n == 1 {
             vec![
-                [self.nodes[0].radius, inside[0]],
+                [self.nodes[0].radius, inside(0)],
                 [self.nodes[1].radius, -step.w * gap(1)],
             ]
         } else {
             (n.saturating_sub(3)..n)
                 .rev()
-                .map(|i| [self.nodes[i].radius, inside[i]])
+                .map(|i| [self.nodes[i].radius, inside(i)])
                 .collect()
         };
         let ends = [self.nodes[n - 1].radius, self.nodes[n].radius];
         let receding = if grows {
             None
         } else {
-            self.receding(memory, step, penetration, inside)
+            self.receding(memory, step, penetration, n, inside)
         };
         receding
             .unwrap_or_else(|| zero(&points))
@@ -120,9 +125,9 @@ impl Elements<'_> {
         memory: &Memory,
         step: &Step<'_>,
         penetration: f64,
-        inside: &[f64],
+        n: usize,
+        inside: &impl Fn(usize) -> f64,
     ) -> Option<f64> {
-        let n = inside.len();
         let first = n.checked_sub(3)?;
         let mut points = [[0.0; 2]; 3];
         for (point, i) in points.iter_mut().zip((first..n).rev()) {
@@ -132,7 +137,7 @@ impl Elements<'_> {
             let after = self.imposed(memory, step, i, penetration);
             *point = [
                 self.nodes[i].radius,
-                release_after(|part| after(part).0, [memory.stress[i], inside[i]])? - 1.0,
+                release_after(|part| after(part).0, [memory.stress[i], inside(i)])? - 1.0,
             ];
         }
         let rises = points[0][1] < points[1][1] && points[1][1] < points[2][1];
