@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use acceptance::{
-    Contacts, geometric, larger, looked_up, paper_system, rigid_probe, solid, solved_contact,
+    Contacts, assert_matches, geometric, larger, looked_up, paper_system, rigid_probe, solid,
+    solved_contact,
 };
 use contact::Error;
-use contact::{Contact, Control, ForceDisplacement, State};
+use contact::{Contact, Control, ForceDisplacement, State, work_of_adhesion_at_pull_off};
 use interp::{Curve, Probe, Quantities, System, Table};
 
 use crate::half_space::relative;
@@ -293,8 +294,6 @@ fn force_displacement_curves_hold_together() {
     assert!(jumps[1] > 0);
 }
 
-/// Invented quantities with `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a
-/// minimum and rises again.
 /// At the pull-off load no contact radius has a smaller energy release rate than the work of adhesion.
 #[test]
 fn the_work_of_adhesion_of_a_pull_off_load_is_its_least_energy_release_rate() {
@@ -315,6 +314,61 @@ fn the_work_of_adhesion_of_a_pull_off_load_is_its_least_energy_release_rate() {
     assert!(count == 120 && worst <= 1e-5, "{worst:e}");
 }
 
+/// On a spring, a thin film of a soft gel separates at a contact radius of 46 nm or of 2.3 um, by the work of adhesion.
+#[test]
+fn a_load_within_a_jump_of_the_pull_off_load_is_refused() {
+    let system = System {
+        probe: Probe::Paraboloid { radius: 1e-5 },
+        sphere_modulus: f64::INFINITY,
+        film: solid(1e4, 0.5),
+        film_thickness: 1e-7,
+        substrate: solid(7e10, 0.22),
+    };
+    let contact = Contact::in_table(Table::embedded(), &system).expect("a contact");
+    let control = Control::Spring { stiffness: 10.0 };
+    let found = |load| contact.work_of_adhesion_at_pull_off(load, control);
+    let Err(Error::NoWorkOfAdhesion {
+        work_of_adhesion,
+        above,
+        below,
+        ..
+    }) = found(-1e-6)
+    else {
+        panic!("{:?}", found(-1e-6));
+    };
+    for (w, beside) in [(0.999, above), (1.001, below)] {
+        let load = contact
+            .pull_off(w * work_of_adhesion, control)
+            .expect("in range")
+            .load;
+        assert!(relative(load, beside) < 0.01, "{load:e} {beside:e}");
+        assert!(
+            relative(
+                found(load).expect("a load of a pull-off"),
+                w * work_of_adhesion
+            ) < 1e-6
+        );
+    }
+    assert!(below < -1e-6 && -1e-6 < above);
+    let saturates = |_| Ok::<_, Error>(-1e-9);
+    let refused = work_of_adhesion_at_pull_off(-2e-9, None, saturates);
+    assert_matches!(refused, Err(Error::NoWorkOfAdhesion { .. }));
+}
+
+/// The work of adhesion with which a search begins may have no answer where the one wanted has: that of a blunt cone.
+#[test]
+fn a_search_goes_on_from_a_work_of_adhesion_with_an_answer() {
+    let no_answer = || Error::Sticks {
+        question: "the pull-off",
+        reason: "it is a test",
+    };
+    let pull_off = |w: f64| (w < 1.0).then(|| -1e-7 * w * w).ok_or_else(no_answer);
+    let found = work_of_adhesion_at_pull_off(-9e-9, Some(1e-11), pull_off);
+    assert!(relative(found.expect("an answer"), 0.3) < 1e-9);
+}
+
+/// Invented quantities with `F0 ~ x^3 (1/(1 + x^6) + c)`, which rises to a maximum, falls to a
+/// minimum and rises again.
 #[test]
 fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
     let system = paper_system(1e-6);

@@ -33,6 +33,22 @@ pub enum Error {
         /// The smallest value with a contact.
         least: f64,
     },
+    /// A measured pull-off load that no work of adhesion has.
+    #[error(
+        "no work of adhesion has the pull-off load {load:?} N: at {work_of_adhesion:.4e} J/m^2 the last stable state \
+         changes to another one, and its load from {above:.4e} N to {below:.4e} N; check the load, the bodies, and what the \
+         machine imposes"
+    )]
+    NoWorkOfAdhesion {
+        /// The load, N.
+        load: f64,
+        /// The work of adhesion at which the pull-off load jumps over it, J/m^2.
+        work_of_adhesion: f64,
+        /// The pull-off load with a smaller work of adhesion, N.
+        above: f64,
+        /// The pull-off load with a larger work of adhesion, N.
+        below: f64,
+    },
     /// A curve made for another material than the system's.
     #[error(
         "the curve was made for {}, the system has {}: make the curve for the material of the system",

@@ -1,5 +1,7 @@
 //! The work of adhesion of a measured pull-off load.
 
+use std::f64::consts::{LN_10, PI};
+
 use interp::Error as Refused;
 
 use crate::{Contact, Control, Error, root};
@@ -8,10 +10,19 @@ use crate::{Contact, Control, Error, root};
 const MOST_STEPS: usize = 60;
 /// The work of adhesion (J/m^2) from which on that of a probe without a radius is searched.
 const USUAL: f64 = 0.05;
+/// The powers of ten by which the search begins below and above it, where it has no answer.
+const DECADES: i32 = 5;
+/// The largest difference of the logarithm of a load from that of the load wanted.
+const CLOSE: f64 = 1e-5;
+/// The difference of the logarithm of the work of adhesion on both sides of a jump of the load.
+const BESIDE: f64 = 1e-6;
 
 impl Contact {
     /// Returns the work of adhesion (J/m^2) of a measured pull-off load (N, negative): the one with which
     /// [`Contact::pull_off`] under this control is at this load.
+    ///
+    /// The largest tension of a measured curve is the pull-off load of [`Control::Load`], whatever the machine imposes.
+    /// With another control the load is that of the last state before the bodies separate.
     ///
     /// ```
     /// # fn main() -> Result<(), contact::Error> {
@@ -26,8 +37,9 @@ impl Contact {
     /// ```
     ///
     /// # Errors
-    /// [`interp::Error::Unphysical`] for a load that is not negative and finite; otherwise as
-    /// [`Contact::pull_off`] at the works of adhesion near the one that is searched.
+    /// [`interp::Error::Unphysical`] for a load that is not negative and finite; [`Error::NoWorkOfAdhesion`] for a load
+    /// that no work of adhesion has; otherwise as [`Contact::pull_off`] at the works of adhesion near the one that is
+    /// searched.
     pub fn work_of_adhesion_at_pull_off(&self, load: f64, control: Control) -> Result<f64, Error> {
         let radius = self.mechanics.sphere_radius();
         let radius = radius.is_finite().then_some(radius);
@@ -39,26 +51,25 @@ impl Contact {
 /// adhesion, is `load`. The search begins with that of JKR for the `radius` of the probe (m), if it has one.
 ///
 /// The load grows with the work of adhesion as a power of it: nearly in proportion under a sphere, with the square under a
-/// cone, with the root under a flat punch.
+/// cone, with the root under a flat punch. Where the last stable state changes to another contact radius, the load jumps.
 ///
 /// # Errors
-/// [`interp::Error::Unphysical`] for a load that is not negative and finite; otherwise those of `pull_off`.
-pub fn work_of_adhesion_at_pull_off<E: From<Refused>>(
+/// [`interp::Error::Unphysical`] for a load that is not negative and finite; [`Error::NoWorkOfAdhesion`] for a load within
+/// a jump, or that is not reached; otherwise those of `pull_off`.
+pub fn work_of_adhesion_at_pull_off<E: From<Error>>(
     load: f64,
     radius: Option<f64>,
     pull_off: impl Fn(f64) -> Result<f64, E>,
 ) -> Result<f64, E> {
-    let holds = load < 0.0 && load.is_finite();
-    Refused::unless(holds, "pull-off load", load, "< 0 and finite")?;
+    let unless = |holds, allowed| {
+        Refused::unless(holds, "pull-off load", load, allowed).map_err(Error::from)
+    };
+    unless(load < 0.0 && load.is_finite(), "< 0 and finite")?;
     // How far the logarithm of the load is from the one wanted, at the logarithm of a work of adhesion.
     let excess = |u: f64| Ok::<f64, E>((pull_off(u.exp())? / load).ln());
-    let start = radius.map_or(USUAL, |radius| {
-        load / (-1.5 * std::f64::consts::PI * radius)
-    });
-    let mut near = start.ln();
-    let mut of_near = excess(near)?;
-    let tensile = "that of a pull-off in tension";
-    Refused::unless(of_near.is_finite(), "pull-off load", load, tensile)?;
+    let start = radius.map_or(USUAL, |radius| load / (-1.5 * PI * radius));
+    let (mut near, mut of_near) = begin(&excess, start.ln())?;
+    unless(of_near.is_finite(), "that of a pull-off in tension")?;
     // A little farther than a load in proportion.
     let mut step = -1.05 * of_near;
     for _ in 0..MOST_STEPS {
@@ -73,5 +84,27 @@ pub fn work_of_adhesion_at_pull_off<E: From<Refused>>(
             Err(_) => step /= 4.0,
         }
     }
-    Ok(root(excess, near, near + step)?.exp())
+    let found = root(&excess, near, near + step)?;
+    if excess(found)?.abs() <= CLOSE {
+        return Ok(found.exp());
+    }
+    Err(E::from(Error::NoWorkOfAdhesion {
+        load,
+        work_of_adhesion: found.exp(),
+        above: pull_off((found - BESIDE).exp())?,
+        below: pull_off((found + BESIDE).exp())?,
+    }))
+}
+
+/// Returns the place of `first`, or the next one by powers of ten at which a function has an answer, and the answer.
+fn begin<E>(f: &impl Fn(f64) -> Result<f64, E>, first: f64) -> Result<(f64, f64), E> {
+    let refused = match f(first) {
+        Ok(found) => return Ok((first, found)),
+        Err(refused) => refused,
+    };
+    let others = (1..=DECADES).flat_map(|decades| [-decades, decades]);
+    others
+        .map(|decades| first + f64::from(decades) * LN_10)
+        .find_map(|place| Some((place, f(place).ok()?)))
+        .ok_or(refused)
 }

@@ -135,6 +135,9 @@ impl From<::contact::Error> for Failure {
             Error::NoContact { name, value, least } => of("NoContactError")
                 .about(name, value)
                 .range(least, f64::INFINITY),
+            Error::NoWorkOfAdhesion { load, .. } => {
+                of("NoContactError").about("pull-off load", load)
+            }
             _ => of("ContactError"),
         }
     }

@@ -1,8 +1,9 @@
 //! `tabulate pull-off`
 
-use anyhow::{Context as _, anyhow, ensure};
+use anyhow::{Context as _, anyhow, bail, ensure};
 use clap::{ValueEnum, ValueHint};
 use contact::{Contact, Control, Error, State, work_of_adhesion_at_pull_off};
+use interp::Table;
 
 use super::bodies::{AttractingArguments, Bodies};
 use super::friction::{self, HistoryArguments};
@@ -24,7 +25,9 @@ use solve::{A_OVER_T, curve};
 /// stable state may have no contact: its contact radius is 0.
 ///
 /// With --load, a measured pull-off load, the work of adhesion is found: that with which the last stable state has
-/// this load. All other values are then needed, or --specimen paper. Three or more loads at measured contact radii or penetrations tell more (`tabulate fit`).
+/// this load. All other values are then needed, or --specimen paper. The largest tension of a measured curve is the load
+/// of --control load, whatever the machine imposes. Three or more loads at measured contact radii or penetrations tell
+/// more (`tabulate fit`).
 ///
 /// The surfaces slide freely. Where full friction would stiffen the contact by more than 5 %, a note on
 /// standard error says so. With --friction stick, surfaces that have touched never slide. The contact has grown from radius 0
@@ -106,12 +109,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--friction stick is solved directly, and without a range of the attraction: leave out the \
          table and --interaction-range"
     );
+    let table = arguments.table.as_ref();
+    let table = table.map(TableName::read_for_contacts).transpose()?;
+    let table = table.as_deref();
     let found = |load: f64| {
+        if load > 0.0 {
+            bail!(
+                "--load {load:?}: a pull-off load is below 0, because the probe is pulled; give --load=-{load:?}"
+            );
+        }
         ensure!(
-            load < 0.0,
-            "--load {load:?}: a pull-off load is below 0, because the probe is pulled; for {:?} N give --load {:?}",
-            load.abs(),
-            -load.abs()
+            load < 0.0 && load.is_finite(),
+            "--load {load:?}: a measured pull-off load is a number below 0; without one leave out --load"
         );
         let system = &attracting.bodies.system;
         let mut missing = attracting.bodies.missing(false);
@@ -128,7 +137,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 work_of_adhesion,
                 ..bodies.clone()
             };
-            Ok::<_, anyhow::Error>(pull_off(arguments, &bodies, control)?.1.load)
+            Ok::<_, anyhow::Error>(pull_off(arguments, table, &bodies, control)?.1.load)
         };
         work_of_adhesion_at_pull_off(load, bodies.system.probe.radius(), at)
             .with_context(|| format!("--load {load:?} N"))
@@ -139,7 +148,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ..bodies.clone()
     };
     attracting.bodies.check(&bodies)?;
-    let (contact, state) = pull_off(arguments, &bodies, control)?;
+    let (contact, state) = pull_off(arguments, table, &bodies, control)?;
     let of_state = [
         ("load", state.load),
         ("contact_radius", state.contact_radius),
@@ -174,6 +183,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// Finds the pull-off of bodies, with their contact where the attraction has no range.
 fn pull_off(
     arguments: &Arguments,
+    table: Option<&Table>,
     bodies: &Bodies,
     control: Control,
 ) -> anyhow::Result<(Option<Contact>, CohesiveState)> {
@@ -182,7 +192,7 @@ fn pull_off(
     }
     let (contact, state) = match arguments.history.sticks()? {
         Some(nu2) => sticking(arguments, bodies, nu2, control)?,
-        None => jkr(arguments, bodies, control)?,
+        None => jkr(table, bodies, control)?,
     };
     let state = CohesiveState {
         contact_radius: state.contact_radius,
@@ -197,10 +207,10 @@ fn pull_off(
 type PullOff = (Contact, State);
 
 /// Finds the pull-off of an attraction without range.
-fn jkr(arguments: &Arguments, bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
-    match &arguments.table {
-        Some(name) => {
-            let contact = Contact::in_table(name.read_for_contacts()?.as_ref(), &bodies.system)?;
+fn jkr(table: Option<&Table>, bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
+    match table {
+        Some(table) => {
+            let contact = Contact::in_table(table, &bodies.system)?;
             let state = contact.pull_off(bodies.work_of_adhesion, control);
             if let Err(
                 error @ Error::OutsideRadii {
