@@ -280,10 +280,39 @@ fn each_file_may_have_a_sphere_and_a_substrate_of_its_own() {
     let report = workdir.succeed(format!("{both} {own}"));
     assert_names(&report, "sphere-radius             1 mm, 3 mm");
 
+    // A rigid substrate needs no Poisson ratio, and shows none, in any order of the flags.
+    let film = film.replace(" --substrate-poisson-ratio 0.25", "");
+    let rigid = "--value substrate-modulus=inf,3MPa";
+    let ratios = "--value substrate-poisson-ratio=0.2,0.25";
+    let of_two = format!(
+        "fit small.csv large.csv {film} --free sphere-modulus --value sphere-radius=1mm,3mm"
+    );
+    for flags in [
+        format!("{rigid} {ratios}"),
+        format!("{ratios} {rigid}"),
+        format!("--substrate-poisson-ratio 0.25 {rigid}"),
+    ] {
+        let report = workdir.succeed(format!("{of_two} {flags}"));
+        assert_names(
+            &report,
+            "  substrate-poisson-ratio   0.25\n;substrate-modulus         +1 %",
+        );
+        assert!(!report.contains("NaN"), "{report}");
+    }
+    let alone = format!("fit small.csv {film} --sphere-radius 1mm --free sphere-modulus --value");
+    let report = workdir.succeed(format!("{alone} substrate-modulus=inf"));
+    assert!(!report.contains("poisson-ratio   0.25"), "{report}");
+    workdir.refuses(format!(
+        "1 | {of_two} --substrate-modulus inf {rigid} | --substrate-poisson-ratio is missing
+         1 | {alone} substrate-modulus=70GPa | --substrate-poisson-ratio is missing
+         2 | {alone} sphere_radius=1mm | the parameters are; --value also takes sphere-radius, substrate-modulus
+         1 | fit small.csv --half-space --specimen paper --value substrate-modulus=1MPa | a half-space has no substrate"
+    ));
+
     let common = format!("{both} substrate-modulus=70GPa,3MPa");
     workdir.refuses(format!(
         "2 | {both} sphere-radius=1mN,3mm | a length is wanted
-         2 | {both} load-offset=0 --sphere-radius 1mm,3mm | several values; --value sphere-radius=1mm,3mm
+         2 | {both} load-offset=0 --sphere-radius 1mm,3mm | several values; --value NAME=VALUE,VALUE
          2 | {both} load-offset=0 --sphere-radius 1e-3,3e-3 | several values
          2 | {both} load-offset=0 --sphere-radius 1,5mm | the decimal mark is a point
          2 | {both} sphere-radii=1mm,3mm | is not a parameter

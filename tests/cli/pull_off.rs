@@ -190,8 +190,11 @@ fn a_measured_load_gives_the_work_of_adhesion() {
     let w = number(&object, "work_of_adhesion");
     assert_close(w, 1e-6 / (1.5 * PI * 1e-5), 1e-12);
     workdir.refuses(
-        "1 | pull-off --load 2uN | below 0; give --load -2e-6
-         1 | pull-off --load 0 | below 0
+        "1 | pull-off --load 2uN | below 0; give --load=-2e-6
+         1 | pull-off --load 0 | --load 0.0; is a number below 0; leave out --load
+         1 | pull-off --load=nan | --load NaN; is a number below 0
+         2 | pull-off --load=-2,5uN | the decimal mark is a point
+         1 | pull-off --specimen paper --sphere-radius 10um --film-modulus 10kPa --film-thickness 100nm --sphere-modulus inf --control spring --stiffness 10N/m --load=-1uN | --load -1e-6 N: no work of adhesion has the pull-off load; from -1.9; to -9.0; what the machine imposes
          1 | pull-off --load -2uN | what was measured on is missing: give --sphere-radius, --sphere-modulus, --film-thickness
          1 | pull-off --load -2uN --sphere-radius 10um | give --sphere-modulus, --film-thickness; --specimen paper
          1 | pull-off --specimen paper --sphere-radius 10um --load -2 | --load -2.0 N: the pull-off at work of adhesion = 42441; check its unit

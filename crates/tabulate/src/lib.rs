@@ -12,7 +12,7 @@
 //! Data flows from left to right, and never back.
 //!
 //! The program is behind the feature `cli`, and `measure`, `plot` and `report` are behind the feature
-//! `figures`; both are on by default.
+//! `figures`; `compress` and `low_rank` of `table` are behind the feature `compress`. All are on by default.
 
 #![deny(unsafe_code)]
 

@@ -147,7 +147,10 @@ fn whole_suite() -> Result<(), String> {
     let rust = succeed(&mut tests_in_rust(&[], environment)?);
     let python = python.join().expect("the tests of Python do not panic");
     let _ = write!(stdout(), "{}", fs::read_to_string(&path).map_err(failed)?);
-    rust.and(python)
+    match (rust, python) {
+        (Err(rust), Err(python)) => Err(format!("{rust}\n{python}")),
+        (rust, python) => rust.and(python),
+    }
 }
 
 /// Returns the command that runs the tests in Rust.

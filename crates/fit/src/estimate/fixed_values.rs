@@ -99,7 +99,8 @@ pub(super) fn effects(
         let mut values: Vec<f64> = experiments
             .filter_map(|one| one.experiment.value_of(quantity))
             .collect();
-        let value = *values.first()?;
+        // One that is rigid does not change.
+        let value = values.iter().copied().find(|value| value.is_finite())?;
         if values.iter().all(|own| *own == value) {
             values.clear();
         }

@@ -205,9 +205,18 @@ impl Experiment {
             (Fixed::SphereRadius, None) => {
                 return wrong("left out: the probe has no radius");
             }
-            (Fixed::SphereRadius, _) if value.is_nan() || value <= 0.0 => {
+            (Fixed::SphereRadius | Fixed::LayerThickness(_), Some(_))
+                if value.is_nan() || value <= 0.0 =>
+            {
                 return wrong("above 0");
             }
+            (Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio, _)
+                if self.bodies.base().is_none() =>
+            {
+                return wrong("left out: a half-space has no substrate");
+            }
+            // A rigid substrate has one that does not matter.
+            (Fixed::SubstratePoissonRatio, None) => {}
             (_, None) => return wrong("of bodies that have it: check its name"),
             _ => {}
         }

@@ -252,25 +252,19 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
         rows.push(("sphere-radius".into(), text(radius, "m")));
     }
     let young = |value: f64| format!("{}, Young's modulus", text(value, "Pa"));
-    if let Bodies::Coated(system) = &experiment.bodies {
-        rows.push((
-            "substrate-modulus".into(),
-            format!("{} E0", young(system.substrate.young())),
-        ));
-        rows.push((
-            "substrate-poisson-ratio".into(),
-            text(system.substrate.poisson(), "1"),
-        ));
+    if let Some(substrate) = experiment.bodies.base() {
+        let mut modulus = young(substrate.young());
+        if matches!(experiment.bodies, Bodies::Coated(_)) {
+            modulus += " E0";
+        }
+        rows.push(("substrate-modulus".into(), modulus));
+        if substrate.young() < f64::INFINITY {
+            let ratio = text(substrate.poisson(), "1");
+            rows.push(("substrate-poisson-ratio".into(), ratio));
+        }
     }
     let mut parameters = Parameter::ALL.to_vec();
     if let Bodies::Layered(layered) = &experiment.bodies {
-        rows.push(("substrate-modulus".into(), young(layered.base.young())));
-        if layered.base.young() < f64::INFINITY {
-            rows.push((
-                "substrate-poisson-ratio".into(),
-                text(layered.base.poisson(), "1"),
-            ));
-        }
         for (i, named) in layered.layers.iter().enumerate() {
             let layer = &named.layer;
             let poisson = text(layer.solid.poisson(), "1");

@@ -32,7 +32,7 @@ pub struct BodiesArguments {
             "table", "film_thickness", "film_modulus", "film_poisson_ratio", "substrate_modulus", "substrate_poisson_ratio",
         ],
     )]
-    stack: Option<PathBuf>,
+    pub stack: Option<PathBuf>,
     #[command(flatten)]
     pub system: SystemArguments,
     #[command(flatten)]

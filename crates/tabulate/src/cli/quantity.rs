@@ -58,8 +58,8 @@ pub fn any(text: &str) -> Result<Quantity, String> {
     text.parse::<Quantity>().map_err(|error| {
         if is_list(text) {
             format!(
-                "{text:?} are several values, and one is wanted; `tabulate fit` takes one for each file as \
-                 --value, such as --value sphere-radius=1mm,3mm"
+                "{text:?} are several values, and one is wanted (`tabulate fit` takes one for each of several files: \
+                 --value NAME=VALUE,VALUE)"
             )
         } else {
             error.to_string()
@@ -72,7 +72,8 @@ fn is_list(text: &str) -> bool {
     let Some((first, _)) = text.split_once(',') else {
         return false;
     };
-    let is_whole = first.bytes().all(|byte| byte.is_ascii_digit());
+    let digits = first.trim_start_matches(['+', '-']);
+    let is_whole = digits.bytes().all(|byte| byte.is_ascii_digit());
     !is_whole && text.split(',').all(|part| part.parse::<Quantity>().is_ok())
 }
 

@@ -3,13 +3,15 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Direction, Experiment, Free, Interrupt, Kind, LayerName, Layered, Measurement,
+    Bodies, Direction, Experiment, Fixed, Free, Interrupt, Kind, LayerName, Layered, Measurement,
     NamedLayer, Parameter, Point, Reach, Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::HalfSpace;
 
-use super::indentation::{IndentationArguments, accept_no_shape, forget_shape};
+use super::indentation::{
+    IndentationArguments, accept_no_radius, accept_no_shape, are_at_depths, forget_shape,
+};
 use super::relaxing::RelaxingArguments;
 use super::setting::{Given, Values};
 use super::value::{fixed, parameter, questions};
@@ -52,7 +54,18 @@ impl KnownArguments {
     /// Lists the values of the bodies that neither a flag nor a --value gives, and that are needed.
     fn missing(&self) -> Vec<Value> {
         let mut missing = self.bodies.missing(self.half_space);
-        let given = |quantity| self.values.iter().any(|set| set.quantity == quantity);
+        let values = |quantity| self.values.iter().find(|set| set.quantity == quantity);
+        // A substrate that is rigid needs no Poisson ratio.
+        if let Some(moduli) = values(Fixed::SubstrateModulus) {
+            let ratio = Value::SubstratePoissonRatio;
+            missing.retain(|value| *value != ratio);
+            let is_rigid = moduli.values.iter().all(|modulus| modulus.is_infinite());
+            let has_substrate = !self.half_space && self.bodies.stack.is_none();
+            if has_substrate && !is_rigid && self.bodies.system.given(ratio).is_none() {
+                missing.push(ratio);
+            }
+        }
+        let given = |quantity| values(quantity).is_some();
         missing.retain(|value| !given(fixed(*value, self.layer())));
         if self.relaxing.is_given() {
             missing.retain(|value| *value != Value::WorkOfAdhesion);
@@ -254,11 +267,9 @@ impl KnownArguments {
             .enumerate()
             .map(experiment)
             .collect::<anyhow::Result<_>>()?;
-        if experiments
-            .iter()
-            .all(|one| one.measurement.kind == Kind::StiffnessDepth)
-        {
+        if are_at_depths(&experiments) {
             accept_no_shape(&self.bodies.system)?;
+            accept_no_radius("--value", self.values.iter().map(|one| one.quantity))?;
         }
         for one in &self.values {
             let Some(parameter) = one.parameter() else {

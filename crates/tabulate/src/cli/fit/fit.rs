@@ -13,7 +13,7 @@ use units::{Dimension, Quantity};
 
 use super::experiments::{KnownArguments, TWO_WORKS, is_work};
 use super::free::FreeArguments;
-use super::indentation::{Noise, ReferenceArguments};
+use super::indentation::{Noise, ReferenceArguments, accept_no_radius, are_at_depths};
 use super::next_steps::{further_doubts, next_steps};
 use super::picture::PictureArguments;
 use super::reading::{doubted, measured, typed, with_doubts};
@@ -337,6 +337,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             experiment.errors.abscissa.clear();
         }
         experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
+    }
+    if are_at_depths(&experiments) {
+        accept_no_radius("--known", arguments.given.iter().map(|one| one.quantity))?;
     }
     let system = &arguments.known.bodies.system;
     for given in &arguments.given {

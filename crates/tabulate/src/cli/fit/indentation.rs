@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use ::fit::{
-    AreaFunction, Bodies, ContactDepth, Experiment, Free, Indentation, Interrupt, Kind, Layered,
-    Measurement, Parameter, Reach, Scope, Solver,
+    AreaFunction, Bodies, ContactDepth, Experiment, Fixed, Free, Indentation, Interrupt, Kind,
+    Layered, Measurement, Parameter, Reach, Scope, Solver,
 };
 use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
@@ -150,10 +150,28 @@ impl IndentationArguments {
     }
 }
 
-/// Refuses a shape of the probe at depths, where the area function tells the contact radii.
+/// Why a shape of the probe has no effect on stiffnesses at depths.
+const WHY: &str =
+    "at depths the area function tells the contact radii, and not the shape of the probe";
+
+/// Tells whether all measurements are of stiffnesses at depths.
+pub fn are_at_depths(experiments: &[Experiment]) -> bool {
+    let mut kinds = experiments.iter().map(|one| one.measurement.kind);
+    kinds.all(|kind| kind == Kind::StiffnessDepth)
+}
+
+/// Refuses a radius of the probe among the quantities that a flag gives to measurements at depths.
+pub fn accept_no_radius(
+    flag: &str,
+    mut quantities: impl Iterator<Item = Fixed>,
+) -> anyhow::Result<()> {
+    let has_radius = quantities.any(|quantity| quantity == Fixed::SphereRadius);
+    ensure!(!has_radius, "{flag} sphere-radius: {WHY}: leave it out");
+    Ok(())
+}
+
+/// Refuses a shape of the probe at depths.
 pub fn accept_no_shape(system: &SystemArguments) -> anyhow::Result<()> {
-    const WHY: &str =
-        "at depths the area function tells the contact radii, and not the shape of the probe";
     if let Some(half_angle) = system.shape.half_angle {
         let area = std::f64::consts::PI * half_angle.to_radians().tan().powi(2);
         bail!(

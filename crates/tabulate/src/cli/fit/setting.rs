@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use ::fit::report::UnitOf;
-use ::fit::{Fixed, Free, LayerName, Parameter};
+use ::fit::{Error, Fixed, Free, LayerName, Parameter};
 use anyhow::{bail, ensure};
 use units::Dimension;
 
@@ -118,10 +118,13 @@ impl FromStr for Values {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, values) = named(text, "NAME=VALUE, such as load-offset=1e-6")?;
-        // The error of a name that is unknown lists the parameters.
-        let parameter = || name.parse().map(Fixed::Parameter);
-        let quantity = Fixed::parse(name).map_or_else(parameter, Ok);
-        let quantity = quantity.map_err(|error| error.to_string())?;
+        let unknown = || {
+            let error = Error::UnknownParameter(name.to_owned());
+            format!(
+                "{error}; --value also takes sphere-radius, substrate-modulus and substrate-poisson-ratio"
+            )
+        };
+        let quantity = Fixed::parse(name).ok_or_else(unknown)?;
         let value = |text| quantity::value(text, quantity.dimension());
         Ok(Self {
             quantity,
