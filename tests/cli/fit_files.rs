@@ -295,7 +295,7 @@ fn each_file_may_have_a_sphere_and_a_substrate_of_its_own() {
         let report = workdir.succeed(format!("{of_two} {flags}"));
         assert_names(
             &report,
-            "  substrate-poisson-ratio   0.25\n;substrate-modulus         +1 %",
+            "substrate-poisson-ratio   0.25; substrate-modulus         +1 %",
         );
         assert!(!report.contains("NaN"), "{report}");
     }

@@ -68,7 +68,7 @@ pub fn work_of_adhesion_at_pull_off<E: From<Error>>(
     // How far the logarithm of the load is from the one wanted, at the logarithm of a work of adhesion.
     let excess = |u: f64| Ok::<f64, E>((pull_off(u.exp())? / load).ln());
     let start = radius.map_or(USUAL, |radius| load / (-1.5 * PI * radius));
-    let (mut near, mut of_near) = begin(&excess, start.ln())?;
+    let ((mut near, mut of_near), refused) = begin(&excess, start.ln())?;
     unless(of_near.is_finite(), "that of a pull-off in tension")?;
     // A little farther than a load in proportion.
     let mut step = -1.05 * of_near;
@@ -79,7 +79,7 @@ pub fn work_of_adhesion_at_pull_off<E: From<Error>>(
                 step *= 2.0;
             }
             Ok(_) => break,
-            Err(error) if step.abs() < 1e-3 => return Err(error),
+            Err(error) if step.abs() < 1e-3 => return Err(refused.unwrap_or(error)),
             // The one wanted may be nearer than a work of adhesion without an answer.
             Err(_) => step /= 4.0,
         }
@@ -96,15 +96,17 @@ pub fn work_of_adhesion_at_pull_off<E: From<Error>>(
     }))
 }
 
-/// Returns the place of `first`, or the next one by powers of ten at which a function has an answer, and the answer.
-fn begin<E>(f: &impl Fn(f64) -> Result<f64, E>, first: f64) -> Result<(f64, f64), E> {
+/// Returns the place of `first`, or the next one by powers of ten at which a function has an answer, and the answer; and
+/// the error at `first`, if there is none.
+fn begin<E>(f: &impl Fn(f64) -> Result<f64, E>, first: f64) -> Result<((f64, f64), Option<E>), E> {
     let refused = match f(first) {
-        Ok(found) => return Ok((first, found)),
+        Ok(found) => return Ok(((first, found), None)),
         Err(refused) => refused,
     };
     let others = (1..=DECADES).flat_map(|decades| [-decades, decades]);
-    others
-        .map(|decades| first + f64::from(decades) * LN_10)
-        .find_map(|place| Some((place, f(place).ok()?)))
-        .ok_or(refused)
+    let mut places = others.map(|decades| first + f64::from(decades) * LN_10);
+    match places.find_map(|place| Some((place, f(place).ok()?))) {
+        Some(begun) => Ok((begun, Some(refused))),
+        None => Err(refused),
+    }
 }
