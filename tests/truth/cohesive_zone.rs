@@ -1,8 +1,8 @@
 //! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
-use acceptance::{Data, Refused, larger, solid, stack};
-use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, root};
+use acceptance::{Data, Refused, larger, rigid_probe, solid, solved_contact, stack};
+use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
 use interp::{Elastic, HalfSpace, Probe};
 use solve::cohesive::Cohesive;
 use solve::stack::{Layer, Stack};
@@ -321,5 +321,31 @@ fn long_zones_and_shapes_with_edges_are_refused() {
         let contact = half_space(probe);
         let zone = contact.cohesive_zone(WORK, CohesiveZone { stress: 1e6 });
         zone.refused(&[name, "smooth"]);
+    }
+}
+
+/// Where Tabor's parameter is 5, the gap beside the contact on a film of 35 nm that hardly yields is that of the bare sphere,
+/// and a range of 10 nm acts far outside the contact.
+#[test]
+fn jkr_holds_where_the_range_is_small_beside_the_film_too() {
+    let (w, range) = (0.05, 1.04e-8);
+    for (thickness, holds) in [(348e-9, true), (34.8e-9, false)] {
+        let system = rigid_probe(
+            Probe::Paraboloid { radius: 1e-5 },
+            solid(1e7, 0.5),
+            thickness,
+            solid(26e9, 0.25),
+        );
+        let contact = solved_contact(&system, [1e-2, 1e2], 1e-8);
+        let size = contact.zone_size(w, range).expect("positive");
+        assert!(size.tabor >= ZoneSize::JKR && size.is_jkr() == holds);
+        let jkr = contact.pull_off(w, Control::Load).expect("in range").load;
+        let attracting = Cohesive::new(&system, w, range).expect("within reach");
+        let load = attracting.pull_off(Control::Load).expect("solved").load;
+        let error = (jkr / load - 1.0).abs();
+        assert!(
+            if holds { error < 7e-3 } else { error > 0.15 },
+            "{thickness}: {error}"
+        );
     }
 }

@@ -84,7 +84,7 @@ pub fn work_of_adhesion_at_pull_off<E: From<Error>>(
             Err(_) => step /= 4.0,
         }
     }
-    let found = root(&excess, near, near + step)?;
+    let found = root(excess, near, near + step)?;
     if excess(found)?.abs() <= CLOSE {
         return Ok(found.exp());
     }

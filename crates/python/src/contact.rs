@@ -285,11 +285,11 @@ impl Contact {
         Ok(fields)
     }
 
-    /// Returns Tabor's parameter and the length of the cohesive zone.
-    fn zone_size<'py>(&self, points: Points<'py>, w: Input<'_>, z0: Input<'_>) -> Outputs<'py, 2> {
+    /// Returns Tabor's parameter, the length of the cohesive zone, and the range over the thickness.
+    fn zone_size<'py>(&self, points: Points<'py>, w: Input<'_>, z0: Input<'_>) -> Outputs<'py, 3> {
         points.evaluate([&w, &z0], |[w, z0]| {
             let range = self.contact.zone_size(w, z0)?;
-            Ok::<_, Error>([range.tabor, range.cohesive_zone])
+            Ok::<_, Error>([range.tabor, range.cohesive_zone, range.range_over_thickness])
         })
     }
 

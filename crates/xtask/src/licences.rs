@@ -6,7 +6,7 @@ use spdx::{Expression, ParseMode};
 
 use crate::workspace;
 
-/// Licences with no more conditions than MIT: to keep the notice.
+/// Licences like MIT: to keep the notice. BSD-3-Clause also forbids to advertise with the names of the authors.
 const LIKE_MIT: [&str; 9] = [
     "0BSD",
     "BSD-2-Clause",

@@ -169,15 +169,25 @@ fn add(
             continue;
         };
         if !range.is_jkr() {
+            let reason = if range.tabor < ZoneSize::JKR {
+                format!(
+                    "Tabor's parameter is {:.2}, below {}",
+                    range.tabor,
+                    ZoneSize::JKR
+                )
+            } else {
+                let part = range.range_over_thickness;
+                format!(
+                    "this is {part:.2} of the thickness, above {}",
+                    ZoneSize::THIN
+                )
+            };
             warnings.add(
                 WarningKind::LongRange,
                 format!(
                     "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
-                     Tabor's parameter is {:.2}, below {}: the attraction acts outside the \
-                     contact, too. {}",
+                     {reason}: the attraction acts outside the contact, too. {}",
                     interaction_range,
-                    range.tabor,
-                    ZoneSize::JKR,
                     error_of_jkr(&range)
                 ),
             );

@@ -508,8 +508,8 @@ class Contact(Native):
             work_of_adhesion=w,
             interaction_range=interaction_range,
         )
-        tabor, zone = map(scalar_or_array, found)
-        return ZoneSize(tabor, zone, self, fixed(w), fixed(interaction_range), errors)
+        tabor, zone, part = map(scalar_or_array, found)
+        return ZoneSize(tabor, zone, part, self, fixed(w), fixed(interaction_range), errors)
 
     def cohesive_zone(self, w: float, *, stress: float) -> ShortZone:
         """Correct the contact for an attraction of short, finite range, to first order.

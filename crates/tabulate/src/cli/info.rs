@@ -140,6 +140,7 @@ fn explain(table: &Table) -> String {
     row(
         "nu0",
         match table.description().nu0 {
+            _ if table.is_of_stack() => "Poisson ratio of the base of the stack",
             SubstratePoissonRatio::Fixed(_) => {
                 "Poisson ratio of the substrate; other substrates are replaced by their exact equivalents"
             }

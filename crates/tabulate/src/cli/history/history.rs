@@ -92,8 +92,6 @@ pub struct Arguments {
 const TOLD: f64 = 1e-8;
 /// The error by bodies that do not relax above which there is a warning.
 const UNLIKE: f64 = 1e-3;
-/// The penetration over the thickness of the film above which there is a warning.
-const STRAIN: f64 = 0.1;
 /// The stiffness of a relaxing film over that of a relaxing substrate above which there is a
 /// warning.
 const STIFF_FILM: f64 = 3.0;
@@ -131,10 +129,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let times = arguments.times(&program)?;
     let mut sorted = times.clone();
     sorted.sort_by(f64::total_cmp);
-    let course = arguments.course(&bodies, &law, control, &program, &sorted)?;
+    let (contact, course) = arguments.course(&bodies, &law, control, &program, &sorted)?;
     given.name_example(&[Value::WorkOfAdhesion]);
     let radii = course.states.iter().map(|at| at.state.contact_radius);
-    bodies.note_large_contact(radii.fold(0.0, f64::max));
+    let widest = radii.fold(0.0, f64::max);
+    bodies.note_large_contact(widest);
+    bodies.note_strain(Some(&contact), widest);
     arguments.warn(&bodies.system, &course);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["time", "penetration", "load", "contact_radius", "phase"])?;
@@ -180,7 +180,7 @@ impl Arguments {
     }
 
     /// Follows the program with the elastic curve of a table, or with direct solves in a range of
-    /// contact radii that grows until it holds the largest contact.
+    /// contact radii that grows until it holds the largest contact. Returns the elastic contact, too.
     fn course(
         &self,
         bodies: &Bodies,
@@ -188,7 +188,7 @@ impl Arguments {
         control: Control,
         program: &Program,
         times: &[f64],
-    ) -> anyhow::Result<Course> {
+    ) -> anyhow::Result<(Contact, Course)> {
         /// The largest `a/t` of the direct solves, one after the other.
         const REACHES: [f64; 8] = [0.01, 0.1, 1.0, 4.0, 16.0, 64.0, 256.0, 1024.0];
         let system = &bodies.system;
@@ -210,7 +210,8 @@ impl Arguments {
                 Contact::in_table(name.read()?.as_ref(), &rigid).map_err(anyhow::Error::from)
             });
             let rigid = rigid.transpose().context("the same film between a rigid probe and a rigid substrate, which tells what the other bodies do")?;
-            return Ok(follow(&contact, rigid.as_ref())?);
+            let course = follow(&contact, rigid.as_ref())?;
+            return Ok((contact, course));
         }
         let mut refused = None;
         for reach in REACHES.into_iter().filter(holds) {
@@ -228,7 +229,7 @@ impl Arguments {
                 )) => {
                     refused = Some(error);
                 }
-                done => return Ok(done?),
+                done => return Ok((contact, done?)),
             }
         }
         Err(refused.map_or_else(
@@ -271,8 +272,8 @@ impl Arguments {
         }
         ensure!(
             bodies.stack.is_none(),
-            "the layers of a stack relax all by one law, and so must the sphere and the base: give --all-relax, or \
-             use one film"
+            "layers, and a film with an interface, relax all by one law, and so must the sphere and the base: give \
+             --all-relax, or a rigid sphere and base (--sphere-modulus inf, --substrate-modulus inf), or use one bonded film"
         );
         Ok(Some(System {
             sphere_modulus: f64::INFINITY,
@@ -296,14 +297,6 @@ impl Arguments {
                 "warning: sphere or substrate deform beside the film and do not relax: the loads, or the penetrations where \
                  loads are imposed, may be wrong by {:.1e} of the largest, and contact radii by more",
                 course.unlike_bodies
-            ));
-        }
-        let penetrations = course.states.iter().map(|at| at.state.penetration);
-        let strain = penetrations.fold(0.0, f64::max) / system.film_thickness;
-        if strain > STRAIN {
-            note(&format!(
-                "warning: the largest penetration is {strain:.2} of the film's thickness; a relaxation function that does not \
-                 depend on the strain holds up to some {STRAIN}"
             ));
         }
         if self.all_relax && system.film.young() > STIFF_FILM * system.substrate.young() {
