@@ -109,8 +109,16 @@ fn adhesion_pulls_on_the_way_out_only() {
 fn the_error_and_the_doubts_are_stated() {
     let workdir = workdir!();
     let run = workdir.answer(format!("{GEL} {PROGRAM} --points=3"));
-    assert_names(&run.stderr, "0.29 of the film's thickness");
+    assert_names(
+        &run.stderr,
+        "would compress the film by 29 % of the thickness",
+    );
     assert!(!run.stderr.contains("estimated"), "{}", run.stderr);
+    // The paper's sphere yields, and not its film.
+    let penetration = "-p 'penetration 0:0 1:0.5um' --points 3";
+    let law = "--all-relax --relaxation power-law -n 0.2";
+    let run = workdir.answer(format!("history --specimen paper {law} {penetration}"));
+    assert_eq!(run.stderr, "");
     // A second approach is followed by elements, whose error is told.
     let again = "--program 'penetration 0:0 1:100nm 2:0 3:100nm' --points=3";
     let run = workdir.answer(format!("{GEL} {again}"));
