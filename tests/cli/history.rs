@@ -114,6 +114,15 @@ fn the_error_and_the_doubts_are_stated() {
         "would compress the film by 29 % of the thickness",
     );
     assert!(!run.stderr.contains("estimated"), "{}", run.stderr);
+    let glued = format!("{GEL} {PROGRAM} --interface-stiffness=100MPa/m");
+    let told = "all layers, and springs between them, relax by one law";
+    assert_names(&workdir.answer(&glued).stderr, told);
+    for silent in [
+        format!("{glued} --all-relax"),
+        format!("{GEL} {PROGRAM} --interface=sliding"),
+    ] {
+        assert!(!workdir.answer(silent).stderr.contains(told));
+    }
     // The paper's sphere yields, and not its film.
     let penetration = "-p 'penetration 0:0 1:0.5um' --points 3";
     let law = "--all-relax --relaxation power-law -n 0.2";

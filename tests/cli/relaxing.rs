@@ -72,6 +72,7 @@ fn the_interval_between_points_stands_for_times() {
         1 | fit bare.csv {GEL} {law} | --column \"time=Time [UNIT]\", with the unit of the numbers in place of UNIT
         1 | fit swapped.csv {GEL} {law} | swapped.csv; begin in contact; columns
         1 | fit none.csv {GEL} {law} | none.csv; No such file
+        1 | {data} {by_interval} --between 0nm..100nm | --between; a piece out of the course; leave it out
         2 | {data} --relaxation power | power-law; prony:M; sls
         2 | {data} --relaxation prony:0 | prony:0; prony:2
         1 | {data} {law} --relaxed-fraction 0.3 | --relaxed-fraction; relaxation-exponent
@@ -119,6 +120,11 @@ fn a_hold_has_as_many_points_as_intervals() {
         let data = workdir.csv(format!("{plan} {GEL} {POWER} --hold {hold}"));
         assert_eq!(data.cases().count(), points, "{hold}");
     }
+    let wrong = ["-0.1", "nan", "0.25", "1e9", "inf"];
+    let refused = wrong.map(|hold| {
+        format!("1 | {plan} {GEL} {POWER} --hold {hold} | --hold; from 0 to 1000000 whole; 0.1 s")
+    });
+    workdir.refuses(refused.join("\n"));
 }
 
 #[test]

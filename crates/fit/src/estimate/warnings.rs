@@ -89,16 +89,20 @@ pub(super) fn warnings(
 pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
     let mut warnings = Warnings::default();
     for (estimate, ends) in fit.estimates.iter().zip(ends.into_iter().flatten()) {
-        let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
+        let parameter = estimate.parameter;
+        let unit = match parameter.unit() {
+            "1" => String::new(),
+            unit => format!(" {unit}"),
+        };
         for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
             let why = match end {
                 End::At(_) => continue,
                 End::Open(value) => format!(
-                    "the data do not rule out {value:.3e} {unit}, the farthest value that was \
+                    "the data do not rule out {value:.3e}{unit}, the farthest value that was \
                      looked at"
                 ),
                 End::Failed(value) => {
-                    format!("at {value:.3e} {unit} the other parameters have no fit")
+                    format!("at {value:.3e}{unit} the other parameters have no fit")
                 }
             };
             warnings.add(

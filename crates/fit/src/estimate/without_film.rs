@@ -113,10 +113,11 @@ pub(crate) fn without_film(
         let value = problem.value(with);
         let uncertainty = with_film.uncertainty.as_ref()?;
         let error = uncertainty.relative_error(with) * uncertainty.sizes[with];
+        // A fit that ran away does not tell its modulus.
         let without = estimates
             .iter()
-            .find(|one| one.parameter == renamed(parameter))?
-            .value;
+            .find(|one| one.parameter == renamed(parameter) && one.standard_error < one.value)?;
+        let without = without.value;
         Some(ModulusBias {
             parameter,
             relative: without / value - 1.0,

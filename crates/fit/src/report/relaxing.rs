@@ -46,7 +46,7 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
         if found.made_monotone > 0.0 {
             lines.push(format!(
                 "{}: the {} was changed by up to {}: it is taken without its noise, as straight lines that rise to the \
-                 largest value and fall from there",
+                 largest value and fall from there; its noise, if you state it, enters the standard errors",
                 fitted.name,
                 experiment.measurement.kind.names()[0],
                 three_digits(found.made_monotone, "m")

@@ -122,6 +122,8 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
+/// The longest hold, in intervals between points.
+const MOST_HELD: f64 = 1e6;
 const NONE: &[Option<Direction>] = &[None];
 const APPROACH: &[Option<Direction>] = &[Some(Direction::Approach)];
 const RETRACT: &[Option<Direction>] = &[Some(Direction::Retract)];
@@ -199,6 +201,14 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.hold.is_none() || arguments.ways() != RETRACT,
         "--hold follows an approach, and there is none: leave it out, or give --segments cycle"
     );
+    if let Some((hold, interval)) = arguments.hold.zip(arguments.known.relaxing.sample_interval) {
+        let points = hold / interval;
+        ensure!(
+            (0.0..=MOST_HELD).contains(&points) && (points - points.round()).abs() < 1e-6,
+            "--hold {hold:?}: a hold takes from 0 to {MOST_HELD} whole intervals between points; --sample-interval is \
+             {interval:?} s: give another --hold"
+        );
+    }
     let measurement = plan(arguments, [from, to]);
     arguments.known.history.needs_poisson_ratio()?;
     let mut experiments = arguments.known.experiments(vec![measurement], &[])?;
@@ -261,9 +271,7 @@ fn plan(arguments: &Arguments, [from, to]: [f64; 2]) -> Measurement {
     let Arguments { kind, points, .. } = *arguments;
     let interval = arguments.known.relaxing.sample_interval;
     let held = arguments.hold.zip(interval);
-    // A conversion of a float saturates, and a plan of points has an end.
     let held = held.map_or(0, |(hold, interval)| (hold / interval).round() as usize);
-    let held = held.min(10_000_000);
     let way = |&direction: &Option<Direction>| {
         let back = direction == Some(Direction::Retract);
         let ends = if back { [to, from] } else { [from, to] };

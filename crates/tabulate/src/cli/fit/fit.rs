@@ -266,6 +266,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             || absolute(arguments.csv.as_deref()) != absolute(arguments.picture.path()),
         "--csv and --plot name the same file; choose two names"
     );
+    ensure!(
+        arguments.between.is_none() || !arguments.known.relaxing.is_given(),
+        "--between cuts a piece out of the course, and the forces of bodies that relax depend on all that was before: leave \
+         it out"
+    );
     let csv = output(arguments.csv.as_deref(), &inputs)?;
     let plot = output(arguments.picture.path(), &inputs)?;
     let files = arguments.data.len() + usize::from(arguments.reference.reference.is_some());

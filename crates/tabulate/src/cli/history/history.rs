@@ -8,6 +8,7 @@ use clap::{ValueHint, value_parser};
 use contact::{Contact, Control, Course, History, HistoryError, Hysteresis, Relaxation};
 use interp::{Elastic, Probe, System};
 use solve::curve;
+use solve::stack::{Interface, Layer, Stack};
 
 use super::program;
 use super::program::{Imposed, Program};
@@ -135,7 +136,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let widest = radii.fold(0.0, f64::max);
     bodies.note_large_contact(widest);
     bodies.note_strain(Some(&contact), widest);
-    arguments.warn(&bodies.system, &course);
+    arguments.warn(&bodies, &course);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(["time", "penetration", "load", "contact_radius", "phase"])?;
     for time in times {
@@ -283,7 +284,8 @@ impl Arguments {
     }
 
     /// Says what is doubtful, and how exact the numbers are.
-    fn warn(&self, system: &System, course: &Course) {
+    fn warn(&self, bodies: &Bodies, course: &Course) {
+        let system = &bodies.system;
         if course.error > self.tolerance.unwrap_or(TOLD) {
             // `eprintln` panics where standard error is closed.
             let _ = writeln!(
@@ -299,6 +301,16 @@ impl Arguments {
                 course.unlike_bodies
             ));
         }
+        let alike = bodies
+            .stack
+            .as_ref()
+            .is_none_or(|layers| is_one_body(layers.stack()));
+        if !self.all_relax && !alike {
+            note(
+                "warning: all layers, and springs between them, relax by one law, as with --all-relax; where the top film \
+                 relaxes alone, the contact is stiffer",
+            );
+        }
         if self.all_relax && system.film.young() > STIFF_FILM * system.substrate.young() {
             note(
                 "warning: a film more than 3 times as stiff as a substrate that relaxes with it may pull at the probe inside \
@@ -306,6 +318,15 @@ impl Arguments {
             );
         }
     }
+}
+
+/// Tells whether a stack is one solid on its base, without springs.
+fn is_one_body(stack: &Stack) -> bool {
+    let layers = stack.layers();
+    let has_springs = |layer: &Layer| matches!(layer.interface.plain(), Interface::Springs { .. });
+    layers
+        .iter()
+        .all(|layer| layer.solid == layers[0].solid && !has_springs(layer))
 }
 
 /// Makes the contact from solves of its material up to an `a/t`.
