@@ -60,9 +60,14 @@ pub fn planned(kind: Kind, thickness: f64, law: &Relaxation, hold: f64) -> Exper
 
 /// Returns the data with noise of a hundredth of the largest load.
 pub fn noisy(plan: &Experiment, seed: u64) -> Experiment {
+    with_noise(plan, 0.01, seed)
+}
+
+/// Returns the data with noise of a part of the largest load.
+fn with_noise(plan: &Experiment, part: f64, seed: u64) -> Experiment {
     let exact = simulate(Table::embedded(), plan, 0.0, 0).expect("in the table");
     let loads = exact.points.iter().map(|point| point.ordinate);
-    let noise = 0.01 * loads.fold(0.0, f64::max);
+    let noise = part * loads.fold(0.0, f64::max);
     let mut made = plan.clone();
     made.measurement = simulate(Table::embedded(), plan, noise, seed).expect("in the table");
     made.noise = Some(noise);
@@ -126,6 +131,32 @@ fn power_laws_are_recovered() {
     // Two films determine the modulus more closely than friction on the thinner one lets be known.
     let expected = [WarningKind::Friction];
     recover("power law, two films", &plans, &free, 103, &expected);
+}
+
+/// Such noise hides where the contact begins, from which an elastic contact would start.
+#[test]
+fn noise_of_a_tenth_of_the_largest_load_hinders_no_fit() {
+    let power_law = [FilmModulus, RelaxationExponent, ContactPoint];
+    let solid = [
+        FilmModulus,
+        RelaxedFraction,
+        RelaxationTime(1),
+        ContactPoint,
+    ];
+    for (law, free) in [(power(), &power_law[..]), (linear_solid(), &solid[..])] {
+        let plan = planned(Kind::LoadPenetration, 1e-5, &law, 1.0);
+        let mut squares = 0.0;
+        for seed in 0..SETS / 4 {
+            let mut made = with_noise(&plan, 0.12, seed);
+            made.contact_point = 0.0;
+            let fit = fit_all(&[made], &free_of(free)).expect("a start");
+            let modulus = fit.estimate(FilmModulus).expect("free");
+            squares += ((modulus.value - 2e3) / modulus.standard_error).powi(2);
+        }
+        let mean = squares / (SETS / 4) as f64;
+        println!("{law:?}: mean square of errors in standard errors {mean:.2}");
+        assert!((0.3..3.0).contains(&mean), "{law:?}: {mean}");
+    }
 }
 
 #[test]

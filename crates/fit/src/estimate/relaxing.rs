@@ -7,6 +7,8 @@ use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
 const INTERVALS: f64 = 2.0;
+/// The standard errors from a relaxation time within which there is a warning where it is not seen.
+const NEAR: f64 = 3.0;
 /// The error by bodies that do not relax, over the largest load, above which there is a warning.
 const UNLIKE: f64 = 1e-3;
 /// The stiffness of a film over that of a substrate that relaxes with it, above which the contact
@@ -71,16 +73,29 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
     for &slot in &problem.slots_of(e) {
         let parameter = problem.slots[slot].parameter;
         let value = problem.value(slot);
-        if matches!(parameter, Parameter::RelaxationTime(_))
-            && !(INTERVALS * interval..=duration).contains(&value)
-        {
+        if !matches!(parameter, Parameter::RelaxationTime(_)) {
+            continue;
+        }
+        let [least, most] = [INTERVALS * interval, duration];
+        // Times are known to a factor.
+        let factor = (NEAR * fit.estimates[slot].standard_error / value).exp();
+        if !(least..=most).contains(&value) {
             warnings.add(
                 WarningKind::RelaxationTime,
                 format!(
-                    "{name}: {parameter} = {value:.2e} s is outside {:.2e} s (two intervals between points) \
-                     to {duration:.2e} s (the duration), where these data tell a relaxation time: they tell one \
-                     plateau of the modulus only; measure faster, or hold longer",
-                    INTERVALS * interval
+                    "{name}: {parameter} = {value:.2e} s is outside {least:.2e} s (two intervals between points) \
+                     to {most:.2e} s (the duration), where these data tell a relaxation time: they tell one \
+                     plateau of the modulus only; measure faster, or hold longer"
+                ),
+            );
+        } else if value / factor < least || value * factor > most {
+            warnings.add(
+                WarningKind::RelaxationTime,
+                format!(
+                    "{name}: {parameter} = {value:.2e} s may be outside {least:.2e} s (two intervals between points) \
+                     to {most:.2e} s (the duration), where these data tell a relaxation time: then the standard errors \
+                     of the moduli and of the law are too small, and intervals from the profile of the likelihood are \
+                     right; measure faster, or hold longer"
                 ),
             );
         }

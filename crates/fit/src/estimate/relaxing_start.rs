@@ -4,7 +4,8 @@
 use interp::Table;
 
 use super::problem::Assigned;
-use crate::model::Freedom;
+use crate::model::{Freedom, noise_of};
+use crate::statistics::extremes;
 use crate::{Bodies, Direction, Error, Experiment, Parameter};
 
 /// Why data that begin in contact are refused.
@@ -18,6 +19,10 @@ const FRACTIONS: [f64; 2] = [0.15, 0.6];
 const TIMES: [f64; 3] = [0.01, 0.07, 0.5];
 /// The range of several relaxation times over the duration.
 const RANGE: [f64; 2] = [0.02, 0.5];
+/// The part of the sum of squares that a start may leave without others being tried, at the contact points that these
+/// parts of the approach have.
+const POOR: f64 = 0.03;
+const PARTS: [f64; 7] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];
 /// The part of the largest imposed value with which data may begin, at the contact point that the
 /// approach shows.
 const BEGIN: f64 = 0.05;
@@ -56,6 +61,18 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     }))
 }
 
+/// A law that was tried.
+struct Tried {
+    /// The sum of squares that it leaves, over that of the loads.
+    misfit: f64,
+    /// The factor of the loads, and so of the modulus, with which it leaves least.
+    factor: f64,
+    /// The values of the parameters of the law.
+    values: Vec<f64>,
+    /// The contact point, if it is another than that of the experiment.
+    contact_point: Option<(Parameter, f64)>,
+}
+
 /// Gives the experiment the law of those tried that describes the data best, with the modulus
 /// `matched` that goes with it. Returns the starts.
 pub(super) fn starts(
@@ -69,27 +86,44 @@ pub(super) fn starts(
     };
     let mut parameters = relaxing.parameters();
     parameters.retain(|&parameter| is_unknown(parameter));
-    let contact_point = begin(experiment, &is_unknown)?;
-    let mut best: Option<(f64, f64, Vec<f64>)> = None;
-    for values in candidates(experiment, &parameters) {
-        let mut tried = experiment.clone();
-        for (&parameter, &value) in parameters.iter().zip(&values) {
-            tried.replace(parameter, value)?;
+    let mut starts: Vec<(Parameter, f64)> = begin(experiment, &is_unknown)?.into_iter().collect();
+    let mut best: Option<Tried> = None;
+    let mut attempt = |contact_point: Option<(Parameter, f64)>| {
+        for values in candidates(experiment, &parameters) {
+            let mut tried = experiment.clone();
+            let law = parameters.iter().copied().zip(values.iter().copied());
+            for (parameter, value) in law.chain(contact_point) {
+                tried.replace(parameter, value)?;
+            }
+            let Some((misfit, factor)) = misfit(table, &tried, matched.is_some()) else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|best| misfit < best.misfit) {
+                best = Some(Tried {
+                    misfit,
+                    factor,
+                    values,
+                    contact_point,
+                });
+            }
         }
-        let Some((misfit, factor)) = misfit(table, &tried, matched.is_some()) else {
-            continue;
-        };
-        if best.as_ref().is_none_or(|best| misfit < best.0) {
-            best = Some((misfit, factor, values));
+        Ok::<_, Error>(best.as_ref().is_none_or(|best| best.misfit > POOR))
+    };
+    if attempt(None)? && is_unknown(Parameter::ContactPoint) {
+        // Noise may hide where the contact begins.
+        let turn = experiment.program().turn as f64;
+        for part in PARTS {
+            let point = &experiment.measurement.points[(part * turn) as usize];
+            attempt(Some((Parameter::ContactPoint, point.abscissa)))?;
         }
     }
-    let mut starts: Vec<(Parameter, f64)> = contact_point.into_iter().collect();
-    if let Some((_, factor, values)) = best {
-        starts.extend(parameters.into_iter().zip(values));
+    if let Some(best) = best {
+        starts.extend(best.contact_point);
+        starts.extend(parameters.into_iter().zip(best.values));
         if let Some(modulus) = matched
             && let Some(value) = experiment.get(modulus)
         {
-            starts.push((modulus, factor * value));
+            starts.push((modulus, best.factor * value));
         }
     }
     for &(parameter, value) in &starts {
@@ -109,11 +143,22 @@ fn begin(
     if first <= 0.0 || !is_unknown(Parameter::ContactPoint) {
         return Ok(None);
     }
-    if first > BEGIN * largest {
+    if first > hidden(experiment).max(BEGIN) * largest {
         return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
     }
     let abscissa = experiment.measurement.points[0].abscissa;
     Ok(Some((Parameter::ContactPoint, abscissa)))
+}
+
+/// Returns the part of the largest imposed value up to which the loads are below their noise.
+fn hidden(experiment: &Experiment) -> f64 {
+    let points = experiment.measurement.points.iter();
+    let loads: Vec<f64> = points.map(|point| point.ordinate).collect();
+    let noise = experiment.usual_noise().or_else(|| noise_of(&loads));
+    // The load of a sphere grows like the power 3/2 of the penetration.
+    (noise.unwrap_or(0.0) / extremes(loads.into_iter())[1])
+        .cbrt()
+        .powi(2)
 }
 
 /// Lists the values of parameters of the law that are tried.
@@ -148,7 +193,7 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
     all
 }
 
-/// Returns the sum of squares with the best factor of the loads, and this factor; `None` where the
+/// Returns the sum of squares with the best factor of the loads, over that of the loads, and this factor; `None` where the
 /// model has no contact.
 fn misfit(table: &Table, experiment: &Experiment, is_free: bool) -> Option<(f64, f64)> {
     let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
@@ -164,6 +209,6 @@ fn misfit(table: &Table, experiment: &Experiment, is_free: bool) -> Option<(f64,
     });
     let [mm, my, yy] = sums;
     let factor = if is_free { my / mm } else { 1.0 };
-    let misfit = yy - 2.0 * factor * my + factor * factor * mm;
+    let misfit = (yy - 2.0 * factor * my + factor * factor * mm) / yy;
     (factor > 0.0 && misfit.is_finite()).then_some((misfit, factor))
 }

@@ -103,7 +103,9 @@ pub(crate) fn problem<'a>(
         };
         let needs_size = matches!(variation, Variation::Thickness(_));
         let is_needed = needs_size || own.iter().any(|&(own, _)| is_unknown(own));
-        if !is_stiffness && found.is_none() && is_needed {
+        // The law that fits best also tells modulus and contact point.
+        let is_relaxing = one.experiment.relaxing.is_some();
+        if !is_stiffness && !is_relaxing && found.is_none() && is_needed {
             return Err(Error::not_fitted(&one.experiment, NO_START));
         }
         if let Variation::Thickness(part) = variation {
@@ -115,6 +117,7 @@ pub(crate) fn problem<'a>(
                 .replace(Parameter::FilmThickness, part * largest)?;
         }
         let largest = found.as_ref().map(|found| found.largest[0]);
+        let is_found = is_stiffness || found.is_some();
         let mut starts = match found {
             Some(found) => starts(table, &mut at, found, matched, is_unknown)?,
             None if is_stiffness => indentation::starts(table, &mut at, matched, is_unknown)?,
@@ -127,6 +130,9 @@ pub(crate) fn problem<'a>(
             matched,
             is_unknown,
         )?);
+        if !is_found && is_needed && starts.is_empty() {
+            return Err(Error::not_fitted(&one.experiment, NO_START));
+        }
         if let Some((parameter, factor)) = multiplied
             && let Some(value) = at.experiment.get(parameter)
         {

@@ -328,7 +328,7 @@ impl Experiment {
 /// Estimates the standard deviation of independent noise from differences of readings in order: the second
 /// ones, or higher ones where these are much smaller, because few points of a curve bend more than noise
 /// does.
-fn noise_of(readings: &[f64]) -> Option<f64> {
+pub(crate) fn noise_of(readings: &[f64]) -> Option<f64> {
     /// The part of the estimate from lower differences below which that from higher ones counts.
     const MUCH_SMALLER: f64 = 0.5;
     /// The variances of the differences of orders 2, 3 and 4 of numbers with the variance 1.

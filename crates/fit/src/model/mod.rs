@@ -37,7 +37,7 @@ mod split;
 mod straight_lines;
 mod turn;
 
-pub(crate) use assign::{Assignment, Freedom};
+pub(crate) use assign::{Assignment, Freedom, noise_of};
 pub use bodies::Bodies;
 pub use branch::Branch;
 pub use errors::PointErrors;

@@ -7,7 +7,7 @@ use ::fit::{
     NamedLayer, Parameter, Point, Reach, Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
-use interp::HalfSpace;
+use interp::{HalfSpace, Probe};
 
 use super::indentation::{
     IndentationArguments, accept_no_radius, accept_no_shape, are_at_depths, forget_shape,
@@ -178,6 +178,14 @@ impl KnownArguments {
             !(self.half_space && self.indentation.thins()),
             "--thinning makes a film thinner under the tip, and a half-space has none: leave it out, or leave out \
              --half-space"
+        );
+        let is_at_radii =
+            |one: &Measurement| matches!(one.kind, Kind::LoadRadius | Kind::PenetrationRadius);
+        ensure!(
+            !matches!(system.probe, Probe::FlatPunch { .. })
+                || !measurements.iter().any(is_at_radii),
+            "--probe flat-punch: the contact radius under a punch is that of the punch, and contact radii tell nothing of \
+             it: give penetrations and loads"
         );
         let mut layers = stack.as_ref().map(layers).transpose()?;
         if let Some(nu2) = self.history.sticks()? {
