@@ -24,7 +24,7 @@ pub(super) struct Memory {
     pub memories: Vec<f64>,
     /// At the end of the step, m: `psi` of an element outside the contact; of one in contact that at which `N` would be 0 there.
     pub free: Vec<f64>,
-    /// The penetration (m) at the end of the step below which the elements up to each one in contact lose it.
+    /// For each element in contact the penetration (m) at the end of the step below which it, or one before it, is free.
     pub separation: Vec<f64>,
     /// For each element in contact the integral over the stiffness, from the first one to it, of the penetration at which
     /// each element loses contact, N.
