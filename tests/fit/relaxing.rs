@@ -160,6 +160,28 @@ fn noise_of_a_tenth_of_the_largest_load_hinders_no_fit() {
 }
 
 #[test]
+fn a_relaxation_time_that_may_be_unseen_is_doubted() {
+    let law = Relaxation::Prony {
+        relaxed: 0.3,
+        terms: vec![[0.7, 0.15]],
+    };
+    let made = with_noise(&planned(Kind::LoadPenetration, 1e-5, &law, 1.0), 0.1, 1);
+    let free = free_of(&[
+        FilmModulus,
+        RelaxedFraction,
+        RelaxationTime(1),
+        ContactPoint,
+    ]);
+    let fit = fit_all(&[made], &free).expect("sound data");
+    let time = fit.estimate(RelaxationTime(1)).expect("free").value;
+    assert!((0.11..3.0).contains(&time), "{time}");
+    assert_names(
+        &text(&fit, WarningKind::RelaxationTime),
+        "may be outside; hold longer",
+    );
+}
+
+#[test]
 fn solids_are_recovered() {
     let [time, point] = [RelaxationTime(1), ContactPoint];
     let free = [FilmModulus, RelaxedFraction, time, point];

@@ -74,7 +74,7 @@ pub struct Arguments {
     /// [default: cycle for load-penetration and force-height, none otherwise]
     #[arg(long, value_parser = ways())]
     segments: Option<&'static [Option<Direction>]>,
-    /// Time for which the last abscissa of the approach is held, s, with points at the --sample-interval
+    /// Time for which the last abscissa of the approach is held, s: a whole number of times the --sample-interval
     #[arg(long, value_name = "S", requires = "sample_interval", value_parser = quantity::time, allow_hyphen_values = true)]
     hold: Option<f64>,
     /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%)
