@@ -19,6 +19,8 @@ pub struct Setting {
     pub usual: f64,
     /// The ends of its slider.
     pub ends: [f64; 2],
+    /// The smallest and the largest value that the program takes without a doubt.
+    pub undoubted: [f64; 2],
     /// The smallest and the largest value allowed, and these in words.
     pub valid: ([f64; 2], &'static str),
     /// Who sets it.
@@ -76,16 +78,18 @@ impl Setting {
             scale,
             usual,
             ends,
+            undoubted,
             valid: (valid, must),
             set_by,
             ..
         } = self;
         format!(
-            "{key}: {{ name: {name:?}, unit: {unit:?}, scale: {}, usual: {}, sensible: {}, valid: {}, must: {must:?}, \
+            "{key}: {{ name: {name:?}, unit: {unit:?}, scale: {}, usual: {}, sensible: {}, undoubted: {}, valid: {}, must: {must:?}, \
              free: {}, mayBeRigid: {}, follows: {} }},\n",
             number(*scale),
             number(*usual),
             list(ends),
+            list(undoubted),
             list(valid),
             matches!(set_by, SetBy::User | SetBy::UserOrRigid),
             *set_by == SetBy::UserOrRigid,

@@ -48,9 +48,6 @@ pub struct Page<'a> {
     pub warning_a_over_r: f64,
     /// The warning of wide contacts.
     pub large_contact: &'a str,
-    /// The smallest and the largest modulus (Pa), length (m) and work of adhesion (J/m^2) that the program takes without a
-    /// doubt.
-    pub magnitudes: [[f64; 2]; 3],
     /// The name of the probe with which the page opens.
     pub probe: &'static str,
 }
@@ -134,11 +131,10 @@ impl Page<'_> {
     /// Returns the script.
     fn script(&self, numbers: &Numbers) -> String {
         let constants = format!(
-            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, MAGNITUDES = {:?}, PROBE = {:?}, DIGITS = {DIGITS};\n\
+            "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, PROBE = {:?}, DIGITS = {DIGITS};\n\
              const SETTINGS = {};\nconst TABLE = {{ {},\nhash: {} }};\n",
             self.warning_a_over_r,
             self.large_contact,
-            self.magnitudes,
             self.probe,
             form::script(&numbers.settings),
             numbers.table,

@@ -34,10 +34,7 @@ function materialOf(values) {
 
 /** Returns the range of the Young's modulus `key` of film or substrate, from that of its ratio and the other values. */
 function modulusRange(key, values) {
-    const { substrate, sphere } = reducedModuli(values), film = key === "film_modulus";
-    const nu = film ? values.film_poisson_ratio : values.substrate_poisson_ratio;
-    const unit = TABLE.reduced
-        ? (1 - nu) * (1 + nu) * (film ? 1 / (1 / sphere + 1 / substrate) : sphere)
-        : TABLE.rigidSphere ? values.film_modulus : sphere;
+    const { substrate, sphere } = reducedModuli(values), film = key === "film_modulus", nu = values[key.replace("modulus", "poisson_ratio")];
+    const unit = TABLE.reduced ? (1 - nu) * (1 + nu) * (film ? 1 / (1 / sphere + 1 / substrate) : sphere) : values[TABLE.unit];
     return TABLE.parameters[film ? 0 : 2].ends.map((ratio) => (ratio === 0 ? 0 : rounded(ratio * unit)));
 }

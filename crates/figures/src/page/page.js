@@ -30,12 +30,8 @@ function parsed(text) {
 
 /** The state of the page: the settings in SI units by name, and the contact that they describe. */
 class Page {
-    constructor(text) {
-        readIntegers(text);
-        this.penetrates = TABLE.answers.includes("delta0");
+    constructor() {
         this.values = Object.fromEntries(Object.entries(SETTINGS).map(([key, { usual }]) => [key, usual]));
-        /** The text that was typed last, by its key. */
-        this.typed = {};
         this.open();
         this.listen();
         this.readAddress();
@@ -58,8 +54,7 @@ class Page {
     /** Names the radius, and sets the moduli that follow: the film's from the other two, the substrate's from the sphere's. */
     settle() {
         SETTINGS.sphere_radius.name = this.probe === "flat-punch" ? "punch radius" : "sphere radius";
-        const follow = ["substrate_modulus", "film_modulus"].filter((key) => SETTINGS[key].follows);
-        for (const key of follow) [this.values[key]] = modulusRange(key, this.values);
+        for (const key of ["substrate_modulus", "film_modulus"]) if (SETTINGS[key].follows) [this.values[key]] = modulusRange(key, this.values);
     }
 
     /** The ends of a slider. */
@@ -83,12 +78,10 @@ class Page {
             slider.addEventListener("input", () => {
                 const [from, to] = this.ends(key), part = slider.value / slider.max;
                 const inside = isRatio(key) ? from + (to - from) * part : from * (to / from) ** part;
-                this.typed = {};
                 this.values[key] = part === 0 ? from : part === 1 ? (mayBeRigid ? Infinity : to) : rounded(inside, 4);
                 this.show();
             });
             number.addEventListener("input", () => {
-                this.typed = { [key]: plainly(number.value) };
                 this.values[key] = rounded(parsed(number.value) * scale);
                 this.show(number);
             });
@@ -100,7 +93,6 @@ class Page {
     /** Reads settings from the address, `#film_thickness=1e-6&...` in SI units. The others get their usual values. */
     readAddress() {
         Object.assign(this.values, this.usual);
-        this.typed = {};
         [this.probe, this.unknown] = [PROBE, []];
         // A plus sign, as in 1e+7, would be read as a blank.
         for (const [key, text] of new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"))) {
@@ -140,17 +132,15 @@ class Page {
             slider.setAttribute("aria-valuetext", withUnit);
             // Ties the field to the messages about it for screen readers.
             const about = wrong.flatMap(({ keys }, i) => (keys.includes(key) ? [`wrong-${i}`] : []));
-            for (const [attribute, told] of [["aria-invalid", "true"], ["aria-describedby", about.join(" ")]]) {
-                if (about.length) number.setAttribute(attribute, told); else number.removeAttribute(attribute);
-            }
+            number.setAttribute("aria-invalid", about.length > 0);
+            number.setAttribute("aria-describedby", about.join(" "));
         }
         byId("message").replaceChildren(...wrong.map(({ text }, i) => element("p", { id: `wrong-${i}` }, text)));
         // Shown again once the numbers are those of the settings.
         byId("results").hidden = true;
         this.contact = wrong.length ? null : this.makeContact();
         if (!this.contact) return;
-        this.drawn = this.contact.drawn();
-        const [from, to] = this.drawn;
+        const [from, to] = this.drawn = this.contact.drawn();
         this.printed = [this.probe === "flat-punch" ? from : Math.max(from, rounded(0.1 * to, 4)), to];
         this.fillTables();
         byId("message").replaceChildren(...this.notes().map((text) => element("p", { class: "note" }, text)));
@@ -162,7 +152,7 @@ class Page {
     wrong() {
         const wrong = this.unknown.map((key) => ({ text: `The address sets “${key}”, which is not a setting of this table.`, keys: [] }));
         for (const key of FREE) {
-            const { valid: [from, to], must } = SETTINGS[key], value = this.values[key], typed = this.typed[key] ?? "";
+            const { valid: [from, to], must } = SETTINGS[key], value = this.values[key], typed = plainly(byId(`${key}-number`).value);
             const twofold = AMBIGUOUS.test(typed) ? ` Write ${typed.replace(",", "")} or ${typed.replace(",", ".")}.` : "";
             if (!(value >= from && value <= to)) wrong.push({ text: `The ${SETTINGS[key].name} must be ${must}.${twofold}`, keys: [key] });
         }
@@ -199,15 +189,15 @@ class Page {
 
     /** Fills the tables of numbers, and shows the command that prints the curve. */
     fillTables() {
-        const { contact, penetrates } = this, punch = this.probe === "flat-punch";
+        const { contact } = this, { penetrates } = TABLE, punch = this.probe === "flat-punch";
         const columns = [["load", "N"], ...(penetrates ? [["penetration", "m"]] : []), ["contact_radius", "m"], ["a_over_t", ""]];
         const cells = (state) => columns.map(([key, unit]) => element("td", { class: key }, shown(state[key], unit)));
         const controls = { load: "load control", ...(penetrates ? { penetration: "displacement control" } : {}) };
-        const pulled = Object.entries(controls).map(([key, label]) => ({ key, label, state: contact.pullOff(key) }));
+        const pulled = Object.entries(controls)
+            .map(([key, label]) => ({ id: `pull-off-${key}`, name: `pull-off, ${label}`, label, state: contact.pullOff(key) }));
         this.marks = pulled.filter(({ state }) => state);
-        const particular = pulled.map(({ key, label, state }) => [`pull-off, ${label}`, `pull-off-${key}`, state]);
-        const states = contact.workOfAdhesion > 0 ? [...particular, ["zero load", "zero-load", contact.zeroLoad()]] : [];
-        byId("states").tBodies[0].replaceChildren(...states.map(([name, id, state]) => {
+        const states = contact.workOfAdhesion > 0 ? [...pulled, { id: "zero-load", name: "zero load", state: contact.zeroLoad() }] : [];
+        byId("states").tBodies[0].replaceChildren(...states.map(({ id, name, state }) => {
             const rest = state ? cells(state) : [element("td", { colspan: columns.length }, "outside the curve")];
             return element("tr", { id }, element("th", { scope: "row" }, name), ...rest);
         }));
@@ -218,10 +208,7 @@ class Page {
         const argument = (key, value) => (value === Infinity ? "inf" : `${value}${key.endsWith("modulus") ? "Pa" : ""}`);
         const options = Object.entries({ ...probe, ...this.values, ...(punch ? {} : { from, to, points: 150 }) })
             .map(([key, value]) => `--${key.replaceAll("_", "-")} ${argument(key, value)}`);
-        // The program doubts what no solid has.
-        const [moduli, lengths, works] = MAGNITUDES;
-        const usual = (key) => (key.endsWith("modulus") ? moduli : key === "work_of_adhesion" ? works : isRatio(key) ? [0, 1] : lengths);
-        const isDoubted = ([key, value]) => value < Infinity && value !== clamped(value, usual(key));
+        const isDoubted = ([key, value]) => value < Infinity && value !== clamped(value, SETTINGS[key].undoubted);
         if (Object.entries(this.values).some(isDoubted)) options.push("--allow magnitudes");
         byId("command").textContent = ["tabulate curve TABLE", ...options].join(" ");
         byId("prints").textContent = punch ? "the state in which the punch separates" : "the same curve";
@@ -253,17 +240,17 @@ class Page {
         const curvature = this.probe === "flat-punch" ? NaN : this.values.sphere_radius;
         const rows = this.points(150).map(({ contact_radius: a, load, penetration }) => {
             const power = a * Math.sqrt(a), jkr = [power / (Math.sqrt(Math.PI) * curvature), load / (Math.sqrt(6 * Math.PI) * power)];
-            return [a, load, this.penetrates ? penetration : "", ...jkr].join(",");
+            return [a, load, TABLE.penetrates ? penetration : "", ...jkr].join(",");
         });
-        const link = element("a", { download: "curve.csv" }), head = "contact_radius,load,penetration,jkr_abscissa,jkr_ordinate";
-        link.href = URL.createObjectURL(new Blob([[head, ...rows, ""].join("\n")], { type: "text/csv" }));
-        link.click();
-        URL.revokeObjectURL(link.href);
+        const head = "contact_radius,load,penetration,jkr_abscissa,jkr_ordinate";
+        const href = URL.createObjectURL(new Blob([[head, ...rows, ""].join("\n")], { type: "text/csv" }));
+        element("a", { download: "curve.csv", href }).click();
+        URL.revokeObjectURL(href);
     }
 
     /** Draws the curves. */
     draw() {
-        const { contact, penetrates } = this, charts = byId("charts");
+        const { contact } = this, { penetrates } = TABLE, charts = byId("charts");
         if (!contact || charts.clientWidth === 0) return;
         const [from, to] = this.drawn, controlled = penetrates ? "penetration" : "load";
         const states = Array.from({ length: 301 }, (_, i) => contact.state(from + (to - from) * (i / 300) ** 2));
@@ -280,5 +267,7 @@ class Page {
 }
 
 const text = byId("integers").textContent;
-if (hashOf(text) === TABLE.hash) new Page(text);
+/** The integers of all cores. A zero is left out between its commas. */
+const INTEGERS = Float64Array.from(text.split(","), Number);
+if (hashOf(text) === TABLE.hash) new Page();
 else byId("message").append("The data of this page is damaged. Copy the page again, or make it again with `tabulate report`.");

@@ -5,19 +5,6 @@ const clamped = (value, [from, to]) => Math.min(Math.max(value, from), to);
 /** The hash of Fowler, Noll and Vo of a text, which finds damage. */
 const hashOf = (text) => new TextEncoder().encode(text).reduce((hash, byte) => Math.imul(hash ^ byte, 16777619) >>> 0, 2166136261);
 
-/** Gives the cores of the trains their integers, from a text that separates them by commas. A zero is left out. */
-function readIntegers(text) {
-    const integers = Float64Array.from(text.split(","), Number);
-    let at = 0;
-    for (const { cores } of TABLE.trains) {
-        let before = 1;
-        for (const core of cores) {
-            core.integers = integers.subarray(at, at += before * core.terms * core.after);
-            before = core.after;
-        }
-    }
-}
-
 /** The coordinate of a parameter in which the quantities are polynomials (parameter.rs). */
 function coordinate(parameter, value) {
     if (parameter === "nu1") return -((1 - 2 * value + 1e-6) ** 0.125);
@@ -40,11 +27,10 @@ function quantitiesOf(material) {
     const outside = ({ ends }) => [1, 3].some((axis) => places[axis] < ends[axis][0] - 1e-9 || places[axis] > ends[axis][1] + 1e-9);
     const { ends, cores, weights, step } = TABLE.trains.find((train) => !outside(train));
     /** Multiplies a vector by a core, a matrix with a row of `width` for each entry of the vector and each of the `values`. */
-    const product = (vector, values, { integers }, width) => {
+    const product = (vector, values, { begins: at }, width) => {
         const sums = new Float64Array(width);
-        let at = 0;
         for (const entry of vector) {
-            for (const value of values) for (let i = 0; i < width; i += 1, at += 1) sums[i] += entry * value * step * integers[at];
+            for (const value of values) for (let i = 0; i < width; i += 1, at += 1) sums[i] += entry * value * step * INTEGERS[at];
         }
         return sums;
     };

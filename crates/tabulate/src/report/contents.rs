@@ -1,7 +1,6 @@
 //! The texts and numbers of the page about a table.
 
 use contact::Validity;
-use contact::magnitude::{LARGEST_WORK, LENGTHS, MODULI};
 use figures::page::{self, Illustration, Numbers, Page, Range};
 use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Table};
 
@@ -63,7 +62,6 @@ pub fn report(
         illustrations,
         warning_a_over_r: Validity::WARNING_A_OVER_R,
         large_contact: LARGE_CONTACT,
-        magnitudes: [MODULI, LENGTHS, [0.0, LARGEST_WORK]],
         probe,
     };
     Ok(page.html()?)

@@ -108,14 +108,20 @@ fn ends(table: &Table, tile: &Tile) -> [[f64; 2]; 4] {
     })
 }
 
-/// Returns the trains of a table without their integers, as entries of an object of JavaScript.
+/// Returns the trains of a table as entries of an object of JavaScript: for each core, where it begins among
+/// the [`integers`].
 pub fn script(table: &Table) -> String {
+    let mut begins = 0;
     let train = |tile: &Tile| {
         let form = &tile.form;
         let cores = form.variables().into_iter().zip(form.shapes());
-        let cores = cores.map(|(axis, [_, terms, after])| {
-            format!("{{ axis: {axis}, terms: {terms}, after: {after} }}")
-        });
+        let core = |(axis, [before, terms, after]): (usize, [usize; 3])| {
+            let core =
+                format!("{{ axis: {axis}, terms: {terms}, after: {after}, begins: {begins} }}");
+            begins += before * terms * after;
+            core
+        };
+        let cores: Vec<String> = cores.map(core).collect();
         let weights = form.exponents().each_ref().map(|exponents| {
             let weights: Vec<f64> = exponents.iter().map(|&e| f64::from(e).exp2()).collect();
             list(&weights)
@@ -125,19 +131,17 @@ pub fn script(table: &Table) -> String {
             form.step(),
             ends(table, tile).map(|ends| list(&ends)).join(", "),
             weights.join(", "),
-            cores.collect::<Vec<_>>().join(", ")
+            cores.join(", ")
         )
     };
     let trains: Vec<String> = table.low_rank().into_iter().flatten().map(train).collect();
     let range = table.axis(Parameter::AOverT);
-    let names =
-        |quantities: &[Quantity]| -> Vec<&str> { quantities.iter().map(|q| q.name()).collect() };
     let (held, answers) = (table.quantities(), quantities(table));
     format!(
-        "range: {}, held: {:?}, answers: {:?}, derives: {}, smoothDegrees: {},\ntrains: [{}]",
+        "range: {}, held: {:?}, penetrates: {}, derives: {}, smoothDegrees: {},\ntrains: [{}]",
         list(&[range[0], range[range.len() - 1]]),
-        names(&held),
-        names(&answers),
+        held.iter().map(|q| q.name()).collect::<Vec<_>>(),
+        answers.contains(&Quantity::Delta0),
         held != answers,
         list(&Tile::SMOOTH_DEGREES),
         trains.join(",\n")

@@ -1,5 +1,6 @@
 //! What the user of the page can set, and what its script needs to know of the table for that.
 
+use contact::magnitude::{LARGEST_WORK, LENGTHS, MODULI};
 use figures::page::{SetBy, Setting, list, number};
 use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
@@ -13,7 +14,7 @@ const SPHERE_MODULUS: &str = "sphere_modulus";
 const SPHERE_RADIUS: &str = "sphere_radius";
 const WORK_OF_ADHESION: &str = "work_of_adhesion";
 const POISSON_RATIOS: [f64; 2] = [0.0, 0.5];
-const MODULI: [f64; 2] = [1e3, 1e12];
+const SOLIDS: [f64; 2] = [1e3, 1e12];
 
 /// A setting by its key, name, symbol and unit, the size of the unit, the value in Barthel's paper, and
 /// the ends of its slider.
@@ -23,11 +24,11 @@ type Entry = ([&'static str; 4], f64, f64, [f64; 2]);
 #[rustfmt::skip]
 const SETTINGS: [Entry; 8] = [
     (["film_thickness", "film thickness", "t", "µm"], 1e-6, 1e-6, [1e-9, 1e-3]),
-    ([FILM_MODULUS, "film modulus", "E₁", "MPa"], 1e6, 3.5e6, MODULI),
+    ([FILM_MODULUS, "film modulus", "E₁", "MPa"], 1e6, 3.5e6, SOLIDS),
     ([FILM_POISSON_RATIO, "film Poisson ratio", "ν₁", ""], 1.0, 0.5, POISSON_RATIOS),
-    ([SUBSTRATE_MODULUS, "substrate modulus", "E₀", "MPa"], 1e6, 2e11, MODULI),
+    ([SUBSTRATE_MODULUS, "substrate modulus", "E₀", "MPa"], 1e6, 2e11, SOLIDS),
     ([SUBSTRATE_POISSON_RATIO, "substrate Poisson ratio", "ν₀", ""], 1.0, 0.25, POISSON_RATIOS),
-    ([SPHERE_MODULUS, "sphere reduced modulus", "E₂*", "MPa"], 1e6, 2e6, MODULI),
+    ([SPHERE_MODULUS, "sphere reduced modulus", "E₂*", "MPa"], 1e6, 2e6, SOLIDS),
     ([SPHERE_RADIUS, "sphere radius", "R", "µm"], 1e-6, 1e-3, [1e-8, 0.1]),
     ([WORK_OF_ADHESION, "work of adhesion", "w", "mJ/m²"], 1e-3, 0.04, [1e-4, 10.0]),
 ];
@@ -147,6 +148,12 @@ impl<'a> Materials<'a> {
                 }
                 _ => ([positive, f64::MAX], "a number above 0"),
             };
+            let undoubted = match key {
+                FILM_MODULUS | SUBSTRATE_MODULUS | SPHERE_MODULUS => MODULI,
+                FILM_POISSON_RATIO | SUBSTRATE_POISSON_RATIO => POISSON_RATIOS,
+                WORK_OF_ADHESION => [0.0, LARGEST_WORK],
+                _ => LENGTHS,
+            };
             let ends = if key == FILM_POISSON_RATIO { nu1 } else { ends };
             Setting {
                 key,
@@ -156,6 +163,7 @@ impl<'a> Materials<'a> {
                 scale,
                 usual,
                 ends,
+                undoubted,
                 valid,
                 set_by,
             }
