@@ -19,6 +19,7 @@ mod fit_files;
 mod fit_plots;
 mod fit_shapes;
 mod friction;
+mod half_space;
 mod help;
 mod history;
 mod hostile_text;

@@ -7,7 +7,7 @@ use anyhow::ensure;
 use clap::ValueHint;
 use contact::magnitude::Magnitude;
 use contact::{Contact, Validity};
-use interp::{Probe, System};
+use interp::{HalfSpace, Probe, System};
 
 use super::allow::{self, Allowed};
 use super::interface::InterfaceArguments;
@@ -37,6 +37,12 @@ pub struct BodiesArguments {
     pub system: SystemArguments,
     #[command(flatten)]
     pub interface: InterfaceArguments,
+    /// No film and no substrate: the probe touches a half-space with the modulus and the Poisson
+    /// ratio of the film
+    #[arg(long, conflicts_with_all = [
+        "table", "stack", "interface", "interface_stiffness", "film_thickness", "substrate_modulus", "substrate_poisson_ratio",
+    ])]
+    pub half_space: bool,
     /// Accept these, which are errors otherwise
     #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]
     pub allow: Vec<Allowed>,
@@ -60,13 +66,16 @@ pub struct AttractingArguments {
     pub interaction_range: Option<f64>,
 }
 
-/// A probe on a film or on a stack.
+/// A probe on a film, on a stack or on a half-space.
 #[derive(Clone)]
 pub struct Bodies {
-    /// The probe on the film; of a stack, [`Stack::system`](solve::stack::Stack::system).
+    /// The probe on the film; of a stack, [`Stack::system`](solve::stack::Stack::system); of a half-space, a film as thick as
+    /// the radius of the sphere on a substrate of the same solid.
     pub system: System,
     /// The layers, if they are not one film that is bonded to its substrate.
     pub stack: Option<Layers>,
+    /// The probe touches a half-space, without a film.
+    pub half_space: bool,
     /// The radius of the sphere or of the end of the probe, m. Some shapes do not use it.
     pub sphere_radius: f64,
     /// The work of adhesion, J/m^2.
@@ -80,8 +89,8 @@ impl BodiesArguments {
     }
 
     /// Lists the values that are not given and needed.
-    pub fn missing(&self, half_space: bool) -> Vec<Value> {
-        self.system.missing(self.stack.is_some(), half_space)
+    pub fn missing(&self) -> Vec<Value> {
+        self.system.missing(self.stack.is_some(), self.half_space)
     }
 
     /// Returns the bodies, with the values of the paper where none are given, if their numbers are
@@ -96,6 +105,12 @@ impl BodiesArguments {
     pub fn check(&self, bodies: &Bodies) -> anyhow::Result<()> {
         let (system, work) = (&bodies.system, bodies.work_of_adhesion);
         let found = match &bodies.stack {
+            None if self.half_space => {
+                let modulus = Magnitude::modulus("the half-space's modulus", system.film.young());
+                Magnitude::of_probe(&system.probe, system.sphere_modulus, work)
+                    .chain(modulus)
+                    .collect()
+            }
             Some(layers) if self.stack.is_some() => {
                 let (stack, probe) = (layers.stack(), &system.probe);
                 let layers = stack.layers().iter();
@@ -111,7 +126,7 @@ impl BodiesArguments {
     /// Names the values that the paper's example stands in for, in a comment line; but not `unused` ones.
     pub fn name_example(&self, unused: &[Value]) {
         if self.system.specimen.is_none() {
-            let mut missing = self.missing(false);
+            let mut missing = self.missing();
             missing.retain(|value| !unused.contains(value));
             system::name_example(&missing);
         }
@@ -133,6 +148,15 @@ impl BodiesArguments {
                 };
                 (system, Some(layers))
             }
+            None if self.half_space => {
+                let system = self.system.system()?;
+                let system = System {
+                    film_thickness: sphere_radius,
+                    substrate: system.film,
+                    ..system
+                };
+                (system, None)
+            }
             None => {
                 let system = self.system.system()?;
                 let stack = self.interface.stack(&system)?;
@@ -149,6 +173,7 @@ impl BodiesArguments {
         Ok(Bodies {
             system,
             stack,
+            half_space: self.half_space,
             sphere_radius,
             work_of_adhesion,
         })
@@ -249,6 +274,18 @@ impl Bodies {
         top * self.system.film_thickness
     }
 
+    /// Returns the contact of the probe of a system with the half-space that the bodies are; `None` for others.
+    pub fn on_half_space(&self, system: &System) -> Result<Option<Contact>, contact::Error> {
+        let contact = || {
+            Contact::half_space(&HalfSpace {
+                probe: system.probe.clone(),
+                sphere_modulus: system.sphere_modulus,
+                solid: system.film,
+            })
+        };
+        self.half_space.then(contact).transpose()
+    }
+
     /// Returns the attraction of a finite `range` (m) between the bodies.
     pub fn cohesive(&self, range: f64) -> anyhow::Result<Cohesive> {
         let Self {
@@ -256,6 +293,7 @@ impl Bodies {
             ref stack,
             sphere_radius,
             work_of_adhesion,
+            ..
         } = *self;
         ensure!(
             range != 0.0,

@@ -41,8 +41,6 @@ use solve::{A_OVER_T, curve as adaptive, solve};
 /// has grown from radius 0 with --work-of-adhesion. With --work-of-adhesion-receding they are those of
 /// the same contact while it recedes. Spheres are solved where Dundurs' beta of sphere and film is 0.
 ///
-/// A half-space is a film of the same solid as its substrate.
-///
 /// Values that are not given are those of Barthel's Tables 1 and 2, an elastomer sphere of 1 mm on an
 /// elastomer film of 1 um on silicon, and a comment line on standard error names them. --specimen
 /// paper says that these values are wanted: then there is no such line.
@@ -79,7 +77,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::points::MOST_POINTS))]
     points: u32,
     /// Relative tolerance of direct solves [default: 1e-8]
-    #[arg(long, conflicts_with_all = ["table", "interaction_range"], value_parser = quantity::number, allow_hyphen_values = true)]
+    #[arg(long, conflicts_with_all = ["table", "interaction_range", "half_space"], value_parser = quantity::number, allow_hyphen_values = true)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]
@@ -100,9 +98,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let least = A_OVER_T[0] * system.film_thickness;
     ensure!(
-        arguments.table.is_some() || from <= 0.0 || from >= least,
+        arguments.table.is_some() || bodies.half_space || from <= 0.0 || from >= least,
         "--from {from:?} m: direct solves begin at a millionth of the thickness of the film or stack, {least:e} m; give a larger \
-         radius, or take the film as thinner: so thick a film is a half-space"
+         radius, or take the film as thinner: so thick a film is a half-space, --half-space"
     );
     let [from_default, to_default] = [arguments.from, arguments.to].map(|given| match given {
         Some(_) => "",
@@ -154,7 +152,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if let Some(contact) = contact.filter(|_| states.work_of_adhesion == 0.0) {
         note_no_disc(contact, [from, to]);
     }
-    if arguments.history.sticks()?.is_none() {
+    if !arguments.history.is_stuck() {
         friction::note_size(&bodies, to);
     }
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -258,7 +256,7 @@ impl<'a> States<'a> {
         let system = &bodies.system;
         let mut work_of_adhesion = bodies.work_of_adhesion;
         arguments.history.needs_poisson_ratio()?;
-        let source = if let Some(nu2) = arguments.history.sticks()? {
+        let source = if let Some(nu2) = arguments.history.sticks(bodies.half_space)? {
             ensure!(
                 arguments.table.is_none() && attracting.interaction_range.is_none(),
                 "--friction stick is solved directly, and without a range of the attraction: leave \
@@ -272,6 +270,8 @@ impl<'a> States<'a> {
             Source::Curve(Box::new(contact))
         } else if let Some(range) = attracting.interaction_range {
             Source::Range(Box::new(bodies.cohesive(range)?))
+        } else if let Some(contact) = bodies.on_half_space(system)? {
+            Source::Curve(Box::new(contact))
         } else if let Some(name) = &arguments.table {
             Source::Curve(Box::new(Contact::in_table(
                 name.read_for_contacts()?.as_ref(),

@@ -148,10 +148,16 @@ impl HistoryArguments {
         self.friction == Friction::Stick
     }
 
-    /// Refuses a second work of adhesion without stick, and returns the Poisson ratio of the sphere
+    /// Refuses a second work of adhesion without stick, and a half-space with it, and returns the Poisson ratio of the sphere
     /// where the contact sticks.
-    pub fn sticks(&self) -> anyhow::Result<Option<f64>> {
+    pub fn sticks(&self, half_space: bool) -> anyhow::Result<Option<f64>> {
         let sticks = self.is_stuck();
+        anyhow::ensure!(
+            !(sticks && half_space),
+            "--friction stick is for films and stacks: on a half-space of Poisson ratio 0.5 friction \
+             has no effect, and for other ones it is not solved; leave out --half-space or \
+             --friction"
+        );
         anyhow::ensure!(
             sticks || self.work_of_adhesion_receding.is_none(),
             "--work-of-adhesion-receding goes with --friction stick here; without friction give \

@@ -39,6 +39,7 @@ use solve::{A_OVER_T, curve};
 #[command(after_help = super::examples!(
     "tabulate pull-off embedded --specimen paper",
     "tabulate pull-off --specimen paper --sphere-radius 10um --load -2uN",
+    "tabulate pull-off --specimen paper --half-space --sphere-radius 10um",
     "tabulate pull-off --specimen paper --sphere-radius 10um --interaction-range 5nm --json",
     "tabulate pull-off --specimen paper --control spring --stiffness 40N/m --film-thickness 10um",
     "tabulate pull-off --specimen paper --stack tables/stacks/primer.toml --sphere-radius 100um",
@@ -103,7 +104,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let attracting = &arguments.attracting;
     let bodies = attracting.bodies.read_checked()?;
     arguments.history.needs_poisson_ratio()?;
-    let sticks = arguments.history.sticks()?;
+    let sticks = arguments.history.sticks(bodies.half_space)?;
     ensure!(
         sticks.is_none() || arguments.table.is_none() && attracting.interaction_range.is_none(),
         "--friction stick is solved directly, and without a range of the attraction: leave out the \
@@ -123,7 +124,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             "--load {load:?}: a measured pull-off load is a number below 0; without one leave out --load"
         );
         let system = &attracting.bodies.system;
-        let mut missing = attracting.bodies.missing(false);
+        let mut missing = attracting.bodies.missing();
         missing.retain(|value| *value != Value::WorkOfAdhesion);
         let flags: Vec<String> = missing.into_iter().map(Value::flag).collect();
         ensure!(
@@ -190,7 +191,7 @@ fn pull_off(
     if let Some(range) = arguments.attracting.interaction_range {
         return Ok((None, bodies.cohesive(range)?.pull_off(control)?));
     }
-    let (contact, state) = match arguments.history.sticks()? {
+    let (contact, state) = match arguments.history.sticks(bodies.half_space)? {
         Some(nu2) => sticking(arguments, bodies, nu2, control)?,
         None => jkr(table, bodies, control)?,
     };
@@ -208,6 +209,10 @@ type PullOff = (Contact, State);
 
 /// Finds the pull-off of an attraction without range.
 fn jkr(table: Option<&Table>, bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
+    if let Some(contact) = bodies.on_half_space(&bodies.system)? {
+        let state = contact.pull_off(bodies.work_of_adhesion, control)?;
+        return Ok((contact, state));
+    }
     match table {
         Some(table) => {
             let contact = Contact::in_table(table, &bodies.system)?;

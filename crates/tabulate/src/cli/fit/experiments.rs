@@ -28,12 +28,6 @@ use solve::stack::Layer;
 pub struct KnownArguments {
     #[command(flatten)]
     pub bodies: BodiesArguments,
-    /// No film and no substrate: the sphere touches a half-space with the modulus and the Poisson
-    /// ratio of the film
-    #[arg(long, conflicts_with_all = [
-        "stack", "interface", "interface_stiffness", "film_thickness", "substrate_modulus", "substrate_poisson_ratio",
-    ])]
-    pub half_space: bool,
     #[command(flatten)]
     pub history: HistoryArguments,
     /// Stiffness of the cantilever, N/m
@@ -53,14 +47,14 @@ pub struct KnownArguments {
 impl KnownArguments {
     /// Lists the values of the bodies that neither a flag nor a --value gives, and that are needed.
     fn missing(&self) -> Vec<Value> {
-        let mut missing = self.bodies.missing(self.half_space);
+        let mut missing = self.bodies.missing();
         let values = |quantity| self.values.iter().find(|set| set.quantity == quantity);
         // A substrate that is rigid needs no Poisson ratio.
         if let Some(moduli) = values(Fixed::SubstrateModulus) {
             let ratio = Value::SubstratePoissonRatio;
             missing.retain(|value| *value != ratio);
             let is_rigid = moduli.values.iter().all(|modulus| modulus.is_infinite());
-            let has_substrate = !self.half_space && self.bodies.stack.is_none();
+            let has_substrate = !self.bodies.half_space && self.bodies.stack.is_none();
             if has_substrate && !is_rigid && self.bodies.system.given(ratio).is_none() {
                 missing.push(ratio);
             }
@@ -131,7 +125,12 @@ impl KnownArguments {
                 one.measurement.name
             ));
         }
-        lines.extend(questions(&missing, self.layer(), is_free, self.half_space));
+        lines.extend(questions(
+            &missing,
+            self.layer(),
+            is_free,
+            self.bodies.half_space,
+        ));
         ensure!(lines.is_empty(), lines.join("\n"));
         Ok(())
     }
@@ -175,7 +174,7 @@ impl KnownArguments {
             ..
         } = self.bodies.read()?;
         ensure!(
-            !(self.half_space && self.indentation.thins()),
+            !(self.bodies.half_space && self.indentation.thins()),
             "--thinning makes a film thinner under the tip, and a half-space has none: leave it out, or leave out \
              --half-space"
         );
@@ -188,13 +187,7 @@ impl KnownArguments {
              it: give penetrations and loads"
         );
         let mut layers = stack.as_ref().map(layers).transpose()?;
-        if let Some(nu2) = self.history.sticks()? {
-            ensure!(
-                !self.half_space,
-                "--friction stick is for films and stacks: on a half-space of Poisson ratio 0.5 friction \
-                 has no effect, and for other ones it is not solved; leave out --half-space or \
-                 --friction"
-            );
+        if let Some(nu2) = self.history.sticks(self.bodies.half_space)? {
             if self.history.work_of_adhesion_receding.is_some() {
                 self.accept_two_works()?;
             }
@@ -228,7 +221,7 @@ impl KnownArguments {
                     solver: solver.clone(),
                     interrupt: Interrupt::default(),
                 })
-            } else if self.half_space {
+            } else if self.bodies.half_space {
                 Bodies::HalfSpace(HalfSpace {
                     probe: system.probe,
                     sphere_modulus: system.sphere_modulus,

@@ -378,7 +378,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     experiments::forget_shapes(&mut experiments, &free);
     ensure!(
         arguments.known.history.sphere_poisson_ratio.is_none()
-            || arguments.known.history.sticks()?.is_some()
+            || arguments.known.history.is_stuck()
             || free
                 .iter()
                 .any(|free| free.parameter == Parameter::SphereModulus),

@@ -266,8 +266,8 @@ impl Arguments {
     /// not relax. The layers of a stack relax all.
     fn rigid(&self, bodies: &Bodies) -> anyhow::Result<Option<System>> {
         let system = &bodies.system;
-        let deforms =
-            system.sphere_modulus < f64::INFINITY || system.substrate.young() < f64::INFINITY;
+        let deforms = system.sphere_modulus < f64::INFINITY
+            || !bodies.half_space && system.substrate.young() < f64::INFINITY;
         if self.all_relax || !deforms {
             return Ok(None);
         }
@@ -347,6 +347,9 @@ fn solved(bodies: &Bodies, system: &System, reach: f64) -> anyhow::Result<Contac
         Some(layers) => layers.curve(system.sphere_modulus, range, tolerance),
         None => Ok(curve(&system.material()?, range, tolerance)?),
     };
+    if let Some(contact) = bodies.on_half_space(system)? {
+        return Ok(contact);
+    }
     let [first, second] = TOLERANCES;
     let curve = curve_to(first).or_else(|_| curve_to(second))?;
     Ok(Contact::new(system, curve)?)
