@@ -40,7 +40,7 @@ fn pull_offs_are_those_of_jkr_and_bradley() {
         -PI * WORK * RADIUS * 5.0 / 6.0,
         1e-12,
     );
-    let [bodies, _] = [0, 1].map(|part| LENS.split(" --work-of-adhesion").nth(part).expect("both"));
+    let (bodies, _) = LENS.split_once(" --work-of-adhesion").expect("a work");
     let measured = format!("pull-off {bodies} --load=-0.1mN");
     let work = value(&workdir.succeed(measured), "work_of_adhesion");
     assert_close(work, 1e-4 / (1.5 * PI * RADIUS), 1e-12);
