@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use interp::{Probe, Profile, System};
+use interp::{HalfSpace, Probe, Profile, System};
 
 /// The Young's moduli of solids, Pa: from the softest gels to beyond diamond (some 1200 GPa).
 pub const MODULI: [f64; 2] = [1.0, 2e12];
@@ -79,6 +79,19 @@ impl Magnitude {
         Self::of_probe(probe, sphere_modulus, work_of_adhesion)
             .chain(layers.flatten())
             .collect()
+    }
+
+    /// Names what no contact has of a probe on a half-space, and of the work of adhesion (J/m^2) between
+    /// both.
+    pub fn of_half_space(half_space: &HalfSpace, work_of_adhesion: f64) -> Vec<Self> {
+        let modulus = Self::modulus("the half-space's modulus", half_space.solid.young());
+        Self::of_probe(
+            &half_space.probe,
+            half_space.sphere_modulus,
+            work_of_adhesion,
+        )
+        .chain(modulus)
+        .collect()
     }
 
     /// Names what no contact has of a probe, its reduced modulus (Pa) and its work of adhesion

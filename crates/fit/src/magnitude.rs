@@ -29,14 +29,7 @@ impl Bodies {
     pub fn magnitudes(&self, work_of_adhesion: f64) -> Vec<Magnitude> {
         match self {
             Self::Coated(system) => Magnitude::of_system(system, work_of_adhesion),
-            Self::HalfSpace(half_space) => {
-                let modulus = half_space.solid.young();
-                let modulus = Magnitude::modulus("the half-space's modulus", modulus);
-                let sphere_modulus = half_space.sphere_modulus;
-                Magnitude::of_probe(&half_space.probe, sphere_modulus, work_of_adhesion)
-                    .chain(modulus)
-                    .collect()
-            }
+            Self::HalfSpace(half_space) => Magnitude::of_half_space(half_space, work_of_adhesion),
             Self::Layered(layered) => {
                 let layers = layered.layers.iter().map(|named| {
                     let layer = &named.layer;

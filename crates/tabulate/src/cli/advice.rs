@@ -16,7 +16,7 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
     if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
         return Some(
             "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
-                 --sphere-modulus inf and --substrate-modulus inf",
+                 --sphere-modulus inf and, where there is a substrate, --substrate-modulus inf",
         );
     }
     let of_table = match (of_contact(cause), cause.downcast_ref()) {

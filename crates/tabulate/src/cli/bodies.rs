@@ -105,12 +105,7 @@ impl BodiesArguments {
     pub fn check(&self, bodies: &Bodies) -> anyhow::Result<()> {
         let (system, work) = (&bodies.system, bodies.work_of_adhesion);
         let found = match &bodies.stack {
-            None if self.half_space => {
-                let modulus = Magnitude::modulus("the half-space's modulus", system.film.young());
-                Magnitude::of_probe(&system.probe, system.sphere_modulus, work)
-                    .chain(modulus)
-                    .collect()
-            }
+            None if self.half_space => Magnitude::of_half_space(&half_space(system), work),
             Some(layers) if self.stack.is_some() => {
                 let (stack, probe) = (layers.stack(), &system.probe);
                 let layers = stack.layers().iter();
@@ -276,13 +271,7 @@ impl Bodies {
 
     /// Returns the contact of the probe of a system with the half-space that the bodies are; `None` for others.
     pub fn on_half_space(&self, system: &System) -> Result<Option<Contact>, contact::Error> {
-        let contact = || {
-            Contact::half_space(&HalfSpace {
-                probe: system.probe.clone(),
-                sphere_modulus: system.sphere_modulus,
-                solid: system.film,
-            })
-        };
+        let contact = || Contact::half_space(&half_space(system));
         self.half_space.then(contact).transpose()
     }
 
@@ -324,5 +313,14 @@ impl Bodies {
             )?,
             None => Cohesive::new(system, work_of_adhesion, range)?,
         })
+    }
+}
+
+/// Returns the probe of a system on a half-space of the solid of its film.
+pub fn half_space(system: &System) -> HalfSpace {
+    HalfSpace {
+        probe: system.probe.clone(),
+        sphere_modulus: system.sphere_modulus,
+        solid: system.film,
     }
 }

@@ -7,7 +7,7 @@ use ::fit::{
     NamedLayer, Parameter, Point, Reach, Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
-use interp::{HalfSpace, Probe};
+use interp::Probe;
 
 use super::indentation::{
     IndentationArguments, accept_no_radius, accept_no_shape, are_at_depths, forget_shape,
@@ -222,11 +222,7 @@ impl KnownArguments {
                     interrupt: Interrupt::default(),
                 })
             } else if self.bodies.half_space {
-                Bodies::HalfSpace(HalfSpace {
-                    probe: system.probe,
-                    sphere_modulus: system.sphere_modulus,
-                    solid: system.film,
-                })
+                Bodies::HalfSpace(bodies::half_space(&system))
             } else {
                 Bodies::Coated(system)
             }
