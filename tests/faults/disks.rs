@@ -72,6 +72,16 @@ fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
     }
 }
 
+/// The chunks of large tables are written one by one, and closing the file writes none of them.
+#[test]
+fn a_disk_that_fills_up_within_a_quantity_of_a_large_table_is_an_error() {
+    let workdir = acceptance::workdir!();
+    let run = workdir.script("trap '' XFSZ; ulimit -f 1000; exec $0 unpack embedded -o u.h5");
+    assert_eq!(run.status, 1, "{run:?}");
+    assert_names(&run.stderr, &["cannot write u.h5", "too large"]);
+    assert!(!workdir.path("u.h5").exists());
+}
+
 #[test]
 fn a_name_that_the_library_does_not_take_is_an_error_before_any_solving() {
     let workdir = workdir();

@@ -3,7 +3,7 @@
 
 use acceptance::{Contacts, Refused, assert_names};
 use fit::{Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Parameter, simulate};
-use interp::Table;
+use interp::{Probe, Table};
 use rayon::prelude::*;
 
 use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, fit_with};
@@ -41,6 +41,9 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
     });
     let listed = here.fixed_values.iter().map(|one| one.quantity.name());
     assert_eq!(listed.collect::<Vec<_>>().join(" "), names, "{name}");
+    // The changes told are in proportion to small ones. Fits end within 1 % of a standard error, which is much of the
+    // effect of a small change, unless they find one value.
+    let part = if free.len() == 1 { 0.02 } else { 0.5 };
     for one in &here.fixed_values {
         let values = |value: f64| {
             let mut changed = experiment.clone();
@@ -49,13 +52,14 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
             let estimates = found.estimates.iter();
             estimates.map(|one| one.value).collect::<Vec<_>>()
         };
-        let (above, is_one_sided) = (values(one.value + one.step), one.step < 0.0);
+        let step = part * one.step;
+        let (above, is_one_sided) = (values(one.value + step), step < 0.0);
         let other = if is_one_sided {
             here.estimates.iter().map(|one| one.value).collect()
         } else {
-            values(one.value - one.step)
+            values(one.value - step)
         };
-        let width = if is_one_sided { 1.0 } else { 2.0 };
+        let width = part * if is_one_sided { 1.0 } else { 2.0 };
         for (i, estimate) in here.estimates.iter().enumerate() {
             let (refitted, change) = ((above[i] - other[i]) / width, one.changes[i]);
             let size = estimate.standard_error;
@@ -94,6 +98,24 @@ fn changes_are_those_of_fits_with_other_values() {
     let mut experiment = experiment;
     experiment.from_deflection = true;
     assert_as_refits("deflection", &experiment, &probe.free, Loss::Squares, names);
+    // A confined film that keeps its volume: the modulus follows the Poisson ratio far from in proportion.
+    let mut gel = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
+    let radius = Probe::Paraboloid { radius: 20e-6 };
+    let film = acceptance::solid(2e4, 0.5);
+    let system = acceptance::rigid_probe(radius, film, 2e-7, acceptance::solid(7e10, 0.2));
+    gel.truth.bodies = Bodies::Coated(system);
+    gel.truth.measurement.kind = Kind::LoadPenetration;
+    gel.truth.stiffness = None;
+    let experiment = gel.measured(&gel.exact(), 1);
+    let names = "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio film-thickness";
+    assert_as_refits("gel", &experiment, &gel.free, Loss::Squares, names);
+    let here = found(&experiment, &gel.free, |options| options.fixed_values = true);
+    let of_poisson = &here.fixed_values[3];
+    let mut less = experiment.clone();
+    less.set_fixed(of_poisson.quantity, 0.49).expect("physical");
+    let whole = found(&less, &gel.free, |_| ()).estimates[0].value - here.estimates[0].value;
+    let (change, step) = (of_poisson.changes[0], of_poisson.step);
+    assert!(step == -0.01 && whole < 0.9 * change, "{change} {whole}");
     // A half-space: Hertz's modulus is that of (1 - nu^2) E/(1 - nu^2), so that 1 % of the radius
     // is -0.5 % of the modulus in closed form.
     let free = [Parameter::FilmModulus];

@@ -227,8 +227,8 @@ pub struct FixedValue {
     /// A change of it: 1 %, or 0.01 of a Poisson ratio. Where the value is at the end of what is
     /// possible, as a Poisson ratio of 0.5, it goes to the other side.
     pub step: f64,
-    /// The change of each estimate that follows, in SI units and in their order: to the first order
-    /// in the values found. NaN where the change leads to no contact.
+    /// The change of each estimate that follows, in SI units and in their order: to the first order, as
+    /// if the effect of a small change grew in proportion. NaN where the change leads to no contact.
     pub changes: Vec<f64>,
     /// The standard error of the value, if it is [`Known`](crate::Known).
     pub error: Option<f64>,

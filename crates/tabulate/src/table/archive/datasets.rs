@@ -16,6 +16,10 @@ const CHUNK: usize = 1 << 15;
 /// The compression level. A higher one takes more time and saves next to nothing on smooth data.
 const DEFLATE: u8 = 4;
 
+/// The bytes of written chunks that wait in memory. On a full disk those that wait cannot be written when the file
+/// is closed, and the library crashes.
+const NO_CACHE: usize = 0;
+
 /// What a library returns where a chunk is missing: no number, because 0 is a valid node.
 const MISSING: f64 = f64::NAN;
 
@@ -117,6 +121,7 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
             .new_dataset_builder()
             .obj_track_times(false)
             .chunk(chunk)
+            .chunk_cache(1, NO_CACHE, 1.0)
             .fill_value(MISSING)
             .shuffle()
             .deflate(DEFLATE)
