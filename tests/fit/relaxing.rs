@@ -16,7 +16,7 @@ use Parameter::{
     Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
 };
 
-use crate::imagined::{fit_all, fit_with, free_of, measurement, text};
+use crate::imagined::{fit_all, fit_with, free_of, measurement, off, text};
 
 /// A rigid probe on a gel of some thickness (m) on glass.
 fn gel(thickness: f64) -> Bodies {
@@ -199,6 +199,35 @@ fn solids_are_recovered() {
     // Its time is below two intervals in some sets.
     let expected = [WarningKind::RelaxationTime];
     recover("modified power law", &[plan], &free, 106, &expected);
+}
+
+#[test]
+fn a_baseline_far_from_zero_is_found_and_contact_is_not_taken_for_it() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint, Baseline];
+    for kind in [Kind::LoadPenetration, Kind::ForceHeight] {
+        let plan = planned(kind, 1e-5, &power(), 0.0);
+        let exact = simulate(Table::embedded(), &plan, 0.0, 0).expect("in the table");
+        let loads = exact.points.iter().map(|point| point.ordinate);
+        let most = loads.fold(0.0, f64::max);
+        for part in [-0.2, 0.2, 1.0] {
+            let mut data = measured(&plan, 1);
+            for point in &mut data.measurement.points {
+                point.ordinate += part * most;
+            }
+            let found = fit_all(std::slice::from_ref(&data), &free_of(&free)).expect("sound");
+            let level = off(&found, Baseline, part * most);
+            let modulus = off(&found, FilmModulus, plan.bodies.film().young());
+            assert!(level.abs() < 4.0 && modulus.abs() < 4.0, "{kind:?} {part}: {level} {modulus}");
+            // Five points are before the contact.
+            for first in [4, 5, 6, 8, 20] {
+                let mut begins = data.clone();
+                begins.measurement.points.drain(..first);
+                begins.times.drain(..first);
+                let refused = fit_all(&[begins], &free_of(&free));
+                refused.refused("points; contact; before the contact");
+            }
+        }
+    }
 }
 
 #[test]

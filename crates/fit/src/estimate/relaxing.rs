@@ -2,6 +2,8 @@
 
 use super::doubts::Warnings;
 use super::problem::Problem;
+use super::relaxing_start::accept_zeros;
+use super::slot::Slot;
 use crate::statistics::extremes;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
 
@@ -29,6 +31,9 @@ pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxat
         return Ok(None);
     };
     let program = experiment.program();
+    let is_of = |slot: &&Slot| slot.is_of(e, experiment);
+    let is_free = |free| problem.slots.iter().filter(is_of).any(|slot| slot.parameter == free);
+    accept_zeros(experiment, &program, is_free)?;
     let contact = problem.contact(&experiment.bodies, false)?;
     let history = contact.history(&relaxing.law)?;
     let (control, points) = (experiment.control(), &program.points);

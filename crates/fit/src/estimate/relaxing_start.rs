@@ -4,13 +4,17 @@
 use interp::Table;
 
 use super::problem::Assigned;
-use crate::model::{Freedom, noise_of};
-use crate::statistics::extremes;
+use crate::model::{Freedom, Program, noise_of};
+use crate::statistics::{extremes, median};
 use crate::{Bodies, Direction, Error, Experiment, Parameter};
 
 /// Why data that begin in contact are refused.
 const BEGINS_IN_CONTACT: &str = "its points begin in contact: the history before the first point is \
      not known, and the forces depend on it; keep points from before the contact, and check that no two columns are swapped";
+/// Why data whose beginning shows neither of the zeros are refused.
+const NO_ZEROS: &str = "fewer than 3 of its points are before the contact that was found, and data that begin in contact \
+     would look the same: contact point and baseline are not known together; keep more points from before the contact, \
+     or fix one of both";
 /// The exponents that are tried, those of laws with a relaxation time, the relaxed fractions, and
 /// the relaxation times over the duration.
 const EXPONENTS: [f64; 3] = [0.05, 0.2, 0.5];
@@ -47,6 +51,12 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     experiment.measurement.points.truncate(points);
     for point in &mut experiment.measurement.points {
         point.direction = Some(Direction::Approach);
+    }
+    if level {
+        // Where too few points are before the contact to show a flat baseline, the first ones show its level.
+        let first = &experiment.measurement.points[..FEWEST];
+        let readings = first.iter().map(|point| point.ordinate).collect();
+        experiment.baseline = median(readings) - experiment.load_offset;
     }
     let assignment = experiment.assign(Freedom {
         adhesive: false,
@@ -148,6 +158,22 @@ fn begin(
     }
     let abscissa = experiment.measurement.points[0].abscissa;
     Ok(Some((Parameter::ContactPoint, abscissa)))
+}
+
+/// Refuses a contact point and a level of the baseline, both found, that too few points before the contact show.
+pub(super) fn accept_zeros(
+    experiment: &Experiment,
+    program: &Program,
+    is_free: impl Fn(Parameter) -> bool,
+) -> Result<(), Error> {
+    let are_free = is_free(Parameter::ContactPoint)
+        && (is_free(Parameter::Baseline) || is_free(Parameter::LoadOffset));
+    let is_before = |point: &&(f64, f64)| point.1 <= 0.0;
+    let before = program.points.iter().take_while(is_before).count();
+    if are_free && before < FEWEST {
+        return Err(Error::not_fitted(experiment, NO_ZEROS));
+    }
+    Ok(())
 }
 
 /// Returns the part of the largest imposed value up to which the loads are below their noise.

@@ -51,6 +51,7 @@ pub use measurement::{Direction, Kind, Measurement, Numbering, Point};
 pub use parameter::Parameter;
 pub(crate) use predicted::Predicted;
 pub use prediction::Prediction;
+pub(crate) use program::Program;
 pub use relaxing::Relaxing;
 pub use simulate::{simulate, simulate_experiment};
 pub use solver::Solver;
