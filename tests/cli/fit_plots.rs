@@ -1,12 +1,14 @@
 //! The pictures of `tabulate fit --plot`.
 
-use acceptance::{Workdir, workdir};
+use acceptance::{Workdir, assert_names, workdir};
 
 /// A lens on a half-space, which is a straight line in the reduced JKR plot.
 const BODIES: &str = "--half-space --sphere-radius 1e-3 --sphere-modulus inf --film-modulus 1.5e6 \
      --film-poisson-ratio 0.5 --work-of-adhesion 0.04";
 /// The blue of the approach and the vermilion of the retract.
 const COLOURS: [&str; 2] = ["#0072b2", "#d55e00"];
+/// The grey of the points that are left out or far off.
+const GREY: &str = "#5a5a5a";
 
 /// Writes `lens.csv` with both directions, whose loads are wrong by an offset.
 fn simulate(workdir: &Workdir) {
@@ -25,7 +27,7 @@ fn fit(workdir: &Workdir, more: &str) {
 fn markers(svg: &str, colour: &str) -> Vec<[f64; 2]> {
     let stroke = format!("stroke=\"{colour}\"");
     svg.split("<path")
-        .filter(|path| path.contains(&stroke))
+        .filter(|path| path.contains(&stroke) && path.contains(" C "))
         .map(|path| {
             let (_, outline) = path.split_once(" d=\"M ").expect("an outline");
             let mut numbers = outline.split(' ').map(str::parse::<f64>);
@@ -67,6 +69,27 @@ fn approach_and_retract_have_two_colours() {
         // Each point is drawn beside the fit and among the residuals.
         assert_eq!(markers(&svg, colour).len(), 60, "{colour}");
     }
+}
+
+/// Of thousands of points a part is drawn, but all that are far off, since a label names them.
+#[test]
+fn no_point_that_is_far_off_is_missing_among_thousands() {
+    let workdir = workdir!();
+    let plan = "simulate --kind load-radius --from 4.2e-5 --to 1.3e-4 --points 4000 --noise 1e-6";
+    let data = workdir.succeed(format!("{plan} {BODIES}"));
+    let mut lines: Vec<String> = data.lines().map(str::to_owned).collect();
+    for line in [500, 1501, 3332] {
+        let (radius, _) = lines[line].split_once(',').expect("two columns");
+        lines[line] = format!("{radius},0.5");
+    }
+    workdir.write("lens.csv", lines.join("\n"));
+    let run = workdir.run(format!(
+        "fit lens.csv {BODIES} --free film-modulus,work-of-adhesion --robust soft-l1 --plot data.svg"
+    ));
+    assert_names(&run.stdout, "3 of 4000 points; 501, 1502, 3333");
+    let svg = String::from_utf8(workdir.read("data.svg")).expect("text");
+    // In the panel of the data and in that of the residuals.
+    assert_eq!(markers(&svg, GREY).len(), 2 * 3);
 }
 
 #[test]

@@ -19,7 +19,7 @@ const COLOURS: [Colour; 5] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE];
 /// The colour of the retract of an experiment that is drawn alone.
 const RETRACT: Colour = VERMILION;
 
-/// The most points that are drawn of an experiment: more cannot be told apart.
+/// The most points in use, and the most of the others, that are drawn of an experiment: more cannot be told apart.
 const MOST: usize = 1500;
 
 /// The most points that are drawn large.
@@ -142,6 +142,16 @@ impl<'a> Drawn<'a> {
             .collect();
         drawn
     }
+
+    /// Returns the marks that are drawn. Of many in use some stand for all; the few others are what a reader looks for.
+    fn drawn(&self) -> impl Iterator<Item = &Mark> {
+        [true, false].into_iter().flat_map(|used| {
+            let of = move |mark: &&Mark| mark.used == used;
+            let count = self.marks.iter().filter(of).count();
+            let every = count.div_ceil(MOST).max(1);
+            self.marks.iter().filter(of).step_by(every)
+        })
+    }
 }
 
 /// Tells whether a point was measured on retract.
@@ -187,14 +197,13 @@ fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     let [from, to] = x.axis().range();
     left.line([[from, 0.0], [to, 0.0]], GREY);
     for one in members {
-        let every = one.marks.len().div_ceil(MOST);
-        for mark in one.marks.iter().step_by(every) {
+        for mark in one.drawn() {
             if let Some(residual) = residual(mark) {
                 let (colour, marker) = style(one, mark, members.len());
                 left.markers([[x.at(mark.x), residual]], colour, marker);
             }
         }
-        for curve in branches(&one.marks, every, |mark| {
+        for curve in branches(&one.marks, |mark| {
             Some([
                 x.at(mark.x),
                 (mark.without_film? - mark.fit?) / mark.deviation,
@@ -225,13 +234,12 @@ fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without:
     let mut data = Panel::new(title, x.axis(), y.axis());
     let place = |mark: &Mark, value: f64| [x.at(mark.x), y.at(value)];
     for one in members {
-        let every = one.marks.len().div_ceil(MOST);
-        for mark in one.marks.iter().step_by(every) {
+        for mark in one.drawn() {
             let (colour, marker) = style(one, mark, members.len());
             data.markers([place(mark, mark.y)], colour, marker);
         }
         let curves = |value: fn(&Mark) -> Option<f64>| {
-            branches(&one.marks, every, |mark| Some(place(mark, value(mark)?)))
+            branches(&one.marks, |mark| Some(place(mark, value(mark)?)))
         };
         for curve in curves(|mark| mark.without_film) {
             data.dashed(curve, GREY);
@@ -295,7 +303,8 @@ fn label(panel: &mut Panel, points: Vec<Point>, text: &str, colour: Colour, side
 }
 
 /// Returns the curves through the points of each branch, along the abscissa.
-fn branches(marks: &[Mark], every: usize, at: impl Fn(&Mark) -> Option<Point>) -> Vec<Vec<Point>> {
+fn branches(marks: &[Mark], at: impl Fn(&Mark) -> Option<Point>) -> Vec<Vec<Point>> {
+    let every = marks.len().div_ceil(MOST);
     let mut curves = Vec::new();
     let mut current: Option<(Branch, Vec<Point>)> = None;
     for mark in marks.iter().filter(|mark| mark.branch != Branch::LeftOut) {
