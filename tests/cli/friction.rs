@@ -185,6 +185,21 @@ fn a_fit_without_friction_is_warned_and_one_with_stick_finds_the_modulus() {
     assert!(without > 1.1 * with, "{without}, {with}");
 }
 
+/// Contacts at depths are fitted as far as they are solved, to 30 times the thickness of the film.
+#[test]
+fn depths_of_wide_contacts_that_stick_are_fitted() {
+    let workdir = workdir!();
+    let bodies = "--specimen paper --sphere-radius 100um --sphere-modulus inf --film-thickness 0.5um \
+         --film-modulus 20kPa --substrate-modulus inf --work-of-adhesion 0 --friction stick";
+    // sqrt(2 R delta) = 5.5 um is 11 times the thickness, as on any thin film that keeps its volume.
+    workdir.simulate(format!(
+        "--kind load-penetration --segments approach --from -0.02um --to 0.12um --points 20 --noise 1nN \
+             -o wide.csv {bodies}"
+    ));
+    let run = workdir.run(format!("fit wide.csv --json --free film-modulus,contact-point {bodies}"));
+    assert_estimate(&json(&run.stdout), "film_modulus", 2e4, 0.01 * 2e4);
+}
+
 /// A contact that was pressed on without attraction and recedes: the fit finds what the data were made
 /// with, and points of approach are refused.
 #[test]

@@ -23,9 +23,6 @@ const BEGIN: f64 = 1e-4;
 /// Wider contacts take much longer.
 const OVER_TOP: f64 = 300.0;
 
-/// The same with full friction.
-const OVER_TOP_STICKING: f64 = 10.0;
-
 /// How contacts on [layers](Layered) are made.
 ///
 /// ```
@@ -202,9 +199,7 @@ fn curve(layered: &Layered, stack: &Stack) -> Result<Curve, Error> {
             sphere_poisson_ratio,
             advancing,
         } => {
-            let end = (needed / thickness)
-                .max((expected / thickness).min(OVER_TOP_STICKING * top))
-                .min(MOST_OF_TIP * top);
+            let end = (needed.max(expected) / thickness).min(MOST_OF_TIP * top);
             let sticking = Sticking::on_stack(stack, layered.sphere_modulus, sphere_poisson_ratio)?;
             let range = [(BEGIN * top).min(0.1 * end), end];
             StickCurves::new(&sticking, range, TOLERANCE)?.receding(advancing)?
