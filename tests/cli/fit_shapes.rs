@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use acceptance::{assert_close, assert_near, estimate, number, workdir};
+use acceptance::{assert_close, assert_estimate, assert_near, estimate, number, workdir};
 
 /// The reduced modulus of a solid of 1 MPa with a Poisson ratio of 0.5 under a rigid probe, Pa, the
 /// work of adhesion, J/m^2, and the reading of the penetration at first touch, m.
@@ -92,6 +92,35 @@ fn files_of_half_spaces_give_the_closed_forms() {
     assert!((modulus / 1e6 - 1.0).abs() > 0.01);
     let missing = format!("fit cone.csv --probe cone {common}");
     workdir.refuses(format!("1 | {missing} | --probe cone needs --half-angle"));
+}
+
+/// The load on a flat punch does not depend on the work of adhesion until it pulls off: no fit finds one, or two.
+#[test]
+fn the_adhesion_of_a_flat_punch_is_that_of_its_pull_off() {
+    let workdir = workdir!();
+    let bodies = "--probe flat-punch --sphere-radius 5um --sphere-modulus inf --film-thickness 10um \
+         --film-modulus 20kPa --film-poisson-ratio 0.49 --substrate-modulus inf";
+    workdir.simulate(format!(
+        "--kind load-penetration --from -0.5um --to 0.5um --points 60 --noise 1nN -o punch.csv {bodies} \
+             --work-of-adhesion 1mJ/m^2"
+    ));
+    for (free, names) in [
+        ("", "work-of-adhesion"),
+        ("--free film-modulus,work-of-adhesion", "work-of-adhesion"),
+        (
+            "--free film-modulus,work-of-adhesion,work-of-adhesion-receding",
+            "work-of-adhesion and work-of-adhesion-receding",
+        ),
+    ] {
+        workdir.refuses(format!(
+            "1 | fit punch.csv {bodies} {free} | {names}; until it pulls off; pull-off --load; --work-of-adhesion"
+        ));
+    }
+    // The stiffness tells the modulus.
+    let object = workdir.json(format!(
+        "fit punch.csv {bodies} --free film-modulus --work-of-adhesion 1mJ/m^2 --json"
+    ));
+    assert_estimate(&object, "film_modulus", 2e4, 0.01 * 2e4);
 }
 
 /// A cone adheres weakly: the points that tell it are few, and the logarithm of a work of adhesion does not come back

@@ -107,13 +107,14 @@ pub enum Error {
     },
     /// Parameters without a finite standard error.
     #[error(
-        "the data do not determine {parameters}: no standard error is finite there. Fix {which}, \
-         give a prior, or measure where {which} changes the ordinates",
-        which = if parameters.contains(" and ") { "all but one of them" } else { "it" }
+        "the data do not determine {parameters}: no standard error is finite there. {}",
+        next_of_not_determined(parameters, *pull_off_only)
     )]
     NotDetermined {
         /// The parameters, between "and".
         parameters: String,
+        /// Whether they are works of adhesion of flat punches, which change the load of pull-off only.
+        pull_off_only: bool,
     },
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}{}", other_start(cause))]
@@ -238,6 +239,21 @@ impl From<interp::Error> for Error {
     fn from(error: interp::Error) -> Self {
         Self::Contact(error.into())
     }
+}
+
+/// Returns what to do about parameters that data do not determine.
+fn next_of_not_determined(parameters: &str, pull_off_only: bool) -> String {
+    if pull_off_only {
+        return "The load on a flat punch does not depend on the work of adhesion, until it pulls off: find the work of \
+                adhesion from the load of pull-off, and fix it at this value"
+            .into();
+    }
+    let which = if parameters.contains(" and ") {
+        "all but one of them"
+    } else {
+        "it"
+    };
+    format!("Fix {which}, give a prior, or measure where {which} changes the ordinates")
 }
 
 /// Returns the next step after an error of the contact where a fit starts: another start, unless the error names the

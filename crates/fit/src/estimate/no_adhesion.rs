@@ -7,7 +7,7 @@ use contact::Contact;
 use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::range;
-use crate::{Error, Experiment, Kind, Parameter, WarningKind};
+use crate::{Error, Experiment, Kind, WarningKind};
 
 /// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
 const NO_ADHESION: f64 = 1.4e-4;
@@ -46,10 +46,7 @@ pub(super) fn work_of_part(
 pub(super) fn ended_at_zero(problem: &Problem<'_>) -> Vec<usize> {
     let is_at_zero = |&i: &usize| {
         let (slot, value) = (&problem.slots[i], problem.value(i));
-        let is_work = matches!(
-            slot.parameter,
-            Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
-        );
+        let is_work = slot.parameter.is_work_of_adhesion();
         let mut own = (problem.assigned.iter().enumerate())
             .filter(|(e, _)| slot.experiment.is_none_or(|own| own == *e));
         let ended = |e: usize, experiment: &Experiment| {

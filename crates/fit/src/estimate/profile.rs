@@ -3,7 +3,6 @@
 use super::loss::weighted;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
-use crate::Parameter;
 
 /// The most evaluations over the number of parameters + 1 of one fit.
 const PATIENCE: usize = 30;
@@ -137,10 +136,7 @@ impl<'a> Way<'_, 'a> {
             grown: 0.0,
         };
         let parameter = self.problem.slots[slot].parameter;
-        let is_work = matches!(
-            parameter,
-            Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
-        );
+        let is_work = parameter.is_work_of_adhesion();
         let mut logarithm = FARTHEST_LOGARITHM;
         if is_work && error > 0.0 {
             let [none, largest] =

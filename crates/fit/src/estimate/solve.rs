@@ -1,6 +1,6 @@
 //! The fit, from the data to the result.
 
-use interp::Table;
+use interp::{Probe, Table};
 
 use super::minima::{Minimum, minimum};
 use super::problem::{Assigned, Ending, Problem};
@@ -167,8 +167,13 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
     if found.ending != Ending::Converged || open.is_empty() {
         return Ok(());
     }
+    let slots = found.problem.slots.iter();
+    let mut open_slots = slots.enumerate().filter(|(slot, _)| is_open(slot));
+    let is_punch = |one: &Assigned| matches!(one.experiment.bodies.probe(), Probe::FlatPunch { .. });
     Err(Error::NotDetermined {
         parameters: open.join(" and "),
+        pull_off_only: found.problem.assigned.iter().all(is_punch)
+            && open_slots.all(|(_, slot)| slot.parameter.is_work_of_adhesion()),
     })
 }
 

@@ -171,6 +171,11 @@ impl Parameter {
         })
     }
 
+    /// Whether it is a work of adhesion.
+    pub(crate) const fn is_work_of_adhesion(self) -> bool {
+        matches!(self, Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding)
+    }
+
     /// Tells whether the parameter is positive. Then its logarithm is fitted.
     pub const fn is_positive(self) -> bool {
         matches!(

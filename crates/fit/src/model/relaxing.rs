@@ -87,10 +87,7 @@ const MOST_TERMS: usize = 50;
 impl Experiment {
     /// Returns why a parameter of the law, or of the adhesion, is not one of this experiment.
     pub(super) fn why_not_relaxing(&self, parameter: Parameter) -> Option<&'static str> {
-        let adhesive = matches!(
-            parameter,
-            Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
-        );
+        let adhesive = parameter.is_work_of_adhesion();
         match (&self.relaxing, of_law(parameter)) {
             (None, Some(_)) => Some("no relaxation function is given; give one"),
             (Some(relaxing), Some(own)) if relaxing.law.parameter(own).is_none() => Some(

@@ -1,6 +1,7 @@
 //! The turn from approach to retract under adhesion hysteresis.
 
 use contact::{Contact, Derivatives, Input, State};
+use interp::Probe;
 
 use super::predicted::Predicted;
 use super::{Branch, Experiment, Parameter};
@@ -25,6 +26,10 @@ impl Experiment {
         order: &[usize],
         columns: &[Parameter],
     ) -> Result<Option<Turn>, contact::Error> {
+        if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
+            // Its contact is as wide as the punch in any state.
+            return Ok(None);
+        }
         let w = self.work_of_adhesion;
         let is_hysteretic = self
             .work_of_adhesion_receding

@@ -13,6 +13,17 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
     if let Some(::fit::Error::Start { cause, .. }) = cause.downcast_ref() {
         return of_cause(cause.as_ref());
     }
+    #[cfg(feature = "figures")]
+    if let Some(::fit::Error::NotDetermined {
+        pull_off_only: true,
+        ..
+    }) = cause.downcast_ref()
+    {
+        return Some(
+            "`tabulate pull-off --load -2uN` with the load of the pull-off finds it; then give --work-of-adhesion, \
+             and no work of adhesion in --free",
+        );
+    }
     if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {
         return Some(
             "if all bodies relax by the law, give --all-relax; bodies that are rigid beside the film have \
