@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use acceptance::{Refused, assert_names, solid};
 use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind, simulate_experiment};
-use interp::Table;
+use interp::{System, Table};
 
 use super::{at_radii, oxide};
 use crate::imagined::{assert_warns, fit_all, fitted, free_of, measurement_at, number_after, text};
@@ -125,4 +125,39 @@ fn a_top_layer_that_is_thinned_to_nothing_is_refused() {
     made.indentation.thinning = 1.0;
     let top = Free::new(Parameter::LayerModulus("top".parse().expect("a name")));
     fit_all(&[made], &[top]).refused("contact depth; something of the thinned film is left");
+}
+
+/// Contacts that are small beside the film say less of a thicker film than of a thinner one, at depths as at radii.
+#[test]
+fn an_error_that_is_too_small_on_one_side_is_told() {
+    let system = System {
+        film_thickness: 4e-6,
+        ..oxide()
+    };
+    let at_radii = at_radii(&system, [1e-7, 4e-7], 20);
+    let mut at_depths = at_radii.clone();
+    at_depths.measurement.kind = Kind::StiffnessDepth;
+    at_depths.indentation.hardness = Some(8e9);
+    for point in &mut at_depths.measurement.points {
+        point.abscissa *= 0.5;
+    }
+    let free = free_of(&[Parameter::FilmThickness]);
+    for plan in [at_radii, at_depths] {
+        let fitted_with = |noise: f64| {
+            let made = simulate_experiment(Table::embedded(), &plan, noise, 1);
+            let mut made = made.expect("a contact");
+            made.noise = Some(noise);
+            fitted(&made, &free)
+        };
+        let found = fitted_with(0.03);
+        let said = text(&found, WarningKind::NonlinearError);
+        let thickness = number_after(&said, "too small on one side: ");
+        let estimate = &found.estimates[0];
+        // Five standard errors of the logarithm above the value.
+        let expected = estimate.value * (5.0 * estimate.standard_error / estimate.value).exp();
+        assert!((thickness / expected - 1.0).abs() < 1e-3, "{said}");
+        assert!(number_after(&said, "chi^2 by ") < 16.0, "{said}");
+        // With a tenth of the noise the problem is linear as far as the data allow.
+        assert!(!fitted_with(0.003).warns_of(WarningKind::NonlinearError));
+    }
 }

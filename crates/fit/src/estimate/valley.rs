@@ -1,6 +1,6 @@
 //! The valley of the sum of squares along one value, away from a minimum.
 
-use super::problem::{Ending, Problem};
+use super::problem::{Assigned, Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
@@ -26,6 +26,10 @@ const FALLS: f64 = 0.999;
 /// the sum of squares there. It is the square of the distance if the problem is linear.
 pub(super) const TESTED: f64 = 5.0;
 const LEAST_GROWTH: f64 = 16.0;
+
+/// The rounds in which stiffness at depths becomes that of the fit: it also tells the contact radius, with which it
+/// is predicted.
+const ROUNDS: usize = 8;
 
 /// A value that may be farther away than its standard error says.
 #[derive(Clone, Copy, Debug)]
@@ -140,20 +144,24 @@ pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> (Option<
 /// Returns the problem on few points, with the ordinates and the priors that the fit predicts.
 fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
     let mut exact = problem.clone();
-    if let Some(predicted) = &problem.predicted {
-        for (assigned, predicted) in exact.assigned.iter_mut().zip(predicted) {
-            // The stiffness at a depth also tells the contact radius, and stays: with its noise, no
-            // growth of the sum of squares is too small.
-            if assigned.experiment.measurement.kind == Kind::StiffnessDepth {
-                continue;
-            }
+    exact.assigned = exact.assigned.into_iter().map(thin).collect();
+    let of_depth = |one: &Assigned| one.experiment.measurement.kind == Kind::StiffnessDepth;
+    let rounds = if exact.assigned.iter().any(of_depth) {
+        ROUNDS
+    } else {
+        1
+    };
+    for _ in 0..rounds {
+        if exact.update().is_err() {
+            break;
+        }
+        for (assigned, predicted) in exact.assigned.iter_mut().zip(exact.predicted.iter().flatten()) {
             for (i, value) in predicted.values.iter().enumerate() {
                 let ordinate = assigned.experiment.ordinate_of(*value);
                 assigned.experiment.measurement.points[i].ordinate = ordinate;
             }
         }
     }
-    exact.assigned = exact.assigned.into_iter().map(thin).collect();
     for slot in 0..exact.slots.len() {
         let mean = exact.value(slot);
         let prior = exact.slots[slot].prior;
