@@ -196,7 +196,9 @@ fn depths_of_wide_contacts_that_stick_are_fitted() {
         "--kind load-penetration --segments approach --from -0.02um --to 0.12um --points 20 --noise 1nN \
              -o wide.csv {bodies}"
     ));
-    let run = workdir.run(format!("fit wide.csv --json --free film-modulus,contact-point {bodies}"));
+    let run = workdir.run(format!(
+        "fit wide.csv --json --free film-modulus,contact-point {bodies}"
+    ));
     assert_estimate(&json(&run.stdout), "film_modulus", 2e4, 0.01 * 2e4);
 }
 

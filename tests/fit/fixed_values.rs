@@ -107,9 +107,12 @@ fn changes_are_those_of_fits_with_other_values() {
     gel.truth.measurement.kind = Kind::LoadPenetration;
     gel.truth.stiffness = None;
     let experiment = gel.measured(&gel.exact(), 1);
-    let names = "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio film-thickness";
+    let names =
+        "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio film-thickness";
     assert_as_refits("gel", &experiment, &gel.free, Loss::Squares, names);
-    let here = found(&experiment, &gel.free, |options| options.fixed_values = true);
+    let here = found(&experiment, &gel.free, |options| {
+        options.fixed_values = true
+    });
     let of_poisson = &here.fixed_values[3];
     let mut less = experiment.clone();
     less.set_fixed(of_poisson.quantity, 0.49).expect("physical");

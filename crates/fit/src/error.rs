@@ -116,6 +116,17 @@ pub enum Error {
         /// Whether they are works of adhesion of flat punches, which change the load of pull-off only.
         pull_off_only: bool,
     },
+    /// Bodies of which those that do not relax would carry too much, at values that the data do not determine.
+    #[error(
+        "the data do not determine {parameters}, and at the values found {cause}. Fix a number of the relaxation \
+         function or give it a prior, measure with less noise, or hold for longer"
+    )]
+    RelaxationNotDetermined {
+        /// The parameters whose standard error is above half of their value, between "and".
+        parameters: String,
+        /// What would not be valid.
+        cause: contact::HistoryError,
+    },
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}{}", other_start(cause))]
     Start {

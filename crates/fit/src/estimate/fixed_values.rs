@@ -137,7 +137,9 @@ pub(super) fn effects(
             (None, Some(below)) => (-step, one_sided(-step, below)),
             (Some(above), None) => (step, one_sided(step, above)),
             // No Poisson ratio is above 0.5.
-            (None, None) if quantity.is_poisson_ratio() && value + PART * step > 0.5 => (-step, None),
+            (None, None) if quantity.is_poisson_ratio() && value + PART * step > 0.5 => {
+                (-step, None)
+            }
             (None, None) => (step, None),
         };
         let changes = match change {

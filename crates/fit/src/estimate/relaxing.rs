@@ -32,7 +32,13 @@ pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxat
     };
     let program = experiment.program();
     let is_of = |slot: &&Slot| slot.is_of(e, experiment);
-    let is_free = |free| problem.slots.iter().filter(is_of).any(|slot| slot.parameter == free);
+    let is_free = |free| {
+        problem
+            .slots
+            .iter()
+            .filter(is_of)
+            .any(|slot| slot.parameter == free)
+    };
     accept_zeros(experiment, &program, is_free)?;
     let contact = problem.contact(&experiment.bodies, false)?;
     let history = contact.history(&relaxing.law)?;

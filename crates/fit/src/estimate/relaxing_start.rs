@@ -1,12 +1,12 @@
 //! Where the method starts where bodies relax: the elastic contact that describes the approach, and
 //! the best of a few laws with it.
 
-use interp::Table;
+use interp::{Probe, Table};
 
 use super::problem::Assigned;
 use crate::model::{Freedom, Program, noise_of};
 use crate::statistics::{extremes, median};
-use crate::{Bodies, Direction, Error, Experiment, Parameter};
+use crate::{Bodies, Direction, Error, Experiment, Parameter, Point};
 
 /// Why data that begin in contact are refused.
 const BEGINS_IN_CONTACT: &str = "its points begin in contact: the history before the first point is \
@@ -95,6 +95,19 @@ pub(super) fn starts(
         return Ok(Vec::new());
     };
     let mut parameters = relaxing.parameters();
+    if let Some(modulus) = matched
+        && experiment.bodies.contact(table, None).is_err()
+    {
+        // Noise has led the elastic contact to a modulus that no film has: one of the right size is enough, because
+        // the law that fits best also tells the modulus.
+        let points = &experiment.measurement.points;
+        let size = |value: fn(&Point) -> f64| {
+            let [least, most] = extremes(points.iter().map(value));
+            most - least
+        };
+        let stress = size(|point| point.ordinate) / size(|point| point.abscissa).powi(2);
+        experiment.replace(modulus, stress)?;
+    }
     parameters.retain(|&parameter| is_unknown(parameter));
     let mut starts: Vec<(Parameter, f64)> = begin(experiment, &is_unknown)?.into_iter().collect();
     let mut best: Option<Tried> = None;
@@ -181,10 +194,14 @@ fn hidden(experiment: &Experiment) -> f64 {
     let points = experiment.measurement.points.iter();
     let loads: Vec<f64> = points.map(|point| point.ordinate).collect();
     let noise = experiment.usual_noise().or_else(|| noise_of(&loads));
-    // The load of a sphere grows like the power 3/2 of the penetration.
-    (noise.unwrap_or(0.0) / extremes(loads.into_iter())[1])
-        .cbrt()
-        .powi(2)
+    // The power of the penetration like which the load grows.
+    let power = match experiment.bodies.probe() {
+        Probe::FlatPunch { .. } | Probe::FlatEndedCone { .. } => 1.0,
+        Probe::Paraboloid { .. } | Probe::Sphere { .. } | Probe::Profile(_) => 1.5,
+        Probe::PowerLaw { exponent, .. } => 1.0 + 1.0 / exponent,
+        Probe::Cone { .. } | Probe::RoundedCone { .. } => 2.0,
+    };
+    (noise.unwrap_or(0.0) / extremes(loads.into_iter())[1]).powf(1.0 / power)
 }
 
 /// Lists the values of parameters of the law that are tried.

@@ -1,12 +1,13 @@
 //! The fit, from the data to the result.
 
+use contact::HistoryError;
 use interp::{Probe, Table};
 
 use super::minima::{Minimum, minimum};
 use super::problem::{Assigned, Ending, Problem};
 use super::search::Data;
 use super::slot::{Slot, slots};
-use super::uncertainty::{Uncertainty, estimates};
+use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
 use crate::model::Freedom;
 use crate::statistics::{deviations, student_deviations};
@@ -84,7 +85,8 @@ fn to_the_end(
     accept_errors(&found)?;
     let losses = losses(&found.problem)?;
     let relaxations = (0..experiments.len()).map(|e| relaxing::of(&found.problem, e));
-    let relaxations = relaxations.collect::<Result<Vec<_>, _>>()?;
+    let relaxations = relaxations.collect::<Result<Vec<_>, _>>();
+    let relaxations = relaxations.map_err(|error| of_undetermined(error, &found))?;
     let without_film = options
         .without_film
         .then(|| without_film::without_film(table, &found, free, options.loss))
@@ -169,12 +171,33 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
     }
     let slots = found.problem.slots.iter();
     let mut open_slots = slots.enumerate().filter(|(slot, _)| is_open(slot));
-    let is_punch = |one: &Assigned| matches!(one.experiment.bodies.probe(), Probe::FlatPunch { .. });
+    let is_punch =
+        |one: &Assigned| matches!(one.experiment.bodies.probe(), Probe::FlatPunch { .. });
     Err(Error::NotDetermined {
         parameters: open.join(" and "),
         pull_off_only: found.problem.assigned.iter().all(is_punch)
             && open_slots.all(|(_, slot)| slot.parameter.is_work_of_adhesion()),
     })
+}
+
+/// Returns the error of bodies that do not relax, or that of the data where they do not determine how the others do.
+fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
+    let names = slot_names(&found.problem);
+    let is_open = |&slot: &usize| {
+        let uncertainty = found.uncertainty.as_ref();
+        uncertainty.is_none_or(|own| own.relative_error(slot) > UNDETERMINED)
+    };
+    let open: Vec<usize> = (0..names.len()).filter(is_open).collect();
+    let open: Vec<&str> = open.iter().map(|&slot| &*names[slot]).collect();
+    match error {
+        Error::History(cause @ HistoryError::UnlikeBodies { .. }) if !open.is_empty() => {
+            Error::RelaxationNotDetermined {
+                parameters: open.join(" and "),
+                cause,
+            }
+        }
+        error => error,
+    }
 }
 
 /// Accepts the experiments, reads the branches of their points, and lists the values to be found.

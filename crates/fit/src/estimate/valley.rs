@@ -155,7 +155,11 @@ fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
         if exact.update().is_err() {
             break;
         }
-        for (assigned, predicted) in exact.assigned.iter_mut().zip(exact.predicted.iter().flatten()) {
+        for (assigned, predicted) in exact
+            .assigned
+            .iter_mut()
+            .zip(exact.predicted.iter().flatten())
+        {
             for (i, value) in predicted.values.iter().enumerate() {
                 let ordinate = assigned.experiment.ordinate_of(*value);
                 assigned.experiment.measurement.points[i].ordinate = ordinate;
