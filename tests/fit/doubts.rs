@@ -1,12 +1,12 @@
 //! Doubts where there is reason for them, and none where there is not.
 
 use acceptance::{Refused, rigid_probe, solid, table};
-use fit::{Bodies, Experiment, Fit, Free, Kind, Options, Parameter, WarningKind, fit};
+use fit::{Bodies, Experiment, Fit, Free, Kind, Options, Parameter, Scope, WarningKind, fit};
 use interp::Probe;
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, fit_with, fitted,
-    fitted_of_few, half_space, lens, off, profiled,
+    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, fit_all, fit_with,
+    fitted, fitted_of_few, half_space, lens, off, profiled,
 };
 
 #[test]
@@ -221,6 +221,21 @@ fn points_beyond_the_pull_off_of_the_fit_are_warned_of() {
     let found = fitted(&experiment, &lens.free);
     let words = "in contact; end of the fitted branch";
     assert_warns(&found, WarningKind::LeftOut, words);
+}
+
+#[test]
+fn a_doubt_about_one_of_several_measurements_names_it() {
+    let free = [LENS[0], LENS[1], Parameter::FilmModulus];
+    let lens = Imagined::lens(Kind::LoadRadius, 1e-6, 5e-6, &free);
+    let experiments = ["first", "second"].map(|name| {
+        let mut experiment = lens.measured(&lens.exact(), 1);
+        experiment.measurement.name = name.into();
+        experiment
+    });
+    let own = free.map(|parameter| Free::new(parameter).with_scope(Scope::Own));
+    let found = fit_all(&experiments, &own).expect("sound");
+    let words = "film-modulus of first is not determined; film-modulus of second is not determined";
+    assert_warns(&found, WarningKind::Undetermined, words);
 }
 
 #[test]

@@ -239,10 +239,11 @@ fn best<'a>(mut ends: Vec<(Problem<'a>, Ending)>, data: &Data, evaluations: usiz
         }
     });
     let mut best = minima.swap_remove(first);
-    best.rivals = minima
-        .iter()
-        .filter_map(|other| rival(&best, other))
-        .collect();
+    for other in &minima {
+        if let Some(rival) = rival(&best, other) {
+            best.rivals.push(rival);
+        }
+    }
     if let Some(uncertainty) = &best.uncertainty {
         let (found, count) = bend(&best.problem, uncertainty);
         best.bend = found;
@@ -293,17 +294,25 @@ impl<'a> Minimum<'a> {
     }
 }
 
-/// Returns another minimum if chance may have made it worse.
+/// Returns another minimum, that is none of the rivals known, if chance may have made it worse.
 fn rival(best: &Minimum<'_>, other: &Minimum<'_>) -> Option<Rival> {
     let uncertainty = best.uncertainty.as_ref()?;
     let slots = best.problem.slots.len();
-    let values: Vec<f64> = (0..slots).map(|slot| other.problem.value(slot)).collect();
-    let is_apart = |slot: usize| {
-        let error = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
-        (best.problem.value(slot) - values[slot]).abs() > APART * error
+    let values_of = |problem: &Problem<'_>| -> Vec<f64> {
+        (0..slots).map(|slot| problem.value(slot)).collect()
+    };
+    let values = values_of(&other.problem);
+    let is_apart_from = |others: &[f64]| {
+        (0..slots).any(|slot| {
+            let error = uncertainty.sizes[slot] * uncertainty.relative_error(slot);
+            (others[slot] - values[slot]).abs() > APART * error
+        })
     };
     let both = best.ending == Ending::Converged && other.ending == Ending::Converged;
-    if !both || !(0..slots).any(is_apart) {
+    let mut known = best.rivals.iter().map(|rival| &rival.values);
+    let is_new =
+        is_apart_from(&values_of(&best.problem)) && known.all(|rival| is_apart_from(rival));
+    if !both || !is_new {
         return None;
     }
     let excess = excess(best, other);

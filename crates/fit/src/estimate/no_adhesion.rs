@@ -59,17 +59,19 @@ pub(super) fn ended_at_zero(problem: &Problem<'_>) -> Vec<usize> {
     (0..problem.slots.len()).filter(is_at_zero).collect()
 }
 
-/// Warns of works of adhesion that ended at 0.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
-    for i in ended_at_zero(problem) {
-        let (parameter, value) = (problem.slots[i].parameter, problem.value(i));
+/// Warns of works of adhesion that ended at 0. Tells whether there are any.
+pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> bool {
+    let ended = ended_at_zero(problem);
+    for &i in &ended {
+        let (name, value) = (&names[i], problem.value(i));
         warnings.add(
             WarningKind::AtBound,
             format!(
-                "{parameter} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
+                "{name} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
                  show no adhesion, and neither its standard error nor those of the other parameters \
                  hold there; fix it at 0, give it a prior, or measure the pull-off"
             ),
         );
     }
+    !ended.is_empty()
 }

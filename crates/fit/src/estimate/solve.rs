@@ -306,11 +306,11 @@ fn accept(options: &Options) -> Result<(), Error> {
 /// Returns the names of the values to be found.
 pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
     let name = |slot: &Slot| match slot.experiment {
-        Some(e) => format!(
+        Some(e) if problem.assigned.len() > 1 => format!(
             "{} of {}",
             slot.parameter, problem.assigned[e].experiment.measurement.name
         ),
-        None => slot.parameter.to_string(),
+        _ => slot.parameter.to_string(),
     };
     problem.slots.iter().map(name).collect()
 }
@@ -382,8 +382,11 @@ fn result(
         fixed_values::pass_on(&mut fit);
     }
     fit.warnings = warnings::warnings(&fit, found, data, options);
-    fit.warnings
-        .extend(warnings::intervals(&fit, intervals.as_deref()));
+    fit.warnings.extend(warnings::intervals(
+        &fit,
+        &slot_names(problem),
+        intervals.as_deref(),
+    ));
     fit
 }
 

@@ -8,6 +8,7 @@ use super::minima::Minimum;
 use super::problem::{Ending, Problem};
 use super::profile::End;
 use super::search::{Data, SHORT};
+use super::solve::slot_names;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::{Bend, TESTED};
 use super::{
@@ -29,30 +30,23 @@ pub(super) fn warnings(
 ) -> Vec<Warning> {
     let mut warnings = Warnings::default();
     let problem = &found.problem;
-    method(&mut warnings, fit, found);
+    let names = slot_names(problem);
+    method(&mut warnings, fit, found, &names);
     super::twice::add(&mut warnings, problem);
     table_error::add(&mut warnings, fit, problem);
     if let Some(found) = &found.bend {
-        bend(&mut warnings, problem, found);
+        bend(&mut warnings, problem, &names[found.slot], found);
     }
     for estimate in &fit.estimates {
         implausible(&mut warnings, estimate);
     }
     if let Some(uncertainty) = &found.uncertainty {
-        let stopped = at_bounds(&mut warnings, problem);
-        no_adhesion::add(&mut warnings, problem);
-        if uncertainty.short > SHORT && problem.refused && !stopped {
-            warnings.add(
-                WarningKind::EndOfTable,
-                format!(
-                    "the fit ended {:.1} standard errors from the least squares: the table ends \
-                     there, or the model has no contact beyond; fix a parameter or use a larger \
-                     table",
-                    uncertainty.short
-                ),
-            );
+        let stopped = at_bounds(&mut warnings, problem, &names);
+        let without_adhesion = no_adhesion::add(&mut warnings, problem, &names);
+        if uncertainty.short > SHORT && problem.refused && !stopped && !without_adhesion {
+            end_of_table(&mut warnings, problem, uncertainty.short);
         }
-        undetermined(&mut warnings, fit, problem, uncertainty);
+        undetermined(&mut warnings, fit, problem, (uncertainty, &names));
         interfaces::add(&mut warnings, found, uncertainty);
         left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
@@ -85,12 +79,26 @@ pub(super) fn warnings(
     warnings.into_list()
 }
 
-/// Says why an interval has no end on a side, or two.
-pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
+/// Says that a fit ended `short` of the least squares, by standard errors, because contacts are refused beyond.
+fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
+    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
+    let reason = if experiments.any(|one| one.bodies.uses_table()) {
+        "the table ends there, or the model has no contact beyond; fix a parameter or use a larger table"
+    } else {
+        "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
+    };
+    warnings.add(
+        WarningKind::EndOfTable,
+        format!("the fit ended {short:.1} standard errors from the least squares: {reason}"),
+    );
+}
+
+/// Says why an interval has no end on a side, or two. `names` are those of the estimates.
+pub(super) fn intervals(fit: &Fit, names: &[String], ends: Option<&[[End; 2]]>) -> Vec<Warning> {
     let mut warnings = Warnings::default();
-    for (estimate, ends) in fit.estimates.iter().zip(ends.into_iter().flatten()) {
-        let parameter = estimate.parameter;
-        let unit = match parameter.unit() {
+    let estimates = fit.estimates.iter().zip(names);
+    for ((estimate, name), ends) in estimates.zip(ends.into_iter().flatten()) {
+        let unit = match estimate.parameter.unit() {
             "1" => String::new(),
             unit => format!(" {unit}"),
         };
@@ -108,7 +116,7 @@ pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
             warnings.add(
                 WarningKind::OpenInterval,
                 format!(
-                    "the interval of {parameter} has no {side} end: {why}; fix a parameter, or \
+                    "the interval of {name} has no {side} end: {why}; fix a parameter, or \
                      give it a prior"
                 ),
             );
@@ -118,7 +126,7 @@ pub(super) fn intervals(fit: &Fit, ends: Option<&[[End; 2]]>) -> Vec<Warning> {
 }
 
 /// Doubts about the way to the minimum.
-fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
+fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[String]) {
     if found.ending != Ending::Converged {
         let how = match found.ending {
             Ending::OutOfPatience => "was still moving",
@@ -134,14 +142,10 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
         );
     }
     for rival in &found.rivals {
-        let estimates = fit.estimates.iter().zip(&rival.values);
+        let estimates = fit.estimates.iter().zip(names).zip(&rival.values);
         let values: Vec<String> = estimates
-            .map(|(estimate, value)| {
-                format!(
-                    "{} = {value:.3e} {}",
-                    estimate.parameter,
-                    estimate.parameter.unit()
-                )
+            .map(|((estimate, name), value)| {
+                format!("{name} = {value:.3e} {}", estimate.parameter.unit())
             })
             .collect();
         warnings.add(
@@ -157,12 +161,12 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>) {
 }
 
 /// Warns of a value that may be farther away than its standard error says.
-fn bend(warnings: &mut Warnings, problem: &Problem<'_>, bend: &Bend) {
+fn bend(warnings: &mut Warnings, problem: &Problem<'_>, name: &str, bend: &Bend) {
     let parameter = problem.slots[bend.slot].parameter;
     warnings.add(
         WarningKind::NonlinearError,
         format!(
-            "the standard error of {parameter} is too small on one side: {:.3e} {}, {} standard \
+            "the standard error of {name} is too small on one side: {:.3e} {}, {} standard \
              errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
              profile likelihood, or give a prior",
             bend.value,
@@ -201,7 +205,7 @@ fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
 }
 
 /// Warns of values at their bounds. Tells whether there are any.
-fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>) -> bool {
+fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> bool {
     let mut any = false;
     for (i, slot) in problem.slots.iter().enumerate() {
         let value = problem.value(i);
@@ -211,7 +215,7 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>) -> bool {
                 WarningKind::AtBound,
                 format!(
                     "{} = {value:.4e} {} is at its bound: the data want a value beyond it",
-                    slot.parameter,
+                    names[i],
                     slot.parameter.unit()
                 ),
             );
@@ -225,7 +229,7 @@ fn undetermined(
     warnings: &mut Warnings,
     fit: &Fit,
     problem: &Problem<'_>,
-    uncertainty: &Uncertainty,
+    (uncertainty, names): (&Uncertainty, &[String]),
 ) {
     for (i, estimate) in fit.estimates.iter().enumerate() {
         let error = uncertainty.relative_error(i);
@@ -247,8 +251,9 @@ fn undetermined(
         warnings.add(
             WarningKind::Undetermined,
             format!(
-                "{parameter} is not determined by these data: its standard error is {size} \
+                "{} is not determined by these data: its standard error is {size} \
                  {of}, above {:.0} %; fix it or give a prior",
+                names[i],
                 1e2 * UNDETERMINED
             ),
         );
