@@ -4,7 +4,7 @@ use std::env;
 use std::path::Path;
 use std::process::Command;
 
-use acceptance::{bits, start, table, write_hdf5};
+use acceptance::{assert_names, bits, start, table, write_hdf5};
 use interp::{Parameter, SubstratePoissonRatio, Table};
 use serde_json::{Value, json};
 
@@ -66,7 +66,23 @@ fn assert_reads(table: &Table, normalised_by: &str) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("table.h5");
     write_hdf5(table, &path);
-    let file = read(&path);
+    let mut file = read(&path);
+    // What the numbers mean, for a reader who has the file alone.
+    let mut explained = |name: &str| -> String {
+        let attributes = file["attributes"].as_object_mut().expect("attributes");
+        let value = attributes.remove(name).expect("an explanation");
+        value[1].as_str().expect("text").to_owned()
+    };
+    assert_names(
+        &explained("comment"),
+        "sphere of radius R; film of thickness t; a is the contact radius; 2 g^2/(pi a Es*) = w; F = F0 - S |dfp|; \
+         nu1 = b/(1 + b)",
+    );
+    assert_names(
+        &explained("references"),
+        "Barthel; J. Phys. D; 40 (2007) 1059",
+    );
+    assert_eq!(explained("license"), "MIT OR Apache-2.0");
     let description = table.description();
     let certificate = &description.certificate;
     let text = |value: &str| json!(["text", value]);

@@ -93,7 +93,7 @@ pub enum Solver {
         advancing: f64,
     },
     /// By lookups in a table of these layers, which cannot vary. `tabulate::table::StackTable` tells the
-    /// stack of a table.
+    /// stack of a table; that both belong together is not checked here.
     Table {
         /// The layers of the table.
         stack: Stack,

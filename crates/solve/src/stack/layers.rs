@@ -168,7 +168,10 @@ impl Stack {
     }
 
     /// Looks up the curve of this stack under a sphere of reduced modulus `sphere_modulus` (Pa;
-    /// infinity is rigid) in a table, which is one of this stack.
+    /// infinity is rigid) in a table of this stack.
+    ///
+    /// Whether the table is of these layers is not checked: a table knows its reach, not its layers.
+    /// `tabulate::table::StackTable` reads a table and its stack from one file.
     ///
     /// # Errors
     /// Those of [`Stack::material`] and [`Table::stack_curve`].

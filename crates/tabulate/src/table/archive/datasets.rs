@@ -4,7 +4,9 @@ use std::path::Path;
 
 use hdf5::types::VarLenUnicode;
 use hdf5::{H5Type, Location};
-use interp::schema::{AXES, FORMAT, FORMAT_VERSION, VALUES, attribute, checksum};
+use interp::schema::{
+    AXES, COMMENT, FORMAT, FORMAT_VERSION, LICENSE, REFERENCES, VALUES, attribute, checksum,
+};
 use interp::{Quantity, SubstratePoissonRatio, Table};
 use ndarray::{ArrayView1, ArrayView4};
 
@@ -34,6 +36,9 @@ pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     let description = table.description();
     text(&file, attribute::FORMAT, FORMAT)?;
     number(&file, attribute::FORMAT_VERSION, FORMAT_VERSION)?;
+    text(&file, attribute::COMMENT, COMMENT)?;
+    text(&file, attribute::REFERENCES, REFERENCES)?;
+    text(&file, attribute::LICENSE, LICENSE)?;
     text(&file, attribute::TITLE, &description.title)?;
     text(&file, attribute::SCENE, &description.scene)?;
     match description.nu0 {
