@@ -36,6 +36,10 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         "
         1 | pull-off --stiffness 0.1N/m | --control spring
         2 | curve --film-modulus 5 | 5kPa; 5MPa; 5Pa
+        1 | curve --film-thickness nan --from 10um | film_thickness = NaN; > 0
+        2 | curve --film-thickness 1parsec | parsec; um, mN, kPa
+        2 | pull-off --load -2uN,-3uN | several values; call the command once for each
+        2 | fit heights.csv --specimen paper --stiffness 0.05 --sensitivity 50 | 50.0 m/V; 1e-10 to 1e-4 m/V; 50nm/V
         2 | curve --sphere-modulus 210 | 210GPa
         1 | curve --probe cone --half-angle 70 --sphere-radius 1um | no --sphere-radius; rounded-cone
         2 | curve --probe cone --half-angle 1.2 | 1.2rad; degrees; 68.7549; 1.2deg
@@ -105,6 +109,18 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         "cells", "heights", "latin", "loads", "raised", "steep", "swapped", "twice", "wide",
     ];
     assert_eq!(workdir.files(), profiles.map(|name| format!("{name}.csv")));
+}
+
+/// Noise that hides the data was probably given in another unit: the data are made, with a note.
+#[test]
+fn a_noise_in_the_wrong_unit_is_noted() {
+    let workdir = workdir!();
+    let noted = |noise: &str| {
+        let radii = "simulate --specimen paper --kind load-radius --from 40um --to 80um";
+        workdir.answer(format!("{radii} --noise {noise}")).stderr
+    };
+    assert_names(&noted("5"), "--noise 5.0; range of the load; 1nN");
+    assert!(!noted("5uN").contains("--noise"));
 }
 
 /// The usual radii of a curve end within the points of a profile.

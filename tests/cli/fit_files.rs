@@ -73,6 +73,35 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
     assert!(!run.stderr.contains("type --"), "{run:?}");
 }
 
+/// A column without a heading is named by its number.
+#[test]
+fn a_column_named_by_its_number_is_told_by_its_number() {
+    let workdir = workdir!();
+    workdir.write("bare.csv", "42,0.1\n50,0.2\n61,0.35\n70,0.5\n81,0.75\n");
+    let columns = "--column 'contact_radius=1 [um]' --column 'load=2 [mN]'";
+    let run = workdir.run(format!("fit bare.csv {LENS} {columns}"));
+    assert_names(
+        &run.stdout,
+        "contact_radius from column 1; load from column 2",
+    );
+}
+
+/// Four cells stand for two numbers: read by their places they would be other numbers.
+#[test]
+fn a_comma_that_is_the_decimal_mark_and_separates_the_cells_is_refused() {
+    let workdir = workdir!();
+    workdir.write(
+        "comma.csv",
+        "radius [um],load [mN]\n42,5,0,1\n50,1,0,2\n61,2,0,35\n70,9,0,5\n",
+    );
+    let by_places = "--column 'contact_radius=1 [um]' --column 'load=2 [mN]'";
+    for more in ["", by_places] {
+        workdir.refuses(format!(
+            "1 | fit comma.csv {LENS} {more} | line 2; 4 cells; 2 headings; semicolons or tabs; decimal points"
+        ));
+    }
+}
+
 /// What is doubtful in a file is a warning of the fit, and is told with its errors.
 #[test]
 fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {

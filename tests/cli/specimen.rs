@@ -41,7 +41,7 @@ fn measured() -> Workdir {
     let workdir = workdir!();
     let all = without("--film-thickness");
     let lens = "simulate --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN -o lens.csv";
-    let gel = "simulate --kind force-height --film-thickness 30um --stiffness 0.1N/m --from 1um --to -1um --noise 1uN \
+    let gel = "simulate --kind force-height --film-thickness 30um --stiffness 0.1N/m --from 1um --to -1um --noise 1nN \
                -o gel.csv";
     let depths = "simulate --kind penetration-radius --film-thickness 30um --from 42um --to 130um --noise 10nm -o depths.csv";
     for command in [lens, gel, depths] {

@@ -182,10 +182,10 @@ impl Mechanics {
                 sphere_radius: to,
             };
         }
-        let (allowed, limit) = if a < from {
-            ("at least the radius of the flat end,", from)
-        } else if from > 0.0 && to < 2.0 * from {
+        let (allowed, limit) = if from > 0.0 && to < 2.0 * from {
             ("that of the punch,", 0.5 * (from + to))
+        } else if a < from {
+            ("at least the radius of the flat end,", from)
         } else {
             (
                 "below the largest one for which the shape is known or computed,",

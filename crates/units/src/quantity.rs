@@ -33,7 +33,8 @@ pub enum QuantityError {
     },
     /// What follows the number is not a unit.
     #[error(
-        "{unit:?} in {text:?} is not a unit that is known; case counts: mN and MN, Pa and not pa"
+        "{unit:?} in {text:?} is not a unit that is known; units are such as um, mN, kPa, N/m, mJ/m^2 or s, and case \
+         counts: mN and MN, Pa and not pa"
     )]
     UnknownUnit {
         /// The whole text.

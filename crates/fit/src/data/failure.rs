@@ -218,6 +218,16 @@ pub enum Problem {
          outside the range asked for"
     )]
     NoPoints(u64),
+    /// A comma is the decimal mark and separates the cells.
+    #[error(
+        "the rows of {cells} cells that begin here stand below {} headings: the comma is the decimal mark and also \
+         separates the cells; save the file with semicolons or tabs between the cells, or with decimal points",
+        cells / 2
+    )]
+    TwofoldCommas {
+        /// The number of cells of a row.
+        cells: usize,
+    },
     /// The columns have no headings.
     #[error(
         "the rows of {columns} cells that begin here have no line of {columns} headings above \

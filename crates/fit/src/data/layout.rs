@@ -23,6 +23,8 @@ pub struct Layout {
     pub head: usize,
     /// The lines that could be the headings, the nearest to the rows first.
     pub titles: Vec<Titles>,
+    /// Whether a comma is the decimal mark and separates the cells, too: the headings are half as many as the cells.
+    pub has_twofold_commas: bool,
 }
 
 /// A line that could be the headings.
@@ -121,15 +123,20 @@ impl Search {
             .split(&self.lines[head])
             .last()
             .is_some_and(str::is_empty);
+        let before = &self.lines[..head];
+        let fits = run.cells - usize::from(last_is_empty)..=run.cells;
+        let titles_of = |fits| titles(before, delimiter, fits);
+        let titles = titles_of(fits);
+        let half = run.cells / 2;
         let layout = Layout {
             delimiter,
             cells: run.cells,
             head,
-            titles: titles(
-                &self.lines[..head],
-                delimiter,
-                run.cells - usize::from(last_is_empty)..=run.cells,
-            ),
+            has_twofold_commas: delimiter == Delimiter::Comma
+                && 2 * half == run.cells
+                && titles.is_empty()
+                && !titles_of(half..=half).is_empty(),
+            titles,
         };
         Ok((layout, self.lines))
     }

@@ -89,6 +89,14 @@ fn choose(
     format: &Format,
     untold: Option<&Untold>,
 ) -> Result<(Titles, Assignment), DataError> {
+    let at_rows = |problem: Problem| DataError {
+        line: Some(layout.head as u64 + 1),
+        ..problem.into()
+    };
+    if layout.has_twofold_commas {
+        let cells = layout.cells;
+        return Err(at_rows(Problem::TwofoldCommas { cells }));
+    }
     let unnamed = Titles {
         headings: vec![Heading::parse(""); layout.cells],
         head: layout.head,
@@ -108,14 +116,10 @@ fn choose(
         }
     }
     Err(first.unwrap_or_else(|| {
-        let problem = Problem::NoHeadings {
+        at_rows(Problem::NoHeadings {
             columns: layout.cells,
             roles: roles(format.kind.unwrap_or(Kind::LoadRadius)),
-        };
-        DataError {
-            line: Some(layout.head as u64 + 1),
-            ..problem.into()
-        }
+        })
     }))
 }
 

@@ -263,7 +263,8 @@ fn accept(free: &Free) -> Result<(), Error> {
     if let Some([least, most]) = free.bounds {
         for bound in [least, most] {
             if !is_possible(bound) {
-                let allowed = if bound == 0.0 && parameter.is_positive() && most.is_finite() {
+                let has_small = parameter.is_positive() && most.is_finite() && most > 0.0;
+                let allowed = if bound == 0.0 && has_small {
                     format!(
                         "{possible}, since its logarithm is fitted; a small bound in place of 0 is {:e} {}",
                         most / 1e3,

@@ -27,6 +27,9 @@ pub struct JkrPlotPoint {
 /// # Errors
 /// [`Error::NoJkrPlot`] unless loads were measured at contact radii, under a probe with a radius of
 /// curvature at its tip.
+///
+/// # Panics
+/// If the fit has no experiment of this `number`.
 pub fn jkr_plot(
     fit: &Fit,
     experiment: &Experiment,

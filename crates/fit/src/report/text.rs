@@ -26,6 +26,9 @@ const WORSE: f64 = 25.0;
 /// `notes` are those of the `experiments`, in their order: [`Notes::default`] for points that come
 /// from no file. Parameters without a unit in `units` get a prefix with which their number is at
 /// least 1.
+///
+/// # Panics
+/// If the `experiments` are fewer than those of the fit.
 pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[UnitOf]) -> String {
     let mut out = String::new();
     for (experiment, notes) in experiments.iter().zip(notes) {
@@ -170,11 +173,13 @@ fn column(source: &Source) -> String {
     } else {
         ""
     };
-    format!(
-        "{} from {:?}{unit}{sign}",
-        source.role.name(),
-        source.heading
-    )
+    // A column that was named by its number may have no heading.
+    let heading = if source.heading.is_empty() {
+        format!("column {}", source.index + 1)
+    } else {
+        format!("{:?}", source.heading)
+    };
+    format!("{} from {heading}{unit}{sign}", source.role.name())
 }
 
 /// Lists the values that are not fitted: one, or that of each file if they differ.

@@ -101,6 +101,9 @@ impl Stack {
     ///
     /// # Errors
     /// As [`Stack::new`].
+    ///
+    /// # Panics
+    /// If the sublayers do not fit into the memory.
     pub fn graded(
         base: Elastic,
         thickness: f64,

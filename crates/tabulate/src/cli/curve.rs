@@ -91,6 +91,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let output = Output::of_text(arguments.output.as_deref(), [table, stack, profile])?;
     let bodies = given.read_checked()?;
     let system = &bodies.system;
+    let mechanics = Mechanics::new(system)?;
     let [from, to] = arguments.radii(&bodies);
     ensure!(
         to > 0.0 && to < f64::INFINITY,
@@ -111,7 +112,6 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "contact radii run from above 0 to more than that: --from{from_default} is {from:?} m, and \
          --to{to_default} is {to:?} m"
     );
-    let mechanics = Mechanics::new(system)?;
     let punch = matches!(system.probe, Probe::FlatPunch { .. });
     ensure!(
         !punch || arguments.from.is_none() && arguments.to.is_none(),

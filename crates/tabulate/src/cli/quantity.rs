@@ -58,8 +58,8 @@ pub fn any(text: &str) -> Result<Quantity, String> {
     text.parse::<Quantity>().map_err(|error| {
         if is_list(text) {
             format!(
-                "{text:?} are several values, and one is wanted (`tabulate fit` takes one for each of several files: \
-                 --value NAME=VALUE,VALUE)"
+                "{text:?} are several values, and one is wanted: call the command once for each (`tabulate fit` takes one \
+                 for each of several files: --value NAME=VALUE,VALUE)"
             )
         } else {
             error.to_string()

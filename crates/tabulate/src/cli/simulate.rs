@@ -169,6 +169,26 @@ impl Arguments {
     }
 }
 
+/// Says that noise hides the data: its unit is probably wrong.
+fn note_large_noise(exact: &Experiment, noise: f64) {
+    if exact.measurement.kind.is_stiffness() {
+        // This noise is in per cent.
+        return;
+    }
+    let ordinates = exact.measurement.points.iter().map(|point| point.ordinate);
+    let [least, most] = ordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| {
+        [least.min(y), most.max(y)]
+    });
+    if noise > most - least {
+        let [_, ordinate] = exact.measurement.kind.names();
+        let range = most - least;
+        note(&format!(
+            "--noise {noise:?} (SI units) is larger than the range of the {ordinate}, {range:.1e}, and hides it: check \
+             the unit of --noise, such as 1nN or 5nm"
+        ));
+    }
+}
+
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let [stack, profile] = arguments.known.bodies.files();
     let inputs = [arguments.table.path(), stack, profile];
@@ -260,6 +280,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let text = csv(&made)?;
     arguments.known.name_example(&experiments[0]);
     output.write(&text)?;
+    let exact = simulate_experiment(&table, &experiments[0], 0.0, arguments.seed)
+        .map_err(|error| doubted(error, &[], &[]))?;
+    note_large_noise(&exact, noise);
     for warning in made.broken_assumptions(&table)? {
         note(&warning.text);
     }

@@ -213,9 +213,19 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
     })
 }
 
+/// The sizes of the sensitivities of deflections, m/V.
+const SENSITIVITIES: [f64; 2] = [1e-10, 1e-4];
+
 /// Reads the sensitivity of a deflection.
 fn sensitivity(text: &str) -> Result<f64, String> {
-    read(text, Some(Dimension::LengthPerVoltage))
+    let value = read(text, Some(Dimension::LengthPerVoltage))?;
+    let [least, most] = SENSITIVITIES;
+    if !(least..=most).contains(&value.abs()) {
+        return Err(format!(
+            "{value:?} m/V is no sensitivity, which is from {least:e} to {most:e} m/V: write its unit, such as 50nm/V"
+        ));
+    }
+    Ok(value)
 }
 
 impl Arguments {
