@@ -46,6 +46,30 @@ fn lens(workdir: &acceptance::Workdir) {
     );
 }
 
+/// Data without adhesion tell an upper limit: it is asked for in one more step, and no number of another meaning is
+/// shown.
+#[test]
+fn a_work_of_adhesion_that_ended_at_zero_is_0_with_an_upper_limit() {
+    let workdir = workdir!();
+    workdir.simulate(
+        "--specimen paper --kind load-radius --from 40um --to 130um --noise 20uN --seed 6 --work-of-adhesion 0 \
+         -o bare.csv",
+    );
+    let fit = "fit bare.csv --specimen paper --free sphere-modulus,work-of-adhesion";
+    let report = workdir.run(fit).stdout;
+    let words = "work-of-adhesion          0 J/m^2, without an error; stays 0; ended at 0; interval from the profile";
+    assert_names(&report, words);
+    assert!(!report.contains("not determined"), "{report}");
+    let report = workdir.run(format!("{fit} --intervals 0.95")).stdout;
+    let line = report.lines().find(|line| line.contains("0 (0 to"));
+    let most = line.and_then(|line| line.split_once("0 (0 to ")?.1.split_once(" uJ/m^2)"));
+    let most: f64 = most.expect("a limit").0.parse().expect("a number");
+    // The noise of a load, 20 uN, is that of sqrt(6 pi w K a^3) with K = 2.7 MPa at a = 40 um and w = 0.1 uJ/m^2; the
+    // modulus is free, too.
+    assert!((0.1..100.0).contains(&most), "{most}");
+    assert!(!report.contains("has no lower end"), "{report}");
+}
+
 #[test]
 fn an_error_of_a_known_thickness_widens_the_errors() {
     let workdir = workdir!();

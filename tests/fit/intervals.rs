@@ -37,7 +37,14 @@ fn assert_sound(name: &str, fits: &[Fit]) -> usize {
             let is_open = [low, high].iter().any(|end| !end.is_finite())
                 || (estimate.parameter.is_positive() && low == 0.0);
             let words = format!("interval of {} ", estimate.parameter);
-            let is_named = text(fit, WarningKind::OpenInterval).contains(&words);
+            let at_zero = format!("{} = ", estimate.parameter);
+            let mut at_bound = fit
+                .warnings
+                .iter()
+                .filter(|one| one.kind == WarningKind::AtBound);
+            let is_named = text(fit, WarningKind::OpenInterval).contains(&words)
+                || at_bound
+                    .any(|one| one.text.starts_with(&at_zero) && one.text.contains("ended at 0"));
             assert_eq!(is_open, is_named, "{name}: {estimate:?}");
             for (end, is_outside) in [(low, low > estimate.value), (high, high < estimate.value)] {
                 assert!(end.is_nan() || !is_outside, "{name}: {estimate:?}");

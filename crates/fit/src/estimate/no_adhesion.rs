@@ -59,8 +59,8 @@ pub(super) fn ended_at_zero(problem: &Problem<'_>) -> Vec<usize> {
     (0..problem.slots.len()).filter(is_at_zero).collect()
 }
 
-/// Warns of works of adhesion that ended at 0. Tells whether there are any.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> bool {
+/// Warns of works of adhesion that ended at 0. Returns their slots.
+pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> Vec<usize> {
     let ended = ended_at_zero(problem);
     for &i in &ended {
         let (name, value) = (&names[i], problem.value(i));
@@ -69,9 +69,10 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, names: &[Strin
             format!(
                 "{name} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
                  show no adhesion, and neither its standard error nor those of the other parameters \
-                 hold there; fix it at 0, give it a prior, or measure the pull-off"
+                 hold there; fix it at 0, give it a prior, or measure the pull-off; the upper end of its interval \
+                 from the profile of the likelihood is the largest that the data allow"
             ),
         );
     }
-    !ended.is_empty()
+    ended
 }

@@ -66,7 +66,8 @@ pub struct Estimate {
     /// contains the value, and that of a smaller level. An end is infinite, or 0 for a positive
     /// parameter, where the data set no limit within 40 standard errors or, for a positive
     /// parameter, a factor of 1e6; it is NaN where a fit of the other values failed on the way. A
-    /// warning gives the reason: [`WarningKind::OpenInterval`].
+    /// warning gives the reason: [`WarningKind::OpenInterval`], or [`WarningKind::AtBound`] of a work of
+    /// adhesion that ended at 0.
     pub profile: Option<[f64; 2]>,
 }
 

@@ -382,11 +382,8 @@ fn result(
         fixed_values::pass_on(&mut fit);
     }
     fit.warnings = warnings::warnings(&fit, found, data, options);
-    fit.warnings.extend(warnings::intervals(
-        &fit,
-        &slot_names(problem),
-        intervals.as_deref(),
-    ));
+    fit.warnings
+        .extend(warnings::intervals(&fit, problem, intervals.as_deref()));
     fit
 }
 

@@ -42,11 +42,11 @@ pub(super) fn warnings(
     }
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem, &names);
-        let without_adhesion = no_adhesion::add(&mut warnings, problem, &names);
-        if uncertainty.short > SHORT && problem.refused && !stopped && !without_adhesion {
+        let at_zero = no_adhesion::add(&mut warnings, problem, &names);
+        if uncertainty.short > SHORT && problem.refused && !stopped && at_zero.is_empty() {
             end_of_table(&mut warnings, problem, uncertainty.short);
         }
-        undetermined(&mut warnings, fit, problem, (uncertainty, &names));
+        undetermined(&mut warnings, fit, problem, (uncertainty, &names, &at_zero));
         interfaces::add(&mut warnings, found, uncertainty);
         left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
@@ -93,11 +93,16 @@ fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
     );
 }
 
-/// Says why an interval has no end on a side, or two. `names` are those of the estimates.
-pub(super) fn intervals(fit: &Fit, names: &[String], ends: Option<&[[End; 2]]>) -> Vec<Warning> {
+/// Says why an interval has no end on a side, or two.
+pub(super) fn intervals(
+    fit: &Fit,
+    problem: &Problem<'_>,
+    ends: Option<&[[End; 2]]>,
+) -> Vec<Warning> {
     let mut warnings = Warnings::default();
-    let estimates = fit.estimates.iter().zip(names);
-    for ((estimate, name), ends) in estimates.zip(ends.into_iter().flatten()) {
+    let (names, at_zero) = (slot_names(problem), no_adhesion::ended_at_zero(problem));
+    let estimates = fit.estimates.iter().zip(&names).enumerate();
+    for ((i, (estimate, name)), ends) in estimates.zip(ends.into_iter().flatten()) {
         let unit = match estimate.parameter.unit() {
             "1" => String::new(),
             unit => format!(" {unit}"),
@@ -105,6 +110,8 @@ pub(super) fn intervals(fit: &Fit, names: &[String], ends: Option<&[[End; 2]]>) 
         for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
             let why = match end {
                 End::At(_) => continue,
+                // It begins at 0.
+                End::Open(_) if side == "lower" && at_zero.contains(&i) => continue,
                 End::Open(value) => format!(
                     "the data do not rule out {value:.3e}{unit}, the farthest value that was \
                      looked at"
@@ -229,12 +236,12 @@ fn undetermined(
     warnings: &mut Warnings,
     fit: &Fit,
     problem: &Problem<'_>,
-    (uncertainty, names): (&Uncertainty, &[String]),
+    (uncertainty, names, at_zero): (&Uncertainty, &[String], &[usize]),
 ) {
     for (i, estimate) in fit.estimates.iter().enumerate() {
         let error = uncertainty.relative_error(i);
         // Not `>`, which is false for NaN.
-        if error <= UNDETERMINED {
+        if error <= UNDETERMINED || at_zero.contains(&i) {
             continue;
         }
         let parameter = estimate.parameter;

@@ -1,7 +1,7 @@
 //! What the values that a fit takes as given do to its result.
 
 use super::text::{NAME, name};
-use super::unit::{decimals_of_three, scaled};
+use super::unit::{decimals_of_three, is_zero, scaled};
 use crate::{Estimate, Fit, FixedValue};
 
 /// The smallest width of a column.
@@ -64,6 +64,9 @@ fn step(one: &FixedValue) -> String {
 fn cell(estimate: &Estimate, change: f64) -> String {
     if change.is_nan() {
         return "not known".to_owned();
+    }
+    if is_zero(estimate.parameter, estimate.value) {
+        return "stays 0".to_owned();
     }
     if estimate.parameter.is_positive() {
         let percent = 1e2 * change / estimate.value;

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use interp::Probe;
 
 use super::agreement::agreement;
-use super::unit::{UnitOf, decimals, scaled, unit, with_error};
+use super::unit::{UnitOf, decimals, is_zero, scaled, unit, with_error};
 use super::{fixed_values, indentation, relaxing};
 use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
@@ -411,6 +411,15 @@ fn warned(out: &mut String, warnings: &[Warning]) {
 
 /// Returns value, error and unit of an estimate, and its interval.
 fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
+    if is_zero(estimate.parameter, estimate.value) {
+        let [_, most] = estimate.profile.unwrap_or([0.0, f64::NAN]);
+        let (unit, size) = unit(estimate.parameter, most, 0.0, asked);
+        return if most.is_finite() {
+            format!("0 (0 to {:.2} {unit})", most / size)
+        } else {
+            format!("0 {}, without an error", estimate.parameter.unit())
+        };
+    }
     let (unit, size) = unit(
         estimate.parameter,
         estimate.value,

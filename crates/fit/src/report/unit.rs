@@ -55,6 +55,12 @@ pub fn scaled(unit: &str, value: f64) -> (String, f64) {
     }
 }
 
+/// Tells whether the value of a positive parameter has ended at 0, which its logarithm never reaches.
+pub fn is_zero(parameter: Parameter, value: f64) -> bool {
+    let (_, size) = scaled(parameter.unit(), value);
+    parameter.is_positive() && value / size < LEAST
+}
+
 /// Returns a value and its error, in one unit, with two digits of the error.
 pub fn with_error(value: f64, error: f64) -> String {
     let decimals = decimals(value, error);

@@ -119,6 +119,12 @@ impl Plan {
         self.shape().iter().product()
     }
 
+    /// Tells whether an axis may get more nodes, because the tolerance chose them.
+    pub fn can_grow(&self) -> bool {
+        let is_free = |one: &Placement| matches!(one, Placement::Nodes { free: true, .. });
+        self.placements.iter().any(is_free)
+    }
+
     /// Returns the plan with more nodes on some axes; none if nothing changes.
     ///
     /// An axis gets `factors[parameter]` times as many nodes, and two more at least, where the
