@@ -73,7 +73,7 @@ const MADE_AGAIN: &str = "a table that misses its tolerance is made again with m
 const COMPRESSED: f64 = 0.65;
 /// Bytes of a file without its datasets of values: HDF5's own structures, the attributes and the
 /// axes.
-const FILE_OVERHEAD: f64 = 17e3;
+const FILE_OVERHEAD: f64 = 18e3;
 /// Bytes of a dataset of values besides the values: its header, attributes and index of chunks.
 const DATASET_OVERHEAD: f64 = 5e3;
 /// Memory of a table, its values and its splines, over the values.
