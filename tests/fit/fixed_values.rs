@@ -114,7 +114,7 @@ fn changes_are_those_of_fits_with_other_values() {
         options.fixed_values = true
     });
     let of_poisson = &here.fixed_values[3];
-    let mut less = experiment.clone();
+    let mut less = experiment;
     less.set_fixed(of_poisson.quantity, 0.49).expect("physical");
     let whole = found(&less, &gel.free, |_| ()).estimates[0].value - here.estimates[0].value;
     let (change, step) = (of_poisson.changes[0], of_poisson.step);
