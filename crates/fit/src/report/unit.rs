@@ -1,6 +1,6 @@
 //! Numbers for people: a unit with a prefix, and as many digits as the error leaves.
 
-use crate::Parameter;
+use crate::{Estimate, Parameter};
 use units::prefix;
 
 /// The unit in which a report shows a parameter.
@@ -71,6 +71,43 @@ pub fn with_error(value: f64, error: f64) -> String {
         return format!("{value:.1e} +- {error:.1e}");
     }
     format!("{value:.decimals$} +- {error:.decimals$}")
+}
+
+/// Returns value, error and unit of an estimate, and its interval.
+pub fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
+    if is_zero(estimate.parameter, estimate.value) {
+        let [_, most] = estimate.profile.unwrap_or([0.0, f64::NAN]);
+        let (unit, size) = unit(estimate.parameter, most, 0.0, asked);
+        return if most.is_finite() {
+            format!("0 (0 to {:.2} {unit})", most / size)
+        } else {
+            format!("0 {}, without an error", estimate.parameter.unit())
+        };
+    }
+    let (unit, size) = unit(
+        estimate.parameter,
+        estimate.value,
+        estimate.standard_error,
+        asked,
+    );
+    let [value, error] = [estimate.value, estimate.standard_error].map(|number| number / size);
+    let text = format!("{} {unit}", with_error(value, error));
+    let mut text = text.trim_end().to_owned();
+    if let Some(profile) = estimate.profile {
+        let decimals = decimals(value, error);
+        let [low, high] = profile.map(|end| match end / size {
+            end if end.is_nan() => "not found".to_owned(),
+            end if end.is_infinite() => "no limit".to_owned(),
+            end => format!("{end:.decimals$}"),
+        });
+        // The unit follows the last number.
+        text += &match profile.map(f64::is_finite) {
+            [_, true] => format!(" ({low} to {high} {unit})"),
+            [true, false] => format!(" ({low} {unit} to {high})"),
+            [false, false] => format!(" ({low} to {high})"),
+        };
+    }
+    text
 }
 
 /// Returns a number with three digits and its unit.
