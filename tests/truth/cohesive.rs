@@ -388,6 +388,7 @@ fn values_outside_the_domain_are_named() {
         (0.0, 1e-9, "work of adhesion"),
         (f64::NAN, 1e-9, "work of adhesion"),
         (0.05, 0.0, "interaction range"),
+        (1e-300, 1e-300, "interaction range"),
         (0.05, f64::INFINITY, "interaction range"),
         (0.05, 2.0 * radius, "interaction range"),
     ] {

@@ -18,6 +18,9 @@ pub const REACH: f64 = 120.0;
 /// The smallest radius of a contact, over the thickness of the top layer, that is solved.
 pub const SMALLEST: f64 = 1e-12;
 
+/// The shortest range that is taken, m, far below any: squares of much shorter ones underflow.
+const SHORTEST: f64 = 1e-100;
+
 /// A sphere on a coated substrate with an attraction of finite range.
 #[derive(Clone, Debug)]
 pub struct Cohesive {
@@ -40,8 +43,8 @@ impl Cohesive {
     /// attraction, whose traction is `sigma0 = w/z0`. The probe is a paraboloid.
     ///
     /// # Errors
-    /// As [`System::material`]; [`Error::Domain`] unless `w` and `z0` are positive, and for a range
-    /// that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
+    /// As [`System::material`]; [`Error::Domain`] unless `w` is positive and `z0` is at least 1e-100 m, and for a
+    /// range that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
     pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
         let surface = Surface::Film(Compliance::new(&system.material()?));
         Self::of_surface(surface, system, work_of_adhesion, range)
@@ -95,11 +98,7 @@ impl Cohesive {
         let thickness = system.film_thickness;
         let positive = [f64::MIN_POSITIVE, f64::MAX];
         Error::check("work of adhesion", work_of_adhesion, positive)?;
-        Error::check(
-            "interaction range",
-            range,
-            [f64::MIN_POSITIVE, sphere_radius],
-        )?;
+        Error::check("interaction range", range, [SHORTEST, sphere_radius])?;
         Ok(Self {
             symbol: Symbol::with_compliance(surface, &material),
             sphere_radius,
