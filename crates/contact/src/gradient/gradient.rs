@@ -38,7 +38,7 @@ named! {
 pub type Derivatives = LoadAndPenetration;
 
 /// Load and penetration at one contact radius and work of adhesion, with their derivatives.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactGradient {
     load: f64,
     penetration: f64,

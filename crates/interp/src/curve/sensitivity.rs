@@ -127,7 +127,7 @@ impl Sensitivities {
 }
 
 /// The four quantities at one `a/t`, with their derivatives.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuantityGradient {
     values: Quantities,
     slopes: Quantities,
