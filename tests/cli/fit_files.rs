@@ -100,6 +100,21 @@ fn a_comma_that_is_the_decimal_mark_and_separates_the_cells_is_refused() {
             "1 | fit comma.csv {LENS} {more} | line 2; 4 cells; 2 headings; semicolons or tabs; decimal points"
         ));
     }
+    // Numbers of which one has no decimals, and a column of words.
+    workdir.write(
+        "three.csv",
+        "radius [um],load [mN]\n42,0,1\n50,0,2\n61,0,35\n70,0,5\n",
+    );
+    workdir.write(
+        "five.csv",
+        "radius [um],load [mN],segment\n42,5,0,1,approach\n50,1,0,2,approach\n61,2,0,35,approach\n",
+    );
+    workdir.refuses(format!(
+        "
+        1 | fit three.csv {LENS} {by_places} | line 2; 3 cells; 2 headings; semicolons; a heading
+        1 | fit five.csv {LENS} | line 2; 5 cells; 3 headings; semicolons; a heading
+        "
+    ));
 }
 
 /// What is doubtful in a file is a warning of the fit, and is told with its errors.

@@ -113,7 +113,7 @@ fn the_adhesion_of_a_flat_punch_is_that_of_its_pull_off() {
         ),
     ] {
         workdir.refuses(format!(
-            "1 | fit punch.csv {bodies} {free} | {names}; until it pulls off; pull-off --load; --work-of-adhesion"
+            "1 | fit punch.csv {bodies} {free} | {names}; until it pulls off; --work-of-adhesion 1J/m^2; pull-off --load"
         ));
     }
     // The stiffness tells the modulus.

@@ -369,6 +369,24 @@ fn adhesion_that_is_left_out_is_named_before_any_zero() {
         assert_warns(&found, WarningKind::AdhesionWanted, words);
         assert_silent(&found, WarningKind::OffsetWanted);
     }
+    // Against positions the force falls below the baseline, and jumps back.
+    for course in [Course::Retract, Course::Cycle] {
+        let probe = Imagined::probe(
+            course,
+            5e-5,
+            &[
+                Parameter::FilmModulus,
+                Parameter::ContactPoint,
+                Parameter::Baseline,
+            ],
+        );
+        let mut experiment = probe.measured(&probe.exact(), 1);
+        experiment.work_of_adhesion = 0.0;
+        let found = fitted_of_few(&experiment, &probe.free);
+        let words = "below the baseline; jumps back; is adhesion; free it (work-of-adhesion)";
+        assert_warns(&found, WarningKind::AdhesionWanted, words);
+        assert_silent(&found, WarningKind::OffsetWanted);
+    }
     // Without adhesion nothing is said of it.
     for seed in 0..20 {
         let probe = Imagined::probe(Course::Approach, 0.0, &film);

@@ -199,6 +199,17 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
         &report,
         "what the fixed values do; 0.5 -> 0.49; film-thickness; +1 %",
     );
+    // Nor is one near its end moved beyond it.
+    let mut near = lens.clone();
+    if let Bodies::Coated(system) = &mut near.truth.bodies {
+        system.film = acceptance::solid(system.film.young(), 0.495);
+    }
+    let near = found(&near.measured(&near.exact(), 1), &lens.free, |options| {
+        options.fixed_values = true
+    });
+    let mut values = near.fixed_values.iter();
+    let one = values.find(|one| one.quantity == poisson);
+    assert_eq!(one.map(|one| (one.value, one.step)), Some((0.495, -0.01)));
     // Nothing is computed where nobody asks.
     let quiet = found(&experiment, &lens.free, |_| ());
     assert!(quiet.fixed_values.is_empty());

@@ -288,6 +288,47 @@ fn a_baseline_far_from_zero_is_found_and_contact_is_not_taken_for_it() {
     }
 }
 
+/// A constant that is free does not matter, whatever the noise.
+#[test]
+fn a_baseline_is_found_below_large_noise() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint, Baseline];
+    let plan = planned(Kind::ForceHeight, 1e-5, &power(), 0.3);
+    for seed in 0..6 {
+        let of_level = |level: f64| {
+            let mut data = with_noise(&plan, 0.1, seed);
+            data.contact_point = 0.0;
+            let most = 10.0 * data.noise.expect("a plan has one");
+            for point in &mut data.measurement.points {
+                point.ordinate += level * most;
+            }
+            let found = fit_all(&[data], &free_of(&free));
+            found.map(|found| off(&found, FilmModulus, 2e3)).ok()
+        };
+        for level in [-3.0, 10.0] {
+            let [none, some] = [of_level(0.0), of_level(level)];
+            let are_alike = match (none, some) {
+                (Some(none), Some(some)) => (none - some).abs() < 0.1,
+                (none, some) => none.is_none() && some.is_none(),
+            };
+            assert!(are_alike, "{seed} {level}: {none:?} {some:?}");
+        }
+    }
+}
+
+/// Points that begin in contact have no history, with a level that is known, too.
+#[test]
+fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    for seed in 0..10 {
+        let mut data = noisy(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.3), seed);
+        data.contact_point = 0.0;
+        // The first point is 70 nm into contact, of 600 nm.
+        data.measurement.points.drain(..9);
+        data.times.drain(..9);
+        fit_all(&[data], &free_of(&free)).refused("begin in contact");
+    }
+}
+
 #[test]
 fn what_cannot_be_fitted_is_refused_with_the_reason() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint];

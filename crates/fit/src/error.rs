@@ -246,6 +246,19 @@ impl Error {
     }
 }
 
+impl Error {
+    /// Tells whether a contact was refused because a table ends before it.
+    pub(crate) const fn is_beyond_table(&self) -> bool {
+        use interp::Error::{Equivalent, Extrapolation, OutsideTable};
+        matches!(
+            self,
+            Self::Contact(contact::Error::Table(
+                OutsideTable { .. } | Extrapolation { .. } | Equivalent { .. }
+            ))
+        )
+    }
+}
+
 impl From<interp::Error> for Error {
     fn from(error: interp::Error) -> Self {
         Self::Contact(error.into())
@@ -255,8 +268,9 @@ impl From<interp::Error> for Error {
 /// Returns what to do about parameters that data do not determine.
 fn next_of_not_determined(parameters: &str, pull_off_only: bool) -> String {
     if pull_off_only {
-        return "The load on a flat punch does not depend on the work of adhesion, until it pulls off: find the work of \
-                adhesion from the load of pull-off, and fix it at this value"
+        return "The load on a flat punch does not depend on the work of adhesion, until it pulls off: fix it at a value \
+                that is surely large enough, which changes no other value, and find it afterwards from the load of \
+                pull-off and the modulus found"
             .into();
     }
     let which = if parameters.contains(" and ") {

@@ -218,15 +218,17 @@ pub enum Problem {
          outside the range asked for"
     )]
     NoPoints(u64),
-    /// A comma is the decimal mark and separates the cells.
+    /// A comma may be the decimal mark and separate the cells.
     #[error(
-        "the rows of {cells} cells that begin here stand below {} headings: the comma is the decimal mark and also \
-         separates the cells; save the file with semicolons or tabs between the cells, or with decimal points",
-        cells / 2
+        "the rows of {cells} cells that begin here stand below {headings} headings: if the comma is the decimal mark and \
+         also separates the cells, save the file with semicolons or tabs between the cells, or with decimal points; else \
+         give each column a heading"
     )]
     TwofoldCommas {
         /// The number of cells of a row.
         cells: usize,
+        /// The number of headings.
+        headings: usize,
     },
     /// The columns have no headings.
     #[error(

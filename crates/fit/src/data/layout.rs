@@ -23,8 +23,9 @@ pub struct Layout {
     pub head: usize,
     /// The lines that could be the headings, the nearest to the rows first.
     pub titles: Vec<Titles>,
-    /// Whether a comma is the decimal mark and separates the cells, too: the headings are half as many as the cells.
-    pub has_twofold_commas: bool,
+    /// The number of headings where there are fewer than cells, and at least half as many, between commas: a comma may be
+    /// the decimal mark and separate the cells, too.
+    pub fewer_headings: Option<usize>,
 }
 
 /// A line that could be the headings.
@@ -126,16 +127,15 @@ impl Search {
         let before = &self.lines[..head];
         let fits = run.cells - usize::from(last_is_empty)..=run.cells;
         let titles_of = |fits| titles(before, delimiter, fits);
-        let titles = titles_of(fits);
-        let half = run.cells / 2;
+        let titles = titles_of(fits.clone());
+        let is_doubtful = delimiter == Delimiter::Comma && titles.is_empty();
+        let mut fewer = (run.cells.div_ceil(2)..*fits.start()).rev();
         let layout = Layout {
             delimiter,
             cells: run.cells,
             head,
-            has_twofold_commas: delimiter == Delimiter::Comma
-                && 2 * half == run.cells
-                && titles.is_empty()
-                && !titles_of(half..=half).is_empty(),
+            fewer_headings: fewer
+                .find(|&count| is_doubtful && !titles_of(count..=count).is_empty()),
             titles,
         };
         Ok((layout, self.lines))

@@ -81,6 +81,8 @@ impl Role {
             Self::Deflection => &[
                 "deflection",
                 "defl",
+                // Asylum Research.
+                "deflv",
                 "calc defl",
                 "deflection error",
                 "cantilever deflection",

@@ -93,9 +93,9 @@ fn choose(
         line: Some(layout.head as u64 + 1),
         ..problem.into()
     };
-    if layout.has_twofold_commas {
+    if let Some(headings) = layout.fewer_headings {
         let cells = layout.cells;
-        return Err(at_rows(Problem::TwofoldCommas { cells }));
+        return Err(at_rows(Problem::TwofoldCommas { cells, headings }));
     }
     let unnamed = Titles {
         headings: vec![Heading::parse(""); layout.cells],

@@ -78,12 +78,23 @@ pub(super) fn add(
         cycle.energy.abs(),
         1e2 * cycle.energy.abs() / cycle.work
     );
+    if experiment.relaxing.is_some() {
+        let which = if cycle.energy < 0.0 { "less" } else { "more" };
+        warnings.add(
+            WarningKind::Hysteresis,
+            format!(
+                "{name}: between loading and unloading the data lose {which} energy than the fitted relaxation \
+                 function, by {size}: fit another one"
+            ),
+        );
+        return;
+    }
     if cycle.energy < 0.0 {
         warnings.add(
             WarningKind::Hysteresis,
             format!(
                 "{name}: unloading gives back more energy than loading took, by {size}: check the \
-                 directions of the points"
+                 directions of the points, and whether the position drifts"
             ),
         );
         return;
@@ -100,7 +111,7 @@ pub(super) fn add(
              make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
              the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
              reason, or fit one direction alone{}",
-            if experiment.times.is_empty() || experiment.relaxing.is_some() {
+            if experiment.times.is_empty() {
                 ""
             } else {
                 "; the points have times: if the film relaxes, fit a relaxation function with them"

@@ -110,6 +110,8 @@ pub(super) fn effects(
         let error = known.iter().find(|one| one.quantity == quantity);
         let error = error.map(|one| one.error);
         let step = match error {
+            // No Poisson ratio is above 0.5.
+            _ if quantity.is_poisson_ratio() && value + STEP > 0.5 => -STEP,
             _ if quantity.is_poisson_ratio() => STEP,
             Some(error) if value == 0.0 => error,
             _ => STEP * value.abs(),
@@ -136,10 +138,6 @@ pub(super) fn effects(
             (Some(above), Some(below)) => (step, Some((above - below) / (2.0 * PART))),
             (None, Some(below)) => (-step, one_sided(-step, below)),
             (Some(above), None) => (step, one_sided(step, above)),
-            // No Poisson ratio is above 0.5.
-            (None, None) if quantity.is_poisson_ratio() && value + PART * step > 0.5 => {
-                (-step, None)
-            }
             (None, None) => (step, None),
         };
         let changes = match change {

@@ -272,6 +272,13 @@ fn has_known_scale(problem: &Problem<'_>, e: usize) -> bool {
 }
 
 impl<'a> Minimum<'a> {
+    /// Tells whether contacts were refused on the way to the least squares, so that the fit ended by more than
+    /// `short` standard errors before.
+    pub fn is_stopped(&self, short: f64) -> bool {
+        let is_short = |own: &Uncertainty| own.short > short;
+        self.problem.refused && self.uncertainty.as_ref().is_some_and(is_short)
+    }
+
     /// Follows an end on few points to all points.
     pub fn settled(problem: Problem<'a>, ending: Ending, data: &Data) -> Self {
         let (problem, ending, uncertainty) = settle(problem, ending, data);

@@ -90,6 +90,8 @@ pub(crate) struct Problem<'a> {
     /// Whether the last minimisation met parameters without a contact, such as those outside the
     /// table.
     pub refused: bool,
+    /// Whether contacts were refused because the table ends before them.
+    pub beyond_table: bool,
     /// Where a minimisation stops, because it leads to a minimum that is known.
     pub known: Rc<[Basin]>,
     /// Whether the last minimisation stopped there.
@@ -155,6 +157,7 @@ impl<'a> Problem<'a> {
             predicted: None,
             evaluations: 0,
             refused: false,
+            beyond_table: false,
             known: Rc::new([]),
             arrived: false,
             contacts: RefCell::new(Vec::new()),
@@ -438,7 +441,7 @@ impl<'a> Problem<'a> {
         if self.slots.is_empty() {
             return (self, Ending::Converged);
         }
-        (self.refused, self.arrived) = (false, false);
+        (self.refused, self.beyond_table, self.arrived) = (false, false, false);
         // The coordinates are scaled already, by a factor of e or by the range of the data.
         let method = LevenbergMarquardt::new()
             .with_scale_diag(false)
@@ -470,9 +473,10 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
         if self.arrived {
             return;
         }
-        if self.update().is_err() {
+        if let Err(error) = self.update() {
             self.predicted = None;
             self.refused = true;
+            self.beyond_table |= error.is_beyond_table();
         }
     }
 

@@ -1,6 +1,7 @@
 //! What a fit of bodies that relax tells beside its parameters, and the doubts about it.
 
 use super::doubts::Warnings;
+use super::minima::Minimum;
 use super::problem::Problem;
 use super::relaxing_start::accept_zeros;
 use super::slot::Slot;
@@ -18,6 +19,8 @@ const UNLIKE: f64 = 1e-3;
 const STIFF_FILM: f64 = 3.0;
 /// The error of the steps in time, in parts of the noise, above which there is a warning.
 const SEEN: f64 = 0.1;
+/// The standard errors short of the least squares from which on a contact point at the first point is not one by chance.
+const FAR_SHORT: f64 = 5.0;
 /// The change of an abscissa over their range above which it is no noise.
 const MONOTONE: f64 = 0.01;
 
@@ -25,7 +28,8 @@ const MONOTONE: f64 = 0.01;
 ///
 /// # Errors
 /// [`Error::History`] for bodies that relax too differently.
-pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxation>, Error> {
+pub(super) fn of(found: &Minimum<'_>, e: usize) -> Result<Option<FittedRelaxation>, Error> {
+    let problem = &found.problem;
     let experiment = &problem.assigned[e].experiment;
     let Some(relaxing) = &experiment.relaxing else {
         return Ok(None);
@@ -39,7 +43,7 @@ pub(super) fn of(problem: &Problem<'_>, e: usize) -> Result<Option<FittedRelaxat
             .filter(is_of)
             .any(|slot| slot.parameter == free)
     };
-    accept_zeros(experiment, &program, is_free)?;
+    accept_zeros(experiment, &program, is_free, found.is_stopped(FAR_SHORT))?;
     let contact = problem.contact(&experiment.bodies, false)?;
     let history = contact.history(&relaxing.law)?;
     let (control, points) = (experiment.control(), &program.points);

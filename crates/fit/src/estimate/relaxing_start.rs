@@ -34,6 +34,33 @@ const BEGIN: f64 = 0.05;
 /// The fewest points up to the largest imposed value: data with fewer have no approach.
 const FEWEST: usize = 3;
 
+/// Gives an experiment whose bodies relax the level of its baseline, if this is unknown: that of its first points,
+/// because few of them may be before the contact. Returns the start.
+pub(super) fn level(
+    experiment: &mut Experiment,
+    is_unknown: impl Fn(Parameter) -> bool,
+) -> Result<Option<(Parameter, f64)>, Error> {
+    let points = &experiment.measurement.points;
+    if experiment.relaxing.is_none() || points.len() < FEWEST {
+        return Ok(None);
+    }
+    let reading = median(
+        points[..FEWEST]
+            .iter()
+            .map(|point| point.ordinate)
+            .collect(),
+    );
+    let start = if is_unknown(Parameter::Baseline) {
+        (Parameter::Baseline, reading - experiment.load_offset)
+    } else if is_unknown(Parameter::LoadOffset) {
+        (Parameter::LoadOffset, reading - experiment.baseline)
+    } else {
+        return Ok(None);
+    };
+    experiment.replace(start.0, start.1)?;
+    Ok(Some(start))
+}
+
 /// Returns the approach of an experiment whose bodies relax, as that of an elastic contact.
 pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, Error> {
     if one.experiment.relaxing.is_none() {
@@ -51,12 +78,6 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     experiment.measurement.points.truncate(points);
     for point in &mut experiment.measurement.points {
         point.direction = Some(Direction::Approach);
-    }
-    if level {
-        // Where too few points are before the contact to show a flat baseline, the first ones show its level.
-        let first = &experiment.measurement.points[..FEWEST];
-        let readings = first.iter().map(|point| point.ordinate).collect();
-        experiment.baseline = median(readings) - experiment.load_offset;
     }
     let assignment = experiment.assign(Freedom {
         adhesive: false,
@@ -173,18 +194,24 @@ fn begin(
     Ok(Some((Parameter::ContactPoint, abscissa)))
 }
 
-/// Refuses a contact point and a level of the baseline, both found, that too few points before the contact show.
+/// Refuses a contact point and a level of the baseline, both found, that too few points before the contact show; and
+/// a contact point at the first point where the fit was `stopped`, because no history begins in contact.
 pub(super) fn accept_zeros(
     experiment: &Experiment,
     program: &Program,
     is_free: impl Fn(Parameter) -> bool,
+    stopped: bool,
 ) -> Result<(), Error> {
-    let are_free = is_free(Parameter::ContactPoint)
-        && (is_free(Parameter::Baseline) || is_free(Parameter::LoadOffset));
+    let has_contact_point = is_free(Parameter::ContactPoint);
+    let are_free =
+        has_contact_point && (is_free(Parameter::Baseline) || is_free(Parameter::LoadOffset));
     let is_before = |point: &&(f64, f64)| point.1 <= 0.0;
     let before = program.points.iter().take_while(is_before).count();
     if are_free && before < FEWEST {
         return Err(Error::not_fitted(experiment, NO_ZEROS));
+    }
+    if has_contact_point && stopped && before <= 1 {
+        return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
     }
     Ok(())
 }
@@ -192,7 +219,9 @@ pub(super) fn accept_zeros(
 /// Returns the part of the largest imposed value up to which the loads are below their noise.
 fn hidden(experiment: &Experiment) -> f64 {
     let points = experiment.measurement.points.iter();
-    let loads: Vec<f64> = points.map(|point| point.ordinate).collect();
+    let loads: Vec<f64> = points
+        .map(|point| point.ordinate - experiment.baseline_at(point.abscissa))
+        .collect();
     let noise = experiment.usual_noise().or_else(|| noise_of(&loads));
     // The power of the penetration like which the load grows.
     let power = match experiment.bodies.probe() {

@@ -84,7 +84,7 @@ fn to_the_end(
     }
     accept_errors(&found)?;
     let losses = losses(&found.problem)?;
-    let relaxations = (0..experiments.len()).map(|e| relaxing::of(&found.problem, e));
+    let relaxations = (0..experiments.len()).map(|e| relaxing::of(&found, e));
     let relaxations = relaxations.collect::<Result<Vec<_>, _>>();
     let relaxations = relaxations.map_err(|error| of_undetermined(error, &found))?;
     let without_film = options

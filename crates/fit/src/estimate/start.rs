@@ -94,6 +94,7 @@ pub(crate) fn problem<'a>(
         {
             at.experiment.replace(parameter, factor * value)?;
         }
+        let level = relaxing_start::level(&mut at.experiment, is_unknown)?;
         let is_stiffness = one.experiment.measurement.kind.is_stiffness();
         let found = if is_stiffness {
             None
@@ -124,6 +125,9 @@ pub(crate) fn problem<'a>(
             // Each has a start that was given.
             None => Vec::new(),
         };
+        if let Some(level) = level.filter(|_| !is_found) {
+            starts.push(level);
+        }
         starts.extend(relaxing_start::starts(
             table,
             &mut at.experiment,

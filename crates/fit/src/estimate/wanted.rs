@@ -10,7 +10,7 @@ use super::fixed_values::residuals_with;
 use super::loss::influence;
 use super::problem::{Assigned, Problem};
 use super::uncertainty::Uncertainty;
-use crate::{Branch, Direction, Fixed, Kind, Loss, Parameter, WarningKind};
+use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -34,6 +34,7 @@ pub(super) fn add(
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
     residuals: &DVector<f64>,
+    local_noise: &[Option<f64>],
 ) {
     let score = Score::new(problem, uncertainty, residuals);
     let adhesion = adhesion(problem, &score, residuals);
@@ -56,6 +57,13 @@ pub(super) fn add(
         }
         let name = &experiment.measurement.name;
         let fitted = problem.parameters_of(e);
+        if is_without_adhesion(experiment, &fitted)
+            && let Some(pull) = experiment.pull(local_noise[e].unwrap_or(assigned.noise))
+        {
+            // The zeros of the instrument would make up for it, and are not named.
+            warnings.add(WarningKind::AdhesionWanted, adhesion_seen(experiment, pull));
+            continue;
+        }
         let is_wanted = |parameter: &Parameter| {
             !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
@@ -132,10 +140,42 @@ pub(super) fn add(
     }
 }
 
+/// Tells whether forces against positions are fitted without adhesion.
+fn is_without_adhesion(experiment: &Experiment, fitted: &[Parameter]) -> bool {
+    let kind = experiment.measurement.kind;
+    matches!(kind, Kind::LoadPenetration | Kind::ForceHeight)
+        && experiment.work_of_adhesion == 0.0
+        && experiment
+            .work_of_adhesion_receding
+            .is_none_or(|work| work == 0.0)
+        && !fitted
+            .iter()
+            .any(|parameter| parameter.is_work_of_adhesion())
+}
+
+/// Says that data show adhesion, with the force by which the contact pulls, N.
+fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
+    let name = &experiment.measurement.name;
+    let what = format!(
+        "{name}: the force falls {pull:.1e} N below the baseline and jumps back to it where the contact ends, which is \
+         adhesion"
+    );
+    if experiment.relaxing.is_some() {
+        return format!(
+            "{what}, and contacts that relax are fitted without: leave the points of the retract out, and keep those of \
+             approach and hold"
+        );
+    }
+    format!(
+        "{what}, and the work of adhesion is 0 and not fitted: free it (work-of-adhesion); without it the modulus and the \
+         zeros of the instrument make up for it"
+    )
+}
+
 /// Returns what adhesion would gain in contacts of known radii that are fitted without, with the square root
 /// of the work of adhesion (J/m^2) as the parameter, on which load and penetration at a radius depend to
 /// first order; `None` unless by more than chance, and clearly better than the zeros of the instrument of all
-/// files together. At penetrations and heights load and work are related otherwise, and nothing is said.
+/// files together. At penetrations and heights a [pull](Experiment::pull) tells it.
 fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) -> Option<Gain> {
     /// A work of adhesion that changes no contact by much.
     const SMALL: f64 = 1e-10;

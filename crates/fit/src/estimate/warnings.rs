@@ -43,7 +43,7 @@ pub(super) fn warnings(
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem, &names);
         let at_zero = no_adhesion::add(&mut warnings, problem, &names);
-        if uncertainty.short > SHORT && problem.refused && !stopped && at_zero.is_empty() {
+        if found.is_stopped(SHORT) && !stopped && at_zero.is_empty() {
             end_of_table(&mut warnings, problem, uncertainty.short);
         }
         undetermined(&mut warnings, fit, problem, (uncertainty, &names, &at_zero));
@@ -59,7 +59,13 @@ pub(super) fn warnings(
             prior::add(&mut warnings, problem, uncertainty, &residuals);
             noise::add(&mut warnings, problem, uncertainty);
             outliers(&mut warnings, fit, data, (&unequal, problem.loss));
-            wanted::add(&mut warnings, problem, uncertainty, &residuals);
+            wanted::add(
+                &mut warnings,
+                problem,
+                uncertainty,
+                &residuals,
+                &data.local_noise,
+            );
         }
     }
     for e in 0..problem.assigned.len() {
@@ -81,11 +87,16 @@ pub(super) fn warnings(
 
 /// Says that a fit ended `short` of the least squares, by standard errors, because contacts are refused beyond.
 fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
-    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-    let reason = if experiments.any(|one| one.bodies.uses_table()) {
-        "the table ends there, or the model has no contact beyond; fix a parameter or use a larger table"
+    let reason = if problem.beyond_table {
+        "the table ends there; fix a parameter or use a larger table"
     } else {
-        "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
+        let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
+        if experiments.any(|one| one.relaxing.is_some()) {
+            "the model has no contact beyond, because no history begins in contact, or because it is not solved; keep more \
+             points from before the contact, or fix a parameter"
+        } else {
+            "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
+        }
     };
     warnings.add(
         WarningKind::EndOfTable,

@@ -11,6 +11,8 @@ use crate::statistics::{MEDIAN, median};
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
 const PINNED: f64 = 0.98;
+/// The noise over which a pull of the contact below the baseline is clear.
+const CLEAR: f64 = 10.0;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
 
@@ -285,15 +287,8 @@ impl Experiment {
         baseline: KnownBaseline,
         adhesive: bool,
     ) {
-        let points = &self.measurement.points;
         for way in segments.iter().filter(|way| way.len() >= FEWEST) {
-            let readings: Vec<f64> = way
-                .iter()
-                .map(|&i| {
-                    let along = points[i].abscissa - self.contact_point;
-                    points[i].ordinate - self.baseline_slope * along
-                })
-                .collect();
+            let readings: Vec<f64> = way.iter().map(|&i| self.reading_without_slope(i)).collect();
             let [contact_ends, baseline_begins] = if adhesive {
                 baseline.split(&readings)
             } else {
@@ -306,6 +301,28 @@ impl Experiment {
                 branches[i] = Branch::Baseline;
             }
         }
+    }
+
+    /// Returns by how much the force falls below the baseline where a contact ends with a jump, N; `None` where none
+    /// does, or not by clearly more than the `noise`.
+    pub(crate) fn pull(&self, noise: f64) -> Option<f64> {
+        let baseline = self.known_baseline(noise, true);
+        let of_way = |way: &Vec<usize>| {
+            let readings: Vec<f64> = way.iter().map(|&i| self.reading_without_slope(i)).collect();
+            (way.len() >= FEWEST)
+                .then(|| baseline.pull(&readings))
+                .flatten()
+        };
+        let segments = self.segments();
+        let pulls = segments.iter().filter_map(of_way);
+        let most = pulls.fold(0.0, f64::max);
+        (most > CLEAR * noise).then_some(most)
+    }
+
+    /// Returns an ordinate without the slope of the baseline.
+    fn reading_without_slope(&self, i: usize) -> f64 {
+        let point = &self.measurement.points[i];
+        point.ordinate - self.baseline_slope * (point.abscissa - self.contact_point)
     }
 
     /// Returns what is known of the baseline, with the noise of a reading.

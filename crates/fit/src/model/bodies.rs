@@ -4,7 +4,7 @@ use contact::{Contact, Input};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use solve::stack::{Interface, Stack};
 
-use super::{LayerName, Layered, Parameter, Solver};
+use super::{LayerName, Layered, Parameter};
 use crate::Error;
 
 /// The bodies in contact.
@@ -21,15 +21,6 @@ pub enum Bodies {
 }
 
 impl Bodies {
-    /// Tells whether contacts are looked up in a table.
-    pub(crate) const fn uses_table(&self) -> bool {
-        match self {
-            Self::Coated(_) => true,
-            Self::HalfSpace(_) => false,
-            Self::Layered(layered) => matches!(layered.solver, Solver::Table { .. }),
-        }
-    }
-
     /// Returns the shape of the probe.
     pub const fn probe(&self) -> &Probe {
         match self {

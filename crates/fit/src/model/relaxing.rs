@@ -1,7 +1,7 @@
 //! Bodies that relax: what is known of them, and the loads in time.
 
 use contact::{Contact, HistoryInputs, Input, LawParameter, Relaxation};
-use interp::{Elastic, Table};
+use interp::{Elastic, Probe, Table};
 
 use super::differences::ContactOf;
 use super::predicted::Predicted;
@@ -120,6 +120,12 @@ impl Experiment {
         {
             let what = "the number of relaxation times";
             return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
+        }
+        if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
+            return Err(Error::not_fitted(
+                self,
+                "a relaxation function is fitted under probes whose contact grows, and that of a flat punch does not",
+            ));
         }
         let kind = self.measurement.kind;
         if kind.at_radii() || kind.is_stiffness() {

@@ -35,6 +35,17 @@ impl KnownBaseline {
             .unwrap_or_else(|| self.flat_end(readings))
     }
 
+    /// Returns by how much `readings` fall below the baseline before they jump to it, if they do by more than chance.
+    pub fn pull(&self, readings: &[f64]) -> Option<f64> {
+        let [contact_ends, baseline_begins] = self.jump(readings)?;
+        let level = median(readings[baseline_begins..].to_vec());
+        let lowest = readings[..contact_ends]
+            .iter()
+            .copied()
+            .fold(level, f64::min);
+        Some(level - lowest)
+    }
+
     /// Returns the level of `readings` if they may be the baseline, and their noise, which is more than that of
     /// neighbours where it lasts for some readings.
     fn level(&self, readings: &[f64]) -> Option<[f64; 2]> {

@@ -9,17 +9,17 @@ pub const FORMAT: &str = "coated-contact-table";
 pub const FORMAT_VERSION: u32 = 3;
 
 /// The value of the root attribute [`attribute::COMMENT`], so that a reader of the file needs no other page.
-pub const COMMENT: &str = "A sphere of radius R touches a film of thickness t without friction. The film is bonded to a \
-     substrate; where the scene has a [stack], the film is its top layer, t the thickness of all layers and the \
-     substrate their base. a is the contact radius, F the load, positive in compression, and E* the modulus that the \
-     attribute normalised_by names: E2* of the sphere, E1* of the film, or Es* with 1/Es* = 1/E1* + 1/E2*. Reduced \
-     moduli are Ei* = Ei/(1 - nui^2). Without adhesion the load is F0 and the penetration d0 = a^2 delta0/R. With the \
-     work of adhesion w the edge of the contact has 2 g^2/(pi a Es*) = w, and F = F0 - S |dfp|, d = d0 - |dfp|, \
-     |dfp| = 2 g/(E* gamma). nu0 is the Poisson ratio of the substrate; where it is 'paired', nu1 = b/(1 + b) and \
-     nu0 = (1 - b)/(2 - b), and any other film and substrate are those of b = p nu1/(1 - nu1) + (1 - p) (1 - 2 nu0)/\
-     (1 - nu0) with p = E0*/(E0* + E1*) at the same E1* and E0*. The certified errors are those of an interpolation \
-     by splines of degree 9, an axis at a time, between the logarithms of the quantities and over the coordinates \
-     that the attribute scale of each axis names.";
+pub const COMMENT: &str = "A sphere of radius R touches a film of thickness t without friction. The film is bonded to a substrate; where \
+     the scene has a [stack], it is its top layer, t the thickness of all layers, the substrate their base, and \
+     layers may slide. a is the contact radius, F the load, positive in compression, and E* the modulus that \
+     normalised_by names: E2* of the sphere, E1* of the film, or Es* with 1/Es* = 1/E1* + 1/E2*. Reduced moduli are \
+     Ei* = Ei/(1 - nui^2). Without adhesion the load is F0 and the penetration d0 = a^2 delta0/R. With the work of \
+     adhesion w the edge of the contact has 2 g^2/(pi a Es*) = w, and F = F0 - S |dfp|, d = d0 - |dfp|, |dfp| = 2 \
+     g/(E* gamma). nu0 is the Poisson ratio of the substrate; where it is 'paired', nu1 = b/(1 + b) and nu0 = (1 - \
+     b)/(2 - b), and another film and substrate are those of b = p nu1/(1 - nu1) + (1 - p) (1 - 2 nu0)/(1 - nu0) with \
+     p = E0*/(E0* + E1*) at the same E1* and E0*. The certified errors are those of splines, an axis at a time, of \
+     degree 9 or of one less than the nodes, through the logarithms of pi0, eeq and gamma over Es*/E* and of delta0, \
+     in the coordinates of 'scale'.";
 /// The value of the root attribute [`attribute::REFERENCES`].
 pub const REFERENCES: &str = "E. Barthel and A. Perriot, J. Phys. D: Appl. Phys. 40 (2007) 1059-1067; E. Barthel, \
      arXiv:cond-mat/0703616 (2007)";

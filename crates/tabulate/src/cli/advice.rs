@@ -20,8 +20,8 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
     }) = cause.downcast_ref()
     {
         return Some(
-            "`tabulate pull-off --load -2uN` with the load of the pull-off finds it; then give --work-of-adhesion, \
-             and no work of adhesion in --free",
+            "give --work-of-adhesion 1J/m^2, say, and --free film-modulus,contact-point without a work of adhesion; then \
+             `tabulate pull-off --load -2uN`, with the load of the pull-off and --film-modulus, finds it",
         );
     }
     if let Some(contact::HistoryError::UnlikeBodies { .. }) = cause.downcast_ref() {

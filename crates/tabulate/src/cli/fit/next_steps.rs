@@ -46,7 +46,10 @@ pub fn next_steps(fit: &Fit, timed: bool) -> String {
         "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
          fractional-zener (see `tabulate fit --help`)",
     );
+    // A film that relaxes makes loops, and its law is named in the warning.
+    let relaxes = fit.experiments.iter().any(|one| one.relaxation.is_some());
     let steps = steps.iter().chain(timed.then_some(&in_time));
     let steps = steps.filter(|(kind, _)| fit.warns_of(*kind));
+    let steps = steps.filter(|(kind, _)| !relaxes || *kind != WarningKind::Hysteresis);
     steps.map(|(_, step)| format!("{step}\n")).collect()
 }
