@@ -57,6 +57,12 @@ fn the_interval_between_points_stands_for_times() {
     let fits = [with_times, fit(&workdir, by_interval)];
     let [one, other] = fits.map(|found| estimate(&found, "film_modulus")[0]);
     assert_close(one, other, 1e-6);
+    // A known number of the law is given with its error alone.
+    let known = format!(
+        "{by_interval} --free film-modulus,contact-point --known relaxation-exponent=0.2+-0.01"
+    );
+    let names = fit(&workdir, &known)["fixed_values"].to_string();
+    assert_names(&names, "relaxation_exponent");
     let swapped = text.replacen("penetration,load", "load,penetration", 1);
     assert_ne!(swapped, text);
     workdir.write("swapped.csv", swapped);

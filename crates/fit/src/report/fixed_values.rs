@@ -65,7 +65,7 @@ fn cell(estimate: &Estimate, change: f64) -> String {
     if change.is_nan() {
         return "not known".to_owned();
     }
-    if is_zero(estimate.parameter, estimate.value) {
+    if is_zero(estimate) {
         return "stays 0".to_owned();
     }
     if estimate.parameter.is_positive() {

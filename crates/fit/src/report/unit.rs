@@ -30,6 +30,8 @@ impl UnitOf {
 const PREFIXES: [&str; 8] = ["G", "M", "k", "", "m", "u", "n", "p"];
 /// The number below which a power of ten is written: no prefix makes it a usual number.
 const LEAST: f64 = 1e-9;
+/// The part of its standard error below which a work of adhesion has ended at 0.
+const NOTHING: f64 = 1e-4;
 
 /// Returns the prefix of a unit and its size: as asked for, or so that the number before it is at
 /// least 1.
@@ -55,10 +57,13 @@ pub fn scaled(unit: &str, value: f64) -> (String, f64) {
     }
 }
 
-/// Tells whether the value of a positive parameter has ended at 0, which its logarithm never reaches.
-pub fn is_zero(parameter: Parameter, value: f64) -> bool {
+/// Tells whether a positive value has ended at 0, which its logarithm never reaches: no prefix makes it a usual number,
+/// or, of a work of adhesion, it is nothing beside its error.
+pub fn is_zero(estimate: &Estimate) -> bool {
+    let (parameter, value) = (estimate.parameter, estimate.value);
     let (_, size) = scaled(parameter.unit(), value);
-    parameter.is_positive() && value / size < LEAST
+    let is_nothing = parameter.is_work_of_adhesion() && value < NOTHING * estimate.standard_error;
+    parameter.is_positive() && (value / size < LEAST || is_nothing)
 }
 
 /// Returns a value and its error, in one unit, with two digits of the error.
@@ -75,7 +80,7 @@ pub fn with_error(value: f64, error: f64) -> String {
 
 /// Returns value, error and unit of an estimate, and its interval.
 pub fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
-    if is_zero(estimate.parameter, estimate.value) {
+    if is_zero(estimate) {
         let [_, most] = estimate.profile.unwrap_or([0.0, f64::NAN]);
         let (unit, size) = unit(estimate.parameter, most, 0.0, asked);
         return if most.is_finite() {

@@ -381,10 +381,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         lists.for_each(|doubts| doubts.retain(is_other));
     }
     let set: Vec<Parameter> = values.iter().filter_map(Values::parameter).collect();
+    let known = arguments.given.iter().filter_map(|one| match one.quantity {
+        Fixed::Parameter(parameter) => Some(parameter),
+        _ => None,
+    });
+    let known: Vec<Parameter> = known.collect();
     arguments
         .known
         .relaxing
-        .ask(&experiments[0], &[parameters, set].concat())?;
+        .ask(&experiments[0], &[parameters, set, known].concat())?;
     experiments::forget_shapes(&mut experiments, &free);
     ensure!(
         arguments.known.history.sphere_poisson_ratio.is_none()
