@@ -1,12 +1,12 @@
 //! Doubts where there is reason for them, and none where there is not.
 
-use acceptance::{Refused, rigid_probe, solid, table};
+use acceptance::{Refused, assert_names, rigid_probe, solid, table};
 use fit::{Bodies, Experiment, Fit, Free, Kind, Options, Parameter, Scope, WarningKind, fit};
 use interp::Probe;
 
 use crate::imagined::{
     Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, fit_all, fit_with,
-    fitted, fitted_of_few, half_space, lens, off, profiled,
+    fitted, fitted_of_few, half_space, lens, off, profiled, text,
 };
 
 #[test]
@@ -266,6 +266,28 @@ fn a_value_at_its_bound_is_named() {
     assert_warns(&found, WarningKind::AtBound, "sphere-modulus; at its bound");
     let value = found.estimate(LENS[0]).expect("free").value;
     assert!((1.89e6..=1.9e6).contains(&value), "{value}");
+    // The end of what is possible is no bound that somebody has set.
+    let free = [
+        Parameter::FilmModulus,
+        Parameter::FilmPoissonRatio,
+        Parameter::ContactPoint,
+    ];
+    let mut gel = Imagined::probe(Course::Approach, 0.0, &free);
+    if let Bodies::Coated(system) = &mut gel.truth.bodies {
+        system.film = solid(system.film.young(), 0.5);
+    }
+    gel.free[1] = gel.free[1].starting_from(0.4);
+    let said: Vec<String> = (0..8)
+        .map(|seed| text(&gel.fit(seed), WarningKind::AtBound))
+        .collect();
+    let at_end = said.iter().filter(|said| !said.is_empty());
+    assert!(at_end.clone().count() > 0, "{said:?}");
+    for said in at_end {
+        assert_names(
+            said,
+            "film-poisson-ratio =; is at the end of what is possible; fix it there",
+        );
+    }
     // Bounds that hold the truth change nothing.
     let free = self::lens().fit(1);
     lens.free[0] = lens.free[0].within(1e5, 1e7);

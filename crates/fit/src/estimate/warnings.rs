@@ -18,6 +18,8 @@ use super::{
 use crate::magnitude::{self, STIFFNESSES};
 use crate::{Estimate, Fit, LeftOutReason, Loss, Options, Parameter, Warning, WarningKind};
 
+/// The distance of a number from the end of what is possible at which it is there.
+const NEAR_END: f64 = 1e-3;
 /// The number of points in contact that may lie clearly beyond the end of the fitted branch.
 const BEYOND_END: usize = 2;
 
@@ -229,13 +231,25 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
         let value = problem.value(i);
         if slot.coordinate.is_at_bound(value) {
             any = true;
+            let unit = match slot.parameter.unit() {
+                "1" => String::new(),
+                unit => format!(" {unit}"),
+            };
+            let [least, most] = match slot.parameter {
+                Parameter::FilmPoissonRatio => [-1.0, 0.5],
+                Parameter::RelaxedFraction => [0.0, 1.0],
+                _ => [f64::NEG_INFINITY, f64::INFINITY],
+            };
+            // A true value at the end of what is possible is found there in every second measurement.
+            let why = if value - least < NEAR_END || most - value < NEAR_END {
+                "the end of what is possible, and its standard error does not hold there: fix it there, or give it a prior"
+            } else {
+                "its bound: the data want a value beyond it"
+            };
+            let name = &names[i];
             warnings.add(
                 WarningKind::AtBound,
-                format!(
-                    "{} = {value:.4e} {} is at its bound: the data want a value beyond it",
-                    names[i],
-                    slot.parameter.unit()
-                ),
+                format!("{name} = {value:.4e}{unit} is at {why}"),
             );
         }
     }
