@@ -79,6 +79,9 @@ const STIFFNESS: Wanted = Wanted {
     bare: [1e-4, 1e4],
 };
 
+/// The sizes of the sensitivities of deflections, m/V.
+pub const SENSITIVITIES: [f64; 2] = [1e-10, 1e-4];
+
 const SENSITIVITY: Wanted = Wanted {
     names: &[
         "sensitivity",
@@ -89,7 +92,7 @@ const SENSITIVITY: Wanted = Wanted {
         "cantileversensitivity",
     ],
     unit: [Dimension::Length, Dimension::Voltage],
-    bare: [1e-10, 1e-4],
+    bare: SENSITIVITIES,
 };
 
 /// The inverse of a sensitivity.

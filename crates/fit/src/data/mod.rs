@@ -53,7 +53,7 @@ pub use assignment::roles;
 pub use column::{Column, Role};
 pub use doubt::{Doubt, opposite_sense};
 pub use failure::{DataError, Found, Missing, Problem};
-pub use head::{Head, HeadValue, Untold};
+pub use head::{Head, HeadValue, SENSITIVITIES, Untold};
 pub use heading::Reduced;
 pub use number::Marks;
 pub use remedy::{Named, RIGID, Remedy};

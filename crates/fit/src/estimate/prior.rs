@@ -6,6 +6,7 @@ use super::doubts::Warnings;
 use super::problem::Problem;
 use super::solve::slot_names;
 use super::uncertainty::Uncertainty;
+use super::warnings::after_number;
 use crate::WarningKind;
 
 /// The distance of data and prior, in standard errors of both, from which one of them is doubted: one
@@ -29,10 +30,7 @@ pub(super) fn add(
         let own = 1.0 - uncertainty.leverages[row];
         let distance = residuals[row].abs() / own.sqrt();
         if own > ADDED && distance > FAR {
-            let unit = match parameter.unit() {
-                "1" => String::new(),
-                unit => format!(" {unit}"),
-            };
+            let unit = after_number(parameter);
             warnings.add(
                 WarningKind::Prior,
                 format!(

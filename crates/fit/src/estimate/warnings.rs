@@ -106,6 +106,14 @@ fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
     );
 }
 
+/// Returns the unit of a parameter as it follows a number.
+pub(super) fn after_number(parameter: Parameter) -> String {
+    match parameter.unit() {
+        "1" => String::new(),
+        unit => format!(" {unit}"),
+    }
+}
+
 /// Says why an interval has no end on a side, or two.
 pub(super) fn intervals(
     fit: &Fit,
@@ -116,10 +124,7 @@ pub(super) fn intervals(
     let (names, at_zero) = (slot_names(problem), no_adhesion::ended_at_zero(problem));
     let estimates = fit.estimates.iter().zip(&names).enumerate();
     for ((i, (estimate, name)), ends) in estimates.zip(ends.into_iter().flatten()) {
-        let unit = match estimate.parameter.unit() {
-            "1" => String::new(),
-            unit => format!(" {unit}"),
-        };
+        let unit = after_number(estimate.parameter);
         for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
             let why = match end {
                 End::At(_) => continue,
@@ -231,10 +236,7 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
         let value = problem.value(i);
         if slot.coordinate.is_at_bound(value) {
             any = true;
-            let unit = match slot.parameter.unit() {
-                "1" => String::new(),
-                unit => format!(" {unit}"),
-            };
+            let unit = after_number(slot.parameter);
             let [least, most] = match slot.parameter {
                 Parameter::FilmPoissonRatio => [-1.0, 0.5],
                 Parameter::RelaxedFraction => [0.0, 1.0],

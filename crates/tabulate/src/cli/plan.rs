@@ -68,7 +68,8 @@ pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Re
 }
 
 /// What follows where the first table misses the tolerance.
-const MADE_AGAIN: &str = "a table that misses its tolerance is made again with more nodes, which may take 2.5 times all that";
+const MADE_AGAIN: &str =
+    "a table that misses its tolerance is made again with more nodes, and takes more of all that";
 /// The part of the values' bytes that deflate leaves.
 const COMPRESSED: f64 = 0.65;
 /// Bytes of a file without its datasets of values: HDF5's own structures, the attributes and the

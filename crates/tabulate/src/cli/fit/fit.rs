@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Doubt, Format, Notes, Segments};
+use ::fit::data::{Cantilever, Column, Doubt, Format, Notes, SENSITIVITIES, Segments};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Experiment, Fixed, Kind, Loss, Options, Parameter, Scope};
 use anyhow::{Context, anyhow, bail, ensure};
@@ -212,9 +212,6 @@ pub fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
         chosen.expect("clap accepts these names only").1
     })
 }
-
-/// The sizes of the sensitivities of deflections, m/V.
-const SENSITIVITIES: [f64; 2] = [1e-10, 1e-4];
 
 /// Reads the sensitivity of a deflection.
 fn sensitivity(text: &str) -> Result<f64, String> {
