@@ -37,6 +37,79 @@ def test_a_lens_is_fitted_like_by_fit(model_class, method):
     assert np.allclose(found.best_fit, points.fit, rtol=0, atol=1e-3 * points.noise)
 
 
+def test_a_start_at_a_bound_is_refused(model_class):
+    one = replace(lens(seed=1), work_of_adhesion=0.0)
+    data = {"data": one.ordinate, "x": one.abscissa, "weights": 1 / 2e-6}
+    model = model_class(one, WANTED)
+    words = "work_of_adhesion starts at its bound 0"
+    refuses(ValueError, words, lambda: model.fit(**data))
+    refuses(ValueError, words, lambda: model.fit(params=model.make_params(), **data))
+    refuses(ValueError, words, lambda: model.fit(work_of_adhesion=0.0, **data))
+    parameter = lmfit.Parameter("work_of_adhesion", value=1.0, max=1.0)
+    refuses(ValueError, "its bound 1", lambda: model.fit(work_of_adhesion=parameter, **data))
+    expected = fit(one, WANTED)
+    ways = [{"work_of_adhesion": 1e-3}, {"method": "least_squares"}]
+    for found in [model.fit(**data, **way) for way in ways]:
+        for name in WANTED:
+            assert found.best_values[name] == pytest.approx(expected.params[name], rel=1e-4)
+    model.set_param_hint("work_of_adhesion", vary=False)
+    assert model.fit(**data).best_values["work_of_adhesion"] == 0.0
+
+
+def test_the_start_does_not_decide(model_class):
+    truth = retract(points=200, contact_point=4e-6)
+    made = simulate(truth, noise=1e-7, seed=2)
+    free = ["film_modulus", "work_of_adhesion", "contact_point"]
+    expected = fit(made, free)
+    for start in (3.9e-6, 4.1e-6):
+        found = model_class(made, free).fit(
+            made.ordinate,
+            x=made.abscissa,
+            weights=1e7,
+            method="least_squares",
+            contact_point=start,
+        )
+        for name in free:
+            error = abs(found.best_values[name] - expected.params[name])
+            assert error < 0.1 * expected.stderr[name], name
+
+
+def test_data_of_another_curve_need_a_model_of_their_own(model_class):
+    free = ["film_modulus", "work_of_adhesion", "contact_point"]
+    one, other = [
+        simulate(retract(points=200, contact_point=at), noise=1e-7, seed=2) for at in (4e-6, 3.8e-6)
+    ]
+    assert np.array_equal(one.abscissa, other.abscissa)
+    model = model_class(one, free)
+    data = {"x": one.abscissa, "weights": 1e7}
+    refuses(ValueError, "make a model of an experiment", lambda: model.fit(other.ordinate, **data))
+    again = simulate(retract(points=200, contact_point=4e-6), noise=1e-7, seed=3)
+    assert model.fit(again.ordinate, **data).success
+
+
+def test_points_in_a_jump_do_not_count_in_a_composite_model(model_class):
+    made = simulate(retract(points=200, contact_point=4e-6), noise=1e-7, seed=2)
+    ordinate = made.ordinate.copy()
+    last = np.argmax(np.diff(ordinate))
+    ordinate[last + 1 : last + 5] = ordinate[last] * np.array([0.8, 0.6, 0.4, 0.2])
+    made = replace(made, ordinate=ordinate)
+    free = ["film_modulus", "work_of_adhesion", "contact_point"]
+    alone = model_class(made, free)
+    left_out = np.isnan(alone.eval(x=made.abscissa))
+    assert 3 <= left_out.sum() <= 6
+    weights = np.full(made.ordinate.shape, 1e7)
+    data = {"data": made.ordinate, "x": made.abscissa, "weights": weights}
+    composite = model_class(made, free, nan_policy="omit") + lmfit.models.ConstantModel()
+    params = composite.make_params(c={"value": 0.0, "vary": False})
+    found, expected = composite.fit(params=params, **data), alone.fit(**data)
+    assert np.array_equal(np.isnan(expected.best_fit), left_out)
+    for name in free:
+        error = abs(found.best_values[name] - expected.best_values[name])
+        assert error < 0.05 * expected.params[name].stderr, name
+    raises = model_class(made, free) + lmfit.models.ConstantModel()
+    refuses(ValueError, "NaN values", lambda: raises.fit(params=params, **data))
+
+
 def test_the_exact_derivatives_are_used(model_class):
     one = lens(seed=1)
     start = {"sphere_modulus": 1e6, "work_of_adhesion": 0.05}

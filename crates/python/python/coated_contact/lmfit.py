@@ -41,7 +41,8 @@ class Model(LmfitModel):  # type: ignore[misc]
     :class:`coated_contact.Free` that the kind of experiment has, with the values of the experiment;
     those in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the
     exact derivatives, unless a parameter has an expression. Give the weights 1/noise:
-    ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons.
+    ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons. ``"leastsq"``
+    cannot move a parameter from its bound: give a start within, such as a work of adhesion above 0.
 
     With a stack the parameters of a layer of the name ``primer`` are ``primer_modulus`` and
     ``primer_thickness`` in lmfit, and ``"primer.modulus"`` and ``"primer.thickness"`` in ``free``;
@@ -50,9 +51,11 @@ class Model(LmfitModel):  # type: ignore[misc]
     Layers whose names lmfit cannot take are fixed, and so is the modulus of one called ``sphere``.
 
     At the abscissae of the experiment the branch of each point is read from its data, as
-    :func:`coated_contact.branches` does, and points in a jump do not count. At other abscissae the
-    model decides. Under a relaxation, and of the kind ``"stiffness-depth"``, there is no model at
-    other abscissae: it needs the time or the load of each point.
+    :func:`coated_contact.branches` does, and points in a jump do not count: there the model is NaN,
+    and a composite model needs ``nan_policy="omit"``. Each curve needs its own model: data of other
+    branches are refused. At other abscissae the model decides. Under a relaxation, and of the kind
+    ``"stiffness-depth"``, there is no model at other abscissae: it needs the time or the load of
+    each point.
 
     Parameters
     ----------
@@ -89,7 +92,7 @@ class Model(LmfitModel):  # type: ignore[misc]
         if isinstance(free, str):
             raise TypeError(f"free must be a list of parameters: [{free!r}]")
         varied = list(free)
-        self._experiment, self._table = experiment, table
+        self._experiment, self._varied, self._table = experiment, varied, table
         measured = not np.isnan(experiment.ordinate).any()
         self._branches = branches(experiment, varied) if measured else None
         self._known = parameters_of(experiment)
@@ -100,8 +103,7 @@ class Model(LmfitModel):  # type: ignore[misc]
             raise ValueError(f"{unknown} are no parameters of this experiment: {known}")
 
         def ordinate(x: ArrayLike, **values: float) -> Array:
-            found = self._predict(x, values, []).ordinate
-            return np.where(np.isnan(found), 0.0, found)
+            return self._predict(x, values, []).ordinate
 
         # lmfit takes the names of the parameters from the arguments.
         arguments = [Argument(name, Argument.POSITIONAL_OR_KEYWORD) for name in ("x", *names)]
@@ -130,14 +132,49 @@ class Model(LmfitModel):  # type: ignore[misc]
         given = [one for one in kwargs.values() if isinstance(one, Parameter)]
         if method in WITH_JACOBIAN and not _has_expression([*start.values(), *given]):
             settings.setdefault("Dfun", self._jacobian)
+        if method == "leastsq" and settings.get("Dfun") is not None:
+            self._refuse_bounds(start, kwargs)
+        if method == "least_squares":
+            # Or steps in metres and joules would count as nothing beside those in pascals.
+            settings.setdefault("x_scale", "jac")
+        self._refuse_other_branches(data, kwargs.get("x"))
         return super().fit(data, params, *args, fit_kws=settings, **kwargs)
+
+    def _refuse_bounds(self, start: Parameters, given: dict[str, Any]) -> None:
+        """Refuse free parameters that start at a bound, where lmfit's variables have no slope."""
+        for name in self.param_names:
+            one = start.get(name)
+            value = given.get(name, one)
+            if isinstance(value, Parameter):
+                one, value = value, value.value
+            if one is not None and one.vary and one.expr is None and value in (one.min, one.max):
+                side = "above" if value == one.min else "below"
+                raise ValueError(
+                    f"{name} starts at its bound {value:g}, from which lmfit's leastsq cannot move "
+                    f"it: give a start {side} it, or fix it"
+                )
+
+    def _refuse_other_branches(self, data: ArrayLike, x: ArrayLike | None) -> None:
+        """Refuse data whose points are on other branches than those of the experiment."""
+        words, experiment = self._branches, self._experiment
+        if words is None or x is None or not np.array_equal(x, experiment.abscissa):
+            return
+        measured = np.asarray(data, dtype=float)
+        if measured.shape != experiment.abscissa.shape or np.isnan(measured).any():
+            return
+        other = branches(replace(experiment, ordinate=measured), self._varied)
+        if other != words:
+            raise ValueError(
+                "other branches are read from these data than from the experiment of this model: "
+                "make a model of an experiment that has these data as its ordinate"
+            )
 
     def _residual(self, params: Parameters, data: Any, weights: Any, **kwargs: Any) -> Any:
         """Return the weighted residuals; 0 for points that do not count."""
-        residual = super()._residual(params, data, weights, **kwargs)
-        if self._branches is not None and np.size(residual) == len(self._branches):
+        residual = np.asarray(data) - self.eval(params, **kwargs)
+        if np.array_equal(kwargs["x"], self._experiment.abscissa):
             residual[self._left_out()] = 0.0
-        return residual
+        return residual if weights is None else residual * weights
 
     def _left_out(self) -> list[int]:
         return [i for i, branch in enumerate(self._branches or ()) if branch == "left-out"]
