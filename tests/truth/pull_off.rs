@@ -408,7 +408,34 @@ fn a_pull_off_beyond_the_reach_names_the_layer() {
             .pull_off(control)
             .expect_err("too wide")
             .to_string();
-        assert_names(&error, "pull-off; 1e-7 m; 1.2e-5 m; JKR");
+        assert_names(&error, "pull-off; 1e-7 m; 1.200e-5 m; JKR");
         assert!(!error.contains("contact radius"), "{error}");
+    }
+}
+
+/// A sphere that is smaller than its contact would be: a larger one helps, and a thicker layer does not.
+#[test]
+fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
+    let [of_one, softer] = [1e6, 2e6].map(|base| {
+        move |radius: f64, thickness: f64| System {
+            probe: Probe::Paraboloid { radius },
+            sphere_modulus: f64::INFINITY,
+            film: solid(1e6, 0.5),
+            film_thickness: thickness,
+            substrate: solid(base, 0.5),
+        }
+    });
+    for system in [of_one, softer] {
+        for thickness in [1e-6, 1e-4] {
+            let range = 6e-7;
+            let small = Cohesive::new(&system(1e-6, thickness), 0.05, range).expect("physical");
+            let error = small.pull_off(Control::Load).expect_err("too wide");
+            assert_names(
+                &error.to_string(),
+                "1.000e-6 m; radius of the sphere; larger sphere",
+            );
+            let large = Cohesive::new(&system(1e-5, thickness), 0.05, range).expect("physical");
+            large.pull_off(Control::Load).expect("narrow");
+        }
     }
 }

@@ -127,15 +127,25 @@ pub enum Error {
     },
     /// A pull-off with an attraction of finite range at a contact wider than is solved.
     #[error(
-        "at the pull-off the contact, or the attraction around it, is wider than {reach:?} m, up to which an attraction of finite range is \
-         solved on a top layer of {thickness:?} m; take a smaller sphere or a thicker layer, or leave out the range of the attraction: \
-         JKR, the limit of short ranges, is solved on thinner layers"
+        "at the pull-off the contact, or the attraction around it, is wider than {reach:.3e} m, {}",
+        if reach < sphere_radius {
+            format!(
+                "up to which an attraction of finite range is solved on a top layer of {thickness:?} m; take a smaller sphere or a \
+                 thicker layer, or leave out the range of the attraction: JKR, the limit of short ranges, is solved on thinner layers"
+            )
+        } else {
+            "the radius of the sphere, and the model takes it for narrow contacts; take a smaller work of adhesion, a shorter range, or \
+             a larger sphere"
+                .to_owned()
+        }
     )]
     PullOffReach {
         /// The largest radius that is solved, m.
         reach: f64,
         /// The thickness of the top layer, m.
         thickness: f64,
+        /// The radius of the sphere, m.
+        sphere_radius: f64,
     },
     /// A tolerance that the solve of a contact with stick has not reached.
     #[error(

@@ -164,6 +164,7 @@ impl Cohesive {
         Error::PullOffReach {
             reach: self.reach() * self.thickness,
             thickness: self.thickness,
+            sphere_radius: self.sphere_radius,
         }
     }
 }
