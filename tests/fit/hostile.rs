@@ -106,8 +106,9 @@ fn settings_that_cannot_be_used_are_named() {
     let thickness = Free::new(Parameter::FilmThickness);
     let both = [measured.clone(), thick];
     fit_all(&both, &[sphere, thickness]).refused("film-thickness; one value is fitted");
-    let own = [sphere, thickness.with_scope(Scope::Own)];
-    assert!(fit_all(&both, &own).is_ok());
+    let work = Free::new(Parameter::WorkOfAdhesion);
+    let own = [sphere, work, thickness.with_scope(Scope::Own)];
+    fit_all(&both, &own).expect("each film has its thickness");
     // A cantilever without a stiffness.
     let probe = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
     let mut limp = probe.measured(&probe.exact(), 1);

@@ -225,6 +225,42 @@ fn starts_do_not_decide() {
     assert!(compared >= 2 * HARD.len(), "{compared}");
 }
 
+/// Loads hardly depend on a modulus of a few pascals, from where the first start does not lead back.
+#[test]
+fn a_start_in_the_wrong_unit_does_not_decide() {
+    let point = |i: u32| Point {
+        line: u64::from(i) + 1,
+        abscissa: 2e-5 + 1e-4 * f64::from(i) / 39.0,
+        ordinate: 0.0,
+        direction: None,
+    };
+    let measurement = measurement(Kind::LoadRadius, (0..40).map(point).collect());
+    let bodies = Bodies::Coated(paper_system(1e-5));
+    let planned = Experiment {
+        work_of_adhesion: 0.04,
+        ..Experiment::new(measurement, bodies)
+    };
+    let measured = Experiment {
+        measurement: simulate(Table::embedded(), &planned, 2e-6, 3).expect("in the table"),
+        ..planned
+    };
+    let work = Free::new(Parameter::WorkOfAdhesion);
+    for parameter in [Parameter::SphereModulus, Parameter::FilmModulus] {
+        let from = |start: Option<f64>| {
+            let free = Free::new(parameter);
+            let free = start.map_or(free, |start| free.starting_from(start));
+            fitted(&measured, &[free, work])
+        };
+        let expected = from(None);
+        for start in [1e-3, 1.0, 10.0, 1e3, 1e12] {
+            let found = from(Some(start));
+            let [one, other] = [&expected, &found].map(|fit| &fit.estimates[0]);
+            let share = (one.value - other.value).abs() / one.standard_error;
+            assert!(share < 0.1, "{parameter:?} from {start}: {other:?}");
+        }
+    }
+}
+
 #[test]
 fn another_minimum_is_named_with_its_values() {
     let drawn = Drawn::new(4043);

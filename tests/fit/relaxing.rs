@@ -329,6 +329,32 @@ fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
     }
 }
 
+/// A penetration that is held while the force falls moves the base of the cantilever back. A hold of the height and a slow
+/// retract do not: they are fitted.
+#[test]
+fn heights_of_a_held_penetration_are_refused() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    let of_penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 2.0);
+    for (part, seed) in [(0.0, 0), (0.003, 1)] {
+        let mut data = with_noise(&of_penetrations, part, seed);
+        let stiffness = data.stiffness.expect("planned");
+        data.measurement.kind = Kind::ForceHeight;
+        data.contact_point = 0.0;
+        data.noise = None;
+        for point in &mut data.measurement.points {
+            point.abscissa = -(point.abscissa + point.ordinate / stiffness);
+        }
+        fit_all(&[data], &free_of(&free)).refused("penetration was held; give the penetrations");
+    }
+    for slower in [1.0, 20.0] {
+        let mut plan = planned(Kind::ForceHeight, 1e-5, &power(), 2.0);
+        for time in plan.times.iter_mut().filter(|time| **time > 3.0) {
+            *time = 3.0 + slower * (*time - 3.0);
+        }
+        fit_all(&[noisy(&plan, 1)], &free_of(&free)).expect("no penetration was held");
+    }
+}
+
 #[test]
 fn what_cannot_be_fitted_is_refused_with_the_reason() {
     let free = [FilmModulus, RelaxationExponent, ContactPoint];

@@ -4,9 +4,10 @@ use std::rc::Rc;
 
 use interp::Table;
 
+use super::basin::Basin;
 use super::doubts::BEYOND_CHANCE;
 use super::no_adhesion;
-use super::problem::{Assigned, Basin, Ending, Problem};
+use super::problem::{Assigned, Ending, Problem};
 use super::search::{COARSE, Data, PATIENCE, hold_back, is_bad, settle, thin};
 use super::slot::{Slot, slots};
 use super::start::{self, Variation};

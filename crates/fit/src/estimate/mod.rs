@@ -3,10 +3,10 @@
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
 //! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
 //! problem with its `loss`, and `blocks` decomposes the derivatives of many experiments. `minima`
-//! compares the minima that several starts lead to, `valley` looks for others, and `search` leads
-//! to each of them. `uncertainty` gives the errors there,
-//! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points
-//! that do not count, `noise` estimates the noise, `warnings` adds to the `doubts`, with `agreement`,
+//! compares the minima that several starts lead to, `basin` tells which of them lead to a known one,
+//! `valley` looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
+//! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points that
+//! do not count, `noise` estimates the noise, `warnings` adds to the `doubts`, with `agreement`,
 //! `detector`, `prior`, `wanted`, `cycle`, `no_adhesion` and `interfaces`.
 //! `relaxing_start` is the start where bodies relax, and `relaxing` what such a fit tells.
 //! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
@@ -14,6 +14,7 @@
 
 mod agreement;
 mod assumptions;
+mod basin;
 mod blocks;
 mod cycle;
 mod detector;

@@ -11,6 +11,7 @@ use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::assumptions;
+use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
 use crate::model::Predicted;
@@ -98,32 +99,6 @@ pub(crate) struct Problem<'a> {
     pub arrived: bool,
     /// The contacts made last, and whether they have derivatives.
     contacts: RefCell<Vec<(Bodies, bool, Contact)>>,
-}
-
-/// The neighbourhood of a minimum from which every start leads to it.
-#[derive(Clone, Debug)]
-pub(crate) struct Basin {
-    x: DVector<f64>,
-    jacobian: DMatrix<f64>,
-}
-
-impl Basin {
-    /// The change of the residuals, in units of the noise, up to which a point belongs to the
-    /// minimum.
-    const REACH: f64 = 2.0;
-
-    /// Returns the neighbourhood of the present values; `None` where there are no derivatives.
-    pub fn of(problem: &Problem<'_>) -> Option<Self> {
-        Some(Self {
-            x: problem.x.clone(),
-            jacobian: problem.jacobian()?,
-        })
-    }
-
-    /// Tells whether coordinates belong to the minimum.
-    fn holds(&self, x: &DVector<f64>) -> bool {
-        (&self.jacobian * (x - &self.x)).norm() < Self::REACH
-    }
 }
 
 /// How a fit ended.

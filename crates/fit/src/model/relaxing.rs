@@ -1,6 +1,6 @@
 //! Bodies that relax: what is known of them, and the loads in time.
 
-use contact::{Contact, HistoryInputs, Input, LawParameter, Relaxation};
+use contact::{Contact, Control, HistoryInputs, Input, LawParameter, Relaxation};
 use interp::{Elastic, Probe, Table};
 
 use super::differences::ContactOf;
@@ -81,6 +81,9 @@ pub(crate) fn of_law(parameter: Parameter) -> Option<LawParameter> {
 
 /// The part of their range by which abscissae that are one cycle do not go back and forth.
 const SEVERAL: f64 = 0.1;
+/// The part of the indentation within which a penetration is held, and of the largest load by which it falls then.
+const HELD: f64 = 0.03;
+const FALLS: f64 = 0.1;
 /// The most relaxation times of one law.
 const MOST_TERMS: usize = 50;
 
@@ -160,6 +163,14 @@ impl Experiment {
                  fit it without adhesion",
             ));
         }
+        if self.holds_penetration() {
+            return Err(Error::not_fitted(
+                self,
+                "its penetration was held while the force fell, because the cantilever's base moved back: the contact \
+                 followed the penetration, and at heights it is not solved; give the penetrations, contact point - height - \
+                 force/stiffness, in place of the heights",
+            ));
+        }
         let [least, most] = extremes(points.iter().map(|point| point.abscissa));
         if self.program().changed > SEVERAL * (most - least) {
             return Err(Error::not_fitted(
@@ -175,6 +186,30 @@ impl Experiment {
             });
         }
         Ok(())
+    }
+
+    /// Tells whether the penetration was held after the turn of the heights, at least as long as it grew before.
+    fn holds_penetration(&self) -> bool {
+        let Control::Spring { stiffness } = self.control() else {
+            return false;
+        };
+        let points = &self.measurement.points;
+        let turn = self.program().turn;
+        let load = |i: usize| points[i].ordinate - points[0].ordinate;
+        let penetration = |i: usize| self.imposed(points[i].abscissa) - load(i) / stiffness;
+        let Some(begin) = (0..turn).find(|&i| load(i) > FALLS * load(turn)) else {
+            return false;
+        };
+        let change = |i: usize| (penetration(i) - penetration(turn)).abs();
+        let held = (turn..points.len()).take_while(|&i| change(i) <= HELD * change(begin));
+        held.last().is_some_and(|end| {
+            let falls = load(turn) - load(end);
+            let moves_back =
+                self.imposed(points[turn].abscissa) - self.imposed(points[end].abscissa);
+            self.times[end] - self.times[turn] >= self.times[turn] - self.times[begin]
+                && falls >= FALLS * load(turn)
+                && moves_back >= 0.5 * falls / stiffness
+        })
     }
 
     /// Tells whether a body deforms and does not relax.
