@@ -292,6 +292,9 @@ fn an_error_that_cannot_be_known_is_refused() {
     with(&[(free, 1e4)], None).refused("known sphere-modulus; not free; prior");
     with(&[(THICKNESS, 0.0)], None).refused("known film-thickness; 0.0; positive");
     with(&[(THICKNESS, f64::NAN)], None).refused("known film-thickness; positive");
+    // A part of the value, in place of its error.
+    with(&[(THICKNESS, 0.03)], None).refused("known film-thickness; 0.03; at most its value; m");
+    with(&[(Fixed::SphereRadius, 0.01)], None).refused("known sphere-radius; 0.01; at most");
     with(&[(THICKNESS, 1e-6); 2], None).refused("film-thickness; once");
     with(&[(Fixed::LayerModulus(1), 1e6)], None).refused("layer-1.modulus; bodies");
     with(&[(THICKNESS, 1e-6)], Some(0.95)).refused("profile; prior");

@@ -299,6 +299,8 @@ def test_a_value_without_a_finite_error_is_no_result():
 def test_fixed_values_are_left_out_or_refused():
     assert fit(lens(seed=1), WANTED, fixed_values=False).fixed_values == ()
     refuses(FitError, "not free", lambda: fit(lens(seed=1), WANTED, known={"sphere_modulus": 1e4}))
+    known = {"sphere_radius": 0.03}
+    refuses(FitError, "at most its value", lambda: fit(lens(seed=1), WANTED, known=known))
     refuses(FitError, "sphere_radius", lambda: fit(lens(seed=1), WANTED, known={"sphere": 1e4}))
 
 

@@ -47,6 +47,20 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             let allowed = "of a value that is not free: give a free one a prior instead";
             return Err(Error::setting(name, first, allowed));
         }
+        let is_scale = match quantity {
+            Fixed::Parameter(parameter) => {
+                parameter.is_positive() && !parameter.is_work_of_adhesion()
+            }
+            quantity => !quantity.is_poisson_ratio(),
+        };
+        if is_scale && *error > first {
+            let name = format!("the standard error of {name}");
+            let allowed = format!(
+                "at most its value, {first:?} {}: give it in this unit, and not as a part of the value",
+                quantity.unit()
+            );
+            return Err(Error::setting(name, *error, allowed));
+        }
         if known[..i].iter().any(|before| before.quantity == *quantity) {
             let allowed = "given once";
             return Err(Error::setting(name, first, allowed));

@@ -79,7 +79,8 @@ pub(super) fn add(
         format!(
             "{}: points in contact scatter {beside}, and the noise of the {ordinate} is estimated from both: the \
              standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
-             right, errors of the {abscissa} are the reason: give their size",
+             right, errors of the {abscissa} are the reason, or the noise of the {ordinate} is larger in contact: give \
+             the errors of the {abscissa} their size, or each point its standard deviation",
             experiment.measurement.name
         ),
     );
