@@ -126,6 +126,20 @@ fn a_loop_in_time_names_the_flag() {
 }
 
 #[test]
+fn a_hold_without_a_retract_names_the_flag() {
+    let workdir = workdir!();
+    workdir.succeed(format!(
+        "simulate --kind load-penetration --film-modulus 2kPa --from -50nm --to 400nm --points 50 --sample-interval 20ms \
+         --hold 1 --segments approach --noise 20pN {GEL} {POWER} -o hold.csv"
+    ));
+    let elastic = "--work-of-adhesion 0 --free film-modulus,contact-point";
+    let report = workdir.run(format!("fit hold.csv {GEL} {elastic}")).stdout;
+    let words = "penetration was held; load fell; with the times; --relaxation power-law";
+    assert_names(&report, words);
+    assert!(!report.contains("work-of-adhesion-receding"), "{report}");
+}
+
+#[test]
 fn a_simulation_without_the_numbers_of_the_law_asks_for_them() {
     let workdir = workdir!();
     let plan = "simulate --kind load-penetration --film-modulus 2kPa --from -50nm --to 400nm --noise \

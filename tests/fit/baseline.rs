@@ -51,6 +51,24 @@ fn a_force_that_is_added_to_all_changes_the_baseline_alone() {
     }
 }
 
+/// A baseline that is tilted, with a slope that is free, is told from an adhesive contact.
+#[test]
+fn a_slope_that_is_free_does_not_hide_where_an_adhesive_contact_ends() {
+    let free = [&FORCE_CURVE[..], &[Parameter::BaselineSlope]].concat();
+    let probe = Imagined::probe(Course::Cycle, 1e-4, &free);
+    let exact = probe.exact();
+    for slope in [-5e-3, -2e-3, -5e-4, 5e-4, 2e-3, 5e-3] {
+        for seed in 0..4 {
+            let measured = changed(&probe.measured(&exact, seed), |_, height| slope * height);
+            let found = fitted(&measured, &probe.free);
+            let off_by_slope = off_by(&found, Parameter::BaselineSlope, slope);
+            let is_near = off(&found).abs() < 4.0 && off_by_slope.abs() < 4.0;
+            assert!(found.converged && is_near, "{slope}, {seed}: {found:?}");
+            assert_silent(&found, WarningKind::PoorFit);
+        }
+    }
+}
+
 #[test]
 fn a_ramp_may_begin_far_from_the_surface() {
     for (times, apart) in [(3.0, 500), (15.0, 100), (50.0, 2000)] {

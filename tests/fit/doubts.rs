@@ -177,8 +177,13 @@ fn contacts_outside_the_model_are_warned_of() {
     let mut probe = Imagined::probe(Course::Retract, 1e-4, &free);
     probe.radii[1] = 9e-6;
     let found = probe.fit(1);
-    assert_warns(&found, WarningKind::LargeContact, "a/R reaches 0.45; 0.3");
+    let words = "a/R reaches 0.45; 0.3; fit the exact sphere";
+    assert_warns(&found, WarningKind::LargeContact, words);
     assert_warns(&found, WarningKind::LargeStrain, "of its thickness");
+    // The exact sphere does not serve wider contacts on a film.
+    probe.radii[1] = 12e-6;
+    let words = "a/R reaches 0.60; leave out; above 0.55 R; fit the exact sphere";
+    assert_warns(&probe.fit(1), WarningKind::LargeContact, words);
     let Bodies::Coated(system) = &mut probe.truth.bodies else {
         panic!("a film")
     };

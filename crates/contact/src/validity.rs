@@ -106,6 +106,9 @@ impl Validity {
     /// the penetration by 3 % there.
     pub const WARNING_A_OVER_R: f64 = 0.3;
 
+    /// The `a/R` up to which the exact sphere is computed on a film.
+    pub const EXACT_SPHERE_A_OVER_R: f64 = 0.55;
+
     /// The slope at the edge above which the command line and a fit warn of any other shape, that of a
     /// cone of half angle 45 degrees. The model takes slopes to be small.
     pub const WARNING_SLOPE: f64 = 1.0;

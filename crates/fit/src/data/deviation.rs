@@ -70,6 +70,7 @@ impl Columns<'_> {
             unit: of.unit,
             factor: of.factor.abs(),
             heading: self.headings[index].text.clone(),
+            typed: self.headings[index].text.clone(),
             assumed_si: of.assumed_si,
         }))
     }

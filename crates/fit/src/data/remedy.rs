@@ -126,7 +126,7 @@ impl Doubt {
             Self::Sign(sign) => {
                 let turned = sign.columns().into_iter().map(|column| {
                     let minus = if column.factor < 0.0 { "" } else { "-" };
-                    (column.role, format!("{minus}{}", column.heading))
+                    (column.role, format!("{minus}{}", column.typed))
                 });
                 Some(named(turned.collect()))
             }

@@ -22,6 +22,8 @@ pub struct Source {
     pub factor: f64,
     /// The heading.
     pub heading: String,
+    /// What names the column: the heading, or what the user gave for it, with the unit that it lacks.
+    pub typed: String,
     /// Whether the column has no unit and is taken to be in SI units.
     pub assumed_si: bool,
 }
@@ -50,9 +52,12 @@ impl Columns<'_> {
             let has = |one: &&Named| role == Role::Segment || one.direction == direction;
             let of: Vec<&Named> = named.iter().filter(has).collect();
             let indices: Vec<usize> = of.iter().map(|one| one.index).collect();
-            return unique(role, &indices)?
-                .map(|index| self.source(role, index, of[0].unit, of[0].negative))
-                .transpose();
+            let Some(index) = unique(role, &indices)? else {
+                return Ok(None);
+            };
+            let source = self.source(role, index, of[0].unit, of[0].negative)?;
+            let typed = of[0].typed.clone();
+            return Ok(Some(Source { typed, ..source }));
         }
         for name in names(role) {
             let matches =
@@ -93,6 +98,7 @@ impl Columns<'_> {
             unit: wanted.unit.or(heading.unit),
             direction: wanted.direction.or(heading.direction),
             negative: column.negative,
+            typed: column.heading.clone(),
         })
     }
 
@@ -180,6 +186,7 @@ impl Columns<'_> {
             index,
             unit,
             factor,
+            typed: heading.clone(),
             heading,
             assumed_si,
         })
@@ -247,4 +254,5 @@ pub(super) struct Named {
     pub unit: Option<Unit>,
     direction: Option<Direction>,
     negative: bool,
+    typed: String,
 }

@@ -97,12 +97,22 @@ fn add(
     }
     let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
+        let exact = "the exact sphere, which is a probe of its own";
+        let limit = Validity::EXACT_SPHERE_A_OVER_R;
+        let remedy = match experiment.bodies {
+            Bodies::Coated(_) if validity.a_over_r > limit => {
+                format!("leave out the points of contacts above {limit} R, and fit {exact} and is solved up to there")
+            }
+            Bodies::Coated(_) | Bodies::HalfSpace(_) => format!("fit {exact}"),
+            Bodies::Layered(_) => "leave out the points of wider contacts, because the exact sphere is solved on a half-space \
+                                   and on one bonded film, without friction"
+                .into(),
+        };
         warnings.add(
             WarningKind::LargeContact,
             format!(
                 "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by up to 3 % at this limit, and more above it; fit the exact sphere, which is a \
-                 probe of its own",
+                 which changes the penetration by up to 3 % at this limit, and more above it; {remedy}",
                 validity.a_over_r,
                 Validity::WARNING_A_OVER_R
             ),

@@ -12,6 +12,7 @@ use contact::Contact;
 use interp::Probe;
 
 use super::doubts::{BEYOND_CHANCE, Warnings};
+use super::hold;
 use super::problem::Problem;
 use crate::model::Bodies;
 use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
@@ -60,6 +61,7 @@ pub(super) fn add(
         return;
     }
     let Some(ways) = experiment.ways() else {
+        hold::add(warnings, experiment, local_noise);
         return;
     };
     let Some(ways) = samples(problem, e, &ways) else {

@@ -7,7 +7,7 @@
 //! `valley` looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points that
 //! do not count, `noise` estimates the noise, `warnings` adds to the `doubts`, with `agreement`,
-//! `detector`, `prior`, `wanted`, `cycle`, `no_adhesion` and `interfaces`.
+//! `detector`, `prior`, `wanted`, `cycle`, `hold`, `no_adhesion` and `interfaces`.
 //! `relaxing_start` is the start where bodies relax, and `relaxing` what such a fit tells.
 //! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
 //! experiment, `likelihood` is for samplers. `result` holds what comes out.
@@ -22,6 +22,7 @@ mod doubts;
 mod fixed_values;
 mod forecast;
 mod friction;
+mod hold;
 mod indentation;
 mod interfaces;
 mod jkr;

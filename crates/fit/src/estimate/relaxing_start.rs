@@ -83,6 +83,7 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
         adhesive: false,
         hysteretic: false,
         level,
+        slope: false,
     })?;
     Ok(Some(Assigned {
         experiment,

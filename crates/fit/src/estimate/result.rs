@@ -348,6 +348,8 @@ named! {
         MixedBranches = "mixed-branches",
         /// A loop between loading and unloading that the model does not make.
         Hysteresis = "hysteresis",
+        /// A load that falls while penetration or height is held.
+        Relaxes = "relaxes",
         /// A depth that remains after unloading.
         Plasticity = "plasticity",
         /// Residuals that are more like their neighbours than chance makes them, or whose means over several

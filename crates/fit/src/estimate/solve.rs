@@ -254,6 +254,7 @@ pub(crate) fn prepare(
             adhesive,
             hysteretic: experiment.work_of_adhesion_receding.is_some(),
             level: is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline),
+            slope: is_free(Parameter::BaselineSlope),
         })?);
     }
     Ok((Data::new(&experiments, assignments), slots))

@@ -250,9 +250,16 @@ fn mixed(
             .filter(|&i| unloads(i) == way)
             .count()
     });
-    let advice = "fit each direction with a work of adhesion of its own \
-                  (work-of-adhesion-receding), or one direction alone";
-    if ways.iter().all(|&count| count >= FEWEST)
+    let has_both = ways.iter().all(|&count| count >= FEWEST);
+    let advice = format!(
+        "{}fit each direction with a work of adhesion of its own (work-of-adhesion-receding), or one direction alone",
+        if has_directions {
+            ""
+        } else {
+            "give the points their directions, then "
+        }
+    );
+    if has_both
         && assigned.experiment.work_of_adhesion > 0.0
         && let Some(column) = columns.of(Parameter::WorkOfAdhesion, unloads)
         && let Some(gain) = score.gain(&column).filter(Gain::is_significant)
@@ -271,7 +278,8 @@ fn mixed(
     let first: usize = problem.assigned[..e].iter().map(Assigned::counting).sum();
     let own = residuals.rows(first, assigned.counting());
     let moment = |power: i32| own.iter().map(|r| r.powi(power)).sum::<f64>() / own.len() as f64;
-    if own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS {
+    let are_one_way = has_directions && !has_both;
+    if !are_one_way && own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS {
         warnings.add(
             WarningKind::MixedBranches,
             format!(

@@ -93,7 +93,13 @@ fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
         "the table ends there; fix a parameter or use a larger table"
     } else {
         let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-        if experiments.any(|one| one.relaxing.is_some()) {
+        if experiments
+            .clone()
+            .any(|one| one.bodies.end_of_exact_sphere().is_some())
+        {
+            "the model has no contact beyond, or none that is solved: the exact sphere is solved on a film up to contact \
+             radii of 0.55 R; leave out the points of wider contacts, fix a parameter, or give it another start"
+        } else if experiments.any(|one| one.relaxing.is_some()) {
             "the model has no contact beyond, because no history begins in contact, or because it is not solved; keep more \
              points from before the contact, or fix a parameter"
         } else {

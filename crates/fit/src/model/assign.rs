@@ -36,6 +36,8 @@ pub(crate) struct Freedom {
     pub hysteretic: bool,
     /// Whether the level of the baseline is free.
     pub level: bool,
+    /// Whether the slope of the baseline is free.
+    pub slope: bool,
 }
 
 impl Experiment {
@@ -48,7 +50,8 @@ impl Experiment {
     /// Against penetrations or heights each segment is read from its largest contact on. If it has
     /// a jump from below the baseline to it, larger than 6 times the noise, the points before the
     /// jump are in contact and those after it are on the baseline; a spike is no jump. The baseline
-    /// is flat to 6 times the noise, and at the level that is known unless this level is free.
+    /// is flat to 6 times the noise, and at the level that is known unless this level is free. A slope that is free is
+    /// read from the ends of the segments before.
     /// Without such a jump a flat end of the segment is the baseline. Points between contact and
     /// baseline are left out.
     pub(crate) fn assign(&self, freedom: Freedom) -> Result<Assignment, Error> {
@@ -106,8 +109,14 @@ impl Experiment {
                 }
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 if freedom.adhesive {
-                    let baseline = self.known_baseline(noise, freedom.level);
-                    self.split(&mut branches, &segments, baseline, true);
+                    let baseline = self.known_baseline(noise, freedom.level || freedom.slope);
+                    let slope = if freedom.slope {
+                        self.tilt(&segments, baseline)
+                    } else {
+                        self.baseline_slope
+                    };
+                    let split = |readings: &[f64]| baseline.split(readings);
+                    self.split(&mut branches, &segments, slope, split);
                 }
             }
         }
@@ -170,6 +179,16 @@ impl Experiment {
             }
             if at_radii && point.abscissa >= self.bodies.largest_radius() {
                 let allowed = "below the radius of the sphere: check the units of both";
+                return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
+            }
+            if at_radii
+                && self
+                    .bodies
+                    .end_of_exact_sphere()
+                    .is_some_and(|end| point.abscissa >= end)
+            {
+                let allowed = "below 0.55 R, up to which the exact sphere is solved on a film: leave out the points of wider \
+                               contacts";
                 return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
             }
         }
@@ -284,16 +303,11 @@ impl Experiment {
         &self,
         branches: &mut [Branch],
         segments: &[Vec<usize>],
-        baseline: KnownBaseline,
-        adhesive: bool,
+        slope: f64,
+        split: impl Fn(&[f64]) -> [usize; 2],
     ) {
         for way in segments.iter().filter(|way| way.len() >= FEWEST) {
-            let readings: Vec<f64> = way.iter().map(|&i| self.reading_without_slope(i)).collect();
-            let [contact_ends, baseline_begins] = if adhesive {
-                baseline.split(&readings)
-            } else {
-                baseline.flat_end(&readings)
-            };
+            let [contact_ends, baseline_begins] = split(&self.readings(way, slope));
             for &i in &way[contact_ends..baseline_begins] {
                 branches[i] = Branch::LeftOut;
             }
@@ -308,9 +322,8 @@ impl Experiment {
     pub(crate) fn pull(&self, noise: f64) -> Option<f64> {
         let baseline = self.known_baseline(noise, true);
         let of_way = |way: &Vec<usize>| {
-            let readings: Vec<f64> = way.iter().map(|&i| self.reading_without_slope(i)).collect();
             (way.len() >= FEWEST)
-                .then(|| baseline.pull(&readings))
+                .then(|| baseline.pull(&self.readings(way, self.baseline_slope)))
                 .flatten()
         };
         let segments = self.segments();
@@ -319,10 +332,12 @@ impl Experiment {
         (most > CLEAR * noise).then_some(most)
     }
 
-    /// Returns an ordinate without the slope of the baseline.
-    fn reading_without_slope(&self, i: usize) -> f64 {
-        let point = &self.measurement.points[i];
-        point.ordinate - self.baseline_slope * (point.abscissa - self.contact_point)
+    /// Returns the ordinates of points without the `slope` of the baseline.
+    pub(super) fn readings(&self, numbers: &[usize], slope: f64) -> Vec<f64> {
+        let points = numbers.iter().map(|&i| &self.measurement.points[i]);
+        points
+            .map(|point| point.ordinate - slope * (point.abscissa - self.contact_point))
+            .collect()
     }
 
     /// Returns what is known of the baseline, with the noise of a reading.
@@ -338,7 +353,8 @@ impl Experiment {
     /// contact begins they tell where a fit starts.
     pub(crate) fn take_flat_ends(&self, branches: &mut [Branch], noise: f64, level_is_free: bool) {
         let baseline = self.known_baseline(noise, level_is_free);
-        self.split(branches, &self.segments(), baseline, false);
+        let split = |readings: &[f64]| baseline.flat_end(readings);
+        self.split(branches, &self.segments(), self.baseline_slope, split);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Probe, film and substrate of an experiment, and their contact.
 
-use contact::{Contact, Input};
+use contact::{Contact, Input, Validity};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use solve::stack::{Interface, Stack};
 
@@ -73,6 +73,16 @@ impl Bodies {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => *radius,
             Probe::Profile(profile) => profile.end(),
             _ => f64::INFINITY,
+        }
+    }
+
+    /// Returns the largest contact radius (m) up to which an exact sphere is solved on a film; `None` for other bodies.
+    pub(crate) fn end_of_exact_sphere(&self) -> Option<f64> {
+        match (self, self.probe()) {
+            (Self::Coated(_), Probe::Sphere { radius }) => {
+                Some(Validity::EXACT_SPHERE_A_OVER_R * radius)
+            }
+            _ => None,
         }
     }
 

@@ -1,16 +1,15 @@
 //! What is measured, what is known, and what the contact model predicts for it.
 //!
-//! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the
-//! points with all that is known about them, `errors` their standard deviations. `free` is what is
-//! to be found and how, `fixed` what is taken as given. `assign` reads the `branch` of each point
-//! from the data, and finds loading and unloading; `split` tells where contact and baseline meet. `predict` compares the points with the
-//! contact of `interp`, through `readings` and, under adhesion hysteresis, `turn`; `layered` is a
-//! stack of layers, `direct_solver` makes its contacts (`stick_solver` those with full friction,
-//! `interruptible` lets them be stopped), and `differences` the derivatives on it. `relaxing` predicts
-//! the points in time where the bodies relax, and `program` takes the noise off what is imposed on them
-//! by `straight_lines`. `indentation` is
-//! contact stiffness as a measurement. `simulate` makes synthetic points,
-//! `prediction` evaluates the model for other methods of fitting.
+//! `measurement` holds the points, `parameter` the numbers that can be fitted, `experiment` the points
+//! with all that is known about them, `errors` their standard deviations. `free` is what is to be found
+//! and how, `fixed` what is taken as given. `assign` reads the `branch` of each point from the data,
+//! and finds loading and unloading; `split` tells where contact and baseline meet, on a baseline whose
+//! slope `tilt` reads. `predict` compares the points with the contact of `interp`, through `readings`
+//! and, under adhesion hysteresis, `turn`; `layered` is a stack of layers, `solver` makes its contacts,
+//! `interrupt` stops them, and `differences` makes the derivatives on it. `relaxing` predicts the
+//! points in time where the bodies relax, and `program` takes the noise off what is imposed on them by
+//! `straight_lines`. `indentation` is contact stiffness as a measurement. `simulate` makes synthetic
+//! points, `prediction` evaluates the model for other methods of fitting.
 
 mod assign;
 mod bodies;
@@ -35,6 +34,7 @@ mod simulate;
 mod solver;
 mod split;
 mod straight_lines;
+mod tilt;
 mod turn;
 
 pub(crate) use assign::{Assignment, Freedom, noise_of};

@@ -41,6 +41,7 @@ impl Experiment {
             adhesive: works.into_iter().any(is_adhesive),
             hysteretic: is_free(receding) || self.get(receding).is_some(),
             level: is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline),
+            slope: is_free(Parameter::BaselineSlope),
         })?;
         Ok(assignment.branches)
     }

@@ -64,7 +64,7 @@ impl KnownBaseline {
     /// the reading without a contact to it.
     fn jump(&self, readings: &[f64]) -> Option<[usize; 2]> {
         let step = |i: usize| readings[i + 1] - readings[i];
-        let free = median(readings[readings.len() - tail(readings)..].to_vec());
+        let free = median(readings[readings.len() - tail(readings.len())..].to_vec());
         let mut jumps: Vec<usize> = (0..readings.len() - 1)
             .filter(|&i| readings[i] < free && step(i) > SIGNIFICANT * self.noise)
             .collect();
@@ -98,7 +98,7 @@ impl KnownBaseline {
     /// the noise: it takes as far again until it is 3 times as large.
     pub fn flat_end(&self, readings: &[f64]) -> [usize; 2] {
         let count = readings.len();
-        let Some([level, noise]) = self.level(&readings[count - tail(readings)..]) else {
+        let Some([level, noise]) = self.level(&readings[count - tail(count)..]) else {
             return [count; 2];
         };
         let off = |i: usize, by: f64| (readings[i] - level).abs() > by * noise;
@@ -112,9 +112,9 @@ impl KnownBaseline {
     }
 }
 
-/// Returns the number of the last readings that are compared with the others.
-fn tail(readings: &[f64]) -> usize {
-    ((TAIL * readings.len() as f64) as usize).clamp(FEWEST, readings.len())
+/// Returns the number of the last of `count` readings that are compared with the others.
+pub(super) fn tail(count: usize) -> usize {
+    ((TAIL * count as f64) as usize).clamp(FEWEST, count)
 }
 
 #[cfg(test)]

@@ -183,8 +183,9 @@ impl Bodies {
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
             note(&format!(
                 "{LARGE_CONTACT} The largest contact radius here is {:.3} R. On one bonded film, without friction and \
-                 without --interaction-range, --probe sphere takes the shape of the sphere, up to 0.55 R.",
-                a / self.sphere_radius
+                 without --interaction-range, --probe sphere takes the shape of the sphere, up to {} R.",
+                a / self.sphere_radius,
+                Validity::EXACT_SPHERE_A_OVER_R
             ));
         }
         let slope = self.system.probe.slope(a);

@@ -1,11 +1,13 @@
 //! The weights of the even powers in a shape: the coefficients of `b''` on a piece.
 
+use crate::Validity;
+
 /// The largest number of even powers in `b''`.
 pub(super) const MOST_TERMS: usize = 7;
 
 /// The largest ratio of contact radius and sphere radius for which the economised polynomial is
 /// accurate, to 1e-6.
-pub(crate) const LARGEST_A_OVER_R: f64 = 0.55;
+pub(crate) const LARGEST_A_OVER_R: f64 = Validity::EXACT_SPHERE_A_OVER_R;
 
 /// The largest `a/R` of a piece for which so many terms of the series of the sphere suffice, to
 /// 1e-10.

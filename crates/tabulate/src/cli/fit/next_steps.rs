@@ -2,6 +2,10 @@
 
 use ::fit::{Fit, WarningKind};
 
+/// What helps where loading and unloading differ.
+const WAYS: &str = "loading and unloading that differ: --free ...,work-of-adhesion-receding, or --only approach, or --only \
+                    retract (points without a direction: --segments split)";
+
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
 pub fn further_doubts(fit: &Fit, timed: bool) -> String {
     let others = fit.warnings.iter();
@@ -30,26 +34,24 @@ pub fn next_steps(fit: &Fit, timed: bool) -> String {
             "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; a noise that differs from \
              point to point: a column of it, such as `load error [mN]`",
         ),
-        (
-            WarningKind::Hysteresis,
-            "loops: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
-             (points without a direction: --segments split)",
-        ),
+        (WarningKind::Hysteresis, WAYS),
+        (WarningKind::MixedBranches, WAYS),
         (
             WarningKind::Plasticity,
             "what remains after unloading: keep the rows of unloading above half of the largest \
              load, and --only retract --free film-modulus,contact-point",
         ),
     ];
-    let in_time = (
-        WarningKind::Hysteresis,
-        "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
-         fractional-zener (see `tabulate fit --help`)",
-    );
     // A film that relaxes makes loops, and its law is named in the warning.
     let relaxes = fit.experiments.iter().any(|one| one.relaxation.is_some());
-    let steps = steps.iter().chain(timed.then_some(&in_time));
-    let steps = steps.filter(|(kind, _)| fit.warns_of(*kind));
-    let steps = steps.filter(|(kind, _)| !relaxes || *kind != WarningKind::Hysteresis);
-    steps.map(|(_, step)| format!("{step}\n")).collect()
+    let is_loop = |kind: WarningKind| kind == WarningKind::Hysteresis;
+    let applies = |kind: WarningKind| fit.warns_of(kind) && !(relaxes && is_loop(kind));
+    let laws = "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
+         fractional-zener (see `tabulate fit --help`)";
+    let may_relax = applies(WarningKind::Relaxes) || timed && applies(WarningKind::Hysteresis);
+    let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
+    let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
+    steps.extend(may_relax.then_some(laws));
+    steps.dedup();
+    steps.into_iter().map(|step| format!("{step}\n")).collect()
 }
