@@ -62,7 +62,7 @@ fn a_short_range_on_a_thin_film_is_refused_with_the_reach() {
     let workdir = workdir!();
     let arguments = "pull-off --film-thickness 1e-7 --interaction-range 1e-10";
     let error = workdir.fail(1, arguments);
-    assert_names(&error, &["pull-off", "1.2e-5 m", "1e-7 m"]);
+    assert_names(&error, &["pull-off", "1.200e-5 m", "1e-7 m"]);
     assert!(!error.contains("contact radius"), "{error}");
 }
 

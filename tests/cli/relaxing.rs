@@ -57,6 +57,20 @@ fn the_interval_between_points_stands_for_times() {
     let fits = [with_times, fit(&workdir, by_interval)];
     let [one, other] = fits.map(|found| estimate(&found, "film_modulus")[0]);
     assert_close(one, other, 1e-6);
+    // Times that start again in the retract.
+    let restarted = text.lines().map(|line| match line.split_once(',') {
+        Some((time, rest)) => match time.parse::<f64>() {
+            Ok(time) if time > 1.4 => format!("{},{rest}\n", time - 1.4),
+            _ => format!("{line}\n"),
+        },
+        None => format!("{line}\n"),
+    });
+    workdir.write("segments.csv", restarted.collect::<String>());
+    workdir.refuses(format!(
+        "1 | fit segments.csv {GEL} --relaxation power-law | times must rise; start again; --sample-interval"
+    ));
+    let found = workdir.json(format!("fit segments.csv --json {GEL} {by_interval}"));
+    assert_close(estimate(&found, "film_modulus")[0], one, 1e-6);
     // A known number of the law is given with its error alone.
     let known = format!(
         "{by_interval} --free film-modulus,contact-point --known relaxation-exponent=0.2+-0.01"

@@ -6,14 +6,11 @@ use nalgebra::DVector;
 use super::assumptions;
 use super::doubts::Warnings;
 use super::problem::{Assigned, Problem};
-use super::search::{clear_of, ends, hold_back};
+use super::search::{ROUNDS, clear_of, ends, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
 use crate::{Error, Experiment, Forecast, Free, Loss, Options, Parameter};
-
-/// The rounds in which points near the end of a branch are left out.
-const ROUNDS: usize = 2;
 
 /// Computes the standard errors that a planned experiment would give.
 ///

@@ -25,7 +25,7 @@ const CLEAR: f64 = 4.0;
 /// point left out makes the end less certain, which would leave out more, until none is left.
 const MOST_NEAR: f64 = 0.1;
 /// The most rounds of noise and branches.
-const ROUNDS: usize = 6;
+pub(super) const ROUNDS: usize = 6;
 /// The largest distance of the end of a fit from the minimum of its linearisation, in standard
 /// errors. A fit that ends farther away was stopped.
 pub(super) const SHORT: f64 = 0.1;

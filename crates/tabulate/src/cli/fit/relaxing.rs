@@ -38,7 +38,7 @@ pub struct RelaxingArguments {
     /// Take sphere and substrate to relax like the film
     #[arg(long, requires = "relaxation")]
     all_relax: bool,
-    /// Time between points, s, of measurements without a column of times
+    /// Time between points, s, of measurements without a column of times, or with times that start again in a segment
     #[arg(long, value_name = "S", value_parser = time, allow_hyphen_values = true)]
     pub sample_interval: Option<f64>,
 }
@@ -161,8 +161,9 @@ impl RelaxingArguments {
     pub fn complete(&self, experiment: &mut Experiment) -> anyhow::Result<()> {
         if let Some(interval) = self.sample_interval {
             let name = &experiment.measurement.name;
+            let rise = experiment.times.windows(2).all(|pair| pair[1] > pair[0]);
             ensure!(
-                experiment.times.is_empty(),
+                experiment.times.is_empty() || !rise,
                 "{name} has a column of times: leave out --sample-interval"
             );
             let count = experiment.measurement.points.len();
