@@ -416,26 +416,23 @@ fn a_pull_off_beyond_the_reach_names_the_layer() {
 /// A sphere that is smaller than its contact would be: a larger one helps, and a thicker layer does not.
 #[test]
 fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
-    let [of_one, softer] = [1e6, 2e6].map(|base| {
-        move |radius: f64, thickness: f64| System {
-            probe: Probe::Paraboloid { radius },
-            sphere_modulus: f64::INFINITY,
-            film: solid(1e6, 0.5),
-            film_thickness: thickness,
-            substrate: solid(base, 0.5),
-        }
-    });
-    for system in [of_one, softer] {
-        for thickness in [1e-6, 1e-4] {
-            let range = 6e-7;
-            let small = Cohesive::new(&system(1e-6, thickness), 0.05, range).expect("physical");
-            let error = small.pull_off(Control::Load).expect_err("too wide");
-            assert_names(
-                &error.to_string(),
-                "1.000e-6 m; radius of the sphere; larger sphere",
-            );
-            let large = Cohesive::new(&system(1e-5, thickness), 0.05, range).expect("physical");
-            large.pull_off(Control::Load).expect("narrow");
+    // Film and substrate of one material, and a film on a stiffer one.
+    for (base, radius, range) in [(1e6, 1e-6, 6e-7), (2e6, 1e-7, 5e-8)] {
+        for film_thickness in [1e-6, 1e-4] {
+            let pull_off = |radius: f64| {
+                let system = System {
+                    probe: Probe::Paraboloid { radius },
+                    sphere_modulus: f64::INFINITY,
+                    film: solid(1e6, 0.5),
+                    film_thickness,
+                    substrate: solid(base, 0.5),
+                };
+                let cohesive = Cohesive::new(&system, 0.05, range).expect("physical");
+                cohesive.pull_off(Control::Load)
+            };
+            let error = pull_off(radius).expect_err("too wide");
+            assert_names(&error.to_string(), "radius of the sphere; larger sphere");
+            pull_off(100.0 * radius).expect("narrow");
         }
     }
 }

@@ -134,9 +134,10 @@ pub enum Error {
                  thicker layer, or leave out the range of the attraction: JKR, the limit of short ranges, is solved on thinner layers"
             )
         } else {
-            "the radius of the sphere, and the model takes it for narrow contacts; take a smaller work of adhesion, a shorter range, or \
-             a larger sphere"
-                .to_owned()
+            format!(
+                "and the radius of the sphere is {sphere_radius:?} m, beside which the model takes contacts to be narrow; take a smaller \
+                 work of adhesion, a shorter range, or a larger sphere"
+            )
         }
     )]
     PullOffReach {

@@ -49,7 +49,7 @@ pub(super) fn add(warnings: &mut Warnings, experiment: &Experiment, local_noise:
     };
     let first = load(begin);
     let fall = first - load(begin + held - part);
-    if fall > FALLS * first && fall > CLEAR * noise / (part as f64).sqrt() {
+    if first > 0.0 && fall > FALLS * first && fall > CLEAR * noise / (part as f64).sqrt() {
         let what = kind.names()[0];
         let needed = if experiment.times.is_empty() {
             ", for which each point needs its time"

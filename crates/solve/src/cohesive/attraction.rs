@@ -112,11 +112,10 @@ impl Cohesive {
 
     /// Returns the largest radius of an attraction that is solved.
     pub(super) fn reach(&self) -> f64 {
-        let widest = self.sphere_radius / self.thickness;
         if self.symbol.contrast() == 0.0 {
-            widest
+            self.sphere_radius / self.thickness
         } else {
-            widest.min(REACH)
+            REACH
         }
     }
 
