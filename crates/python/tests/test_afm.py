@@ -129,6 +129,19 @@ def file_of(source, name, folder):
     return path
 
 
+def test_a_file_of_forces_says_so_and_refuses_a_sensitivity(tmp_path):
+    name = PREFIX + "afm-workshop-fd_single_2021-10-22_14.16.csv"
+    file = file_of("AFMFORMATS", name, tmp_path)
+    (one,) = read_afm(file, system=GEL, stiffness=0.05)
+    assert one.reading.endswith("N/m, with which the instrument made the forces")
+    wrong = {"stiffness": 0.05, "sensitivity": 5e-8}
+    words = "forces in newtons, which no sensitivity changes"
+    refuses(FitError, words, lambda: read_afm(file, system=GEL, **wrong))
+    volts = PREFIX + "afm-workshop-fd_single_2018-08-01_13.06.09.csv"
+    (one,) = read_afm(file_of("AFMFORMATS", volts, tmp_path), system=GEL, **GIVEN)
+    assert one.reading.endswith("stiffness 0.05 N/m")
+
+
 def test_every_file_is_in_the_list():
     listed = {(source, name) for source, name, *_ in FILES}
     for source in ("AFMFORMATS", "NANITE"):

@@ -87,6 +87,19 @@ def test_data_of_another_curve_need_a_model_of_their_own(model_class):
     assert model.fit(again.ordinate, **data).success
 
 
+def test_approach_and_retract_are_not_forgotten_at_other_abscissae(model_class):
+    heights = np.concatenate([np.linspace(4e-6, -0.5e-6, 100), np.linspace(-0.5e-6, 8e-6, 100)])
+    back = np.arange(200) >= 100
+    cycle = replace(
+        retract(contact_point=4e-6, work_of_adhesion_receding=0.06), abscissa=heights, retract=back
+    )
+    made = simulate(cycle, noise=1e-7, seed=1)
+    model = model_class(made, ["film_modulus", "contact_point"])
+    assert model.fit(made.ordinate, x=made.abscissa, weights=1e7).success
+    part = {"data": made.ordinate[back], "x": made.abscissa[back], "weights": 1e7}
+    refuses(FitError, "make a model of one direction", lambda: model.fit(**part))
+
+
 def test_points_in_a_jump_do_not_count_in_a_composite_model(model_class):
     made = simulate(retract(points=200, contact_point=4e-6), noise=1e-7, seed=2)
     ordinate = made.ordinate.copy()

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coated_contact import Experiment, branches, fit, plugins, predict
+from coated_contact import Experiment, branches, fit, plugins, predict, simulate
 
 RADIUS, THICK = 18.64e-6, 1e-2
 
@@ -138,6 +138,28 @@ def test_a_retract_is_that_of_jkr(curve):
     assert values["work_of_adhesion"] == pytest.approx(1e-5 * best.x[1] ** 2, rel=2e-2)
     assert values["contact_point"] == pytest.approx(1e-6 * best.x[2], rel=2e-2)
     assert values["baseline"] == pytest.approx(1e-10 * best.x[3], rel=2e-2)
+
+
+def test_a_retract_is_found_from_the_starts_of_the_parameters():
+    lmfit = pytest.importorskip("lmfit")
+    plugin = plugins.Plugin(retract=True)
+    params = plugin.get_parameter_defaults()
+    truth = {"E": 2000.0, "work_of_adhesion": 1e-4, "contact_point": 3e-8, "baseline": 2e-11}
+    planned = Experiment(
+        kind="load-penetration",
+        abscissa=np.linspace(2e-6, -2e-6, 1000),
+        retract=np.full(1000, True),
+        system=plugins.system({**params.valuesdict(), **truth}),
+        work_of_adhesion=truth["work_of_adhesion"],
+        contact_point=-truth["contact_point"],
+        baseline=truth["baseline"],
+    )
+    made = simulate(planned, noise=2e-11, seed=1)
+    params["work_of_adhesion"].value = 1.02e-4
+    found = lmfit.minimize(plugin.residual, params, args=(-made.abscissa, made.ordinate))
+    for name, value in truth.items():
+        assert found.params[name].stderr > 0
+        assert abs(found.params[name].value - value) < 5 * found.params[name].stderr, name
 
 
 def test_an_attraction_that_reaches_too_far_is_a_warning():

@@ -58,9 +58,11 @@ def read_afm(
     system : System, HalfSpace or StackSystem
         The bodies. The file knows nothing of them.
     stiffness : float, optional
-        Stiffness of the cantilever, N/m; by default that of the file.
+        Stiffness of the cantilever, N/m; by default that of the file. Where the file holds forces
+        (some of AFM workshop), it must be the one with which the instrument made them.
     sensitivity : float, optional
-        Sensitivity, m/V, of deflections in volts; by default that of the file.
+        Sensitivity, m/V, of deflections in volts; by default that of the file. Text of NT-MDT has
+        deflections in nA: give m/A.
     only : {"approach", "retract"}, optional
         The only direction that is kept.
     film_thickness : array_like, optional
@@ -113,12 +115,20 @@ def read_afm(
     experiments, places, times = [], [], []
     refused: dict[int, str] = {}
     curves = _load(file, overridden)
+    holds_forces = _holds_forces(file, curves, overridden)
+    if holds_forces and sensitivity is not None:
+        raise FitError(
+            f"{file}: it holds forces in newtons, which no sensitivity changes: leave it out",
+            axis="sensitivity",
+        )
     for i, curve in enumerate(curves):
         place = _Place(curve.metadata)
         name = f"{file}, curve {i}" if len(curves) > 1 else str(file)
         try:
             with _foreign(name):
                 fields, time = _fields(curve, name, only)
+            if holds_forces:
+                fields["reading"] += ", with which the instrument made the forces"
             system_there = thickness.at(i, len(curves), place, fields)
             one = Experiment(system=system_there, name=name, **{**fields, **known})
         except ContactError as error:
@@ -175,6 +185,16 @@ def _load(file: Path, overridden: dict[str, float]) -> list[Any]:
         logger.disabled = was_disabled
 
 
+def _holds_forces(file: Path, curves: list[Any], overridden: dict[str, float]) -> bool:
+    """Tell whether the forces of a file do not follow the stiffness and the sensitivity given."""
+    if not overridden or not curves or file.suffix.startswith(".jpk"):
+        return False
+    others = _load(file, {name: 2 * value for name, value in overridden.items()})
+    if FORCE not in curves[0].columns:
+        return False
+    return np.array_equal(curves[0][FORCE], others[0][FORCE], equal_nan=True)
+
+
 def _in_order(curves: list[Any]) -> list[Any]:
     """Return curves in the order in which they were measured, where each tells its number.
 
@@ -205,7 +225,10 @@ def _foreign(name: str) -> Iterator[None]:
                 "read_experiment"
             ) from error
         # A KeyError of a value that the file does not have is one of these, too.
-        arguments = {"spring constant": "stiffness=, N/m", "sensitivity": "sensitivity=, m/V"}
+        arguments = {
+            "spring constant": "stiffness=, N/m",
+            "sensitivity": "sensitivity=, m/V (text of NT-MDT has deflections in nA: m/A)",
+        }
         wanted = " and ".join(arguments.get(key, key) for key in missing)
         raise FitError(
             f"{name}: the file does not tell the {' and the '.join(missing)}: give {wanted}",

@@ -53,9 +53,9 @@ class Model(LmfitModel):  # type: ignore[misc]
     At the abscissae of the experiment the branch of each point is read from its data, as
     :func:`coated_contact.branches` does, and points in a jump do not count: there the model is NaN,
     and a composite model needs ``nan_policy="omit"``. Each curve needs its own model: data of other
-    branches are refused. At other abscissae the model decides. Under a relaxation, and of the kind
-    ``"stiffness-depth"``, there is no model at other abscissae: it needs the time or the load of
-    each point.
+    branches are refused. At other abscissae the model decides. Under a relaxation, of the kind
+    ``"stiffness-depth"``, and of approach and retract together there is no model at other
+    abscissae: it needs the time, the load or the direction of each point.
 
     Parameters
     ----------
@@ -228,6 +228,12 @@ def _at(experiment: Experiment, abscissa: Array) -> Experiment:
         )
     retract, indentation = experiment.retract, experiment.indentation
     same = retract is not None and (retract.all() or not retract.any())
+    if retract is not None and not same:
+        raise FitError(
+            "which points are of approach and which of retract is not known at other abscissae: "
+            "give those of the experiment, or make a model of one direction",
+            axis="x",
+        )
     if indentation is not None:
         indentation = replace(indentation, loads=None, phases=None)
     return replace(

@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 APPROACH = Path(__file__).with_name("coated_contact_approach.py")
 RETRACT = Path(__file__).with_name("coated_contact_retract.py")
 
-# Key, name, unit, start, bounds and whether the parameter is fitted.
+# Key, name, unit, start, bounds and whether the parameter is fitted. The contact point does not
+# start at 0: the first step of lmfit would be 10 um, where there is no contact, and it would stay.
 PARAMETERS: tuple[tuple[str, str, str, float, tuple[float, float], bool], ...] = (
     ("E", "Young's Modulus of the film", "Pa", 3e3, (0, np.inf), True),
     ("R", "Tip Radius", "m", 10e-6, (0, np.inf), False),
@@ -40,7 +41,7 @@ PARAMETERS: tuple[tuple[str, str, str, float, tuple[float, float], bool], ...] =
     ("nu_substrate", "Poisson's Ratio of the substrate", "", 0.2, (0, 0.5), False),
     ("E_sphere", "Reduced Modulus of the sphere", "Pa", 66.7e9, (0, np.inf), False),
     ("work_of_adhesion", "Work of Adhesion", "J/m²", 1e-4, (0, np.inf), True),
-    ("contact_point", "Contact Point", "m", 0.0, (-np.inf, np.inf), True),
+    ("contact_point", "Contact Point", "m", 1e-12, (-np.inf, np.inf), True),
     ("baseline", "Force Baseline", "N", 0.0, (-np.inf, np.inf), True),
 )
 
