@@ -238,8 +238,9 @@ class Afm:
         return self
 
     def load_data(self, path, meta_override):
-        self.metadata = meta_override
-        return [self]
+        curve = Afm()
+        curve.metadata = meta_override
+        return [curve]
 
     def __getitem__(self, column):
         return {
