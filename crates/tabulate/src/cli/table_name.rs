@@ -87,7 +87,7 @@ impl TableName {
         if description.certificate.max_error > description.tolerance {
             note(&format!(
                 "{self} misses its tolerance of {:.1e}: the largest error that its certificate found is {:.1e}. Make it again over \
-                 a smaller range, or with a larger tolerance, or use `{EMBEDDED}`.",
+                 a smaller range, with a larger tolerance, or with more nodes where its scene states them, or use `{EMBEDDED}`.",
                 description.tolerance, description.certificate.max_error
             ));
         }
