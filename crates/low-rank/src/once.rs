@@ -60,6 +60,10 @@ impl<T> Once<T> {
                     .compare_exchange(maker, own, Ordering::AcqRel, Ordering::Relaxed);
             if taken.is_ok() {
                 let _end = End(&self.maker);
+                // Another thread may have made it since the first look.
+                if let Some(value) = self.value.get() {
+                    return value;
+                }
                 let made = make();
                 return self.value.get_or_init(|| made);
             }
