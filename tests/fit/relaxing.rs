@@ -1,4 +1,4 @@
-//! Fits of bodies that relax: the truth within the intervals, and what is refused.
+//! Fits of bodies that relax: the truth within the intervals, and the limits of the model.
 
 use acceptance::{Refused, assert_names, rigid_probe, solid};
 use contact::Relaxation;
@@ -64,7 +64,7 @@ pub fn noisy(plan: &Experiment, seed: u64) -> Experiment {
 }
 
 /// Returns the data with noise of a part of the largest load.
-fn with_noise(plan: &Experiment, part: f64, seed: u64) -> Experiment {
+pub fn with_noise(plan: &Experiment, part: f64, seed: u64) -> Experiment {
     let exact = simulate(Table::embedded(), plan, 0.0, 0).expect("in the table");
     let loads = exact.points.iter().map(|point| point.ordinate);
     let noise = part * loads.fold(0.0, f64::max);
@@ -75,7 +75,7 @@ fn with_noise(plan: &Experiment, part: f64, seed: u64) -> Experiment {
 }
 
 /// Returns the data with noise; nothing that is free is told.
-fn measured(plan: &Experiment, seed: u64) -> Experiment {
+pub fn measured(plan: &Experiment, seed: u64) -> Experiment {
     let mut made = noisy(plan, seed);
     made.contact_point = 0.0;
     if let Some(relaxing) = &mut made.relaxing {
@@ -313,91 +313,6 @@ fn a_baseline_is_found_below_large_noise() {
             assert!(are_alike, "{seed} {level}: {none:?} {some:?}");
         }
     }
-}
-
-/// Points that begin in contact have no history, with a level that is known, too.
-#[test]
-fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint];
-    for seed in 0..10 {
-        let mut data = noisy(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.3), seed);
-        data.contact_point = 0.0;
-        // The first point is 70 nm into contact, of 600 nm.
-        data.measurement.points.drain(..9);
-        data.times.drain(..9);
-        fit_all(&[data], &free_of(&free)).refused("begin in contact");
-    }
-}
-
-/// A penetration that is held while the force falls moves the base of the cantilever back. A hold of the height and a slow
-/// retract do not: they are fitted.
-#[test]
-fn heights_of_a_held_penetration_are_refused() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint];
-    let of_penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 2.0);
-    for (part, seed) in [(0.0, 0), (0.003, 1)] {
-        let mut data = with_noise(&of_penetrations, part, seed);
-        let stiffness = data.stiffness.expect("planned");
-        data.measurement.kind = Kind::ForceHeight;
-        data.contact_point = 0.0;
-        data.noise = None;
-        for point in &mut data.measurement.points {
-            point.abscissa = -(point.abscissa + point.ordinate / stiffness);
-        }
-        fit_all(&[data], &free_of(&free)).refused("penetration was held; give the penetrations");
-    }
-    for slower in [1.0, 20.0] {
-        let mut plan = planned(Kind::ForceHeight, 1e-5, &power(), 2.0);
-        for time in plan.times.iter_mut().filter(|time| **time > 3.0) {
-            *time = 3.0 + slower * (*time - 3.0);
-        }
-        fit_all(&[noisy(&plan, 1)], &free_of(&free)).expect("no penetration was held");
-    }
-}
-
-#[test]
-fn what_cannot_be_fitted_is_refused_with_the_reason() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint];
-    let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
-    let with_free = |change: fn(&mut Experiment), free: &[Parameter]| {
-        let mut changed = data.clone();
-        change(&mut changed);
-        fit_all(&[changed], &free_of(free))
-    };
-    let with = |change| with_free(change, &free);
-    with(|one| one.times[7] = one.times[6]).refused("line 8; times must rise");
-    with(|one| one.times[7] = f64::NAN).refused("line 8; times must rise");
-    with(|one| one.times.clear()).refused("no times; give each point its time");
-    with(|one| one.times.truncate(9)).refused("number of times; 60");
-    with(|one| one.work_of_adhesion = 0.01)
-        .refused("work of adhesion; crack tip; without adhesion");
-    let radii = |one: &mut Experiment| {
-        one.measurement.kind = Kind::LoadRadius;
-        for point in &mut one.measurement.points {
-            point.abscissa = point.abscissa.abs();
-        }
-    };
-    with_free(radii, &[FilmModulus, RelaxationExponent]).refused("penetrations; heights");
-    for first in [20, 30] {
-        let mut begins = data.clone();
-        begins.measurement.points.drain(..first);
-        begins.times.drain(..first);
-        fit_all(&[begins], &free_of(&free)).refused("begin in contact; history; not known");
-    }
-    let flows = |one: &mut Experiment| {
-        let (exponent, time) = (1.0, 1.0);
-        one.relaxing = Some(Relaxing::new(Relaxation::PowerLaw { exponent, time }));
-    };
-    with(flows).refused("relaxation exponent; below 1");
-    let again = |one: &mut Experiment| {
-        let count = one.measurement.points.len();
-        for (point, i) in one.measurement.points[count - 10..].iter_mut().zip(0..) {
-            point.abscissa = 3e-7 + 5e-8 * f64::from(i);
-        }
-    };
-    with(again).refused("one approach");
-    with(|one| one.relaxing = None).refused("relaxation function; give one");
-    with_free(|_| (), &[FilmModulus, RelaxedFraction]).refused("relaxed-fraction; does not have");
 }
 
 #[test]

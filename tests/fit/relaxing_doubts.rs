@@ -1,11 +1,13 @@
-//! Doubts about fits of bodies that relax.
+//! Doubts about fits of bodies that relax, and what is refused.
 
-use acceptance::solid;
+use acceptance::{Refused, solid};
 use contact::Relaxation;
-use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind};
+use fit::{Bodies, Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
 
 use crate::imagined::{fit_all, fitted, free_of, text};
-use crate::relaxing::{noisy, planned, power};
+use crate::relaxing::{measured, noisy, planned, power, with_noise};
+
+use Parameter::{ContactPoint, FilmModulus, RelaxationExponent, RelaxedFraction};
 
 /// A gel that relaxes on a base, 60 points in 2 s.
 fn relaxing(law: Relaxation, young: f64, base: f64) -> Experiment {
@@ -30,7 +32,7 @@ fn a_relaxation_time_that_the_points_do_not_see_is_doubted() {
         };
         let data = relaxing(law, 2e3, f64::INFINITY);
         let bounds = Free::new(Parameter::RelaxationTime(1)).within(0.5 * time, 2.0 * time);
-        let found = fit_all(&[data], &[Free::new(Parameter::FilmModulus), bounds]);
+        let found = fit_all(&[data], &[Free::new(FilmModulus), bounds]);
         let said = text(&found.expect("sound"), WarningKind::RelaxationTime);
         let is_said = said.contains("two intervals between points");
         assert_eq!(is_said, is_doubted, "{time}: {said}");
@@ -41,8 +43,93 @@ fn a_relaxation_time_that_the_points_do_not_see_is_doubted() {
 fn a_stiff_film_on_a_soft_base_that_relax_together_is_doubted() {
     for (young, base, is_doubted) in [(2e4, 2e3, true), (2e3, 2e4, false), (2e3, 1e3, false)] {
         let data = relaxing(power(), young, base);
-        let found = fitted(&data, &free_of(&[Parameter::FilmModulus]));
+        let found = fitted(&data, &free_of(&[FilmModulus]));
         let doubted = found.warns_of(WarningKind::TensileInside);
         assert_eq!(doubted, is_doubted, "{young:e} {base:e}");
     }
+}
+
+/// Points that begin in contact have no history, with a level that is known, too.
+#[test]
+fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    for seed in 0..10 {
+        let mut data = noisy(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.3), seed);
+        data.contact_point = 0.0;
+        // The first point is 70 nm into contact, of 600 nm.
+        data.measurement.points.drain(..9);
+        data.times.drain(..9);
+        fit_all(&[data], &free_of(&free)).refused("begin in contact");
+    }
+}
+
+/// A penetration that is held while the force falls moves the base of the cantilever back. A hold of the height and a slow
+/// retract do not: they are fitted.
+#[test]
+fn heights_of_a_held_penetration_are_refused() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    let of_penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 2.0);
+    for (part, seed) in [(0.0, 0), (0.003, 1)] {
+        let mut data = with_noise(&of_penetrations, part, seed);
+        let stiffness = data.stiffness.expect("planned");
+        data.measurement.kind = Kind::ForceHeight;
+        data.contact_point = 0.0;
+        data.noise = None;
+        for point in &mut data.measurement.points {
+            point.abscissa = -(point.abscissa + point.ordinate / stiffness);
+        }
+        fit_all(&[data], &free_of(&free)).refused("penetration was held; give the penetrations");
+    }
+    for slower in [1.0, 20.0] {
+        let mut plan = planned(Kind::ForceHeight, 1e-5, &power(), 2.0);
+        for time in plan.times.iter_mut().filter(|time| **time > 3.0) {
+            *time = 3.0 + slower * (*time - 3.0);
+        }
+        fit_all(&[noisy(&plan, 1)], &free_of(&free)).expect("no penetration was held");
+    }
+}
+
+#[test]
+fn what_cannot_be_fitted_is_refused_with_the_reason() {
+    let free = [FilmModulus, RelaxationExponent, ContactPoint];
+    let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
+    let with_free = |change: fn(&mut Experiment), free: &[Parameter]| {
+        let mut changed = data.clone();
+        change(&mut changed);
+        fit_all(&[changed], &free_of(free))
+    };
+    let with = |change| with_free(change, &free);
+    with(|one| one.times[7] = one.times[6]).refused("line 8; times must rise");
+    with(|one| one.times[7] = f64::NAN).refused("line 8; times must rise");
+    with(|one| one.times.clear()).refused("no times; give each point its time");
+    with(|one| one.times.truncate(9)).refused("number of times; 60");
+    with(|one| one.work_of_adhesion = 0.01)
+        .refused("work of adhesion; crack tip; without adhesion");
+    let radii = |one: &mut Experiment| {
+        one.measurement.kind = Kind::LoadRadius;
+        for point in &mut one.measurement.points {
+            point.abscissa = point.abscissa.abs();
+        }
+    };
+    with_free(radii, &[FilmModulus, RelaxationExponent]).refused("penetrations; heights");
+    for first in [20, 30] {
+        let mut begins = data.clone();
+        begins.measurement.points.drain(..first);
+        begins.times.drain(..first);
+        fit_all(&[begins], &free_of(&free)).refused("begin in contact; history; not known");
+    }
+    let flows = |one: &mut Experiment| {
+        let (exponent, time) = (1.0, 1.0);
+        one.relaxing = Some(Relaxing::new(Relaxation::PowerLaw { exponent, time }));
+    };
+    with(flows).refused("relaxation exponent; below 1");
+    let again = |one: &mut Experiment| {
+        let count = one.measurement.points.len();
+        for (point, i) in one.measurement.points[count - 10..].iter_mut().zip(0..) {
+            point.abscissa = 3e-7 + 5e-8 * f64::from(i);
+        }
+    };
+    with(again).refused("one approach");
+    with(|one| one.relaxing = None).refused("relaxation function; give one");
+    with_free(|_| (), &[FilmModulus, RelaxedFraction]).refused("relaxed-fraction; does not have");
 }
