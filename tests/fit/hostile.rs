@@ -56,7 +56,7 @@ fn settings_that_cannot_be_used_are_named() {
     fit_all(&[], &lens.free).refused("no experiment");
     fit_all(one, &[]).refused("no free parameter");
     let sphere = Free::new(Parameter::SphereModulus);
-    fit_all(one, &[sphere, sphere]).refused("sphere-modulus; one number");
+    fit_all(one, &[sphere, sphere]).refused("sphere-modulus is free twice");
     for (free, words) in [
         (
             Free::new(Parameter::ContactPoint),

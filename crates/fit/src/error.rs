@@ -67,7 +67,7 @@ pub enum Error {
         reason: Cow<'static, str>,
     },
     /// A parameter that is free twice, or two free parameters that are one and the same number.
-    #[error("{0} and {1} are one number: free one of them")]
+    #[error("{}", redundant(*.0, *.1))]
     Redundant(Parameter, Parameter),
     /// A start, a bound, a prior, a noise or an option that is not allowed.
     #[error(
@@ -265,6 +265,14 @@ impl From<interp::Error> for Error {
     }
 }
 
+/// Returns the message of [`Error::Redundant`].
+fn redundant(one: Parameter, other: Parameter) -> String {
+    if one == other {
+        return format!("{one} is free twice: name it once");
+    }
+    format!("{one} and {other} are one number: free one of them")
+}
+
 /// Returns what to do about parameters that data do not determine.
 fn next_of_not_determined(parameters: &str, pull_off_only: bool) -> String {
     if pull_off_only {
@@ -286,7 +294,10 @@ fn next_of_not_determined(parameters: &str, pull_off_only: bool) -> String {
 fn other_start(cause: &Error) -> &'static str {
     use interp::Error::{Normalisation, NotOfStack, OfStack};
     match cause {
-        Error::Contact(contact::Error::Table(OfStack | NotOfStack | Normalisation { .. }))
+        Error::Contact(
+            contact::Error::Table(OfStack | NotOfStack | Normalisation { .. })
+            | contact::Error::Sticks { .. },
+        )
         | Error::Layers(solve::Error::Coupled { .. }) => "",
         _ => "; give another start",
     }
