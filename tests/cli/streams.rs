@@ -69,7 +69,7 @@ fn an_error_names_the_first_wrong_line_and_leaves_no_file() {
 }
 
 /// The memory that the program may map. With all points in memory it took six times as much for
-/// twice the points of this test.
+/// four times the points of this test.
 const MEMORY: usize = 300_000;
 
 /// Returns the number of lines that a command prints within that memory.
@@ -84,7 +84,7 @@ fn lines_within_memory(workdir: &Workdir, command: &str) -> usize {
 
 #[test]
 fn memory_does_not_grow_with_the_number_of_points() {
-    const COUNT: usize = 500_000;
+    const COUNT: usize = 250_000;
     let workdir = workdir!();
     let table = paper_table();
     let points =

@@ -179,7 +179,7 @@ fn a_low_rank_table_has_the_error_it_was_given_at_the_nodes_and_little_more_betw
 
 #[test]
 fn an_error_below_rounding_is_refused_with_what_was_reached() {
-    match compress(&FOUR_AXES, 1e-17) {
+    match compress(&table(TWO_AXES), 1e-17) {
         Err(error @ tabulate::Error::Truncation { .. }) => {
             assert_names(&error.to_string(), &["1.0e-17", "larger tolerance"])
         }
