@@ -348,13 +348,8 @@ fn validity_says_where_a_stiff_film_makes_no_disc() {
     // What the film cannot do: under a paraboloid or the round end of a cone, on a substrate as stiff, and where it is wide
     // beside its bending length.
     let no_disc = |probe: &Probe, young: f64, a: f64| {
-        let contact = looked_up(&System {
-            probe: probe.clone(),
-            sphere_modulus: f64::INFINITY,
-            film: solid(young, 0.3),
-            film_thickness: 1e-6,
-            substrate: solid(1e6, 0.3),
-        });
+        let [film, substrate] = [young, 1e6].map(|young| solid(young, 0.3));
+        let contact = looked_up(&rigid_probe(probe.clone(), film, 1e-6, substrate));
         let film = contact.validity(a).expect("in the table").film;
         film.expect("coated").no_disc
     };

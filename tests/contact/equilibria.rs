@@ -317,14 +317,13 @@ fn the_work_of_adhesion_of_a_pull_off_load_is_its_least_energy_release_rate() {
 /// On a spring, a thin film of a soft gel separates at a contact radius of 46 nm or of 2.3 um, by the work of adhesion.
 #[test]
 fn a_load_within_a_jump_of_the_pull_off_load_is_refused() {
-    let system = System {
-        probe: Probe::Paraboloid { radius: 1e-5 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(1e4, 0.5),
-        film_thickness: 1e-7,
-        substrate: solid(7e10, 0.22),
-    };
-    let contact = Contact::in_table(Table::embedded(), &system).expect("a contact");
+    let probe = Probe::Paraboloid { radius: 1e-5 };
+    let contact = looked_up(&rigid_probe(
+        probe,
+        solid(1e4, 0.5),
+        1e-7,
+        solid(7e10, 0.22),
+    ));
     let control = Control::Spring { stiffness: 10.0 };
     let found = |load| contact.work_of_adhesion_at_pull_off(load, control);
     let Err(Error::NoWorkOfAdhesion {

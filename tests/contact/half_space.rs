@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused as _, larger, solid};
+use acceptance::{Contacts, Refused as _, larger, on_half_space, solid};
 use contact::{Contact, Control, State};
 use interp::{HalfSpace, Probe};
 
@@ -276,12 +276,7 @@ fn the_work_of_adhesion_of_a_pull_off_load_is_that_of_closed_forms() {
             (Probe::FlatPunch { radius }, punch),
             (Probe::Cone { half_angle }, cone),
         ] {
-            let system = HalfSpace {
-                probe,
-                sphere_modulus: f64::INFINITY,
-                solid,
-            };
-            let contact = Contact::half_space(&system).expect("physical");
+            let contact = on_half_space(probe, solid);
             let found = contact.work_of_adhesion_at_pull_off(load, Control::Load);
             worst = larger(worst, relative(found.expect("in range"), w));
         }

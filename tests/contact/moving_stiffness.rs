@@ -1,6 +1,6 @@
 //! The slope of the force curve, against differences of the curve and closed forms.
 
-use acceptance::{Contacts, assert_matches, larger, looked_up, paper_system, solid};
+use acceptance::{Contacts, assert_matches, larger, looked_up, on_half_space, paper_system, solid};
 use contact::Error;
 use contact::{Contact, Control};
 use interp::{HalfSpace, Probe, System};
@@ -123,18 +123,12 @@ fn a_vanishing_work_of_adhesion_leaves_the_pinned_stiffness() {
 
 #[test]
 fn a_flat_punch_and_a_wrong_radius_are_refused() {
-    let system = |probe| HalfSpace {
-        probe,
-        sphere_modulus: f64::INFINITY,
-        solid: solid(1e6, 0.3),
-    };
-    let punch = Contact::half_space(&system(Probe::FlatPunch { radius: 1e-5 })).expect("physical");
+    let punch = on_half_space(Probe::FlatPunch { radius: 1e-5 }, solid(1e6, 0.3));
     for w in [0.0, 0.04] {
         let error = punch.moving_stiffness(1e-5, w).expect_err("it cannot move");
         assert_matches!(error, Error::Table(interp::Error::OtherProbe { .. }));
     }
-    let sphere =
-        Contact::half_space(&system(Probe::Paraboloid { radius: 1e-5 })).expect("physical");
+    let sphere = on_half_space(Probe::Paraboloid { radius: 1e-5 }, solid(1e6, 0.3));
     for (a, w) in [(2e-5, 0.04), (-1e-6, 0.04), (1e-6, -0.04), (f64::NAN, 0.0)] {
         assert!(sphere.moving_stiffness(a, w).is_err(), "{a} {w}");
     }

@@ -3,7 +3,7 @@
 mod direct;
 mod separation;
 
-use acceptance::{looked_up, rigid_probe, solid};
+use acceptance::{looked_up, on_half_space, rigid_probe, solid};
 use contact::{Branch, Contact, Control, Input, Neglected, State};
 use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
 
@@ -16,15 +16,6 @@ const HALF_ANGLE: f64 = 1.2;
 
 fn contact(probe: Probe, film: Elastic, film_thickness: f64, substrate: Elastic) -> Contact {
     looked_up(&rigid_probe(probe, film, film_thickness, substrate))
-}
-
-fn half_space(probe: Probe, solid: Elastic) -> Contact {
-    let system = HalfSpace {
-        probe,
-        sphere_modulus: f64::INFINITY,
-        solid,
-    };
-    Contact::half_space(&system).expect("physical")
 }
 
 /// The probe of a name and numbers, whatever these are.
@@ -75,7 +66,7 @@ pub fn shapes() -> Vec<Probe> {
 fn on_a_homogeneous_body_shapes_are_those_of_the_closed_forms() {
     let material = solid(1e6, 0.3);
     for probe in shapes() {
-        let bare = half_space(probe.clone(), material);
+        let bare = on_half_space(probe.clone(), material);
         for t in [1e-8, 1e-6, 1e-4, 1e-1] {
             let coated = contact(probe.clone(), material, t, material);
             for a in [1e-9, 1e-7, 2.9e-6, 3.1e-6, 1e-5, 2.8e-5] {
@@ -265,7 +256,7 @@ fn every_shape_has_curves_branches_and_energies() {
     let (film, substrate) = (solid(1e6, 0.4), solid(1e9, 0.3));
     for probe in shapes() {
         let coated = contact(probe.clone(), film, 2e-6, substrate);
-        for contact in [coated, half_space(probe.clone(), film)] {
+        for contact in [coated, on_half_space(probe.clone(), film)] {
             let w = 1e-5;
             for control in [Control::Load, Control::Displacement] {
                 let equilibria = contact.equilibria(w, control).expect("in range");

@@ -5,8 +5,8 @@ use fit::{Bodies, Experiment, Fit, Free, Kind, Options, Parameter, Scope, Warnin
 use interp::Probe;
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, fit_all, fit_with,
-    fitted, fitted_of_few, half_space, lens, off, profiled, text,
+    Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, coated, fit_all,
+    fit_with, fitted, fitted_of_few, half_space, lens, off, profiled, text,
 };
 
 #[test]
@@ -184,11 +184,8 @@ fn contacts_outside_the_model_are_warned_of() {
     probe.radii[1] = 12e-6;
     let words = "a/R reaches 0.60; leave out; above 0.55 R; fit the exact sphere";
     assert_warns(&probe.fit(1), WarningKind::LargeContact, words);
-    let Bodies::Coated(system) = &mut probe.truth.bodies else {
-        panic!("a film")
-    };
     let half_angle = 20_f64.to_radians();
-    system.probe = Probe::Cone { half_angle };
+    coated(&mut probe.truth).probe = Probe::Cone { half_angle };
     probe.radii[1] = 6e-6;
     let words = "reaches 2.75; half angle 20 degrees";
     assert_warns(&probe.fit(1), WarningKind::LargeContact, words);
@@ -278,9 +275,8 @@ fn a_value_at_its_bound_is_named() {
         Parameter::ContactPoint,
     ];
     let mut gel = Imagined::probe(Course::Approach, 0.0, &free);
-    if let Bodies::Coated(system) = &mut gel.truth.bodies {
-        system.film = solid(system.film.young(), 0.5);
-    }
+    let system = coated(&mut gel.truth);
+    system.film = solid(system.film.young(), 0.5);
     gel.free[1] = gel.free[1].starting_from(0.4);
     let said: Vec<String> = (0..8)
         .map(|seed| text(&gel.fit(seed), WarningKind::AtBound))

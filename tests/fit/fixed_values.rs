@@ -6,7 +6,7 @@ use fit::{Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Para
 use interp::{Probe, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, fit_with};
+use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, coated, fit_with};
 use crate::recovery::{SETS, assert_coverage};
 
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
@@ -159,9 +159,7 @@ fn of_a_deflection_the_stiffness_scales_the_modulus() {
     let probe = Imagined::probe(Course::Approach, 5e-5, &FORCE_CURVE);
     let mut experiment = probe.measured(&probe.exact(), 1);
     // With a rigid sphere and substrate the modulus of the film is the only one.
-    if let Bodies::Coated(system) = &mut experiment.bodies {
-        system.substrate = acceptance::solid(f64::INFINITY, 0.25);
-    }
+    coated(&mut experiment).substrate = acceptance::solid(f64::INFINITY, 0.25);
     experiment.from_deflection = true;
     let stiffness = experiment.stiffness.expect("that of a cantilever");
     let known = Known {
@@ -201,9 +199,8 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     );
     // Nor is one near its end moved beyond it.
     let mut near = lens.clone();
-    if let Bodies::Coated(system) = &mut near.truth.bodies {
-        system.film = acceptance::solid(system.film.young(), 0.495);
-    }
+    let system = coated(&mut near.truth);
+    system.film = acceptance::solid(system.film.young(), 0.495);
     let near = found(&near.measured(&near.exact(), 1), &lens.free, |options| {
         options.fixed_values = true
     });

@@ -184,6 +184,14 @@ pub fn fit_all(experiments: &[Experiment], free: &[Free]) -> Result<Fit, Error> 
     fit::fit(Table::embedded(), experiments, free, &Options::default())
 }
 
+/// Returns the bodies of an experiment on a film.
+pub fn coated(experiment: &mut Experiment) -> &mut System {
+    match &mut experiment.bodies {
+        Bodies::Coated(system) => system,
+        other => panic!("not coated: {other:?}"),
+    }
+}
+
 /// A sphere on a half-space.
 pub fn half_space(radius: f64, sphere_modulus: f64, solid: Elastic) -> Bodies {
     Bodies::HalfSpace(HalfSpace {

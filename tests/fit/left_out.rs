@@ -1,12 +1,12 @@
 //! Points that are left out are counted by reason; most of them, or an error that is not finite, is
 //! no result.
 
-use acceptance::{Refused, assert_names, paper_system, solid};
+use acceptance::{Refused, assert_names, paper_system, rigid_probe, solid};
 use fit::{
     Bodies, Branch, Direction, Experiment, Fit, Free, Kind, LeftOutReason, Parameter, Point,
     WarningKind, simulate,
 };
-use interp::{Probe, System, Table};
+use interp::{Probe, Table};
 
 use crate::imagined::{
     Course, FORCE_CURVE, Imagined, LENS, assert_warns, fit_all, fit_with, free_of, gel,
@@ -101,13 +101,8 @@ fn a_value_that_changes_nothing_is_no_result() {
 
 /// The curve that the program shows as an example, made with a film of 5 kPa and 20 um.
 fn shipped_gel() -> Experiment {
-    let system = System {
-        probe: Probe::Paraboloid { radius: 10e-6 },
-        sphere_modulus: f64::INFINITY,
-        film: solid(5e3, 0.5),
-        film_thickness: 20e-6,
-        substrate: solid(70e9, 0.25),
-    };
+    let probe = Probe::Paraboloid { radius: 10e-6 };
+    let system = rigid_probe(probe, solid(5e3, 0.5), 20e-6, solid(70e9, 0.25));
     let mut experiment = of_file("data/gel.csv", Bodies::Coated(system));
     experiment.stiffness = Some(0.1);
     experiment

@@ -5,8 +5,8 @@ use fit::{Bodies, Experiment, Kind, Loss, Parameter, WarningKind};
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_warns, fit_all, fit_with, fitted, free_of, lens, measurement_at,
-    number_after, text,
+    Course, Imagined, LENS, assert_warns, coated, fit_all, fit_with, fitted, free_of, lens,
+    measurement_at, number_after, text,
 };
 
 #[test]
@@ -54,15 +54,11 @@ fn a_shared_work_of_adhesion_that_one_file_shows_has_not_ended_at_zero() {
 fn where_the_sphere_deforms_friction_bounds_nothing() {
     let free = [Parameter::FilmModulus];
     let mut lens = Imagined::lens(Kind::LoadRadius, 100e-6, 1e-7, &free);
-    let Bodies::Coated(system) = &mut lens.truth.bodies else {
-        unreachable!("a lens is on a film")
-    };
-    system.film = solid(3.5e6, 0.4);
+    coated(&mut lens.truth).film = solid(3.5e6, 0.4);
     for (modulus, expected) in [(2e7, "other bodies deform"), (f64::INFINITY, "is between")] {
-        if let Bodies::Coated(system) = &mut lens.truth.bodies {
-            system.sphere_modulus = modulus;
-            system.substrate = solid(f64::INFINITY, 0.25);
-        }
+        let system = coated(&mut lens.truth);
+        system.sphere_modulus = modulus;
+        system.substrate = solid(f64::INFINITY, 0.25);
         assert_warns(&lens.fit(1), WarningKind::Friction, expected);
     }
 }

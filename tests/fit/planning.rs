@@ -139,27 +139,6 @@ fn a_forecast_tells_the_errors_of_the_fit() {
 }
 
 #[test]
-fn the_errors_of_many_fits_are_those_of_a_forecast() {
-    /// Fits. The mean square of as many normal numbers is between 0.62 and 1.5 in 999 of 1000 cases.
-    const FITS: u32 = 100;
-    let free = [LENS[0], LENS[1], Parameter::FilmModulus];
-    // Noise so small that the model is linear over the errors.
-    let lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-7, &free);
-    let expected = forecast(Table::embedded(), &[lens.planned()], &lens.free).expect("sound");
-    let mut squares = [0.0; 3];
-    for seed in 0..FITS {
-        let found = lens.fit(seed.into());
-        let pairs = found.estimates.iter().zip(&expected.estimates);
-        for (square, (found, expected)) in squares.iter_mut().zip(pairs) {
-            let off = (found.value - expected.value) / expected.standard_error;
-            *square += off * off / f64::from(FITS);
-        }
-    }
-    let is_usual = |square: &f64| (0.62..1.5).contains(square);
-    assert!(squares.iter().all(is_usual), "{squares:?}");
-}
-
-#[test]
 fn free_parameters_are_made_with_the_scope_they_need() {
     let is_own = |parameter: &Parameter| Free::new(*parameter).scope == fit::Scope::Own;
     let own = Parameter::ALL.into_iter().filter(is_own);

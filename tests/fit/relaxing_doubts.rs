@@ -2,19 +2,17 @@
 
 use acceptance::{Refused, solid};
 use contact::Relaxation;
-use fit::{Bodies, Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
+use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
 
-use crate::imagined::{fit_all, fitted, free_of, text};
-use crate::relaxing::{measured, noisy, planned, power, with_noise};
+use crate::imagined::{coated, fit_all, fitted, free_of, text};
+use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
 
-use Parameter::{ContactPoint, FilmModulus, RelaxationExponent, RelaxedFraction};
+use Parameter::{FilmModulus, RelaxationExponent, RelaxedFraction};
 
 /// A gel that relaxes on a base, 60 points in 2 s.
 fn relaxing(law: Relaxation, young: f64, base: f64) -> Experiment {
     let mut plan = planned(Kind::LoadPenetration, 1e-5, &law, 0.0);
-    let Bodies::Coated(system) = &mut plan.bodies else {
-        unreachable!("a gel is on a base")
-    };
+    let system = coated(&mut plan);
     system.film = solid(young, 0.5);
     system.substrate = solid(base, 0.25);
     if let Some(relaxing) = &mut plan.relaxing {
@@ -52,14 +50,13 @@ fn a_stiff_film_on_a_soft_base_that_relax_together_is_doubted() {
 /// Points that begin in contact have no history, with a level that is known, too.
 #[test]
 fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint];
     for seed in 0..10 {
         let mut data = noisy(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.3), seed);
         data.contact_point = 0.0;
         // The first point is 70 nm into contact, of 600 nm.
         data.measurement.points.drain(..9);
         data.times.drain(..9);
-        fit_all(&[data], &free_of(&free)).refused("begin in contact");
+        fit_all(&[data], &free_of(&POWER_LAW)).refused("begin in contact");
     }
 }
 
@@ -67,7 +64,6 @@ fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
 /// retract do not: they are fitted.
 #[test]
 fn heights_of_a_held_penetration_are_refused() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint];
     let of_penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 2.0);
     for (part, seed) in [(0.0, 0), (0.003, 1)] {
         let mut data = with_noise(&of_penetrations, part, seed);
@@ -78,27 +74,27 @@ fn heights_of_a_held_penetration_are_refused() {
         for point in &mut data.measurement.points {
             point.abscissa = -(point.abscissa + point.ordinate / stiffness);
         }
-        fit_all(&[data], &free_of(&free)).refused("penetration was held; give the penetrations");
+        fit_all(&[data], &free_of(&POWER_LAW))
+            .refused("penetration was held; give the penetrations");
     }
     for slower in [1.0, 20.0] {
         let mut plan = planned(Kind::ForceHeight, 1e-5, &power(), 2.0);
         for time in plan.times.iter_mut().filter(|time| **time > 3.0) {
             *time = 3.0 + slower * (*time - 3.0);
         }
-        fit_all(&[noisy(&plan, 1)], &free_of(&free)).expect("no penetration was held");
+        fit_all(&[noisy(&plan, 1)], &free_of(&POWER_LAW)).expect("no penetration was held");
     }
 }
 
 #[test]
 fn what_cannot_be_fitted_is_refused_with_the_reason() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint];
     let data = measured(&planned(Kind::LoadPenetration, 1e-5, &power(), 0.0), 1);
     let with_free = |change: fn(&mut Experiment), free: &[Parameter]| {
         let mut changed = data.clone();
         change(&mut changed);
         fit_all(&[changed], &free_of(free))
     };
-    let with = |change| with_free(change, &free);
+    let with = |change| with_free(change, &POWER_LAW);
     with(|one| one.times[7] = one.times[6]).refused("line 8; times must rise");
     with(|one| one.times[7] = f64::NAN).refused("line 8; times must rise");
     with(|one| one.times.clear()).refused("no times; give each point its time");
@@ -116,7 +112,7 @@ fn what_cannot_be_fitted_is_refused_with_the_reason() {
         let mut begins = data.clone();
         begins.measurement.points.drain(..first);
         begins.times.drain(..first);
-        fit_all(&[begins], &free_of(&free)).refused("begin in contact; history; not known");
+        fit_all(&[begins], &free_of(&POWER_LAW)).refused("begin in contact; history; not known");
     }
     let flows = |one: &mut Experiment| {
         let (exponent, time) = (1.0, 1.0);

@@ -6,6 +6,7 @@
 
 mod contacts;
 mod data;
+mod differences;
 mod error;
 mod forgery;
 mod material;
@@ -17,12 +18,15 @@ mod workdir;
 
 pub use contacts::Contacts;
 pub use data::{Case, Data};
+pub use differences::{derivatives, direct};
 pub use error::{
     TRUTH, all_bits, assert_close, assert_near, bits, error_at, larger, relative_error,
     relative_errors,
 };
 pub use forgery::{Checked, checksum, with_payload};
-pub use material::{looked_up, material, paper_system, rigid_probe, solved, solved_contact};
+pub use material::{
+    looked_up, material, on_half_space, paper_system, rigid_probe, solved, solved_contact,
+};
 pub use printed::{assert_estimate, estimate, json, kinds, number, value};
 pub use refusals::{Refused, Words, assert_cases, assert_names, rows};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};

@@ -1,7 +1,7 @@
 //! Materials, systems and contacts that many tests use.
 
 use contact::Contact;
-use interp::{Elastic, Material, Probe, Quantities, System, Table};
+use interp::{Elastic, HalfSpace, Material, Probe, Quantities, System, Table};
 
 use crate::solid;
 
@@ -35,6 +35,17 @@ pub const fn rigid_probe(
         film_thickness,
         substrate,
     }
+}
+
+/// Returns the contact of a rigid `probe` with a half-space.
+#[track_caller]
+pub fn on_half_space(probe: Probe, solid: Elastic) -> Contact {
+    let system = HalfSpace {
+        probe,
+        sphere_modulus: f64::INFINITY,
+        solid,
+    };
+    Contact::half_space(&system).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// Solves a contact at `x = a/t` to a `tolerance`.

@@ -1,8 +1,6 @@
 //! The attraction of finite range against values by two other programs, Maugis' closed form, the
 //! energy balance and the limits of long and of short ranges.
 
-mod long_ranges;
-
 use acceptance::{Case, Data, Refused, larger, layer, solid, solved_contact, stack};
 use contact::Control;
 use interp::{Elastic, Probe, System};

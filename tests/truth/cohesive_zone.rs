@@ -1,9 +1,9 @@
 //! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
-use acceptance::{Data, Refused, larger, rigid_probe, solid, solved_contact, stack};
+use acceptance::{Data, Refused, larger, on_half_space, rigid_probe, solid, solved_contact, stack};
 use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
-use interp::{Elastic, HalfSpace, Probe};
+use interp::{Elastic, Probe};
 use solve::cohesive::Cohesive;
 use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
@@ -84,12 +84,7 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
         ),
     ];
     for (probe, b) in probes {
-        let system = HalfSpace {
-            probe,
-            sphere_modulus: f64::INFINITY,
-            solid: solid(MODULUS, 0.0),
-        };
-        let contact = Contact::half_space(&system).expect("physical");
+        let contact = on_half_space(probe.clone(), solid(MODULUS, 0.0));
         let a = 0.2 * radius;
         let (jkr, _) = contact.load_and_penetration(a, WORK).expect("a contact");
         let scale = contact.load(a, 0.0).expect("a contact") - jkr;
@@ -107,7 +102,7 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
                 (state.outer_radius - outer) / a,
             ]
         });
-        println!("{}: {errors:?}", system.probe.name());
+        println!("{}: {errors:?}", probe.name());
         let sizes = errors.map(|error| error.map(f64::abs).into_iter().fold(0.0, larger));
         assert!(sizes[0] < 0.005, "{sizes:?}");
         assert!((13.0..18.0).contains(&(sizes[0] / sizes[1])), "{sizes:?}");
@@ -272,16 +267,7 @@ fn equilibria_are_the_states_of_their_radii() {
 
 #[test]
 fn long_zones_and_shapes_with_edges_are_refused() {
-    let half_space = |probe| {
-        let solid = solid(MODULUS, 0.0);
-        let sphere_modulus = f64::INFINITY;
-        Contact::half_space(&HalfSpace {
-            probe,
-            sphere_modulus,
-            solid,
-        })
-        .expect("physical")
-    };
+    let half_space = |probe| on_half_space(probe, solid(MODULUS, 0.0));
     let paraboloid = half_space(Probe::Paraboloid { radius: 1e-4 });
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let of = |work, stress| paraboloid.cohesive_zone(work, CohesiveZone { stress });

@@ -11,9 +11,6 @@ use solve::{Method, solve};
 const DECADES: std::ops::RangeInclusive<i32> = 3..=12;
 /// The smallest significant difference from a reference: both are rounded, and so are the inputs.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// The largest ratio of a true error to the stated one, of any contact. Measured: 1.00, and 0.55 of random
-/// ones.
-const FAR_ABOVE: f64 = 10.0;
 /// The largest ratio of a stated error to the true one, for a share [`MOSTLY`] of the answers.
 const CAUTIOUS: f64 = 1e3;
 /// The least share of answers within [`CAUTIOUS`]. Measured: 0.901 at 1e-3, 0.92 to 1 at all other
@@ -82,33 +79,31 @@ fn answers() -> impl Iterator<Item = (&'static Outcome, &'static Answer)> {
         .filter_map(|outcome| outcome.answer.as_ref().ok().map(|answer| (outcome, answer)))
 }
 
+/// The truth is rounded, too.
 #[test]
 fn stated_errors_bound_the_true_ones() {
-    let (mut random, mut bounded, mut worst) = (0, 0, 0.0);
-    for (outcome, answer) in answers() {
-        let share = answer.error / answer.stated;
-        if outcome.random {
-            random += 1;
-            bounded += usize::from(share <= 1.0);
-        }
-        if share > 1.0 {
-            let Answer {
-                method,
-                stated,
-                error,
-            } = answer;
-            println!(
-                "understated: {}, tolerance 1e-{}: error {error:.1e}, stated {stated:.1e}, {method:?}",
-                outcome.contact, outcome.decade
+    const ROUNDED: f64 = 1.001;
+    for method in [
+        Method::ClosedForm,
+        Method::Galerkin,
+        Method::Axis,
+        Method::Ray,
+    ] {
+        let of_method = || answers().filter(|(_, answer)| answer.method == method);
+        assert!(of_method().count() > 0, "{method:?}");
+        for (
+            Outcome {
+                contact, decade, ..
+            },
+            Answer { stated, error, .. },
+        ) in of_method()
+        {
+            assert!(
+                *error <= ROUNDED * stated,
+                "{contact}, tolerance 1e-{decade}: error {error:.1e}, stated {stated:.1e}, {method:?}"
             );
         }
-        worst = larger(worst, share);
     }
-    println!(
-        "{bounded} of {random} random contacts have a true error up to the stated one; the largest true error of all contacts is {worst:.2} of the stated one"
-    );
-    assert_eq!(bounded, random);
-    assert!(worst <= FAR_ABOVE);
 }
 
 #[test]
@@ -156,36 +151,5 @@ fn no_tolerance_down_to_1e_9_is_refused() {
         };
         assert!(random <= most[0] && corner <= most[1]);
         assert!(reached <= REACHED);
-    }
-}
-
-/// Measured: 103, 3828, 2511 and 21 answers. The stated error bounds the true one in all of them.
-#[test]
-fn every_method_states_honest_errors() {
-    /// The least share of bounded errors among the answers of one method, which may be few.
-    const HONEST: f64 = 0.99;
-    println!("| method            | answers | worst true/stated | median stated/true |");
-    println!("|-------------------|---------|-------------------|--------------------|");
-    for method in [
-        Method::ClosedForm,
-        Method::Galerkin,
-        Method::Axis,
-        Method::Ray,
-    ] {
-        let mut ratios: Vec<f64> = answers()
-            .filter(|(_, a)| a.method == method)
-            .map(|(_, a)| a.stated / a.error)
-            .collect();
-        ratios.sort_by(f64::total_cmp);
-        let (count, worst, median) = (ratios.len(), 1.0 / ratios[0], ratios[ratios.len() / 2]);
-        println!(
-            "| {:17} | {count:7} | {worst:17.2} | {median:18.1} |",
-            method.name()
-        );
-        let bounded = ratios.iter().filter(|ratio| **ratio >= 1.0).count();
-        assert!(
-            bounded as f64 >= HONEST * count as f64,
-            "{bounded} of {count}"
-        );
     }
 }

@@ -1,11 +1,11 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
 use acceptance::{
-    Data, geometric, larger, material, paper_system, relative_error, solid, solved, table,
+    Data, derivatives, direct, geometric, larger, material, paper_system, relative_error, solid,
+    solved, table,
 };
 use contact::Contact;
 use interp::{Curve, Description, Error, MaterialParameter, Parameter, Quantity, System, Table};
-use solve::solve;
 
 /// The tolerance of the tables of one material.
 const TOLERANCE: f64 = 1e-8;
@@ -245,11 +245,6 @@ fn contacts_and_gradients_are_those_of_direct_solves() {
             .all(Option::is_some)
     );
 
-    let direct = |x: f64, parameters: [f64; 4]| {
-        let solution = solve(x, &material(parameters), 1e-13);
-        let solution = solution.or_else(|_| solve(x, &material(parameters), 1e-11));
-        solution.expect("moderate contrasts converge").quantities
-    };
     let mut errors = [0.0; 4];
     for parameters in [
         [1.1, 0.45, 35.0, 0.25],
@@ -271,42 +266,19 @@ fn contacts_and_gradients_are_those_of_direct_solves() {
             ];
             for (i, parameter) in along.into_iter().enumerate() {
                 // The unit of `nu1` is the range on which the quantities change.
-                let unit = match parameter {
-                    MaterialParameter::Nu1 => 1.0 - 2.0 * parameters[1] + 1.0 / (1.0 + x * x),
-                    _ => parameters[i],
-                };
-                let step = if parameter == MaterialParameter::Nu1 {
-                    1e-4
+                let (unit, step) = if parameter == MaterialParameter::Nu1 {
+                    (1.0 - 2.0 * parameters[1] + 1.0 / (1.0 + x * x), 1e-4)
                 } else {
-                    1e-3 * unit
+                    (parameters[i], 1e-3 * parameters[i])
                 };
-                // At 0.5 from one side.
-                let weights: &[(f64, f64)] = if parameters[i] == 0.5 {
-                    &[
-                        (0.0, 11.0 / 6.0),
-                        (-1.0, -3.0),
-                        (-2.0, 1.5),
-                        (-3.0, -1.0 / 3.0),
-                    ]
-                } else {
-                    &[
-                        (-2.0, 1.0 / 12.0),
-                        (-1.0, -2.0 / 3.0),
-                        (1.0, 2.0 / 3.0),
-                        (2.0, -1.0 / 12.0),
-                    ]
-                };
-                let mut difference = [0.0; 4];
-                for &(steps, weight) in weights {
+                let differences = derivatives(step, parameters[i] == 0.5, |change| {
                     let mut near = parameters;
-                    near[i] += steps * step;
-                    for (sum, value) in difference.iter_mut().zip(direct(x, near).to_array()) {
-                        *sum += weight / step * value;
-                    }
-                }
+                    near[i] += change;
+                    direct(x, near).to_array()
+                });
                 let found = gradient.by(parameter).expect("known").to_array();
                 for ((found, expected), value) in
-                    found.into_iter().zip(difference).zip(exact.to_array())
+                    found.into_iter().zip(differences).zip(exact.to_array())
                 {
                     let error = unit * (found - expected).abs() / value;
                     errors[i + 1] = larger(errors[i + 1], error);

@@ -2,17 +2,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Refused, looked_up, rigid_probe, solid};
+use acceptance::{Refused, looked_up, on_half_space, rigid_probe, solid};
 use contact::{CohesiveZone, Contact, Control};
-use interp::{Elastic, HalfSpace, Probe};
+use interp::Probe;
 
 fn sphere() -> Contact {
-    Contact::half_space(&HalfSpace {
-        probe: Probe::Paraboloid { radius: 1e-4 },
-        sphere_modulus: f64::INFINITY,
-        solid: Elastic::new(1e6, 0.0).expect("physical"),
-    })
-    .expect("physical")
+    on_half_space(Probe::Paraboloid { radius: 1e-4 }, solid(1e6, 0.0))
 }
 
 #[test]

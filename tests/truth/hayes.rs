@@ -1,6 +1,6 @@
 //! The rigid sphere on a layer bonded to a rigid base against the table of Hayes et al. (1972).
 
-use acceptance::{Data, larger, material, relative_error, solved};
+use acceptance::{Data, larger, material, solved};
 
 /// Largest relative difference from the printed values, which lose accuracy as `a/t` grows.
 /// Measured: 8.8e-3 at `a/t = 2`.
@@ -41,21 +41,4 @@ fn the_incompressible_layer_agrees_with_an_independent_solve() {
             "a/t = {x}: {kappa}, not {value}"
         );
     }
-}
-
-/// The reference file holds the layer between bodies that are at least a million times stiffer.
-/// Measured: 3.9e-13.
-#[test]
-fn the_nearly_rigid_sphere_agrees_with_the_reference_file() {
-    let (data, mut worst, mut count) = (Data::read("barthel_reference"), 0.0, 0);
-    for case in data
-        .cases()
-        .filter(|case| case.get("e1_over_e2") <= 1e-6 && case.get("e0_over_e2") == 1e12)
-    {
-        let found = solved(case.get("a_over_t"), &case.material(), 1e-10);
-        worst = larger(worst, relative_error(&found, &case.quantities()));
-        count += 1;
-    }
-    println!("{count} references of a layer between nearly rigid bodies: {worst:.1e}");
-    assert!(count >= 10 && worst <= 1e-11);
 }

@@ -6,7 +6,7 @@ use acceptance::{
 use interp::{Elastic, Quantities};
 use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
-use solve::{LayeredCompliance, Method, SurfaceCompliance};
+use solve::{LayeredCompliance, Method};
 
 pub const INFINITY: f64 = f64::INFINITY;
 
@@ -55,21 +55,7 @@ fn the_ends_of_the_springs_are_bonded_and_sliding_bit_for_bit() {
             (springs(INFINITY, INFINITY), Interface::Bonded),
             (springs(0.0, INFINITY), Interface::Sliding),
         ] {
-            let [ends, plain] = [ends, plain].map(|interface| joined(seed, interface));
-            assert_eq!(ends, plain);
-            let [a, b] = [&ends, &plain].map(LayeredCompliance::new);
-            for q in wave_numbers() {
-                let [a, b] = [&a, &b].map(|c| [c.sample(q).excess, c.sample(q).slope, c.x(q)]);
-                assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits));
-            }
-            let top = plain.layers().last().expect("a layer").thickness;
-            let a_over_t = 0.7 * top / plain.thickness();
-            let [a, b] = [&ends, &plain].map(|stack| {
-                solve_stack(a_over_t, stack, 1e6, 1e-6)
-                    .expect("within reach")
-                    .quantities
-            });
-            assert_eq!(a, b);
+            assert_eq!(joined(seed, ends), joined(seed, plain));
         }
     }
     // What the words mean for one film, which is solved as a film where it is bonded.

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use acceptance::{Contacts, larger, paper_system, shipped, solid, solved};
 use contact::{Contact, Control, JkrPoint};
-use interp::{Elastic, Mechanics, Probe, Quantities, System, Table};
+use interp::{System, Table};
 
 /// Work of adhesion of the paper's Table 1, J/m^2.
 const W: f64 = 0.04;
@@ -15,25 +15,6 @@ static TABLE: LazyLock<Table> =
 
 fn contact(film_thickness: f64) -> Contact {
     Contact::in_table(&TABLE, &paper_system(film_thickness)).expect("the table is the paper's")
-}
-
-/// Returns the root of an increasing function, to rounding.
-fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    assert!(
-        f(low) < 0.0 && f(high) > 0.0,
-        "{} at {low}, {} at {high}",
-        f(low),
-        f(high)
-    );
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if f(middle) < 0.0 {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    0.5 * (low + high)
 }
 
 /// Returns the place of the only minimum of `f` between `low` and `high`, by golden section.
@@ -188,95 +169,6 @@ fn the_pull_off_loads_of_the_papers_system() {
     }
 }
 
-/// Returns load and penetration of a system whose film and substrate are one material.
-fn homogeneous(system: &System, a: f64, w: f64) -> (f64, f64) {
-    let mechanics = Mechanics::new(system).expect("physical");
-    let edge = mechanics.edge_singularity(a, w).expect("physical");
-    let es = system.material().expect("physical").sphere_film_modulus();
-    mechanics.load_and_penetration(a, edge, &Quantities::homogeneous(es))
-}
-
-/// Draws 200 random homogeneous systems, each with its compound modulus (Pa) and a work of adhesion
-/// (J/m^2).
-fn homogeneous_systems(seed: u64) -> impl Iterator<Item = (System, f64, f64)> {
-    let mut contacts = Contacts::new(seed);
-    std::iter::repeat_with(move || {
-        let solid = solid(contacts.log_uniform(1e4, 1e12), contacts.uniform(-0.5, 0.5));
-        let system = System {
-            probe: Probe::Paraboloid {
-                radius: contacts.log_uniform(1e-8, 1.0),
-            },
-            sphere_modulus: contacts.log_uniform(1e4, 1e12),
-            film: solid,
-            film_thickness: contacts.log_uniform(1e-9, 1e-2),
-            substrate: solid,
-        };
-        let compound = 1.0 / (1.0 / system.sphere_modulus + 1.0 / solid.reduced());
-        (system, compound, contacts.log_uniform(1e-3, 1.0))
-    })
-    // Ten times the contact radius at no load is below the sphere's.
-    .filter(|(system, e, w)| {
-        (9.0 * PI * w / (2.0 * e * system.probe.radius().expect("a paraboloid"))).cbrt() < 0.1
-    })
-    .take(200)
-}
-
-#[test]
-fn a_homogeneous_system_is_jkr() {
-    /// Relative to the larger of the two terms. Measured: 9.2e-16.
-    const EXACT: f64 = 2e-14;
-    /// Radii and loads found by bisection and golden section. Measured: 8.9e-16.
-    const FOUND: f64 = 2e-14;
-    /// The radius of least penetration is known to the square root of rounding only, and the load
-    /// is not stationary there. Measured: 4.1e-8.
-    const FOUND_ROUGHLY: f64 = 1e-6;
-    let (mut exact, mut found, mut roughly) = (0.0, 0.0, 0.0);
-    for (system, e, w) in homogeneous_systems(60) {
-        let (r, mechanics) = (
-            system.probe.radius().expect("a paraboloid"),
-            Mechanics::new(&system).expect("physical"),
-        );
-        let zero_load = (9.0 * PI * w * r * r / (2.0 * e)).cbrt();
-        for ratio in [0.1, 0.5, 1.0, 1.5, 10.0] {
-            let a = ratio * zero_load;
-            let (load, penetration) = homogeneous(&system, a, w);
-            let (hertz, punch) = (
-                4.0 * e * a.powi(3) / (3.0 * r),
-                (8.0 * PI * w * e * a.powi(3)).sqrt(),
-            );
-            exact = larger(exact, (load - (hertz - punch)).abs() / hertz.max(punch));
-            let (hertz, punch) = (a * a / r, (2.0 * PI * a * w / e).sqrt());
-            exact = larger(
-                exact,
-                (penetration - (hertz - punch)).abs() / hertz.max(punch),
-            );
-            // Eq. 1.
-            let point = JkrPoint::new(a, load, mechanics.sphere_radius());
-            let (slope, intercept) = (4.0 * e / (3.0 * 6.0_f64.sqrt()), (4.0 * w * e / 3.0).sqrt());
-            assert!((point.abscissa / (a.powf(1.5) / (PI.sqrt() * r)) - 1.0).abs() <= EXACT);
-            let line = slope * point.abscissa - intercept;
-            exact = larger(
-                exact,
-                (point.ordinate - line).abs() / intercept.max(slope * point.abscissa),
-            );
-        }
-        let radius = root(0.5 * zero_load, 2.0 * zero_load, |a| {
-            homogeneous(&system, a, w).0
-        });
-        found = larger(found, (radius / zero_load - 1.0).abs());
-        let [load, displacement] =
-            pull_off(zero_load, |a| homogeneous(&system, a, w)).map(|load| load / (PI * w * r));
-        found = larger(found, (load / -1.5 - 1.0).abs());
-        roughly = larger(roughly, (displacement / (-5.0 / 6.0) - 1.0).abs());
-    }
-    println!(
-        "JKR: largest deviation of forms {exact:.1e}, of radius and pull-off {found:.1e}, under displacement control {roughly:.1e}"
-    );
-    assert!(exact <= EXACT);
-    assert!(found <= FOUND);
-    assert!(roughly <= FOUND_ROUGHLY);
-}
-
 #[test]
 fn the_load_is_eq_9_in_its_reduced_form() {
     /// Relative to the larger of the two terms. Measured: 8.4e-16.
@@ -311,75 +203,6 @@ fn the_load_is_eq_9_in_its_reduced_form() {
     }
     println!("eq. 9: largest deviation {worst:.1e}");
     assert!(worst <= EXACT);
-}
-
-/// Converts a system, a contact radius and a work of adhesion to units of `length` metres and
-/// `force` newtons.
-fn in_units(system: &System, a: f64, w: f64, [length, force]: [f64; 2]) -> (System, f64, f64) {
-    let (pressure, tension) = (force / (length * length), force / length);
-    let scaled = |one: Elastic| solid(one.young() / pressure, one.poisson());
-    let system = System {
-        probe: Probe::Paraboloid {
-            radius: system.probe.radius().expect("a paraboloid") / length,
-        },
-        sphere_modulus: system.sphere_modulus / pressure,
-        film: scaled(system.film),
-        film_thickness: system.film_thickness / length,
-        substrate: scaled(system.substrate),
-    };
-    (system, a / length, w / tension)
-}
-
-/// Returns load, penetration, stiffness, and abscissa and ordinate of the JKR plot, converted back
-/// to SI units.
-fn answers(
-    table: &Table,
-    (system, a, w): (System, f64, f64),
-    [length, force]: [f64; 2],
-) -> [f64; 5] {
-    let contact = Contact::in_table(table, &system).expect("inside");
-    let (load, penetration) = contact.load_and_penetration(a, w).expect("inside");
-    let jkr = JkrPoint::new(a, load, contact.mechanics().sphere_radius());
-    let stiffness = contact.stiffness(a).expect("inside") * force / length;
-    [
-        load * force,
-        penetration * length,
-        stiffness,
-        jkr.abscissa * length.sqrt(),
-        jkr.ordinate * force / length.powf(1.5),
-    ]
-}
-
-#[test]
-fn a_change_of_units_changes_nothing() {
-    /// Relative, of differences of larger terms. Measured: 5.7e-14.
-    const ROUNDING: f64 = 1e-12;
-    let mut contacts = Contacts::new(62);
-    let mut worst = 0.0;
-    for _ in 0..200 {
-        let film = solid(contacts.log_uniform(3e4, 1e8), 0.5);
-        let system = System {
-            film,
-            ..paper_system(contacts.log_uniform(1e-6, 1e-3))
-        };
-        // Where the contact is pressed on, so that no answer is a small difference.
-        let (a, w) = (contacts.uniform(1e-4, 2e-4), W);
-        let in_metres = answers(&TABLE, (system.clone(), a, w), [1.0, 1.0]);
-        // With powers of two every step scales without rounding: lengths of 2^-20 m, about a
-        // micrometre, and forces of 2^-30 N.
-        let binary = [2.0_f64.powi(-20), 2.0_f64.powi(-30)];
-        assert_eq!(
-            answers(&TABLE, in_units(&system, a, w, binary), binary),
-            in_metres
-        );
-        let decimal = [1e-6, 1e-9];
-        let in_micrometres = answers(&TABLE, in_units(&system, a, w, decimal), decimal);
-        for (one, other) in in_micrometres.into_iter().zip(in_metres) {
-            worst = larger(worst, (one / other - 1.0).abs());
-        }
-    }
-    println!("micrometres and nanonewtons: largest change {worst:.1e}");
-    assert!(worst <= ROUNDING);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
-use acceptance::{assert_names, cases, larger, paper_system, solid};
+use acceptance::{assert_names, cases, larger, paper_system, rigid_probe, solid};
 use contact::{CohesiveZone, Contact, Control};
 use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
@@ -420,13 +420,8 @@ fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
     for (base, radius, range) in [(1e6, 1e-6, 6e-7), (2e6, 1e-7, 5e-8)] {
         for film_thickness in [1e-6, 1e-4] {
             let pull_off = |radius: f64| {
-                let system = System {
-                    probe: Probe::Paraboloid { radius },
-                    sphere_modulus: f64::INFINITY,
-                    film: solid(1e6, 0.5),
-                    film_thickness,
-                    substrate: solid(base, 0.5),
-                };
+                let [film, base] = [1e6, base].map(|young| solid(young, 0.5));
+                let system = rigid_probe(Probe::Paraboloid { radius }, film, film_thickness, base);
                 let cohesive = Cohesive::new(&system, 0.05, range).expect("physical");
                 cohesive.pull_off(Control::Load)
             };
@@ -434,5 +429,72 @@ fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
             assert_names(&error.to_string(), "radius of the sphere; larger sphere");
             pull_off(100.0 * radius).expect("narrow");
         }
+    }
+}
+
+/// Contacts of a rigid sphere of 10 um that are far smaller than the attraction around them: what is imposed; modulus,
+/// Poisson ratio and thickness of the film, modulus of its substrate, work of adhesion and range.
+const LONG_RANGES: [(Control, [f64; 6]); 5] = [
+    (
+        Control::Displacement,
+        [5.85e10, 0.5, 1.87e-7, 1.21e4, 5.6e-3, 1.63e-9],
+    ),
+    (
+        Control::Load,
+        [3.31e8, 0.187, 9.73e-6, f64::INFINITY, 2.57e-3, 3.26e-8],
+    ),
+    (
+        Control::Load,
+        [3e9, 0.309, 3.78e-8, f64::INFINITY, 1.09e-2, 2.49e-8],
+    ),
+    (
+        Control::Spring { stiffness: 0.0456 },
+        [1.54e10, 0.256, 7.02e-8, 3.96e6, 2.52e-2, 3.4e-8],
+    ),
+    // The annulus of a contact four times as large is another one.
+    (
+        Control::Displacement,
+        [2.3354e6, 0.3, 1.3172e-8, f64::INFINITY, 6.48e-3, 3.928e-9],
+    ),
+];
+
+/// The lowest imposed value may be that of a contact a hundred times smaller than the attraction around it, lower than
+/// before the contact by some 1e-5 of itself.
+#[test]
+fn no_contact_is_below_the_pull_off() {
+    for (control, [young, poisson, thickness, base, work_of_adhesion, range]) in LONG_RANGES {
+        let probe = Probe::Paraboloid { radius: 1e-5 };
+        let case = Case {
+            system: rigid_probe(probe, solid(young, poisson), thickness, solid(base, 0.25)),
+            work_of_adhesion,
+            range,
+            control,
+        };
+        let (cohesive, imposed) = (case.cohesive(), |at: &CohesiveState| case.imposed(at));
+        let pull_off = cohesive.pull_off(control).expect("within reach");
+        let (lowest, outer) = (imposed(&pull_off), pull_off.outer_radius);
+        let radius = pull_off.contact_radius;
+        println!("{control:?}: {lowest} at {radius} of {outer}");
+        assert!(radius > 0.0);
+        // The radii of the attraction before the contact end at that of the first one.
+        let before = (1..=100)
+            .map(|i| outer * 1e-2 * f64::from(i))
+            .map_while(|c| cohesive.without_contact(c).ok())
+            .map(|state| imposed(&state));
+        assert!(before.fold(f64::INFINITY, f64::min) > lowest);
+        let mut solved = 0;
+        for i in 0..70 {
+            let Ok(state) = cohesive.state(outer * 10f64.powf(-3.0 + 0.05 * f64::from(i))) else {
+                continue;
+            };
+            solved += 1;
+            let value = imposed(&state);
+            assert!(
+                value >= lowest + 1e-9 * lowest,
+                "{control:?}: {value} at {}, below {lowest} at {radius}",
+                state.contact_radius
+            );
+        }
+        assert!(solved > 40, "{solved} states");
     }
 }

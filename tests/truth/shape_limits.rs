@@ -1,8 +1,8 @@
 //! Shapes of probes at their limits: derivatives below the nodes, and the flank of a rounded cone.
 
-use acceptance::{rigid_probe, solid};
+use acceptance::{on_half_space, rigid_probe, solid};
 use contact::{Contact, Input};
-use interp::{HalfSpace, Probe, Table};
+use interp::{Probe, Table};
 
 #[test]
 fn derivatives_below_the_nodes_under_a_sphere_are_differences() {
@@ -43,14 +43,8 @@ fn the_flank_of_a_rounded_cone_has_the_slope_of_the_cone() {
     };
     // 1/tan(60 deg); the flank begins at 0.577 um.
     for (a, slope) in [(5e-7, 0.5), (2e-6, 1.0 / 3.0_f64.sqrt())] {
-        let validity = Contact::half_space(&HalfSpace {
-            probe: probe.clone(),
-            sphere_modulus: f64::INFINITY,
-            solid: solid(1e6, 0.3),
-        })
-        .expect("physical")
-        .validity(a)
-        .expect("in range");
+        let contact = on_half_space(probe.clone(), solid(1e6, 0.3));
+        let validity = contact.validity(a).expect("in range");
         assert!(
             (validity.a_over_r / slope - 1.0).abs() < 1e-14,
             "{validity:?}"

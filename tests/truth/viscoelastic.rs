@@ -8,9 +8,9 @@ mod refused;
 
 use std::f64::consts::PI;
 
-use acceptance::{Case, Data, rigid_probe, solid, solved_contact};
+use acceptance::{Case, Data, on_half_space, rigid_probe, solid, solved_contact};
 use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation, TimedContact};
-use interp::{HalfSpace, Probe, System};
+use interp::{Probe, System};
 
 /// Returns a law as the file writes it.
 fn law(text: &str) -> Relaxation {
@@ -198,13 +198,7 @@ fn solid_law() -> Relaxation {
 
 /// A rigid probe on a half-space with `E* = 1`.
 fn half_space(probe: Probe) -> Contact {
-    let solid = solid(0.75, 0.5);
-    Contact::half_space(&HalfSpace {
-        probe,
-        sphere_modulus: f64::INFINITY,
-        solid,
-    })
-    .expect("a contact")
+    on_half_space(probe, solid(0.75, 0.5))
 }
 
 const PARABOLOID: Probe = Probe::Paraboloid { radius: 1.0 };

@@ -93,6 +93,10 @@ def test_the_error_of_jkr_on_a_half_space(gel):
     with pytest.raises(InputError) as caught:
         attraction.pull_off_error(errors="raise")
     assert caught.value.index == (2,)
+    strict = gel.zone_size(W, interaction_range=[1e-9, 2e-9, 1e-7])
+    assert np.isnan(strict.pull_off_error(errors="nan")).tolist() == [False, False, True]
+    with pytest.raises(InputError):
+        strict.pull_off_error()
 
 
 def test_what_is_not_short_is_named(contact, gel):

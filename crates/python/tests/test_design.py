@@ -113,18 +113,3 @@ def test_what_one_experiment_does_not_tell_is_not_told_of_others(system):
         assert design([pair], free, about=about).stderr == {"plan 0": expected.stderr[about]}
     with pytest.raises(FitError, match=r"no plan determines contact_point\[1\]: contact-point of"):
         design([pair], free, about="contact_point[1]")
-
-
-def test_a_parameter_that_changes_nothing_hides_no_other():
-    """The modulus and the thickness of a thin film are not told apart, whatever else is free."""
-    soft = make_system(film_thickness=1e-6, film_modulus=2e4, film_poisson_ratio=0.3)
-    soft = replace(soft, sphere_modulus=np.inf)
-    advancing = np.zeros(30, dtype=bool)
-    thin = lens(soft, retract=advancing, work_of_adhesion=1e-3, work_of_adhesion_receding=2e-3)
-    free = ["film_modulus", "film_thickness", "work_of_adhesion_receding"]
-    expected = forecast(thin, free)
-    both = "film-modulus and film-thickness"
-    assert expected.undetermined == ("work-of-adhesion-receding", both)
-    for about in free:
-        with pytest.raises(FitError, match=f"no plan determines {about}: .*{both}"):
-            design([thin], free, about=about)

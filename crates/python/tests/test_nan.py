@@ -54,21 +54,6 @@ def test_no_method_raises(made):
     assert {"pull_off_error", "by", "is_short_beside", "to_pandas", "to_xarray", "plot"} <= called
 
 
-def test_the_pull_off_error_is_nan_where_it_is_not_known(contact):
-    ranges = [1e-9, 1.0]
-    found = contact.zone_size(0.04, interaction_range=ranges, errors="nan")
-    error = found.pull_off_error()
-    assert np.isnan(error).tolist() == [False, True]
-    assert error[0] == contact.zone_size(0.04, interaction_range=1e-9).pull_off_error()
-    # Each way to ask for another answer.
-    with pytest.raises(InputError):
-        found.pull_off_error(errors="raise")
-    strict = contact.zone_size(0.04, interaction_range=ranges)
-    with pytest.raises(InputError):
-        strict.pull_off_error()
-    assert np.isnan(strict.pull_off_error(errors="nan")).tolist() == [False, True]
-
-
 def test_friction_is_nan_where_there_is_no_contact(contact):
     """A flat punch of the radius of the sphere could be solved."""
     radius = contact.system.sphere_radius

@@ -75,31 +75,6 @@ def test_a_table_of_the_stack_is_looked_up(stack):
         fit(curve, ["primer.modulus"], table=table)
 
 
-def test_numbers_are_those_of_the_command_line(program, tmp_path, stack):
-    flags = ["--kind=load-radius", "--stack", PRIMER, "--sphere-radius=1e-3"]
-    flags += ["--sphere-modulus=2e6", "--work-of-adhesion=0.04"]
-    ends = ["--from=4e-5", "--to=1.3e-4", "--points=25", "--noise=2e-6", "--seed=3"]
-
-    def run(*arguments):
-        command = [program, *map(str, arguments)]
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
-
-    printed = run("simulate", *flags, *ends)
-    table = csv.DictReader(line for line in printed.splitlines() if line[:1] != "#")
-    radii, loads = zip(*([float(v) for v in row.values()][:2] for row in table), strict=True)
-    plan = replace(lens(stack), abscissa=radii, ordinate=None)
-    made = simulate(plan, noise=2e-6, seed=3)
-    assert made.ordinate.tolist() == list(loads)
-    data = tmp_path / "lens.csv"
-    data.write_text(printed)
-    free = ["--free=sphere-modulus,primer.modulus", "--json"]
-    expected = json.loads(run("fit", data, *flags, *free))["parameters"]
-    found = fit(replace(made, noise=None), ["sphere_modulus", "primer.modulus"])
-    for name in found.params:
-        assert found.params[name] == expected[name]["value"]
-        assert found.stderr[name] == expected[name]["stderr"]
-
-
 def test_derivatives_by_a_layer_are_those_by_the_film():
     """One layer is the film; its name has a hyphen, and that of the parameter a point."""
     film = make_system(film_modulus=5e5, film_poisson_ratio=0.45)

@@ -1,12 +1,12 @@
 //! Load and penetration as functions of every input in SI units.
 
-use acceptance::{assert_matches, larger, paper_system, shipped, solid};
+use acceptance::{assert_matches, derivatives, larger, paper_system, shipped, solid};
 use contact::Error;
 use contact::{Contact, Input};
 use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 
-use super::{SHARES, derivatives};
+use super::SHARES;
 
 /// Returns a system with one of its inputs replaced by `value` (SI units).
 fn with(system: System, input: Input, value: f64) -> System {

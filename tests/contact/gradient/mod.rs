@@ -5,43 +5,8 @@ mod load;
 mod quantities;
 mod wanted;
 
-use acceptance::material;
-use interp::Quantities;
-use solve::solve;
-
 /// The largest error of a derivative of the logarithm of a quantity, in tolerances of the table, in
 /// the order `a/t`, `E1`, `nu1`, `E0`, `nu0`. The derivatives are with respect to the logarithm of
 /// `a/t` or of a modulus, or to a Poisson ratio. The unit of `nu1` is the range on which the
 /// quantities change, `(1 - 2 nu1) + 1/(1 + (a/t)^2)`.
 const SHARES: [f64; 5] = [20.0, 20.0, 100.0, 20.0, 20.0];
-
-/// Returns the derivatives of `N` functions at 0, from four values or, on one side only, seven.
-fn derivatives<const N: usize>(
-    step: f64,
-    one_sided: bool,
-    f: impl Fn(f64) -> [f64; N],
-) -> [f64; N] {
-    if !one_sided {
-        let [near, far] = [1.0, 2.0].map(|steps| [f(steps * step), f(-steps * step)]);
-        return std::array::from_fn(|i| {
-            (8.0 * (near[0][i] - near[1][i]) - (far[0][i] - far[1][i])) / (12.0 * step)
-        });
-    }
-    let weights = [-2.45, 6.0, -7.5, 20.0 / 3.0, -3.75, 1.2, -1.0 / 6.0];
-    let values: [[f64; N]; 7] = std::array::from_fn(|k| f(-step * k as f64));
-    std::array::from_fn(|i| {
-        let terms = weights.iter().zip(&values);
-        terms.map(|(weight, value)| weight * value[i]).sum::<f64>() / -step
-    })
-}
-
-/// Returns the quantities of a direct solve, as accurate as double precision allows. Their error
-/// over the steps of [`derivatives`] is at most a tolerance of the embedded table.
-fn direct(x: f64, parameters: [f64; 4]) -> Quantities {
-    let solved = |tolerance| solve(x, &material(parameters), tolerance);
-    solved(1e-13)
-        .or_else(|_| solved(1e-11))
-        .or_else(|_| solved(1e-9))
-        .expect("solved")
-        .quantities
-}

@@ -1,9 +1,9 @@
 //! The quantities as functions of a/t, the moduli and the Poisson ratios.
 
-use acceptance::{Contacts, larger, material};
+use acceptance::{Contacts, derivatives, direct, larger, material};
 use interp::{MaterialParameter, Quantities, Quantity, QuantityGradient, Table};
 
-use super::{SHARES, derivatives, direct};
+use super::SHARES;
 
 /// Draws points of a box of moduli, with ordinary, nearly incompressible and incompressible films,
 /// away from the ends of the box, and some points of thicker films.

@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_matches, geometric, rigid_probe, solid};
+use acceptance::{Contacts, assert_matches, geometric, on_half_space, rigid_probe, solid};
 use contact::Error;
 use contact::{Branch, Contact, Control, Derivatives, Input, State};
 use interp::{Probe, Profile};
 
-use super::{HALF_ANGLE, W, contact, half_space};
+use super::{HALF_ANGLE, W, contact};
 
 /// Draws a convex profile, smooth or rough.
 fn random_profile(contacts: &mut Contacts, size: f64) -> Probe {
@@ -154,7 +154,7 @@ fn pull_off_of_the_sphere_is_that_of_maugis() {
     for (reduced, pull_off, at_rest) in cases {
         let w = reduced * material.reduced() * r;
         let probe = || Probe::Sphere { radius: r };
-        let bare = half_space(probe(), material);
+        let bare = on_half_space(probe(), material);
         // A film of the material of the substrate takes the other way, through the table.
         let coated = contact(probe(), material, 3e-4, material);
         for contact in [&bare, &coated] {
@@ -184,7 +184,7 @@ fn pull_off_of_the_sphere_is_that_of_maugis() {
 fn pull_off_of_the_cone_is_that_of_the_closed_form() {
     let material = solid(1e6, 0.3);
     let half_angle = HALF_ANGLE;
-    let bare = half_space(Probe::Cone { half_angle }, material);
+    let bare = on_half_space(Probe::Cone { half_angle }, material);
     let found = bare.pull_off(W, Control::Load).expect("in range").load;
     let expected = -54.0 * W * W * HALF_ANGLE.tan().powi(3) / (PI * material.reduced());
     assert!((found / expected - 1.0).abs() < 1e-12, "{found}");
@@ -195,7 +195,7 @@ fn a_flat_punch_has_one_contact_radius() {
     let (radius, film) = (5e-6, solid(1e6, 0.5));
     let punch = || Probe::FlatPunch { radius };
     let coated = contact(punch(), film, 3e-6, solid(1e9, 0.3));
-    let bare = half_space(punch(), film);
+    let bare = on_half_space(punch(), film);
     for contact in [&coated, &bare] {
         let q = contact.quantities(radius).expect("its radius");
         let modulus = contact.mechanics().sphere_film_modulus();
@@ -275,8 +275,8 @@ fn a_flat_end_separates_like_a_punch() {
             contact(Probe::FlatPunch { radius }, film, 3e-6, substrate),
         ),
         (
-            half_space(cone, film),
-            half_space(Probe::FlatPunch { radius }, film),
+            on_half_space(cone, film),
+            on_half_space(Probe::FlatPunch { radius }, film),
         ),
     ] {
         let [cone_off, punch_off] =

@@ -7,7 +7,9 @@ use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind, simulate_exper
 use interp::{System, Table};
 
 use super::{at_radii, oxide};
-use crate::imagined::{assert_warns, fit_all, fitted, free_of, measurement_at, number_after, text};
+use crate::imagined::{
+    assert_warns, coated, fit_all, fitted, free_of, measurement_at, number_after, text,
+};
 use crate::layers::{layer, on_layers};
 
 /// Contacts of a fifth of the thickness of the top layer and of seven tenths of it.
@@ -59,10 +61,9 @@ fn the_depth_of_a_plastic_contact_is_said() {
 #[test]
 fn a_hardness_that_is_found_leaves_no_bounds_by_friction() {
     let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
-    if let Bodies::Coated(system) = &mut exact.bodies {
-        system.sphere_modulus = f64::INFINITY;
-        system.substrate = solid(f64::INFINITY, 0.25);
-    }
+    let system = coated(&mut exact);
+    system.sphere_modulus = f64::INFINITY;
+    system.substrate = solid(f64::INFINITY, 0.25);
     exact.measurement.kind = Kind::StiffnessLoad;
     exact.indentation.hardness = Some(1e10);
     for point in &mut exact.measurement.points {

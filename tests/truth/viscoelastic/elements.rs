@@ -1,8 +1,8 @@
 //! Elements, which serve any history, beside the integrals and beside themselves.
 
-use acceptance::{rigid_probe, solid, solved_contact};
-use contact::{Contact, Control, Relaxation};
-use interp::{HalfSpace, Probe};
+use acceptance::{on_half_space, rigid_probe, solid, solved_contact};
+use contact::{Control, Relaxation};
+use interp::Probe;
 
 use super::{CYCLES, PARABOLOID, half_space, power_law, solid_law, states};
 
@@ -129,13 +129,7 @@ fn a_history_cut_in_two() {
 fn units() {
     let [length, pressure, time] = [3e-6, 7e4, 2e-3];
     let of = |l: f64, p: f64, s: f64, program: &[(f64, f64)], control: Control| {
-        let solid = solid(0.75 * p, 0.5);
-        let probe = Probe::Paraboloid { radius: l };
-        let contact = Contact::half_space(&HalfSpace {
-            probe,
-            sphere_modulus: f64::INFINITY,
-            solid,
-        });
+        let contact = on_half_space(Probe::Paraboloid { radius: l }, solid(0.75 * p, 0.5));
         let law = Relaxation::ModifiedPowerLaw {
             relaxed: 0.1,
             exponent: 0.4,
@@ -150,7 +144,6 @@ fn units() {
         };
         let program: Vec<_> = program.iter().map(|&(t, v)| (t * s, value(v))).collect();
         let course = contact
-            .expect("a contact")
             .history(&law)
             .expect("a law")
             .run(control, &program, None);
@@ -168,25 +161,15 @@ fn units() {
             of(length, pressure, time, program, control),
         );
         for (own, other) in own.iter().zip(&other) {
-            let close = |own: f64, other: f64| (own - other).abs() <= 1e-11 * own.abs() + 1e-16;
-            assert!(
-                close(
-                    own.state.load,
-                    other.state.load / (length * length * pressure)
-                ),
-                "{own:?} {other:?}"
-            );
-            assert!(
-                close(
-                    own.state.contact_radius,
-                    other.state.contact_radius / length
-                ),
-                "{own:?} {other:?}"
-            );
-            assert!(
-                close(own.state.penetration, other.state.penetration / length),
-                "{own:?} {other:?}"
-            );
+            let [own, other] = [own, other].map(|one| &one.state);
+            for (own, other) in [
+                (own.load, other.load / (length * length * pressure)),
+                (own.contact_radius, other.contact_radius / length),
+                (own.penetration, other.penetration / length),
+            ] {
+                let near = 1e-11 * own.abs() + 1e-16;
+                assert!((own - other).abs() <= near, "{own} {other}");
+            }
         }
     }
 }

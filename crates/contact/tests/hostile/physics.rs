@@ -1,17 +1,13 @@
 //! Properties of the results of any contact in the embedded table's box: signs, monotony and exact
 //! identities.
 
-use std::sync::LazyLock;
-
 use contact::{CohesiveZone, Contact, Control};
 use interp::Parameter;
 use interp::{Curve, Elastic, Material, Probe, Quantity, System, Table};
 use piecewise::bspline::{Basis, TABLE_DEGREE};
 use proptest::prelude::*;
 
-use crate::{config, tables};
-
-static CONTACT: LazyLock<Contact> = LazyLock::new(tables::contact);
+use crate::config;
 
 /// Generates powers of ten with exponents in `range`.
 fn magnitude(range: std::ops::RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -162,20 +158,13 @@ proptest! {
         let a = x * system.film_thickness;
         let bare = one.load(a, 0.0).expect("in the box");
         let w = one.mechanics().energy_release_rate(a, pull * bare / a);
+        let stiffness = [(&one, a), (&other, length * a)].map(|(contact, a)| contact.stiffness(a).expect("in the box"));
+        prop_assert!((stiffness[1] / (length * modulus * stiffness[0]) - 1.0).abs() < 1e-12, "{stiffness:?}");
         let (one, other) = (one.load_and_penetration(a, w), other.load_and_penetration(length * a, length * modulus * w));
         let (one, other) = (one.expect("in the box"), other.expect("in the box"));
         let (load, penetration) = (length * length * modulus * one.0, length * one.1);
         prop_assert!((other.0 - load).abs() < 1e-12 * length * length * modulus * bare * (1.0 + pull), "{other:?}, not {load}");
         prop_assert!((other.1 - penetration).abs() < 1e-12 * length * (one.1.abs() + a * a / radius), "{other:?}, not {penetration}");
-    }
-
-    /// Load and penetration without adhesion grow with the contact radius, as the search for the
-    /// radius of a load assumes.
-    #[test]
-    fn adhesionless_load_and_penetration_grow(x in magnitude(-2.99..=2.9), step in magnitude(-6.0..=-1.1)) {
-        let at = |x: f64| CONTACT.load_and_penetration(1e-6 * x, 0.0).expect("in the box");
-        let (small, large) = (at(x), at(x * (1.0 + step)));
-        prop_assert!(small.0 < large.0 && small.1 < large.1, "{small:?}, {large:?}");
     }
 
     #[test]
