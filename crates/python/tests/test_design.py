@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from coated_contact import FitError, Free, HalfSpace, Table, design, forecast
-from conftest import loads_at, make_system, refuses
+from conftest import loads_at, refuses
 
 FREE = ["film_modulus", "work_of_adhesion"]
 

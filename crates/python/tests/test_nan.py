@@ -5,7 +5,7 @@ from inspect import getmembers, signature
 import numpy as np
 import pytest
 
-from coated_contact import Cohesive, InputError, Table, fit_map, solve
+from coated_contact import Cohesive, Table, fit_map, solve
 from conftest import make_system, without_result
 from test_fit import WANTED, lens
 

@@ -1,8 +1,5 @@
 """Fits on stacks of layers: one film cut into layers, the command line, and what is refused."""
 
-import csv
-import json
-import subprocess
 from dataclasses import replace
 from math import inf
 
