@@ -53,7 +53,7 @@ fn a_phone_a_tablet_and_a_desktop_show_it_without_cutting_anything_off() {
     let table = Table::read(shipped("paper.bin")).expect("the shipped table");
     let figure = Illustration {
         caption: "Fig. 2",
-        figure: fig2::figure(&fig2::data().expect("solves")),
+        figure: fig2::figure().expect("solves"),
     };
     let page = report(&table, &[figure], &SPHERE)
         .expect("a report")

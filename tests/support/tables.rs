@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 
 use interp::{Parameter, Table};
-use tabulate::table::{Plan, Scene, archive, certify, sweep};
+use tabulate::table::{Plan, Scene, certify, sweep, write};
 
 use crate::nothing_starts;
 
@@ -56,13 +56,12 @@ fn make(scene: &str) -> Table {
 /// Writes a table as HDF5. No program starts meanwhile: it would keep the file locked until it ends.
 pub fn write_hdf5(table: &Table, path: &Path) {
     let _guard = nothing_starts();
-    archive::write(table, path).expect("written");
+    write(table, path).expect("written");
 }
 
 /// Returns the first and the last node of an axis.
 pub fn ends(table: &Table, parameter: Parameter) -> (f64, f64) {
-    let nodes = table.axis(parameter);
-    (nodes[0], nodes[nodes.len() - 1])
+    table.range(parameter).into()
 }
 
 /// Compresses a table to its low-rank form, with errors up to `error` at the nodes.

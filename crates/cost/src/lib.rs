@@ -16,6 +16,7 @@ mod comparison;
 pub mod deviation;
 pub mod effects;
 pub mod history;
+mod load;
 pub mod lookup;
 mod measurement;
 pub mod numbers;

@@ -32,15 +32,6 @@ pub fn grouped(number: u64) -> String {
     groups.join(",")
 }
 
-/// Returns tolerances as a list: `1e-2, 1e-3`.
-pub fn listed(tolerances: &[f64]) -> String {
-    let texts: Vec<String> = tolerances
-        .iter()
-        .map(|tolerance| format!("{tolerance:e}"))
-        .collect();
-    texts.join(", ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

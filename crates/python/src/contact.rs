@@ -148,8 +148,7 @@ impl Contact {
         }
         let table = table.get().get();
         Self::of_curve(py, system, || {
-            let e1_over_e2 = stack.material(system.sphere_modulus)?.e1_over_e2();
-            Ok(table.stack_curve(e1_over_e2, stack.shape())?)
+            Ok(stack.curve_in(table, system.sphere_modulus)?)
         })
     }
 

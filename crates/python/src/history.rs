@@ -1,6 +1,6 @@
 //! Contacts in time where the bodies relax.
 
-use ::contact::{Course, History, HistoryError, Hysteresis, Relaxation};
+use ::contact::{Course, HistoryError, Hysteresis, Relaxation};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
@@ -108,16 +108,14 @@ pub fn history<'py>(
     let rigid = rigid.map(|rigid| &rigid.get().contact);
     let program: Vec<(f64, f64)> = time.into_iter().zip(value).collect();
     let follow = || -> Result<Course, HistoryError> {
-        let own: History<'_> = contact.history(&law)?;
-        let own = match rigid {
-            Some(rigid) => own.beside(rigid),
-            None => own,
-        };
-        if receding == 0.0 {
-            return own.at(control, &program, &at, tolerance);
+        let mut own = contact.history(&law)?;
+        if let Some(rigid) = rigid {
+            own = own.beside(rigid);
         }
-        own.receding(Hysteresis::new(0.0, receding)?)?
-            .at(control, &program, &at, tolerance)
+        if receding != 0.0 {
+            own = own.receding(Hysteresis::new(0.0, receding)?)?;
+        }
+        own.at(control, &program, &at, tolerance)
     };
     let course = py.detach(follow).or_raise(py)?;
     let rows = course.states.iter().map(|at| {

@@ -73,6 +73,6 @@ mod _core {
         ::solve::parallel::prepare_for_forks();
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("LONGEST_ZONE", ::contact::CohesiveZone::LONGEST)?;
-        module.add("writes_hdf5", tabulate::table::archive::WRITES_HDF5)
+        module.add("writes_hdf5", tabulate::table::WRITES_HDF5)
     }
 }

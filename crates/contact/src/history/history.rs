@@ -86,11 +86,12 @@ pub struct Course {
 /// # Ok(()) }
 /// ```
 #[derive(Clone, Debug)]
-pub struct History<'a, L = f64> {
+pub struct History<'a> {
     pub(super) contact: &'a Contact,
     pub(super) relaxation: Relaxation,
     pub(super) rigid: Option<&'a Contact>,
-    pub(super) receding: Option<L>,
+    /// The energy of the receding line, J/m^2.
+    pub(super) receding: Option<f64>,
 }
 
 impl Contact {
@@ -134,7 +135,7 @@ impl Contact {
     }
 }
 
-impl<'a, L: CrackTip> History<'a, L> {
+impl<'a> History<'a> {
     /// States that only the film relaxes, and gives the contact of the same film between a rigid
     /// probe and a rigid base.
     ///
@@ -159,7 +160,7 @@ impl<'a, L: CrackTip> History<'a, L> {
     /// # Errors
     /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy;
     /// [`HistoryError::SpeedOfLine`] for a law whose energy depends on the speed of the line.
-    pub fn receding<M: CrackTip>(self, law: M) -> Result<History<'a, M>, HistoryError> {
+    pub fn receding(self, law: impl CrackTip) -> Result<Self, HistoryError> {
         let [advancing, receding] = crate::crack_tip::energies_in_order(law.at_rest())?;
         if advancing != 0.0 {
             return Err(HistoryError::GrowingAdhesion { advancing });
@@ -167,11 +168,9 @@ impl<'a, L: CrackTip> History<'a, L> {
         if law.speed(2.0 * receding + f64::MIN_POSITIVE).is_finite() {
             return Err(HistoryError::SpeedOfLine);
         }
-        Ok(History {
-            contact: self.contact,
-            relaxation: self.relaxation,
-            rigid: self.rigid,
-            receding: Some(law),
+        Ok(Self {
+            receding: Some(receding),
+            ..self
         })
     }
 

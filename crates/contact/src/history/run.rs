@@ -6,7 +6,7 @@ use super::elements::Elements;
 use super::exponentials::Exponentials;
 use super::program::Program;
 use super::{History, HistoryError, TimedContact, growing_load, one_turn};
-use crate::{Control, CrackTip, State};
+use crate::{Control, State};
 
 /// The tolerances where none is given: of the integrals, and of elements.
 const DIGITS: f64 = 1e-8;
@@ -43,8 +43,8 @@ const WIDER: f64 = 1.05;
 type States = (Vec<TimedContact>, f64);
 
 /// One question about a history.
-pub(super) struct Run<'a, L> {
-    pub history: &'a History<'a, L>,
+pub(super) struct Run<'a> {
+    pub history: &'a History<'a>,
     pub control: Control,
     pub program: &'a Program,
     /// The times of the points of the program and of those asked for.
@@ -53,7 +53,7 @@ pub(super) struct Run<'a, L> {
     pub tolerance: Option<f64>,
 }
 
-impl<L: CrackTip> Run<'_, L> {
+impl Run<'_> {
     /// Returns the states at the times asked for, and their error.
     pub fn course(&self) -> Result<States, HistoryError> {
         let contact = self.history.contact;
@@ -140,10 +140,8 @@ impl<L: CrackTip> Run<'_, L> {
         let law = Exponentials::of_steps(relaxation, self.scales(), finer);
         let deepest = self.program.largest();
         let curve = ElasticCurve::to_penetration(contact, deepest, tolerance, run)?;
-        let adhesion = self.history.receding.as_ref().map(|law| Adhesion {
-            contact,
-            work: law.at_rest()[1],
-        });
+        let receding = self.history.receding;
+        let adhesion = receding.map(|work| Adhesion { contact, work });
         let found = one_turn::follow(&curve, &law, self.program, self.times, adhesion)?;
         let Some(states) = found else {
             return Ok(None);

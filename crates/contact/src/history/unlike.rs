@@ -15,12 +15,12 @@
 use super::exponentials::Exponentials;
 use super::measured::MeasuredHistory;
 use super::{History, HistoryError, TimedContact, UNLIKE, elastic};
-use crate::{Contact, Control, CrackTip, State};
+use crate::{Contact, Control, State};
 
 /// The tolerance of the law.
 const DIGITS: f64 = 1e-4;
 
-impl<L: CrackTip> History<'_, L> {
+impl History<'_> {
     /// Returns the bound of the error by bodies that do not relax in a measured history, in parts of
     /// the largest load; 0 unless [`History::beside`] is told of them. Contact radii may be wrong by more.
     ///

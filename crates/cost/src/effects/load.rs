@@ -1,6 +1,6 @@
 //! The error of the load without an effect.
 
-use interp::{Material, Normalisation, Quantities};
+use interp::{Material, Normalisation};
 
 use super::Effect;
 use super::cohesive_zone::error_of_jkr;
@@ -8,6 +8,7 @@ use super::friction::error_without;
 use super::interface::sliding;
 use super::relaxation::error_of_elastic;
 use super::shape::error_of_paraboloid;
+use crate::load::Load;
 use solve::Error;
 use solve::solve;
 
@@ -42,99 +43,51 @@ pub fn errors(
     material: &Material,
     strength: f64,
 ) -> Result<Vec<f64>, Error> {
-    let truth = Load::new(a_over_t, material, film_modulus(material))?;
+    /// Relative tolerance of the solves, and of those of films that slide, which take longer.
+    const TOLERANCE: f64 = 1e-8;
+    const OF_SLIDING: f64 = 1e-5;
+    let film = film_modulus(material);
+    let load = |of: &Material| -> Result<Load, Error> {
+        let quantities = solve(a_over_t, of, TOLERANCE)?.quantities;
+        Ok(Load::new(&quantities, of, unit(of, film)))
+    };
+    let of = |e1, nu1, e0| load(&Material::new(e1, nu1, e0, material.nu0())?);
+    let truth = load(material)?;
+    let (e1, nu1, e0) = (material.e1_over_e2(), material.nu1(), material.e0_over_e2());
     let error = |&effect: &Effect| {
-        match effect {
-            Effect::Shape => return error_of_paraboloid(a_over_t, material, Load::TOLERANCE),
-            Effect::FiniteRange => return error_of_jkr(a_over_t, material, Load::TOLERANCE),
+        let without = match effect {
+            Effect::Shape => return error_of_paraboloid(a_over_t, material, TOLERANCE),
+            Effect::FiniteRange => return error_of_jkr(a_over_t, material, TOLERANCE),
             Effect::Friction => return error_without(a_over_t, material),
             Effect::Relaxation => return error_of_elastic(a_over_t, material),
             Effect::Interface => {
                 // The film of the scene is what is left without the effect.
-                let quantities = sliding(a_over_t, material, Load::TOLERANCE_OF_SLIDING)?;
-                let slid = Load::of(&quantities, material, film_modulus(material));
-                return Ok(truth.error_beside(slid, strength));
+                let quantities = sliding(a_over_t, material, OF_SLIDING)?;
+                let slid = Load::new(&quantities, material, unit(material, film));
+                return Ok(error_beside(truth, slid, strength));
             }
-            _ => {}
-        }
-        let without = truth.without(effect, a_over_t, material)?;
-        Ok(without.error_beside(truth, strength))
+            Effect::Film => {
+                Load::of_half_space(unit(material, film) * material.sphere_substrate_modulus())
+            }
+            Effect::SphereCompliance => of(0.0, nu1, e0 / e1)?,
+            Effect::SubstrateCompliance => of(e1, nu1, f64::INFINITY)?,
+            Effect::FilmCompressibility => of(e1, 0.5, e0)?,
+            Effect::Adhesion => Load { pull: 0.0, ..truth },
+            Effect::Penetration => truth,
+        };
+        Ok(error_beside(without, truth, strength))
     };
     effects.iter().map(error).collect()
 }
 
-/// The parts of the load of eq. 9 at one contact radius, `2 R F/a^3 = pressed - h adhesion` with
-/// `h = 2 R (8 pi w/a^3)^{1/2}`. They are in units of a modulus that no effect changes: `E2*`, or
-/// `E1` under a rigid sphere.
-#[derive(Clone, Copy, Debug)]
-struct Load {
-    /// `U Pi0`, with the modulus `U` that normalises the quantities.
-    pressed: f64,
-    /// `(U es)^{1/2} Eeq/Gamma`.
-    adhesion: f64,
+/// Returns the error of a load in place of the true one, over the true one without adhesion. Both are in units of a
+/// modulus that no effect changes: `E2*`, or `E1` under a rigid sphere.
+fn error_beside(load: Load, truth: Load, strength: f64) -> f64 {
+    let [press, pull] = [load.press / truth.press, load.pull / truth.pull];
+    (press - 1.0 - strength * (pull - 1.0)).abs()
 }
 
-impl Load {
-    /// Relative tolerance of the solves, and of those of films that slide, which take longer.
-    const TOLERANCE: f64 = 1e-8;
-    const TOLERANCE_OF_SLIDING: f64 = 1e-5;
-
-    fn new(a_over_t: f64, material: &Material, film_modulus: f64) -> Result<Self, Error> {
-        let quantities = solve(a_over_t, material, Self::TOLERANCE)?.quantities;
-        Ok(Self::of(&quantities, material, film_modulus))
-    }
-
-    /// Returns the load of the quantities of a contact.
-    fn of(quantities: &Quantities, material: &Material, film_modulus: f64) -> Self {
-        let unit = unit(material, film_modulus);
-        Self {
-            pressed: unit * quantities.pi0,
-            adhesion: (unit * material.sphere_film_modulus()).sqrt() * quantities.eeq
-                / quantities.gamma,
-        }
-    }
-
-    /// Returns the error of this load in place of the true one, over the true one without adhesion.
-    fn error_beside(self, truth: Self, strength: f64) -> f64 {
-        let pressed = self.pressed / truth.pressed - 1.0;
-        let adhesion = self.adhesion / truth.adhesion - 1.0;
-        (pressed - strength * adhesion).abs()
-    }
-
-    /// Returns the load without an effect. `self` is the load of the material with all effects.
-    fn without(self, effect: Effect, a_over_t: f64, material: &Material) -> Result<Self, Error> {
-        let film_modulus = film_modulus(material);
-        let of = |e1, nu1, e0| -> Result<Self, Error> {
-            let other = Material::new(e1, nu1, e0, material.nu0())?;
-            Self::new(a_over_t, &other, film_modulus)
-        };
-        let (e1, nu1, e0) = (material.e1_over_e2(), material.nu1(), material.e0_over_e2());
-        match effect {
-            Effect::Film => {
-                let modulus = unit(material, film_modulus) * material.sphere_substrate_modulus();
-                Ok(Self {
-                    pressed: 8.0 / 3.0 * modulus,
-                    adhesion: modulus.sqrt(),
-                })
-            }
-            Effect::SphereCompliance => of(0.0, nu1, e0 / e1),
-            Effect::SubstrateCompliance => of(e1, nu1, f64::INFINITY),
-            Effect::FilmCompressibility => of(e1, 0.5, e0),
-            Effect::Adhesion => Ok(Self {
-                adhesion: 0.0,
-                ..self
-            }),
-            Effect::Penetration
-            | Effect::Shape
-            | Effect::FiniteRange
-            | Effect::Interface
-            | Effect::Friction
-            | Effect::Relaxation => Ok(self),
-        }
-    }
-}
-
-/// The film's Young's modulus in the unit of [`Load`].
+/// The film's Young's modulus in the unit of loads.
 const fn film_modulus(material: &Material) -> f64 {
     match material.normalisation() {
         Normalisation::Sphere => material.e1_over_e2(),
@@ -142,7 +95,7 @@ const fn film_modulus(material: &Material) -> f64 {
     }
 }
 
-/// The modulus that normalises a material's quantities in the unit of [`Load`], given the film's
+/// The modulus that normalises a material's quantities in the unit of loads, given the film's
 /// Young's modulus.
 fn unit(material: &Material, film_modulus: f64) -> f64 {
     match material.normalisation() {

@@ -4,13 +4,13 @@
 use interp::{Curve, Material, Parameter, Quantities, Quantity, Table};
 
 use super::linear::{Linear, Multilinear};
-use super::load::{Errors, Load, loads};
-use super::rows::{FURTHER, Family, NEW, Point, Row, SOLVED, ends};
-use super::timer::Timer;
+use super::load::{Errors, loads};
+use super::rows::{FURTHER, Family, NEW, Point, Row, SOLVED};
 use crate::Measured;
 use crate::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::clock::Timing;
 use crate::deviation::tightest;
+use crate::load::Load;
 use solve::Error;
 use solve::parallel::try_map;
 use solve::solve;
@@ -40,7 +40,7 @@ pub fn measure(
         scope: scope(table),
         truth: loads(points, &truth),
         points,
-        timer: Timer(timing),
+        timing,
     };
     let (mut rows, mut left_out) = (Vec::new(), Vec::new());
     if table.low_rank().is_some() {
@@ -82,7 +82,7 @@ fn scope(table: &Table) -> String {
     let names = ["a/t", "E1/E2", "nu1", "E0/E2"];
     let ranges = Parameter::ALL.into_iter().zip(names);
     let range = |(parameter, name): (Parameter, &str)| {
-        let [from, to] = ends(table, parameter).map(|value| match parameter {
+        let [from, to] = table.range(parameter).map(|value| match parameter {
             Parameter::Nu1 => format!("{value}"),
             _ => format!("{value:e}"),
         });
@@ -100,7 +100,7 @@ struct Scene<'a> {
     scope: String,
     points: &'a [Point],
     truth: Vec<Load>,
-    timer: Timer,
+    timing: Timing,
 }
 
 impl Scene<'_> {
@@ -120,11 +120,11 @@ impl Scene<'_> {
         let (_, material) = self.points[0];
         let curve = table.curve(&material)?;
         let radii: Vec<f64> = self.points.iter().map(|point| point.0).collect();
-        let timer = self.timer;
+        let timing = self.timing;
         let times = [
             (
                 NEW,
-                timer.of_new_ones(self.points, |(x, material)| {
+                timing.of_new_ones(self.points, |(x, material)| {
                     table
                         .curve(material)
                         .and_then(|curve| curve.quantity(Quantity::Pi0, *x))
@@ -132,7 +132,7 @@ impl Scene<'_> {
             ),
             (
                 FURTHER,
-                timer.per_one(&radii, |&x| {
+                timing.per_one(&radii, |&x| {
                     curve.quantity(Quantity::Pi0, x).unwrap_or(f64::NAN)
                 }),
             ),
@@ -154,7 +154,7 @@ impl Scene<'_> {
             .collect();
         let errors = Errors::of_loads(&loads(self.points, &found), &self.truth);
         let seconds = self
-            .timer
+            .timing
             .per_one(self.points, |(x, material)| grids[0].at(*x, material));
         self.row(
             Family::Table,
@@ -185,7 +185,7 @@ impl Scene<'_> {
                 Family::Table,
                 form,
                 FURTHER,
-                self.timer.per_one(self.points, |(x, _)| at(*x)),
+                self.timing.per_one(self.points, |(x, _)| at(*x)),
                 &errors,
             )
         };
@@ -211,7 +211,7 @@ impl Scene<'_> {
         let found = solve_all(points, progress, solve)?;
         let errors = Errors::of_loads(&loads(points, &found), &self.truth[..points.len()]);
         let form = format!("direct solve to {tolerance:e}");
-        let seconds = self.timer.of_solves(points, solve);
+        let seconds = self.timing.of_solves(points, solve);
         Ok(self.row(Family::Solve, &form, NEW, seconds, &errors))
     }
 
@@ -236,7 +236,7 @@ impl Scene<'_> {
             let found = found.collect::<Result<Vec<_>, _>>()?;
             if found.iter().all(|load| load.press.is_finite()) {
                 let errors = Errors::of_loads(&found, &self.truth);
-                let seconds = self.timer.per_one(self.points, |(x, material)| {
+                let seconds = self.timing.per_one(self.points, |(x, material)| {
                     form(*x, material).unwrap_or(f64::NAN)
                 });
                 rows.push(self.row(Family::ClosedForm, name, NEW, seconds, &errors));

@@ -6,7 +6,6 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::load::Errors;
-use super::timer::Timer;
 use super::{Family, NEW, Row};
 use crate::approximations::{dimitriadis, dimitriadis_incompressible, garcia};
 use crate::clock::Timing;
@@ -73,7 +72,7 @@ pub fn measure(
                 .iter()
                 .zip(&layers)
                 .map(|(found, layer)| found / layer.factor);
-            let seconds = Timer(timing).per_one(&layers, |layer| {
+            let seconds = timing.per_one(&layers, |layer| {
                 form(layer.chi, layer.nu).unwrap_or(f64::NAN)
             });
             let errors = Errors::of_ratios(ratios.collect());

@@ -1,43 +1,17 @@
 //! Loads of a form of lookup against the true loads.
 
-use interp::{Material, Quantities};
+use interp::Quantities;
 
 use super::{Family, Point, Row};
 use crate::deviation::median_and_largest;
-
-/// The two terms of the load of eq. 9 at a contact radius, each up to a factor that is equal for
-/// all forms.
-#[derive(Clone, Copy)]
-pub struct Load {
-    /// `Pi0`: the load without adhesion.
-    pub press: f64,
-    /// `sqrt(es) Eeq/Gamma`: the adhesive part of the load.
-    pull: f64,
-}
-
-impl Load {
-    fn new(q: &Quantities, material: &Material) -> Self {
-        Self {
-            press: q.pi0,
-            pull: material.sphere_film_modulus().sqrt() * q.eeq / q.gamma,
-        }
-    }
-
-    /// Returns the load by JKR on a half-space, whose modulus is also that at the crack tip.
-    pub fn of_half_space(modulus: f64) -> Self {
-        Self {
-            press: Quantities::homogeneous(modulus).pi0,
-            pull: modulus.sqrt(),
-        }
-    }
-}
+use crate::load::Load;
 
 /// Returns the loads at these points.
 pub fn loads(points: &[Point], quantities: &[Quantities]) -> Vec<Load> {
     points
         .iter()
         .zip(quantities)
-        .map(|((_, material), quantities)| Load::new(quantities, material))
+        .map(|((_, material), quantities)| Load::new(quantities, material, 1.0))
         .collect()
 }
 

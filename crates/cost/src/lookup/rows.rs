@@ -1,6 +1,6 @@
 //! The rows that are measured of lookups.
 
-use interp::{Material, Parameter, Table};
+use interp::{Material, Table};
 use serde::{Deserialize, Serialize};
 use solve::Error;
 
@@ -107,10 +107,4 @@ pub fn measure(
 /// Returns the number of solves that [`measure`] reports.
 pub const fn solves(points: usize) -> usize {
     form::solves(points) + layer::solves(points)
-}
-
-/// The first and the last node of an axis.
-pub(super) fn ends(table: &Table, parameter: Parameter) -> [f64; 2] {
-    let nodes = table.axis(parameter);
-    [nodes[0], nodes[nodes.len() - 1]]
 }

@@ -8,37 +8,30 @@ use crate::clock::Timing;
 /// The seconds spent on measuring each time.
 const SECONDS: f64 = 0.05;
 
-/// Times work on points.
-#[derive(Clone, Copy)]
-pub struct Timer(pub Timing);
-
-impl Timer {
+impl Timing {
     /// Returns the mean time of `work` on one of `cases`. It returns a number, as storing a whole
     /// [`Result`] with its error takes nanoseconds, too.
-    pub fn per_one<T>(self, cases: &[T], work: impl Fn(&T) -> f64) -> f64 {
+    pub(super) fn per_one<T>(self, cases: &[T], work: impl Fn(&T) -> f64) -> f64 {
         let all = || {
             for case in cases {
                 black_box(work(black_box(case)));
             }
         };
-        self.0.seconds(SECONDS, all) / cases.len() as f64
+        self.seconds(SECONDS, all) / cases.len() as f64
     }
 
     /// Returns the mean time of solves, which differ by a factor of a thousand. Each is timed by
     /// itself, as other programs interrupt long runs.
-    pub fn of_solves<T, R>(self, cases: &[T], work: impl Fn(&T) -> R) -> f64 {
-        let seconds = |case: &T| {
-            self.0
-                .seconds(SECONDS / SOLVED as f64, || work(black_box(case)))
-        };
+    pub(super) fn of_solves<T, R>(self, cases: &[T], work: impl Fn(&T) -> R) -> f64 {
+        let seconds = |case: &T| self.seconds(SECONDS / SOLVED as f64, || work(black_box(case)));
         cases.iter().map(seconds).sum::<f64>() / cases.len() as f64
     }
 
     /// Returns the median time of work that is faster when it is repeated: each call has the next
     /// case.
-    pub fn of_new_ones<T, R>(self, cases: &[T], work: impl Fn(&T) -> R) -> f64 {
+    pub(super) fn of_new_ones<T, R>(self, cases: &[T], work: impl Fn(&T) -> R) -> f64 {
         let mut cases = cases.iter().cycle();
-        self.0.seconds(SECONDS, || {
+        self.seconds(SECONDS, || {
             work(black_box(cases.next().expect("there are points")))
         })
     }

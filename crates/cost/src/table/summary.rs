@@ -3,7 +3,7 @@
 use super::evaluation::POINTS;
 use super::{Row, TOLERANCES};
 use crate::clock::human;
-use crate::numbers::{grouped, human_bytes, human_count, listed};
+use crate::numbers::{grouped, human_bytes, human_count};
 
 /// Returns two tables in Markdown: the tables that were made, and their break-even with direct
 /// solves. Names the tolerances that have no row.
@@ -55,12 +55,13 @@ pub fn markdown(rows: &[Row]) -> String {
          {threads} threads that make and pack it, and saves the time of a solve less that of a lookup at each evaluation. \
          Break-even is after N evaluations, where both are equal.\n"
     );
-    let missing: Vec<f64> = TOLERANCES
+    let missing: Vec<String> = TOLERANCES
         .into_iter()
         .filter(|&tolerance| rows.iter().all(|row| row.tolerance != tolerance))
+        .map(|tolerance| format!("{tolerance:e}"))
         .collect();
     if !missing.is_empty() {
-        text += &format!("Tolerances without a table: {}.\n", listed(&missing));
+        text += &format!("Tolerances without a table: {}.\n", missing.join(", "));
     }
     text
 }

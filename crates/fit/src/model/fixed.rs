@@ -30,6 +30,14 @@ pub enum Fixed {
 }
 
 impl Fixed {
+    /// Returns the parameter that it is; `None` for a value that no fit finds.
+    pub const fn parameter(self) -> Option<Parameter> {
+        match self {
+            Self::Parameter(parameter) => Some(parameter),
+            _ => None,
+        }
+    }
+
     /// Returns the dimension; `None` for a Poisson ratio.
     pub const fn dimension(self) -> Option<Dimension> {
         match self {

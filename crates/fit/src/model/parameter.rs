@@ -172,7 +172,7 @@ impl Parameter {
     }
 
     /// Whether it is a work of adhesion.
-    pub(crate) const fn is_work_of_adhesion(self) -> bool {
+    pub const fn is_work_of_adhesion(self) -> bool {
         matches!(self, Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding)
     }
 
@@ -208,7 +208,7 @@ impl Parameter {
 
     /// Tells whether the parameter belongs to the bodies, so that another value needs another
     /// contact.
-    pub(crate) const fn is_of_bodies(self) -> bool {
+    pub const fn is_of_bodies(self) -> bool {
         matches!(
             self,
             Self::SphereModulus

@@ -211,6 +211,16 @@ impl Table {
         self.axes.nodes(parameter)
     }
 
+    /// Returns the first and the last node of one of [`Table::parameters`].
+    pub fn range(&self, parameter: Parameter) -> [f64; 2] {
+        self.axes.ends(parameter)
+    }
+
+    /// Returns the coordinates between which one of the tiles lies, for each axis.
+    pub fn ends(&self, tile: &Tile) -> [[f64; 2]; 4] {
+        tile.place().ends(&self.axes)
+    }
+
     /// Returns the number of nodes on each axis, in the order of [`Table::parameters`].
     pub fn shape(&self) -> [usize; 4] {
         self.axes.shape()

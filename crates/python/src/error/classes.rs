@@ -198,7 +198,6 @@ impl From<tabulate::Error> for Failure {
     fn from(error: tabulate::Error) -> Self {
         use tabulate::Error;
         let failure = Self::new("ContactError", &error);
-        let words = failure.message.clone();
         let of = |class| Self { class, ..failure };
         match error {
             Error::Table(error) => error.into(),
@@ -209,14 +208,8 @@ impl From<tabulate::Error> for Failure {
                 of("OSError").about_file(&path, &source)
             }
             Error::Busy { .. } => of("OSError"),
-            Error::OtherRun { .. } => {
-                // The keywords of `generate` are the flags of the program.
-                let words = words.replace("--certificate-points ", "certificate_points=");
-                let words = words.replace("--seed ", "seed=");
-                let words = words.replace("--resume", "resume=True");
-                of("TableError").saying(&words)
-            }
-            Error::Scene { .. }
+            Error::OtherRun { .. }
+            | Error::Scene { .. }
             | Error::TooLarge { .. }
             | Error::TooClose { .. }
             | Error::Unresolved { .. }

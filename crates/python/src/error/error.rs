@@ -158,7 +158,6 @@ where
 /// Returns a message whose code, between backticks, is that of this package: `Contact.pull_off` for
 /// `Contact::pull_off`.
 fn in_python(message: &str) -> String {
-    let message = message.replace(" (feature `hdf5`)", "");
     let parts = message.split('`').enumerate();
     let parts = parts.map(|(i, part)| {
         if i % 2 == 1 {
@@ -189,12 +188,6 @@ fn reason(source: &io::Error) -> String {
     match text.find(" (os error") {
         Some(end) => text[..end].to_owned(),
         None => text,
-    }
-}
-
-impl From<Box<Self>> for Failure {
-    fn from(failure: Box<Self>) -> Self {
-        *failure
     }
 }
 

@@ -8,6 +8,7 @@ use super::generate::read_scene;
 use super::progress::Bars;
 use super::table_name::TableName;
 use crate::measure::Made;
+use crate::table::low_rank;
 
 /// The tolerance of the packed table of the default scene.
 const TOLERANCE: f64 = 1e-6;
@@ -24,7 +25,8 @@ pub fn read_or_make(name: Option<&TableName>) -> anyhow::Result<Cow<'static, Tab
     }
     let scene = read_scene(None, Some(OWN_TOLERANCE))?;
     let bars = Bars::new();
-    let packed = Made::new(&scene, None, &bars).and_then(|made| made.packed(TOLERANCE, &bars));
+    let packed = Made::new(&scene, None, &bars)
+        .and_then(|made| low_rank(&made.table, TOLERANCE, None, None, &bars));
     bars.clear();
     Ok(Cow::Owned(packed?))
 }

@@ -14,7 +14,6 @@ use super::table_name::{self, TableName, packed_file};
 use super::{info, print};
 use crate::printable;
 use crate::table::low_rank;
-use crate::table::points_for;
 
 /// Convert a table to the packed form that `interp` loads without HDF5
 ///
@@ -54,14 +53,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let output = Output::new(Some(&arguments.output), [arguments.table.path()])?;
     let mut table = arguments.table.read()?;
     if let Some(tolerance) = arguments.tolerance {
-        let points = arguments
-            .points
-            .map_or(points_for(&table), |points| points as usize);
-        let seed = arguments
-            .seed
-            .unwrap_or(table.description().certificate.seed.wrapping_add(1));
+        let points = arguments.points.map(|points| points as usize);
         let bars = Bars::new();
-        let packed = low_rank(&table, tolerance, points, seed, &bars);
+        let packed = low_rank(&table, tolerance, points, arguments.seed, &bars);
         bars.clear();
         table = Cow::Owned(packed.with_context(|| arguments.table.to_string())?);
     }

@@ -202,9 +202,9 @@ fn in_picture(error: crate::Error) -> anyhow::Error {
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.figure {
-        Figure::Fig2(output) => output.write(None, || Ok(fig2::figure(&fig2::data()?))),
-        Figure::Fig3(output) => output.write(None, || Ok(fig3::figure(&fig3::data()?))),
-        Figure::Fig4(output) => output.write(None, || Ok(fig4::figure(&fig4::data()?))),
+        Figure::Fig2(output) => output.write(None, || Ok(fig2::figure()?)),
+        Figure::Fig3(output) => output.write(None, || Ok(fig3::figure()?)),
+        Figure::Fig4(output) => output.write(None, || Ok(fig4::figure()?)),
         Figure::ForceDisplacement {
             probe,
             specimen,
@@ -220,19 +220,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             let films = force_displacement::data(&probe, joined).map_err(in_picture)?;
             Ok(force_displacement::figure(&films, &probe, joined))
         }),
-        Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure(&pull_off::data()?))),
-        Figure::ContactStiffness(output) => output.write(None, || {
-            Ok(contact_stiffness::figure(&contact_stiffness::data()?))
-        }),
-        Figure::Friction(output) => output.write(None, || Ok(friction::figure(&friction::data()?))),
-        Figure::Relaxation(output) => {
-            output.write(None, || Ok(relaxation::figure(&relaxation::data()?)))
-        }
-        Figure::Interface(output) => output.write(None, || {
-            Ok(crate::plot::interface::figure(
-                &crate::plot::interface::data()?,
-            ))
-        }),
+        Figure::PullOff(output) => output.write(None, || Ok(pull_off::figure()?)),
+        Figure::ContactStiffness(output) => output.write(None, || Ok(contact_stiffness::figure()?)),
+        Figure::Friction(output) => output.write(None, || Ok(friction::figure()?)),
+        Figure::Relaxation(output) => output.write(None, || Ok(relaxation::figure()?)),
+        Figure::Interface(output) => output.write(None, || Ok(crate::plot::interface::figure()?)),
         Figure::ErrorMap { table, output } => {
             output.write(table.as_ref().and_then(TableName::path), || {
                 let table = default_table::read_or_make(table.as_ref())?;

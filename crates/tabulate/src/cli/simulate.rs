@@ -21,7 +21,7 @@ use super::fit::free::FreeArguments;
 use super::fit::indentation::{self, Noise};
 use super::fit::object::{Estimates, WarningObject, matrix};
 use super::fit::reading::doubted;
-use super::fit::setting::{Values, check_units, unit_of};
+use super::fit::setting::{check_units, unit_of};
 use super::fit::{kinds, one_of};
 use super::json::{self, Number};
 use super::note;
@@ -263,8 +263,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     } else {
         Vec::new()
     };
-    let given = arguments.known.values.iter().filter_map(Values::parameter);
-    let given: Vec<_> = given.collect();
+    let given = arguments.known.values.iter();
+    let given: Vec<_> = given.filter_map(|one| one.quantity.parameter()).collect();
     arguments.known.relaxing.ask(&experiments[0], &given)?;
     forget_shapes(&mut experiments, &free);
     allow::magnitudes(&experiments[0].magnitudes(), &arguments.known.bodies.allow)?;

@@ -6,7 +6,7 @@ use clap::ValueHint;
 
 use super::output::Output;
 use super::table_name::{self, TableName, hdf5_file};
-use crate::table::archive;
+use crate::table;
 
 /// Convert a packed table to HDF5
 ///
@@ -27,5 +27,5 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     Output::new(Some(&arguments.output), [arguments.table.path()])?;
     let table = arguments.table.read()?;
-    Ok(archive::write(&table, &arguments.output)?)
+    Ok(table::write(&table, &arguments.output)?)
 }

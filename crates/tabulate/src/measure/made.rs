@@ -5,9 +5,7 @@ use std::time::{Duration, Instant};
 use interp::Table;
 
 use crate::Error;
-use crate::table::{
-    Budget, Observer, Options, Scene, default_points, generate, low_rank, points_for,
-};
+use crate::table::{Budget, Observer, Options, Scene, default_points, generate};
 
 /// A generated table, and the work of generating it.
 pub struct Made {
@@ -53,20 +51,5 @@ impl Made {
             seconds,
             bytes,
         })
-    }
-
-    /// Packs the table to a tolerance, certified at points of another seed than its own.
-    ///
-    /// # Errors
-    /// Those of [`low_rank()`].
-    pub fn packed(&self, tolerance: f64, observer: &dyn Observer) -> Result<Table, Error> {
-        let seed = self.table.description().certificate.seed + 1;
-        low_rank(
-            &self.table,
-            tolerance,
-            points_for(&self.table),
-            seed,
-            observer,
-        )
     }
 }

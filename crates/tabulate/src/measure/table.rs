@@ -10,7 +10,7 @@ use interp::Material;
 use super::Made;
 use super::limits::{Limits, is_limit, points};
 use crate::Error;
-use crate::table::{Observer, Scene};
+use crate::table::{Observer, Scene, low_rank};
 
 /// Makes the tables of a scene to the [`TOLERANCES`](cost::table::TOLERANCES), from the loosest on, within `limits`. The
 /// scene's own tolerance is ignored.
@@ -97,7 +97,7 @@ fn row(
         error => error,
     })?;
     let began = Instant::now();
-    let packed = made.packed(scene.tolerance, observer)?;
+    let packed = low_rank(&made.table, scene.tolerance, None, None, observer)?;
     let packed_bytes = packed.to_packed()?.len() as u64;
     let pack_seconds = began.elapsed().as_secs_f64();
     let places = scene

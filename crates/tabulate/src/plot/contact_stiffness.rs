@@ -3,6 +3,7 @@
 
 use interp::{Elastic, Material, Probe, Quantity, System};
 
+use super::paper::spaced;
 use crate::Error;
 use cost::approximations::{gao, springs_in_series};
 use figures::axis::Axis;
@@ -11,24 +12,11 @@ use figures::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
 /// The range of `a/t`.
 const A_OVER_T: [f64; 2] = [1e-2, 1e2];
 /// The number of points of each line.
-const POINTS: u32 = 201;
+const POINTS: usize = 201;
 /// The relative tolerance of the solves.
 const TOLERANCE: f64 = 1e-6;
 /// The reduced modulus of diamond, GPa, in which the moduli of the material are.
 const DIAMOND: f64 = 1146.6;
-
-/// The data of the figure: `a/t`, and `S/(2a)` in GPa.
-#[derive(Clone, Debug)]
-pub struct Data {
-    /// Direct solves.
-    pub exact: Vec<Point>,
-    /// Film and substrate as springs in series.
-    pub series: Vec<Point>,
-    /// The first order of Gao, Chiu and Lee.
-    pub gao: Vec<Point>,
-    /// The limits of a thick and of a thin film.
-    pub limits: [f64; 2],
-}
 
 /// Returns silicon dioxide on silicon under diamond.
 fn material() -> Result<Material, Error> {
@@ -42,37 +30,24 @@ fn material() -> Result<Material, Error> {
     Ok(system.material()?)
 }
 
-/// Computes the data, the exact ones from direct solves.
+/// Draws the stiffness from direct solves, that of film and substrate as springs in series, and the first order of Gao,
+/// Chiu and Lee, between the limits of a thick and of a thin film.
 ///
 /// # Errors
 /// Those of [`solve::curve`].
-pub fn data() -> Result<Data, Error> {
+pub fn figure() -> Result<Figure, Error> {
     let material = material()?;
     let curve = solve::curve(&material, A_OVER_T, TOLERANCE)?;
-    let [from, to] = A_OVER_T;
-    let line = |of: &dyn Fn(f64) -> Result<f64, Error>| {
-        (0..POINTS)
-            .map(|i| {
-                let x = from * (to / from).powf(f64::from(i) / f64::from(POINTS - 1));
-                Ok([x, DIAMOND * of(x)?])
-            })
-            .collect::<Result<Vec<_>, Error>>()
+    let line = |of: &dyn Fn(f64) -> Result<f64, Error>| -> Result<Vec<Point>, Error> {
+        let point = |x| Ok([x, DIAMOND * of(x)?]);
+        spaced(A_OVER_T, POINTS).map(point).collect()
     };
-    Ok(Data {
-        exact: line(&|x| Ok(curve.quantity(Quantity::Eeq, x)?))?,
-        series: line(&|x| Ok(springs_in_series(x, &material)?))?,
-        gao: line(&|x| Ok(gao(x, &material)?))?,
-        limits: [
-            DIAMOND * material.thick_film_limit().eeq,
-            DIAMOND * material.thin_film_limit().eeq,
-        ],
-    })
-}
-
-/// Draws the three stiffnesses between their limits.
-pub fn figure(data: &Data) -> Figure {
+    let exact = line(&|x| Ok(curve.quantity(Quantity::Eeq, x)?))?;
+    let series = line(&|x| Ok(springs_in_series(x, &material)?))?;
+    let of_gao = line(&|x| Ok(gao(x, &material)?))?;
+    let limits = [material.thick_film_limit(), material.thin_film_limit()];
+    let [film, substrate] = limits.map(|limit| DIAMOND * limit.eeq);
     let x = Axis::logarithmic("contact radius / film thickness, a/t", A_OVER_T);
-    let [film, substrate] = data.limits;
     let y = Axis::linear("S/(2a)  (GPa)", [film - 10.0, substrate + 10.0]);
     let title = "Contact stiffness of silicon dioxide on silicon, under diamond";
     let mut panel = Panel::new(title, x, y);
@@ -83,23 +58,23 @@ pub fn figure(data: &Data) -> Figure {
             format!("substrate alone: {substrate:.1}"),
             Side::Left,
         )
-        .line(data.gao.clone(), GREEN)
-        .line(data.series.clone(), VERMILION)
-        .line(data.exact.clone(), BLUE);
+        .line(of_gao.clone(), GREEN)
+        .line(series.clone(), VERMILION)
+        .line(exact.clone(), BLUE);
     let at = |line: &[Point], twentieths: usize| line[line.len() * twentieths / 20];
     panel
-        .label(at(&data.exact, 8), "exact layers", BLUE, Side::AboveLeft)
+        .label(at(&exact, 8), "exact layers", BLUE, Side::AboveLeft)
         .label(
-            at(&data.series, 14),
+            at(&series, 14),
             "springs in series",
             VERMILION,
             Side::AboveLeft,
         )
         .label(
-            at(&data.gao, 11),
+            at(&of_gao, 11),
             "Gao, Chiu and Lee 1992",
             GREEN,
             Side::BelowRight,
         );
-    Figure::new(440, [panel])
+    Ok(Figure::new(440, [panel]))
 }

@@ -30,7 +30,7 @@ pub fn data() -> Result<Data, Error> {
         material.thin_film_limit().pi0,
     ];
     Ok(Data {
-        pi0: paper::a_over_t(301)
+        pi0: paper::spaced(paper::A_OVER_T, 301)
             .map(point)
             .collect::<Result<_, Error>>()?,
         limits,
@@ -38,7 +38,11 @@ pub fn data() -> Result<Data, Error> {
 }
 
 /// Draws the load between its limits.
-pub fn figure(data: &Data) -> Figure {
+///
+/// # Errors
+/// Those of [`data`].
+pub fn figure() -> Result<Figure, Error> {
+    let data = data()?;
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
     let y = Axis::linear(
         "normalised load Π_{0} = 2RF_{0} / (a^{3}E_{2}*)",
@@ -64,5 +68,5 @@ pub fn figure(data: &Data) -> Figure {
         .line(data.pi0.clone(), BLUE);
     let middle = data.pi0[data.pi0.len() * 11 / 20];
     panel.label(middle, "Π_{0}", BLUE, Side::AboveLeft);
-    Figure::new(440, [panel])
+    Ok(Figure::new(440, [panel]))
 }

@@ -27,7 +27,7 @@ pub struct Data {
 pub fn data() -> Result<Data, Error> {
     let curve = paper::quantities()?;
     let line = |quantity| {
-        paper::a_over_t(301)
+        paper::spaced(paper::A_OVER_T, 301)
             .map(|x| Ok([x, curve.quantity(quantity, x)?]))
             .collect::<Result<_, Error>>()
     };
@@ -43,7 +43,11 @@ pub fn data() -> Result<Data, Error> {
 }
 
 /// Draws both quantities between their limits.
-pub fn figure(data: &Data) -> Figure {
+///
+/// # Errors
+/// Those of [`data`].
+pub fn figure() -> Result<Figure, Error> {
+    let data = data()?;
     let x = Axis::logarithmic("contact radius / film thickness, a/t", paper::A_OVER_T);
     let y = Axis::linear("normalised by E_{2}*", [0.65, 1.05]);
     let mut panel = Panel::new(
@@ -84,5 +88,5 @@ pub fn figure(data: &Data) -> Figure {
             VERMILION,
             Side::BelowRight,
         );
-    Figure::new(440, [panel])
+    Ok(Figure::new(440, [panel]))
 }

@@ -64,7 +64,11 @@ fn jkr_plot(contact: &Contact) -> Result<Vec<Point>, Error> {
 }
 
 /// Draws the lines, each with its film thickness.
-pub fn figure(data: &Data) -> Figure {
+///
+/// # Errors
+/// Those of [`data`].
+pub fn figure() -> Result<Figure, Error> {
+    let data = data()?;
     let scaled =
         |line: &[Point]| -> Vec<Point> { line.iter().map(|[x, y]| [1e4 * x, *y]).collect() };
     let (sphere, sphere_film) = (scaled(&data.sphere), scaled(&data.sphere_film));
@@ -107,5 +111,5 @@ pub fn figure(data: &Data) -> Figure {
         BLACK,
         Side::BelowRight,
     );
-    Figure::new(520, [panel])
+    Ok(Figure::new(520, [panel]))
 }

@@ -4,7 +4,7 @@
 use contact::{Contact, Control, root};
 use interp::{Curve, Material};
 
-use super::paper::{WORK_OF_ADHESION, system};
+use super::paper::{WORK_OF_ADHESION, spaced, system};
 use crate::Error;
 use figures::axis::Axis;
 use figures::chart::{BLUE, Figure, GREEN, PURPLE, Panel, Point, Side, VERMILION};
@@ -13,7 +13,7 @@ use solve::parallel::try_map;
 use solve::stick::{StickCurves, Sticking};
 
 /// The ends of the film's thickness, m, and the number of points between them.
-pub const THICKNESS: [f64; 2] = [0.3e-6, 300e-6];
+const THICKNESS: [f64; 2] = [0.3e-6, 300e-6];
 const POINTS: usize = 49;
 
 /// The contact radius (m) of the paper's lens without a film and without load, at which stiffness
@@ -34,20 +34,15 @@ const LINES: [&str; 4] = [
 
 /// Computes the thickness (um) and the change by full friction (%) for each line. A line ends where
 /// the contact is 30 times as wide as the film is thick, that of the stiffness at 219 times.
-///
-/// # Errors
-/// None: the systems are within reach.
-pub fn data() -> Result<Vec<Vec<Point>>, Error> {
+fn data() -> Result<Vec<Vec<Point>>, Error> {
     let soft = system(1e-6)?.material()?;
     let rigid = Material::new(0.0, soft.nu1(), f64::INFINITY, soft.nu0())?;
     let [soft_film, rigid_film] = [soft, rigid].map(|material| Sticking::on_film(&material, 0.5));
     let [soft_film, rigid_film] = [soft_film?, rigid_film?];
     let sticks = StickCurves::new(&soft_film, A_OVER_T, TOLERANCE)?;
     let curves = [sticks.receding(1.0)?, curve(&soft, A_OVER_T, TOLERANCE)?];
-    let [from, to] = THICKNESS;
-    let thickness = |i: usize| from * (to / from).powf(i as f64 / (POINTS - 1) as f64);
-    let rows = try_map(0..POINTS, |i| {
-        let t = thickness(i);
+    let thicknesses: Vec<f64> = spaced(THICKNESS, POINTS).collect();
+    let rows = try_map(thicknesses, |t| {
         let x = RADIUS / t;
         let narrow = x <= A_OVER_T[1];
         let of_rigid = narrow.then(|| rigid_film.stiffening(x, 1e-6)).transpose()?;
@@ -93,7 +88,11 @@ fn pull_off_at(curves: &[Curve; 2], t: f64) -> Result<Option<f64>, Error> {
 }
 
 /// Draws the lines.
-pub fn figure(lines: &[Vec<Point>]) -> Figure {
+///
+/// # Errors
+/// None: the systems are within reach.
+pub fn figure() -> Result<Figure, Error> {
+    let lines = data()?;
     let mut panel = Panel::new(
         "What full friction changes in the paper's system",
         Axis::logarithmic("film thickness, μm", THICKNESS.map(|t| 1e6 * t)),
@@ -102,7 +101,7 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
     panel.horizontal_guide(10.0, "measured: modulus of thin films too low", Side::Left);
     for (((name, points), colour), (place, side)) in LINES
         .iter()
-        .zip(lines)
+        .zip(&lines)
         .zip([VERMILION, BLUE, GREEN, PURPLE])
         .zip([
             (0.6, Side::Right),
@@ -116,5 +115,5 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
             .line(points.clone(), colour)
             .label(named, *name, colour, side);
     }
-    Figure::new(460, [panel])
+    Ok(Figure::new(460, [panel]))
 }

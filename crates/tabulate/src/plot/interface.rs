@@ -3,6 +3,7 @@
 
 use interp::{Elastic, Quantity};
 
+use super::paper::spaced;
 use crate::Error;
 use figures::axis::Axis;
 use figures::chart::{BLACK, BLUE, Colour, Figure, GREEN, ORANGE, Panel, Point, Side, VERMILION};
@@ -12,7 +13,7 @@ use solve::stack_curve;
 
 /// The ends of `a/t`, the number of points on each line, and the relative tolerance.
 const A_OVER_T: [f64; 2] = [0.03, 30.0];
-const POINTS: u32 = 121;
+const POINTS: usize = 121;
 const TOLERANCE: f64 = 1e-6;
 
 /// Springs of a tangential stiffness in units of `E1*/t`.
@@ -47,20 +48,19 @@ pub fn data() -> Result<Vec<Vec<Point>>, Error> {
         };
         let stack = Stack::new(base, [layer])?;
         let curve = stack_curve(&stack, f64::INFINITY, A_OVER_T, TOLERANCE)?;
-        let [from, to] = A_OVER_T;
-        let point = |i: u32| {
-            let part = f64::from(i) / f64::from(POINTS - 1);
-            let x = (from * (to / from).powf(part)).clamp(from, to);
-            Ok([x, curve.quantity(Quantity::Pi0, x)?])
-        };
-        (0..POINTS)
+        let point = |x| Ok([x, curve.quantity(Quantity::Pi0, x)?]);
+        spaced(A_OVER_T, POINTS)
             .map(point)
             .collect::<Result<Vec<Point>, Error>>()
     })
 }
 
 /// Draws the lines.
-pub fn figure(lines: &[Vec<Point>]) -> Figure {
+///
+/// # Errors
+/// Those of [`data`].
+pub fn figure() -> Result<Figure, Error> {
+    let lines = data()?;
     let mut panel = Panel::new(
         "Incompressible film on a rigid base under a rigid sphere, without adhesion",
         // Names stand to the right of the lines.
@@ -77,5 +77,5 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
             .line(points.clone(), colour)
             .label(last, name, colour, Side::Right);
     }
-    Figure::new(460, [panel])
+    Ok(Figure::new(460, [panel]))
 }

@@ -1,7 +1,7 @@
 //! The figures of the program, drawn by the crate `figures`.
 //!
-//! Each figure is a module of its own: `data` computes its data and `figure` describes it as panels
-//! of a chart. [`paper`] holds the system that several figures show.
+//! Each figure is a module of its own: `figure` describes it as panels of a chart, and `data`, where there is one,
+//! computes its data. [`paper`] holds the system that several figures show.
 
 pub mod contact_stiffness;
 pub mod effects;
@@ -91,23 +91,13 @@ mod tests {
         assert_clear("table-cost", &table_cost::figure(&shipped("table.csv")));
         let effects = effects::figure(&shipped("effects.csv")).expect("rows");
         assert_clear("effects", &effects);
-        assert_clear("fig2", &fig2::figure(&fig2::data().expect("within reach")));
-        assert_clear("fig3", &fig3::figure(&fig3::data().expect("within reach")));
-        assert_clear("fig4", &fig4::figure(&fig4::data().expect("within reach")));
-        assert_clear(
-            "friction",
-            &friction::figure(&friction::data().expect("within reach")),
-        );
-        assert_clear(
-            "pull-off",
-            &pull_off::figure(&pull_off::data().expect("within reach")),
-        );
-        let films = relaxation::data().expect("within reach");
-        assert_clear("relaxation", &relaxation::figure(&films));
-        assert_clear(
-            "interface",
-            &interface::figure(&interface::data().expect("within reach")),
-        );
+        assert_clear("fig2", &fig2::figure().expect("within reach"));
+        assert_clear("fig3", &fig3::figure().expect("within reach"));
+        assert_clear("fig4", &fig4::figure().expect("within reach"));
+        assert_clear("friction", &friction::figure().expect("within reach"));
+        assert_clear("pull-off", &pull_off::figure().expect("within reach"));
+        assert_clear("relaxation", &relaxation::figure().expect("within reach"));
+        assert_clear("interface", &interface::figure().expect("within reach"));
     }
 
     /// Asserts that the texts collide with nothing in figures of other times, as another run of the

@@ -65,9 +65,8 @@ pub fn contact(probe: &Probe, film_thickness: f64, interface: Interface) -> Resu
     Ok(Contact::new(&system, curve)?)
 }
 
-/// Returns `count` values of `a/t`, evenly spaced in its logarithm, with both ends of [`A_OVER_T`].
-pub(super) fn a_over_t(count: usize) -> impl Iterator<Item = f64> {
-    let [from, to] = A_OVER_T;
+/// Returns `count` numbers between two, evenly spaced in their logarithms, with both ends.
+pub(super) fn spaced([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
     (0..count)
         .map(move |i| (from * (to / from).powf(i as f64 / (count - 1) as f64)).clamp(from, to))
 }

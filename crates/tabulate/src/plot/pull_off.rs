@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use contact::Control;
 use interp::Elastic;
 
+use super::paper::spaced;
 use crate::Error;
 use figures::axis::Axis;
 use figures::chart::{BLUE, Figure, GREEN, Panel, Point, Side, VERMILION};
@@ -69,15 +70,10 @@ const LENGTH: f64 = 1e-6;
 const MODULUS: f64 = 1e6;
 
 /// Computes Tabor's parameter and the pull-off load over `pi w R` for each line.
-///
-/// # Errors
-/// Those of [`Cohesive::pull_off`].
-pub fn data() -> Result<Vec<Vec<Point>>, Error> {
-    let points = LINES.iter().flat_map(|(_, bodies)| {
-        let [from, to] = TABOR.map(f64::ln);
-        let tabor = move |i: usize| (from + (to - from) * i as f64 / (POINTS - 1) as f64).exp();
-        (0..POINTS).map(move |i| (bodies, tabor(i)))
-    });
+fn data() -> Result<Vec<Vec<Point>>, Error> {
+    let points = LINES
+        .iter()
+        .flat_map(|(_, bodies)| spaced(TABOR, POINTS).map(move |tabor| (bodies, tabor)));
     let points = try_map(points.collect::<Vec<_>>(), |(bodies, tabor)| {
         bodies.point(tabor)
     })?;
@@ -104,7 +100,11 @@ impl Bodies {
 }
 
 /// Draws the three lines.
-pub fn figure(lines: &[Vec<Point>]) -> Figure {
+///
+/// # Errors
+/// Those of [`Cohesive::pull_off`].
+pub fn figure() -> Result<Figure, Error> {
+    let lines = data()?;
     let mut panel = Panel::new(
         "Pull-off load and range of the attraction (Dugdale's law)",
         Axis::logarithmic(
@@ -116,7 +116,7 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
     panel
         .horizontal_guide(-2.0, "DMT, every film", Side::Left)
         .horizontal_guide(-1.5, "JKR, half-space", Side::Left);
-    for (((name, _), points), (colour, place, side)) in LINES.iter().zip(lines).zip([
+    for (((name, _), points), (colour, place, side)) in LINES.iter().zip(&lines).zip([
         (BLUE, 0.55, Side::AboveLeft),
         (GREEN, 0.42, Side::Below),
         (VERMILION, 0.3, Side::Below),
@@ -126,5 +126,5 @@ pub fn figure(lines: &[Vec<Point>]) -> Figure {
             .line(points.clone(), colour)
             .label(named, *name, colour, side);
     }
-    Figure::new(460, [panel])
+    Ok(Figure::new(460, [panel]))
 }

@@ -26,20 +26,12 @@ const PROGRAM: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 5e-7), (1.5, 5e-7), (2.5, 0.
 /// The number of times.
 const POINTS: u32 = 251;
 
-/// The loads (nN) in time on a film.
-pub struct Film {
-    thickness: f64,
-    /// The load.
-    exact: Vec<Point>,
-    /// The load on a half-space times the elastic effect of the thickness at the same contact.
-    short_cut: Vec<Point>,
-}
-
-/// Computes both loads on the three films.
+/// Draws a panel for each film: the load (nN) in time, and the load on a half-space times the elastic effect of the
+/// thickness at the same contact.
 ///
 /// # Errors
 /// Those of the solve; none for these films.
-pub fn data() -> Result<Vec<Film>, Error> {
+pub fn figure() -> Result<Figure, Error> {
     let solid = Elastic::new(MODULUS, POISSON)?;
     let rigid = Elastic::new(f64::INFINITY, POISSON)?;
     let probe = Probe::Paraboloid { radius: RADIUS };
@@ -71,16 +63,15 @@ pub fn data() -> Result<Vec<Film>, Error> {
             };
             Ok([film.time, 1e9 * effect * bare_state.state.load])
         });
-        Ok(Film {
-            thickness,
-            short_cut: short_cut.collect::<Result<_, Error>>()?,
-            exact: exact
-                .iter()
-                .map(|at| [at.time, 1e9 * at.state.load])
-                .collect(),
-        })
+        let short_cut = short_cut.collect::<Result<Vec<Point>, Error>>()?;
+        let exact: Vec<Point> = exact
+            .iter()
+            .map(|at| [at.time, 1e9 * at.state.load])
+            .collect();
+        Ok(panel(thickness, exact, short_cut))
     };
-    FILMS.into_iter().map(film).collect()
+    let panels = FILMS.into_iter().map(film);
+    Ok(Figure::new(330, panels.collect::<Result<Vec<_>, Error>>()?))
 }
 
 /// Follows the program on a contact.
@@ -95,32 +86,25 @@ fn follow(contact: &Contact) -> Result<Vec<TimedContact>, Error> {
         .states)
 }
 
-/// Draws a panel for each film.
-pub fn figure(films: &[Film]) -> Figure {
+/// Draws the loads on the film of a thickness (m).
+fn panel(thickness: f64, exact: Vec<Point>, short_cut: Vec<Point>) -> Panel {
     let end = PROGRAM[PROGRAM.len() - 1].0;
-    let panels: Vec<Panel> = films
-        .iter()
-        .map(|film| {
-            let largest = film.exact.iter().map(|point| point[1]).fold(0.0, f64::max);
-            let mut panel = Panel::new(
-                format!("gel of {} µm", 1e6 * film.thickness),
-                Axis::linear("time (s)", [0.0, end]),
-                Axis::linear("load (nN)", [0.0, 1.4 * largest]),
-            );
-            panel
-                .dashed(film.short_cut.clone(), VERMILION)
-                .line(film.exact.clone(), BLUE);
-            // Above the lines, where the texts meet none of them.
-            panel
-                .label(
-                    [0.7, 1.25 * largest],
-                    "half-space × factor",
-                    VERMILION,
-                    Side::Right,
-                )
-                .label([1.1, 1.05 * largest], "exact", BLUE, Side::Right);
-            panel
-        })
-        .collect();
-    Figure::new(330, panels)
+    let largest = exact.iter().map(|point| point[1]).fold(0.0, f64::max);
+    let mut panel = Panel::new(
+        format!("gel of {} µm", 1e6 * thickness),
+        Axis::linear("time (s)", [0.0, end]),
+        Axis::linear("load (nN)", [0.0, 1.4 * largest]),
+    );
+    panel
+        .dashed(short_cut, VERMILION)
+        .line(exact, BLUE)
+        // Above the lines, where the texts meet none of them.
+        .label(
+            [0.7, 1.25 * largest],
+            "half-space × factor",
+            VERMILION,
+            Side::Right,
+        )
+        .label([1.1, 1.05 * largest], "exact", BLUE, Side::Right);
+    panel
 }

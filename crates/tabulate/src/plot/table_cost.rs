@@ -1,6 +1,7 @@
 //! The cost of a table: its certificate (the largest error at sampled points) against the time of
 //! making it, and the time of many evaluations with a table and without.
 
+use super::paper::spaced;
 use cost::numbers::{human_bytes, human_count};
 use cost::table::Row;
 use figures::axis::{Axis, power_of_ten};
@@ -94,12 +95,12 @@ fn evaluating(rows: &[Row]) -> Panel {
     let solves = |row: &Row, count: f64| [count, count * row.solve_seconds];
     for (row, colour) in &drawn {
         let table = |count: f64| [count, row.making() + count * row.point_seconds];
-        let line: Vec<_> = counts(few, many, 60).map(table).collect();
+        let line: Vec<_> = spaced([few, many], 61).map(table).collect();
         panel
             .line(line, *colour)
             .dashed([few, many].map(|count| solves(row, count)), *colour);
         panel.label_along(
-            counts(few, many, 12).map(table).collect::<Vec<_>>(),
+            spaced([few, many], 13).map(table).collect::<Vec<_>>(),
             format!("table to {}", tolerance(row)),
             *colour,
             Side::Above,
@@ -119,7 +120,7 @@ fn evaluating(rows: &[Row]) -> Panel {
         (drawn.last(), Side::BelowRight),
     ] {
         if let Some((row, colour)) = end {
-            let line = counts(few, many, 12).map(|count| solves(row, count));
+            let line = spaced([few, many], 13).map(|count| solves(row, count));
             panel.label_along(
                 line.collect::<Vec<_>>(),
                 format!("solves to {}", tolerance(row)),
@@ -129,11 +130,6 @@ fn evaluating(rows: &[Row]) -> Panel {
         }
     }
     panel
-}
-
-/// Returns `intervals + 1` numbers from `few` to `many`, evenly spaced in their logarithms.
-fn counts(few: f64, many: f64, intervals: u32) -> impl Iterator<Item = f64> {
-    (0..=intervals).map(move |i| few * (many / few).powf(f64::from(i) / f64::from(intervals)))
 }
 
 /// Returns the tolerance of a row as a power of ten.

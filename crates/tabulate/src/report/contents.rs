@@ -192,8 +192,7 @@ fn parameters(table: &Table) -> Vec<page::Parameter> {
         let range = match table.axis(parameter) {
             [only] => Range::Fixed(value(parameter, *only)),
             nodes => {
-                let [first, last] =
-                    [nodes[0], nodes[nodes.len() - 1]].map(|end| value(parameter, end));
+                let [first, last] = table.range(parameter).map(|end| value(parameter, end));
                 Range::FromTo(first, last, nodes.len().to_string())
             }
         };

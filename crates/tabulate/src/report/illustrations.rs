@@ -43,15 +43,15 @@ pub fn figures(
     if table.curve(&paper::system(1e-6)?.material()?).is_ok() {
         let paper = [
             (
-                fig2::figure(&fig2::data()?),
+                fig2::figure()?,
                 "Fig. 2 of the paper: the adhesionless load, from direct solves.",
             ),
             (
-                fig3::figure(&fig3::data()?),
+                fig3::figure()?,
                 "Fig. 3 of the paper: the contact stiffness and the edge singularity, from direct solves.",
             ),
             (
-                fig4::figure(&fig4::data()?),
+                fig4::figure()?,
                 "Fig. 4 of the paper: JKR plots for films of several thicknesses, from direct solves.",
             ),
         ];

@@ -94,20 +94,6 @@ fn largest_difference(table: &Table, other: &Table) -> Result<f64, Error> {
     Ok(largest)
 }
 
-/// Returns the coordinates between which a tile lies, for each axis.
-fn ends(table: &Table, tile: &Tile) -> [[f64; 2]; 4] {
-    let parameters = table.parameters();
-    std::array::from_fn(|axis| {
-        let nodes = table.axis(parameters[axis]);
-        let [first, last] = match axis {
-            1 => tile.film,
-            3 => tile.substrate,
-            _ => [0, nodes.len() - 1],
-        };
-        [nodes[first], nodes[last]].map(|node| parameters[axis].coordinate(node))
-    })
-}
-
 /// Returns the trains of a table as entries of an object of JavaScript: for each core, where it begins among
 /// the [`integers`].
 pub fn script(table: &Table) -> String {
@@ -129,7 +115,7 @@ pub fn script(table: &Table) -> String {
         format!(
             "{{ step: {:?}, ends: [{}],\nweights: [{}],\ncores: [{}] }}",
             form.step(),
-            ends(table, tile).map(|ends| list(&ends)).join(", "),
+            table.ends(tile).map(|ends| list(&ends)).join(", "),
             weights.join(", "),
             cores.join(", ")
         )

@@ -59,14 +59,9 @@ impl<'a> Materials<'a> {
         }
     }
 
-    fn ends(&self, parameter: Parameter) -> [f64; 2] {
-        let nodes = self.table.axis(parameter);
-        [nodes[0], nodes[nodes.len() - 1]]
-    }
-
     /// Returns whether the body with a modulus is rigid in all materials, and in some.
     fn rigid(&self, key: &str) -> [bool; 2] {
-        let [film, _, substrate] = self.parameters.map(|parameter| self.ends(parameter));
+        let [film, _, substrate] = self.parameters.map(|parameter| self.table.range(parameter));
         let both = self.reduced && film[1] == 0.0;
         match key {
             SPHERE_MODULUS => [
@@ -85,7 +80,7 @@ impl<'a> Materials<'a> {
     fn set_by(&self, key: &str, adhesive: bool) -> SetBy {
         let [film, nu1, substrate] = self.parameters;
         let by_ratio = |parameter: Parameter, of: &str| {
-            let [from, to] = self.ends(parameter);
+            let [from, to] = self.table.range(parameter);
             // A ratio of 0 is that of any film between rigid bodies, and of any substrate under a
             // rigid sphere.
             let is_one = from == to && from != 0.0;
@@ -121,7 +116,7 @@ impl<'a> Materials<'a> {
             .all(|quantity| quantities.contains(quantity));
         let nu1 = match self.paired {
             true => POISSON_RATIOS,
-            false => self.ends(self.parameters[1]),
+            false => self.table.range(self.parameters[1]),
         };
         let setting = |([key, name, symbol, unit], scale, usual, ends): Entry| {
             let set_by = self.set_by(key, adhesive);
@@ -198,7 +193,7 @@ impl<'a> Materials<'a> {
             format!(
                 "{{ name: {:?}, symbol: {name:?}, ends: {}, keys: {keys:?} }}",
                 parameter.name(),
-                list(&self.ends(parameter))
+                list(&self.table.range(parameter))
             )
         };
         format!(

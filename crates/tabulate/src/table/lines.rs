@@ -247,10 +247,15 @@ fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
 /// stack share their matrices at each `a_over_t`.
 ///
 /// # Errors
-/// Those of [`logarithms`].
+/// Those of the solve.
 fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Error> {
     let Some(NamedStack { stack, .. }) = &scene.stack else {
-        return Ok(try_map(points, |point| logarithms(scene, *point))?.concat());
+        let solve_point = |&[a_over_t, values @ ..]: &[f64; 4]| -> Result<Vec<f64>, Error> {
+            let material = scene.material(values)?;
+            let solved = solve_for_table(a_over_t, &material, None, scene.tolerance)?;
+            Ok(logarithms_of(scene, &material, &solved))
+        };
+        return Ok(try_map(points, solve_point)?.concat());
     };
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&i, &j| points[i][0].total_cmp(&points[j][0]));
@@ -277,18 +282,6 @@ fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Err
         logarithms[*i] = solved;
     }
     Ok(logarithms.concat())
-}
-
-/// Solves one point, the values of the scene's parameters, and returns the logarithms that the
-/// table splines, of the quantities of the scene.
-///
-/// # Errors
-/// Those of the solve.
-fn logarithms(scene: &Scene, [a_over_t, values @ ..]: [f64; 4]) -> Result<Vec<f64>, Error> {
-    let material = scene.material(values)?;
-    let stack = scene.stack.as_ref().map(|named| &named.stack);
-    let solved = solve_for_table(a_over_t, &material, stack, scene.tolerance)?;
-    Ok(logarithms_of(scene, &material, &solved))
 }
 
 /// Returns the logarithms of the quantities of a scene.

@@ -9,7 +9,8 @@
 //! whose pieces a journal holds. `compress` makes the low-rank form of a finished table. `of_stack`
 //! looks up a table of one stack of layers.
 
-pub mod archive;
+#[cfg(feature = "hdf5")]
+mod archive;
 mod budget;
 mod build;
 mod certify;
@@ -38,6 +39,7 @@ pub use certify::{
 #[cfg(feature = "compress")]
 pub use compress::{compress, low_rank};
 pub use extent::Extent;
+pub use file::{WRITES_HDF5, write};
 pub use generate::{
     Generated, Here, Keep, Observer, Options, Solver, generate, generate_with, journal_of,
 };

@@ -209,10 +209,7 @@ pub(crate) fn material(
 /// axes.
 pub fn random_points(table: &Table, count: usize, seed: u64) -> Vec<(f64, Material)> {
     let (parameters, nu0) = (table.parameters(), table.description().nu0);
-    let ends = parameters.map(|parameter| {
-        let nodes = table.axis(parameter);
-        [nodes[0], nodes[nodes.len() - 1]]
-    });
+    let ends = parameters.map(|parameter| table.range(parameter));
     let point = |[x, values @ ..]: [f64; 4]| {
         let material = material(parameters, nu0, values);
         (x, material.expect("the table's box is physical"))

@@ -14,7 +14,7 @@ use super::indentation::{
 };
 use super::relaxing::RelaxingArguments;
 use super::setting::{Given, Values};
-use super::value::{fixed, parameter, questions};
+use super::value::{fixed, questions};
 use crate::cli::bodies::{self, BodiesArguments};
 use crate::cli::friction::HistoryArguments;
 use crate::cli::interface::FILM;
@@ -99,12 +99,12 @@ impl KnownArguments {
     ) -> anyhow::Result<()> {
         let is_free = |value: Value| {
             let free = |parameter| free.iter().any(|one| one.parameter == parameter);
-            parameter(value, self.layer()).is_some_and(free)
+            fixed(value, self.layer()).parameter().is_some_and(free)
         };
         let is_known = |value: &Value| {
             let starts = |parameter| starts_from_data(parameter, experiments, free);
             self.bodies.system.specimen.is_some()
-                || parameter(*value, self.layer()).is_some_and(starts)
+                || fixed(*value, self.layer()).parameter().is_some_and(starts)
                 || given
                     .iter()
                     .any(|one| one.quantity == fixed(*value, self.layer()))
@@ -139,8 +139,11 @@ impl KnownArguments {
     /// are flags, because the ratio of the two belongs to the contact.
     fn accept_two_works(&self) -> anyhow::Result<()> {
         let system = &self.bodies.system;
-        let mut parameters = self.values.iter().filter_map(Values::parameter);
-        if let Some(parameter) = parameters.find(|one| is_work(*one)) {
+        let mut parameters = self
+            .values
+            .iter()
+            .filter_map(|one| one.quantity.parameter());
+        if let Some(parameter) = parameters.find(|one| one.is_work_of_adhesion()) {
             bail!("--value {parameter}: {TWO_WORKS}");
         }
         ensure!(
@@ -269,7 +272,7 @@ impl KnownArguments {
             accept_no_radius("--value", self.values.iter().map(|one| one.quantity))?;
         }
         for one in &self.values {
-            let Some(parameter) = one.parameter() else {
+            let Some(parameter) = one.quantity.parameter() else {
                 continue;
             };
             let mut reasons = experiments
@@ -291,14 +294,6 @@ impl KnownArguments {
 pub const TWO_WORKS: &str = "with --friction stick and --work-of-adhesion-receding give --work-of-adhesion, with which the \
     contact has grown, as a flag: the ratio of both belongs to the contact. The work of adhesion that is found or \
     known is the receding one";
-
-/// Tells whether a parameter is a work of adhesion.
-pub const fn is_work(parameter: Parameter) -> bool {
-    matches!(
-        parameter,
-        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding
-    )
-}
 
 /// Refuses points of approach, which a contact that recedes with a work of adhesion of its own does
 /// not describe.

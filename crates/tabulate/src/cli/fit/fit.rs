@@ -11,7 +11,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use interp::Table;
 use units::{Dimension, Quantity};
 
-use super::experiments::{KnownArguments, TWO_WORKS, is_work};
+use super::experiments::{KnownArguments, TWO_WORKS};
 use super::free::FreeArguments;
 use super::indentation::{Noise, ReferenceArguments, accept_no_radius, are_at_depths};
 use super::next_steps::{further_doubts, next_steps};
@@ -324,8 +324,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             quantity, value, ..
         } in &arguments.given
         {
-            if let Fixed::Parameter(parameter) = quantity
-                && is_work(*parameter)
+            if let Some(parameter) = quantity.parameter()
+                && parameter.is_work_of_adhesion()
                 && arguments.known.history.work_of_adhesion_receding.is_some()
             {
                 bail!("--known {parameter}: {TWO_WORKS}");
@@ -377,16 +377,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
         lists.for_each(|doubts| doubts.retain(is_other));
     }
-    let set: Vec<Parameter> = values.iter().filter_map(Values::parameter).collect();
-    let known = arguments.given.iter().filter_map(|one| match one.quantity {
-        Fixed::Parameter(parameter) => Some(parameter),
-        _ => None,
-    });
-    let known: Vec<Parameter> = known.collect();
+    let quantities = values.iter().map(|set| set.quantity);
+    let quantities = quantities.chain(arguments.given.iter().map(|one| one.quantity));
+    let set: Vec<Parameter> = quantities.filter_map(Fixed::parameter).collect();
     arguments
         .known
         .relaxing
-        .ask(&experiments[0], &[parameters, set, known].concat())?;
+        .ask(&experiments[0], &[parameters, set].concat())?;
     experiments::forget_shapes(&mut experiments, &free);
     ensure!(
         arguments.known.history.sphere_poisson_ratio.is_none()

@@ -4,7 +4,7 @@ use ::fit::{Experiment, Free, Kind, Parameter, Scope};
 use anyhow::{bail, ensure};
 
 use super::relaxing;
-use super::setting::{Bounds, Known, Values};
+use super::setting::{Pair, Values, bounds, prior};
 use crate::cli::system::{SystemArguments, Value};
 
 /// The flags of free parameters.
@@ -26,12 +26,12 @@ pub struct FreeArguments {
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub free: Vec<Parameter>,
     /// Smallest and largest value of a free parameter: film-modulus=0.1MPa..100MPa
-    #[arg(long, value_name = "NAME=LEAST..MOST")]
-    pub bounds: Vec<Bounds>,
+    #[arg(long, value_name = "NAME=LEAST..MOST", value_parser = bounds)]
+    pub bounds: Vec<Pair>,
     /// Mean and standard error of a free parameter that are known from elsewhere:
     /// film-thickness=1um+-50nm. They count as one more measured point
-    #[arg(long, value_name = "NAME=MEAN+-ERROR")]
-    pub prior: Vec<Known>,
+    #[arg(long, value_name = "NAME=MEAN+-ERROR", value_parser = prior)]
+    pub prior: Vec<Pair>,
     /// Free parameters of which each file has its own value. Offset, contact point and baseline
     /// are each file's own anyway
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
@@ -73,8 +73,8 @@ impl FreeArguments {
         /// The flags of lists of parameters, which exclude each other.
         const SCOPES: [&str; 2] = ["--own", "--shared"];
         let lists = [(SCOPES[0], &self.own), (SCOPES[1], &self.shared)];
-        let settings = self.bounds.iter().map(|set| ("--bounds", set.parameter));
-        let settings = settings.chain(self.prior.iter().map(|set| ("--prior", set.parameter)));
+        let settings = self.bounds.iter().map(|set| ("--bounds", set.0));
+        let settings = settings.chain(self.prior.iter().map(|set| ("--prior", set.0)));
         let listed = lists
             .iter()
             .flat_map(|(flag, list)| list.iter().map(move |name| (*flag, *name)));
@@ -100,17 +100,17 @@ impl FreeArguments {
             let mut free = Free::new(parameter);
             if let Some(set) = values
                 .iter()
-                .rfind(|set| set.parameter() == Some(parameter))
+                .rfind(|set| set.quantity.parameter() == Some(parameter))
                 && let [start] = set.values[..]
             {
                 free = free.starting_from(start);
             }
-            for Bounds { range, .. } in self.bounds.iter().filter(|set| set.parameter == parameter)
-            {
-                free = free.within(range[0], range[1]);
+            let of = |set: &&Pair| set.0 == parameter;
+            for (_, [least, most]) in self.bounds.iter().filter(of) {
+                free = free.within(*least, *most);
             }
-            for set in self.prior.iter().filter(|set| set.parameter == parameter) {
-                free = free.with_prior(set.mean, set.error);
+            for (_, [mean, error]) in self.prior.iter().filter(of) {
+                free = free.with_prior(*mean, *error);
             }
             for (list, scope) in [(&self.own, Scope::Own), (&self.shared, Scope::Shared)] {
                 if list.contains(&parameter) {

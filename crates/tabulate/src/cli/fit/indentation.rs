@@ -221,15 +221,7 @@ impl ReferenceArguments {
     /// Refuses a reference sample that tells nothing: it has no film, and its own values are of no use.
     pub fn check(&self, free: &[Free]) -> anyhow::Result<()> {
         let is_common = |one: &Free| {
-            let of_film = matches!(
-                one.parameter,
-                Parameter::FilmModulus
-                    | Parameter::FilmPoissonRatio
-                    | Parameter::FilmThickness
-                    | Parameter::LayerModulus(_)
-                    | Parameter::LayerThickness(_)
-                    | Parameter::LayerInterfaceStiffness(_)
-            );
+            let of_film = one.parameter.is_of_bodies() && one.parameter != Parameter::SphereModulus;
             one.scope == Scope::Shared && !of_film
         };
         ensure!(

@@ -191,7 +191,9 @@ impl RelaxingArguments {
     pub fn ask(&self, experiment: &Experiment, free: &[Parameter]) -> anyhow::Result<()> {
         let given = self.values()?;
         let is_known = |parameter: &Parameter| {
-            given.iter().any(|own| own.parameter() == Some(*parameter))
+            given
+                .iter()
+                .any(|own| own.quantity.parameter() == Some(*parameter))
                 || free.contains(parameter)
                 || (self.relaxation == Some(Law::ModifiedPower)
                     && *parameter == Parameter::RelaxedFraction)

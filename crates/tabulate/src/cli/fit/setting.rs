@@ -18,30 +18,8 @@ pub struct Values {
     pub values: Vec<f64>,
 }
 
-impl Values {
-    /// Returns the parameter whose values they are; `None` for values that no fit finds.
-    pub const fn parameter(&self) -> Option<Parameter> {
-        match self.quantity {
-            Fixed::Parameter(parameter) => Some(parameter),
-            _ => None,
-        }
-    }
-}
-
-/// Bounds of a free parameter, `NAME=LEAST..MOST`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Bounds {
-    pub parameter: Parameter,
-    pub range: [f64; 2],
-}
-
-/// What is known of a free parameter from elsewhere, `NAME=MEAN+-ERROR`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Known {
-    pub parameter: Parameter,
-    pub mean: f64,
-    pub error: f64,
-}
+/// A free parameter with two numbers: its bounds, or its mean and standard error.
+pub type Pair = (Parameter, [f64; 2]);
 
 /// What is known of a value that the fit takes as given, `NAME=VALUE+-ERROR`.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,37 +111,21 @@ impl FromStr for Values {
     }
 }
 
-impl FromStr for Bounds {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let how = "NAME=LEAST..MOST, such as film-modulus=1e5..1e8";
-        let (parameter, range) = split(text, how)?;
-        let ends = range.split_once("..");
-        let (least, most) = ends.ok_or_else(|| format!("{range:?} has no ..: write {how}"))?;
-        Ok(Self {
-            parameter,
-            range: [
-                quantity::value(least, parameter.dimension())?,
-                quantity::value(most, parameter.dimension())?,
-            ],
-        })
-    }
+/// Reads the bounds of a free parameter, `NAME=LEAST..MOST`.
+pub fn bounds(text: &str) -> Result<Pair, String> {
+    let how = "NAME=LEAST..MOST, such as film-modulus=1e5..1e8";
+    let (parameter, range) = split(text, how)?;
+    let ends = range.split_once("..");
+    let (least, most) = ends.ok_or_else(|| format!("{range:?} has no ..: write {how}"))?;
+    let end = |text| quantity::value(text, parameter.dimension());
+    Ok((parameter, [end(least)?, end(most)?]))
 }
 
-impl FromStr for Known {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
-        let (parameter, known) = split(text, how)?;
-        let [mean, error] = with_error(known, parameter.dimension(), how)?;
-        Ok(Self {
-            parameter,
-            mean,
-            error,
-        })
-    }
+/// Reads what is known of a free parameter from elsewhere, `NAME=MEAN+-ERROR`.
+pub fn prior(text: &str) -> Result<Pair, String> {
+    let how = "NAME=MEAN+-ERROR, such as film-thickness=1e-6+-5e-8";
+    let (parameter, known) = split(text, how)?;
+    Ok((parameter, with_error(known, parameter.dimension(), how)?))
 }
 
 /// Reads `VALUE+-ERROR`.
@@ -219,50 +181,37 @@ fn named<'a>(text: &'a str, how: &str) -> Result<(&'a str, &'a str), String> {
 mod tests {
     use super::*;
 
-    /// Reads a setting and returns what is read.
-    fn read<T: FromStr<Err = String> + std::fmt::Debug>(text: &str) -> String {
-        format!("{:?}", text.parse::<T>().expect(text))
-    }
-
     #[test]
     fn settings_are_read() {
         let film = Parameter::FilmThickness;
         let values = "film-thickness=1e-6, 1e-5".parse::<Values>();
         assert!(
-            values.is_ok_and(|one| one.parameter() == Some(film) && one.values == [1e-6, 1e-5])
+            values.is_ok_and(
+                |one| one.quantity.parameter() == Some(film) && one.values == [1e-6, 1e-5]
+            )
         );
         let radii = "sphere-radius = 1mm,2mm".parse::<Values>();
         assert!(
             radii
                 .is_ok_and(|one| one.quantity == Fixed::SphereRadius && one.values == [1e-3, 2e-3])
         );
-        let bounds = "film-modulus = 1e5..1e8".parse::<Bounds>();
-        assert!(bounds.is_ok_and(|one| one.parameter == Parameter::FilmModulus && one.range == [1e5, 1e8]));
+        let bounds = bounds("film-modulus = 1e5..1e8");
+        assert_eq!(bounds, Ok((Parameter::FilmModulus, [1e5, 1e8])));
         let given = "sphere-radius=1e-3+-1e-5".parse::<Given>();
         let of_given = |one: Given| (one.quantity, one.value, one.error);
         assert_eq!(given.map(of_given), Ok((Fixed::SphereRadius, 1e-3, 1e-5)));
         for text in ["baseline=-1e-9+-2e-10", "baseline=-1e-9 ± 2e-10"] {
-            let known = text.parse::<Known>();
-            let of_known = |one: Known| (one.parameter, one.mean, one.error);
-            assert_eq!(known.map(of_known), Ok((Parameter::Baseline, -1e-9, 2e-10)));
+            assert_eq!(prior(text), Ok((Parameter::Baseline, [-1e-9, 2e-10])));
         }
         let unit = UnitOf::new(Parameter::WorkOfAdhesion, "mJ/m^2");
         assert_eq!(unit_of("work-of-adhesion=mJ/m^2").ok(), unit);
-        let [values, bounds, known] = [
-            ["film-thickness=1um, 1e-5", "film-thickness=1e-6,1e-5"].map(read::<Values>),
-            ["film-modulus=0.1MPa..100 MPa", "film-modulus=1e5..1e8"].map(read::<Bounds>),
-            ["film-thickness=1um+-50nm", "film-thickness=1e-6+-5e-8"].map(read::<Known>),
-        ];
-        for [with_units, without] in [values, bounds, known] {
-            assert_eq!(with_units, without);
-        }
     }
 
     #[test]
     fn what_is_no_setting_is_refused_with_an_example() {
         let values = |text: &str| text.parse::<Values>().err();
-        let bounds = |text: &str| text.parse::<Bounds>().err();
-        let known = |text: &str| text.parse::<Known>().err();
+        let bounds = |text| bounds(text).err();
+        let prior = |text| prior(text).err();
         let given = |text: &str| text.parse::<Given>().err();
         for (error, words) in [
             (values("load-offset"), "load-offset=1e-6"),
@@ -275,7 +224,7 @@ mod tests {
                 bounds("sphere-modulus=1..5"),
                 "write 1kPa, 1MPa or 1GPa, or 1Pa",
             ),
-            (known("film-modulus=1e5"), "+-"),
+            (prior("film-modulus=1e5"), "+-"),
             (given("film-thickness=2e-6"), "+-"),
             (given("thickness=2e-6+-1e-7"), "film-thickness"),
             (given("sphere-radius"), "has no ="),

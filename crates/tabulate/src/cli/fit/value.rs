@@ -28,14 +28,6 @@ const fn of_film(value: Value) -> Fixed {
     }
 }
 
-/// Returns the parameter of a fit that a value is, if there is one.
-pub const fn parameter(value: Value, layer: Option<LayerName>) -> Option<Parameter> {
-    match fixed(value, layer) {
-        Fixed::Parameter(parameter) => Some(parameter),
-        _ => None,
-    }
-}
-
 /// Returns the question that the value answers.
 const fn question(value: Value) -> &'static str {
     match value {
@@ -74,7 +66,7 @@ pub fn questions(
     half_space: bool,
 ) -> Vec<String> {
     let question = |&value: &Value| {
-        let further = match parameter(value, layer) {
+        let further = match fixed(value, layer).parameter() {
             _ if guessed(value) => {
                 ". It is free, and the fit starts from it: a guess will do".into()
             }

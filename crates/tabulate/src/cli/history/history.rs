@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueHint, value_parser};
-use contact::{Contact, Control, Course, History, HistoryError, Hysteresis, Relaxation};
+use contact::{Contact, Control, Course, HistoryError, Hysteresis, Relaxation};
 use interp::{Elastic, Probe, System};
 use solve::curve;
 use solve::stack::{Interface, Layer, Stack};
@@ -198,12 +198,14 @@ impl Arguments {
         let holds = |reach: &f64| reach * system.film_thickness > 2.0 * flat;
         let rigid = self.rigid(bodies)?;
         let follow = |contact: &Contact, rigid: Option<&Contact>| {
-            let history = contact.history(law)?;
-            let history = match rigid {
-                Some(rigid) => history.beside(rigid),
-                None => history,
-            };
-            self.follow(history, control, program, times)
+            let mut history = contact.history(law)?;
+            if let Some(rigid) = rigid {
+                history = history.beside(rigid);
+            }
+            if let Some(work) = self.work_of_adhesion_receding {
+                history = history.receding(Hysteresis::new(0.0, work)?)?;
+            }
+            history.at(control, &program.points, times, self.tolerance)
         };
         if let Some(name) = &self.table {
             let contact = Contact::in_table(name.read_for_contacts()?.as_ref(), system)?;
@@ -242,24 +244,6 @@ impl Arguments {
             },
             Into::into,
         ))
-    }
-
-    fn follow(
-        &self,
-        history: History<'_>,
-        control: Control,
-        program: &Program,
-        times: &[f64],
-    ) -> Result<Course, HistoryError> {
-        match self.work_of_adhesion_receding {
-            Some(work) => history.receding(Hysteresis::new(0.0, work)?)?.at(
-                control,
-                &program.points,
-                times,
-                self.tolerance,
-            ),
-            None => history.at(control, &program.points, times, self.tolerance),
-        }
     }
 
     /// Returns the film between a rigid probe and a rigid substrate if one of them deforms and does

@@ -26,7 +26,7 @@ const NO_CACHE: usize = 0;
 const MISSING: f64 = f64::NAN;
 
 /// Writes the attributes, axes and values of a dense table to a new file.
-pub(super) fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
+pub fn fill(table: &Table, path: &Path) -> hdf5::Result<()> {
     // Every library since HDF5 1.8 reads this format. Without time stamps, equal tables are equal
     // files.
     let file = hdf5::File::with_options()

@@ -3,7 +3,7 @@
 use interp::{Description, Table};
 
 use crate::Error;
-use crate::table::certify::certify;
+use crate::table::certify::{certify, points_for};
 use crate::table::compress::tiles::compress;
 use crate::table::generate::Observer;
 use crate::table::scene::TOLERANCE;
@@ -15,7 +15,7 @@ const SHARE: f64 = 0.9;
 const HALVINGS: u32 = 3;
 
 /// Returns the low-rank form of a table that keeps the tolerance, with the certificate from
-/// `points` direct solves.
+/// `points` direct solves, those of [`points_for`] if none are given, and another seed than the table's, if none is given.
 ///
 /// The certificate does not cover derivatives.
 ///
@@ -29,8 +29,8 @@ const HALVINGS: u32 = 3;
 pub fn low_rank(
     table: &Table,
     tolerance: f64,
-    points: usize,
-    seed: u64,
+    points: Option<usize>,
+    seed: Option<u64>,
     observer: &dyn Observer,
 ) -> Result<Table, Error> {
     let [least, most] = TOLERANCE;
@@ -46,6 +46,8 @@ pub fn low_rank(
         ..table.description().clone()
     };
     let own = description.certificate.max_error;
+    let points = points.unwrap_or_else(|| points_for(table));
+    let seed = seed.unwrap_or(description.certificate.seed.wrapping_add(1));
     // Not `own >= tolerance`: NaN must not pass.
     let has_room = own < tolerance;
     if !has_room {
