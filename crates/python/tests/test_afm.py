@@ -315,6 +315,15 @@ def test_maps_and_pictures(force_map, axes):
     assert bar.txt_label.get_text() == "200 µm"
     axes.figure.canvas.draw()
     refuses(FitError, r"shape \(2,\): give \(4,\)", lambda: found.image([1.0, 2.0]))
+    # A curve that is not of the map, and two of one pixel.
+    pixel = found.pixel.copy()
+    pixel[0] = -1
+    others = moduli[1:]
+    assert np.nansum(replace(found, pixel=pixel).image(moduli)) == pytest.approx(sum(others))
+    pixel[0] = pixel[2]
+    twice = replace(found, pixel=pixel)
+    refuses(FitError, "curves 0 and 2 are of one pixel, .*: give NaN", lambda: twice.image(moduli))
+    assert np.isfinite(twice.image([np.nan, *others])).sum() == 3
 
 
 def test_a_pixel_has_the_height_of_a_row_and_the_width_of_a_column():

@@ -10,6 +10,8 @@ from coated_contact import (
     Cohesive,
     Cone,
     ContactError,
+    Elastic,
+    Experiment,
     InputError,
     Profile,
     State,
@@ -160,3 +162,31 @@ def test_threads_share_a_contact(contact):
     for thread in threads:
         thread.join()
     assert all(np.array_equal(found[i], expected) for i in range(4))
+
+
+def test_labels_pair_numbers_as_their_places_do(contact, system):
+    """numpy would pair arrays of xarray and pandas by their labels."""
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    a, w = np.array([5e-5, 6e-5, 7e-5]), np.array([0.01, 0.02, 0.03])
+    of = {"a": xarray.DataArray(a, dims="a"), "w": xarray.DataArray(w, dims="w")}
+    words = "other labels, .* paired by their place: bring both into one order"
+    refuses(ValueError, words, lambda: contact.load(of["a"], of["w"]))
+    expected = contact.load(a, w)
+    assert np.array_equal(contact.load(of["a"], of["w"].rename(w="a")), expected)
+    table = xarray.DataArray(np.tile(w, (2, 1)), dims=("specimen", "a"))
+    assert contact.load(of["a"], table).shape == (2, 3)
+    first, other = (pandas.Series(one, index=[0, 1, 2]) for one in (a, w))
+    assert np.array_equal(contact.load(first, other), expected)
+    refuses(ValueError, words, lambda: contact.load(first, other.sort_index(ascending=False)))
+    shuffled = {"abscissa": first, "ordinate": other.iloc[[1, 0, 2]]}
+    known = {"kind": "load-radius", "system": system, "work_of_adhesion": 0.04}
+    refuses(ValueError, words, lambda: Experiment(**known, **shuffled))
+    refuses(
+        TypeError,
+        "young_modulus has the unit 'MPa' of its own: give its value in SI units",
+        lambda: Elastic(
+            young_modulus=xarray.DataArray(3.5, attrs={"units": "MPa"}), poisson_ratio=0.5
+        ),
+    )
+    pascals = xarray.DataArray(3.5e6, attrs={"units": "Pa"})
+    assert Elastic(young_modulus=pascals, poisson_ratio=0.5).young_modulus == 3.5e6

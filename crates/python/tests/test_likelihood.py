@@ -276,6 +276,12 @@ except TypeError as error:
     assert "double" in str(error)
 else:
     raise AssertionError
+try:
+    torch.autograd.functional.hessian(f, x.detach())
+except NotImplementedError as error:
+    assert "first derivatives only" in str(error)
+else:
+    raise AssertionError
 """
 
 PYMC = """

@@ -116,6 +116,11 @@ def test_points_in_a_jump_do_not_count_in_a_composite_model(model_class):
     params = composite.make_params(c={"value": 0.0, "vary": False})
     found, expected = composite.fit(params=params, **data), alone.fit(**data)
     assert np.array_equal(np.isnan(expected.best_fit), left_out)
+    # They are no degrees of freedom either.
+    fitted = fit(replace(made, noise=1e-7), free)
+    assert expected.nfree == fitted.degrees_of_freedom
+    for name in free:
+        assert expected.params[name].stderr == pytest.approx(fitted.stderr[name], rel=0.2), name
     for name in free:
         error = abs(found.best_values[name] - expected.best_values[name])
         assert error < 0.05 * expected.params[name].stderr, name

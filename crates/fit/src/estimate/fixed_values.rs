@@ -31,7 +31,13 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             let name = format!("the standard error of {name}");
             return Err(Error::setting(name, *error, "positive and finite"));
         }
-        let mut values = assigned.iter();
+        let has_effect = |one: &&Assigned| match quantity {
+            Fixed::Parameter(zero) if !zero.is_positive() => {
+                one.experiment.why_without_effect(*zero).is_none()
+            }
+            _ => true,
+        };
+        let mut values = assigned.iter().filter(has_effect);
         let first = values.find_map(|one| one.experiment.value_of(*quantity));
         let Some(first) = first else {
             let allowed = "of a value that the measurement has: check its name and the bodies";

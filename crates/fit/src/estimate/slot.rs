@@ -217,10 +217,11 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 for &e in &members[1..] {
                     let other = start_of(e).ok_or_else(|| missing(e))?;
                     if other != start {
+                        let [name, own] = [first, e].map(|i| &experiments[i].measurement.name);
+                        let name = if name == own { "the first one" } else { name };
                         let allowed = format!(
-                            "{start:?}, that of {}, because one value is fitted for all: give \
-                             one start, or fit a value for each",
-                            experiments[first].measurement.name
+                            "{start:?}, that of {name}, because one value is fitted for all: give all of them one \
+                             value, or the fit one start, or fit a value for each"
                         );
                         return Err(experiments[e].wrong_setting(one.parameter, other, allowed));
                     }

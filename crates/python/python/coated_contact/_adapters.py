@@ -59,13 +59,25 @@ def torch(likelihood: LogLikelihood) -> Callable[..., Any]:
         def forward(context: Any, values: Any) -> Any:
             given = values.detach().cpu().numpy()
             found, gradient = likelihood.value_and_gradient(given)
-            context.save_for_backward(values.new_tensor(gradient))
+            context.save_for_backward(values, values.new_tensor(gradient))
             return values.new_tensor(np.asarray(found))
 
         @staticmethod
         def backward(context: Any, *outer: Any) -> Any:
-            (gradient,) = context.saved_tensors
-            return outer[0].unsqueeze(-1) * gradient
+            return outer[0].unsqueeze(-1) * Gradient.apply(*context.saved_tensors)
+
+    class Gradient(package.autograd.Function):  # type: ignore[misc]
+        """The gradient, so that its derivatives are an error: else they would be 0."""
+
+        @staticmethod
+        def forward(context: Any, values: Any, gradient: Any) -> Any:
+            return gradient.clone()
+
+        @staticmethod
+        def backward(context: Any, *outer: Any) -> Any:
+            raise NotImplementedError(
+                "the likelihood has first derivatives only: take second ones by differences of them"
+            )
 
     def checked(values: Any) -> Any:
         if values.dtype != package.float64:

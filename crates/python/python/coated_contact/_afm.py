@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -140,13 +141,16 @@ def read_afm(
     if not experiments:
         reasons = " ".join(dict.fromkeys(refused.values())) or f"{file}: it holds no curve"
         raise FitError(reasons)
+    # Curves without a place in a map, and those of a smaller one in the same file, are not of it.
+    shapes = Counter(place.shape for place in places if place.shape is not None)
+    shape = shapes.most_common(1)[0][0] if shapes else None
     return ForceMap(
         experiments=tuple(experiments),
         times=tuple(times),
         position=np.array([place.position for place in places]),
-        pixel=np.array([place.pixel for place in places]),
-        shape=places[0].shape,
-        pixel_size=places[0].pixel_size,
+        pixel=np.array([place.pixel if place.shape == shape else (-1, -1) for place in places]),
+        shape=shape,
+        pixel_size=next(place.pixel_size for place in places if place.shape == shape),
         refused=refused,
     )
 

@@ -17,6 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from ._errors import ContactError, InputError
 
 Errors = Literal["raise", "nan"]
+# The units that datasets of this package and others name, and that need no factor.
+SI = ("", "1", "m", "N", "Pa", "s", "rad", "V", "m^2", "N/m", "J/m^2", "m/V", "m/N", "Pa/m", "Hz")
 
 
 def number(name: str, value: float) -> float:
@@ -44,6 +46,10 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Return real numbers as an aligned array of float64; refuse what would lose a part."""
     if hasattr(type(value), "units") or hasattr(type(value), "unit"):
         raise TypeError(f"{name} = {value!r} has a unit of its own: give its value in SI units")
+    # What xarray knows of a unit.
+    unit = str(getattr(value, "attrs", {}).get("units", "1"))
+    if unit not in SI:
+        raise TypeError(f"{name} has the unit {unit!r} of its own: give its value in SI units")
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} must be real numbers, not of the type {array.dtype}")
@@ -52,6 +58,31 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     array = np.asarray(array, dtype=np.float64)
     # A field of a packed record is not aligned, nor are numbers behind the header of a file.
     return array if array.flags.aligned else array.copy()
+
+
+def paired(inputs: dict[str, Any]) -> None:
+    """Refuse arrays of pandas or xarray whose labels do not pair numbers as their places do."""
+    labels = {name: found for name, value in inputs.items() if (found := _labels(value))}
+    if not labels:
+        return
+    first = max(labels, key=lambda name: len(labels[name]))
+    for name, found in labels.items():
+        # From the last dimension on, as numpy broadcasts.
+        for (axis, own), (of, other) in zip(found[::-1], labels[first][::-1], strict=False):
+            is_known = own is not None and other is not None
+            if axis != of or (is_known and not own.equals(other)):
+                raise ValueError(
+                    f"{first} and {name} have other labels, and numbers are paired by their place: "
+                    "bring both into one order, or give the numbers alone, without labels"
+                )
+
+
+def _labels(value: Any) -> list[tuple[Any, Any]]:
+    """Return the name and the labels of each dimension of an array of xarray or pandas."""
+    if hasattr(value, "dims") and hasattr(value, "indexes"):
+        return [(dimension, value.indexes.get(dimension)) for dimension in value.dims]
+    index = getattr(value, "index", None)
+    return [("pandas", index)] if hasattr(index, "equals") else []
 
 
 def fixed(array: ArrayLike) -> NDArray[Any]:
@@ -79,6 +110,7 @@ def evaluate_flat(
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     arrays = [real(name, value) for name, value in inputs.items()]
+    paired(inputs)
     shape = np.broadcast_shapes(*(array.shape for array in arrays))
     flat = [
         array.reshape(1)

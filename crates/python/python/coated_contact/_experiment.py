@@ -9,7 +9,7 @@ import numpy as np
 from numpy import ma
 from numpy.typing import NDArray
 
-from ._arrays import fixed, number, real
+from ._arrays import fixed, number, paired, real
 from ._bodies import HalfSpace, System
 from ._control import check_friction
 from ._errors import FitError
@@ -225,8 +225,10 @@ class Experiment(Remade, OneLine):
             )
         if self.ordinate is None or _is_planned(self.abscissa, self.ordinate):
             object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
-        points = [real(name, getattr(self, name)) for name in ("abscissa", "ordinate")]
-        for name, array in zip(("abscissa", "ordinate"), points, strict=True):
+        pointwise = ("abscissa", "ordinate", "retract", "time", "noise", "abscissa_noise")
+        paired({name: getattr(self, name) for name in pointwise})
+        points = [real(name, getattr(self, name)) for name in pointwise[:2]]
+        for name, array in zip(pointwise[:2], points, strict=True):
             object.__setattr__(self, name, fixed(array))
         shapes = {array.shape for array in points}
         if self.retract is not None:
@@ -320,7 +322,8 @@ class Free:
     start : float, optional
         Where the fit starts. By default moduli, works of adhesion, offsets, contact points and
         baselines start from the data themselves; Poisson ratio, thicknesses, stiffness and the
-        moduli of layers from the value of the experiment.
+        moduli of layers from the value of the experiment. Experiments that share a parameter must
+        have one value of it, or the fit one start.
     bounds : tuple of float, optional
         The smallest and the largest value allowed. A Poisson ratio has the bounds 0 and 0.5.
     prior : tuple of float, optional

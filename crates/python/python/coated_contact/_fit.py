@@ -134,7 +134,6 @@ def fit_map(
     *,
     table: Table | None = None,
     loss: Loss = "squares",
-    profile_level: float | None = None,
     interaction_range: float = 3e-10,
     allow: Iterable[Allowed] = (),
     errors: Errors = "raise",
@@ -149,8 +148,8 @@ def fit_map(
     ----------
     curves : iterable of Experiment
         The measurements, such as those of a force map.
-    free, table, loss, profile_level, interaction_range, allow
-        As :func:`fit`.
+    free, table, loss, interaction_range, allow
+        As :func:`fit`. Intervals by profiles are those of ``fit`` alone.
     errors : {"raise", "nan"}
         What a curve without a result gives: the exception of the first one, or NaN and an entry in
         ``FitMap.failures``.
@@ -167,7 +166,7 @@ def fit_map(
     if errors not in ("raise", "nan"):
         raise ValueError(f'errors = {errors!r} cannot be used: give "raise" or "nan"')
     free = free_of(free)
-    options = (loss, profile_level, interaction_range, allowed_of(allow))
+    options = (loss, None, interaction_range, allowed_of(allow))
     given = _batched(curves)
     done: dict[int, FitMap] = {}
     blocks: Iterator[tuple[int, FitMap]]
@@ -196,7 +195,7 @@ def fit_block(
     curves: Iterable[Experiment],
     free: list[Free],
     table: Table | None,
-    options: tuple[Loss, float | None, float, set[Allowed]],
+    options: tuple[Loss, None, float, set[Allowed]],
 ) -> FitMap:
     """Fit some of the curves of a map."""
     results = _native(_core.fit_map, curves, free, table, *options)

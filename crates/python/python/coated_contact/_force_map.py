@@ -39,7 +39,7 @@ class ForceMap(OneLine):
         The place x, y of each curve in the coordinates of the instrument, m; NaN where the file
         does not tell it.
     pixel : numpy.ndarray
-        The row and the column of each curve in the map; -1 without a map.
+        The row and the column of each curve in the map; -1 of a curve that is not of it.
     shape : tuple of int or None
         The rows and columns of the map; None without a map.
     pixel_size : tuple of float or None
@@ -73,10 +73,13 @@ class ForceMap(OneLine):
     def image(self, values: ArrayLike) -> Array:
         """Return one value for each curve as an array of the map; NaN where there is no curve.
 
+        Curves that are not of the map are left out.
+
         Raises
         ------
         FitError
-            For a file without a map, and for another number of values than curves.
+            For a file without a map, for another number of values than curves, and for two values
+            of one pixel.
 
         Examples
         --------
@@ -92,7 +95,15 @@ class ForceMap(OneLine):
                 axis="values",
             )
         image = np.full(self.shape, np.nan)
-        image[self.pixel[:, 0], self.pixel[:, 1]] = column
+        pixels: dict[tuple[int, int], int] = {}
+        for i in np.flatnonzero((self.pixel[:, 0] >= 0) & ~np.isnan(column)).tolist():
+            pixel = (int(self.pixel[i, 0]), int(self.pixel[i, 1]))
+            if (before := pixels.setdefault(pixel, i)) != i:
+                raise FitError(
+                    f"curves {before} and {i} are of one pixel, {pixel}: give NaN for one of them",
+                    axis="values",
+                )
+            image[pixel] = column[i]
         return image
 
     def to_xarray(self, found: FitMap) -> xarray.Dataset:

@@ -38,9 +38,10 @@ class Model(LmfitModel):  # type: ignore[misc]
     """The ordinates of an experiment as a model of lmfit.
 
     The independent variable ``x`` is the abscissa. The parameters are those of
-    :class:`coated_contact.Free` that the kind of experiment has, with the values of the experiment;
-    those in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the
-    exact derivatives, unless a parameter has an expression. Give the weights 1/noise:
+    :class:`coated_contact.Free` that the kind of experiment has, with the values of the experiment,
+    but for numbers of a relaxation and for hardness, tip and frame, which keep their values; those
+    in ``free`` vary. With the methods ``"leastsq"`` and ``"least_squares"`` the fit uses the exact
+    derivatives, unless a parameter has an expression. Give the weights 1/noise:
     ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons. ``"leastsq"``
     cannot move a parameter from its bound: give a start within, such as a work of adhesion above 0.
 
@@ -170,13 +171,15 @@ class Model(LmfitModel):  # type: ignore[misc]
             )
 
     def _residual(self, params: Parameters, data: Any, weights: Any, **kwargs: Any) -> Any:
-        """Return the weighted residuals; 0 for points that do not count."""
+        """Return the weighted residuals of the points that count."""
         residual = np.asarray(data) - self.eval(params, **kwargs)
-        if np.array_equal(kwargs["x"], self._experiment.abscissa):
-            residual[self._left_out()] = 0.0
-        return residual if weights is None else residual * weights
+        weighted = residual if weights is None else residual * weights
+        return np.delete(weighted, self._left_out(kwargs["x"]))
 
-    def _left_out(self) -> list[int]:
+    def _left_out(self, x: ArrayLike) -> list[int]:
+        """Return the points that do not count: at other abscissae none."""
+        if not np.array_equal(x, self._experiment.abscissa):
+            return []
         return [i for i, branch in enumerate(self._branches or ()) if branch == "left-out"]
 
     def _jacobian(self, params: Parameters, data: Any, weights: Any, **kwargs: Any) -> Array:
@@ -197,9 +200,10 @@ class Model(LmfitModel):  # type: ignore[misc]
         found = self._predict(kwargs["x"], values, [name for name in varied if name is not None])
         nothing = np.zeros_like(found.ordinate)
         columns = [nothing if name is None else found.derivatives[name] for name in varied]
-        jacobian = np.stack(columns, axis=1)
-        jacobian = np.where(np.isnan(jacobian), 0.0, jacobian)
-        return -jacobian if weights is None else -jacobian * np.reshape(weights, (-1, 1))
+        jacobian = -np.stack(columns, axis=1)
+        if weights is not None:
+            jacobian *= np.reshape(weights, (-1, 1))
+        return np.delete(jacobian, self._left_out(kwargs["x"]), axis=0)
 
     def _predict(
         self, x: ArrayLike, values: dict[str, float], by: list[ParameterName]
@@ -270,7 +274,8 @@ def parameters_of(experiment: Experiment) -> dict[str, ParameterName]:
     names += ["film_thickness"] if isinstance(system, System) else []
     names += ["work_of_adhesion"]
     names += ["work_of_adhesion_receding"] if experiment.work_of_adhesion_receding else []
-    names += ["load_offset"] if kind == "load-radius" else ["contact_point"]
+    names += ["load_offset"] if kind == "load-radius" else []
+    names += [] if kind == "load-radius" or kind.startswith("stiffness") else ["contact_point"]
     if kind in ("load-penetration", "force-height"):
         names += ["baseline", "baseline_slope"]
     names += ["stiffness"] if kind == "force-height" else []
