@@ -1,10 +1,12 @@
 //! Synthetic data, and what an experiment would tell.
 
-use acceptance::Refused;
-use fit::{Direction, Free, Kind, Parameter, WarningKind, forecast, simulate};
-use interp::Table;
+use acceptance::{Refused, rigid_probe, solid};
+use fit::{Bodies, Direction, Experiment, Free, Kind, Parameter, WarningKind, forecast, simulate};
+use interp::{Probe, Table};
 
-use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, assert_warned, lens};
+use crate::imagined::{
+    Course, FORCE_CURVE, Imagined, LENS, assert_warned, fitted, free_of, lens, measurement_at,
+};
 
 /// Returns the experiments of all kinds and courses.
 fn imagined() -> Vec<Imagined> {
@@ -145,4 +147,42 @@ fn free_parameters_are_made_with_the_scope_they_need() {
     let names: Vec<_> = own.map(Parameter::name).collect();
     let expected = ["load-offset", "contact-point", "baseline", "baseline-slope"];
     assert_eq!(names, expected);
+}
+
+/// Points near the jump off are left out of plans as they are of fits, whatever their number.
+#[test]
+fn plans_of_curves_that_jump_off_have_the_errors_of_their_fits() {
+    let probe = Probe::Paraboloid { radius: 1e-5 };
+    let system = rigid_probe(probe, solid(2e4, 0.5), 5e-6, solid(2e11, 0.25));
+    let noise = 6e-11;
+    for count in [40, 90, 100, 150] {
+        let way = |i: u32| -0.3e-6 + 0.9e-6 * f64::from(i) / f64::from(count - 1);
+        let mut measurement = measurement_at(Kind::ForceHeight, (0..count).map(way));
+        for point in &mut measurement.points {
+            point.direction = Some(Direction::Retract);
+        }
+        let planned = Experiment {
+            work_of_adhesion: 8e-5,
+            stiffness: Some(0.02),
+            noise: Some(noise),
+            ..Experiment::new(measurement, Bodies::Coated(system.clone()))
+        };
+        let free = free_of(&FORCE_CURVE);
+        let one = std::slice::from_ref(&planned);
+        let expected = forecast(Table::embedded(), one, &free).expect("sound");
+        assert!(expected.undetermined.is_empty());
+        let error = |seed: u64| {
+            let measurement = simulate(Table::embedded(), &planned, noise, seed);
+            let measured = Experiment {
+                measurement: measurement.expect("in the table"),
+                ..planned.clone()
+            };
+            fitted(&measured, &free).estimates[0].standard_error
+        };
+        let mut errors: Vec<f64> = (0..9).map(error).collect();
+        errors.sort_by(f64::total_cmp);
+        let ratio = expected.estimates[0].standard_error / errors[4];
+        println!("{count}: {ratio:.2}");
+        assert!((0.6..1.6).contains(&ratio), "{count} points: {ratio}");
+    }
 }

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 use super::assumptions;
 use super::doubts::Warnings;
 use super::problem::{Assigned, Problem};
-use super::search::{ROUNDS, clear_of, ends, hold_back};
+use super::search::{ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
@@ -110,8 +110,7 @@ pub fn forecast(
     for _ in 0..ROUNDS {
         let uncertainty = uncertainty(&problem)?;
         for (e, whole) in whole.iter().enumerate() {
-            let ends = ends(&problem, e, &uncertainty, whole);
-            problem.assigned[e].branches = clear_of(whole, &ends);
+            problem.assigned[e].branches = clear_branches(&problem, e, &uncertainty, whole);
         }
     }
     let uncertainty = uncertainty(&problem)?;

@@ -193,7 +193,7 @@ pub(super) fn settle<'a>(
 
 /// Returns the branches without the points that are beyond the end of their branch, or too near to
 /// it.
-fn clear_branches(
+pub(super) fn clear_branches(
     problem: &Problem<'_>,
     e: usize,
     uncertainty: &Uncertainty,
@@ -286,7 +286,7 @@ pub(super) fn ends(
 
 /// Returns the branches without the points in contact that are beyond the end of their branch, or too
 /// near to it.
-pub(super) fn clear_of(whole: &Assigned, ends: &[End]) -> Vec<Branch> {
+fn clear_of(whole: &Assigned, ends: &[End]) -> Vec<Branch> {
     let sense = whole.experiment.sense();
     let points = whole.experiment.measurement.points.iter();
     let branch = |(point, &branch): (&Point, &Branch)| {
