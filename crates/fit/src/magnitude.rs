@@ -71,7 +71,7 @@ impl Experiment {
 
     /// Checks the ranges of the points.
     fn ranges(&self, found: &mut Vec<Magnitude>) {
-        let [abscissa, ordinate] = self.measurement.kind.names();
+        let kind = self.measurement.kind;
         let points = &self.measurement.points;
         // A number that is not finite is refused by its point.
         let range = |value: fn(&crate::Point) -> f64| {
@@ -79,42 +79,24 @@ impl Experiment {
             let [least, most] = extremes(ends);
             most - least
         };
-        let abscissae = range(|point| point.abscissa);
-        let mut lengths = vec![(abscissa, abscissae)];
-        let mut ordinates = range(|point| point.ordinate);
-        let mut ordinate = ordinate;
-        match self.measurement.kind {
-            Kind::StiffnessLoad => {
-                lengths.clear();
-                (ordinate, ordinates) = (abscissa, abscissae);
-            }
-            Kind::StiffnessRadius | Kind::StiffnessDepth => ordinates = 0.0,
-            _ => {}
-        }
-        if self.measurement.kind == Kind::PenetrationRadius {
-            lengths.push((ordinate, ordinates));
-        } else if ordinates > LARGEST_LOAD {
-            found.push(Magnitude {
-                what: format!("the range of the {ordinate}").into(),
-                value: ordinates,
-                unit: "N",
-                reason: format!(
-                    "is above {LARGEST_LOAD:e} N: mN, uN or nN were probably taken for N"
-                )
-                .into(),
-            });
-        }
-        for (name, value) in lengths {
+        let ranges = [range(|point| point.abscissa), range(|point| point.ordinate)];
+        for ((name, unit), value) in kind.names().into_iter().zip(kind.units()).zip(ranges) {
             let [_, most] = LENGTHS;
-            if value > most && value < 1e100 {
-                found.push(Magnitude {
-                    what: format!("the range of the {name}").into(),
-                    value,
-                    unit: "m",
-                    reason: format!("is above {most} m: mm, um or nm were probably taken for m")
-                        .into(),
-                });
-            }
+            let reason = match unit {
+                "N" if value > LARGEST_LOAD => {
+                    format!("is above {LARGEST_LOAD:e} N: mN, uN or nN were probably taken for N")
+                }
+                "m" if value > most && value < 1e100 => {
+                    format!("is above {most} m: mm, um or nm were probably taken for m")
+                }
+                _ => continue,
+            };
+            found.push(Magnitude {
+                what: format!("the range of the {name}").into(),
+                value,
+                unit,
+                reason: reason.into(),
+            });
         }
     }
 

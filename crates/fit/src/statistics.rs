@@ -1,5 +1,9 @@
 //! Statistics of samples.
 
+use std::convert::Infallible;
+
+use contact::root;
+
 /// The median of the absolute value of a normal number.
 pub(crate) const MEDIAN: f64 = 0.674_49;
 
@@ -147,17 +151,17 @@ pub(crate) fn normal_of_t(t: f64, freedom: f64) -> f64 {
     (8.0 * freedom + 1.0) / (8.0 * freedom + 3.0) * (freedom * (t * t / freedom).ln_1p()).sqrt()
 }
 
-/// Returns how many standard deviations a normal number stays within with probability `level`, by
-/// the rational approximation of Abramowitz and Stegun (26.2.23, error below 4.5e-4) and one step
-/// of Newton's method on their 7.1.26 (1.5e-7).
+/// Returns how many standard deviations a normal number stays within with probability `level`.
 pub(crate) fn deviations(level: f64) -> f64 {
-    let tail = 0.5 * (1.0 - level);
-    let t = (-2.0 * tail.ln()).sqrt();
-    let z = t
-        - (2.515_517 + t * (0.802_853 + t * 0.010_328))
-            / (1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308)));
-    let density = (-0.5 * z * z).exp() / (2.0 * std::f64::consts::PI).sqrt();
-    z + (upper_tail(z) - tail) / density
+    /// No f64 is a probability to be farther away.
+    const FARTHEST: f64 = 40.0;
+    let outside = |z: f64| libm::erfc(z * std::f64::consts::FRAC_1_SQRT_2);
+    let Ok(z) = root(
+        |z| Ok::<_, Infallible>(outside(z) - (1.0 - level)),
+        0.0,
+        FARTHEST,
+    );
+    z
 }
 
 /// The degrees of freedom from which on Student's distribution is taken for the normal one: its
@@ -171,16 +175,9 @@ pub(crate) fn student_deviations(level: f64, freedom: usize) -> f64 {
         return deviations(level);
     }
     // The angle whose tangent is `t/sqrt(freedom)`.
-    let [mut low, mut high] = [0.0, std::f64::consts::FRAC_PI_2];
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if student_within(middle, freedom) < level {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    (freedom as f64).sqrt() * low.tan()
+    let excess = |angle| Ok::<_, Infallible>(student_within(angle, freedom) - level);
+    let Ok(angle) = root(excess, 0.0, std::f64::consts::FRAC_PI_2);
+    (freedom as f64).sqrt() * angle.tan()
 }
 
 /// Returns the probability that Student's number is between `-t` and `t` with
@@ -201,17 +198,6 @@ fn student_within(angle: f64, freedom: usize) -> f64 {
     } else {
         sine * sum
     }
-}
-
-/// Returns the probability that a normal number exceeds `z >= 0`.
-fn upper_tail(z: f64) -> f64 {
-    let x = z * std::f64::consts::FRAC_1_SQRT_2;
-    let t = 1.0 / (1.0 + 0.327_591_1 * x);
-    let polynomial = t
-        * (0.254_829_592
-            + t * (-0.284_496_736
-                + t * (1.421_413_741 + t * (-1.453_152_027 + t * 1.061_405_429))));
-    0.5 * polynomial * (-x * x).exp()
 }
 
 #[cfg(test)]

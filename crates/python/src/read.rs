@@ -106,12 +106,7 @@ fn format(py: Python<'_>, given: GivenFormat) -> PyResult<Format> {
             stiffness: given.stiffness,
             sensitivity: given.sensitivity,
         },
-        segments: match given.segments.as_str() {
-            "auto" => Segments::Auto,
-            "file" => Segments::File,
-            "split" => Segments::Split,
-            other => return Err(unknown(other)),
-        },
+        segments: Segments::of_name(&given.segments).ok_or_else(|| unknown(&given.segments))?,
         only: given.only.map(only).transpose()?,
         between: given.between.map(|ends| ends.map(Into::into)),
         keep_pauses: given.keep_pauses,

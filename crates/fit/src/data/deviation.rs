@@ -61,17 +61,11 @@ impl Columns<'_> {
         let Some((index, unit)) = found else {
             return Ok(None);
         };
-        if unit.is_some() {
-            return self.source(role, index, unit, false).map(Some);
-        }
+        // Without a unit it has that of its quantity.
+        let source = self.source(role, index, Some(unit.unwrap_or(of.unit)), false)?;
         Ok(Some(Source {
-            role,
-            index,
-            unit: of.unit,
-            factor: of.factor.abs(),
-            heading: self.headings[index].text.clone(),
-            typed: self.headings[index].text.clone(),
-            assumed_si: of.assumed_si,
+            assumed_si: unit.is_none() && of.assumed_si,
+            ..source
         }))
     }
 }

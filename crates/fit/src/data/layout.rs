@@ -226,13 +226,7 @@ fn may_be_split(cell: &str) -> bool {
 /// Returns the lines that could be headings of as many cells as `fits` allows, the last first, a
 /// line of units joined to its names.
 pub fn titles(lines: &[String], delimiter: Delimiter, fits: RangeInclusive<usize>) -> Vec<Titles> {
-    struct Text {
-        head: usize,
-        cells: Vec<String>,
-        labelled: bool,
-        row: Option<String>,
-    }
-    let texts = lines.iter().enumerate().rev().filter_map(|(i, line)| {
+    let candidates = lines.iter().enumerate().rev().filter_map(|(i, line)| {
         let mut text = comment(line).unwrap_or(line);
         let mut labelled = false;
         for label in ["columns:", "units:"] {
@@ -249,34 +243,27 @@ pub fn titles(lines: &[String], delimiter: Delimiter, fits: RangeInclusive<usize
             .iter()
             .filter(|cell| cell.starts_with(|c: char| c.is_alphabetic() || "[({".contains(c)))
             .count();
-        (fits.contains(&cells.len()) && words >= 2).then_some(Text {
+        (fits.contains(&cells.len()) && words >= 2).then(|| Titles {
+            headings: cells.iter().map(|cell| Heading::parse(cell)).collect(),
             head: i + 1,
-            cells,
             labelled,
             row,
         })
     });
-    let mut found = Vec::new();
-    let mut units: Option<(usize, Vec<String>)> = None;
-    for text in texts {
-        if units.is_none() && found.is_empty() && are_units(&text.cells) {
-            units = Some((text.head, text.cells));
+    let mut found: Vec<Titles> = Vec::new();
+    let mut units: Option<Titles> = None;
+    for mut titles in candidates {
+        if units.is_none() && found.is_empty() && are_units(&titles.headings) {
+            units = Some(titles);
             continue;
         }
-        let unit = |i: usize| unit(units.as_ref()?.1.get(i)?);
-        let heading = |(i, text): (usize, &String)| {
-            let heading = Heading::parse(text);
-            Heading {
-                unit: heading.unit.or_else(|| unit(i)),
-                ..heading
+        if let Some(units) = &units {
+            titles.head = units.head;
+            for (heading, below) in titles.headings.iter_mut().zip(&units.headings) {
+                heading.unit = heading.unit.or_else(|| unit(&below.text));
             }
-        };
-        found.push(Titles {
-            headings: text.cells.iter().enumerate().map(heading).collect(),
-            head: units.as_ref().map_or(text.head, |(head, _)| *head),
-            labelled: text.labelled,
-            row: text.row,
-        });
+        }
+        found.push(titles);
     }
     found
 }
@@ -307,11 +294,10 @@ fn first_row(text: &str, delimiter: Delimiter, cells: usize) -> Option<String> {
 
 /// Returns true for a line of units: two cells at least are units, and no other cell is longer than
 /// a unit's symbol.
-fn are_units(cells: &[String]) -> bool {
-    cells.iter().filter(|cell| unit(cell).is_some()).count() >= 2
-        && cells
-            .iter()
-            .all(|cell| unit(cell).is_some() || cell.chars().count() <= 4)
+fn are_units(headings: &[Heading]) -> bool {
+    let mut cells = headings.iter().map(|heading| &heading.text);
+    cells.clone().filter(|cell| unit(cell).is_some()).count() >= 2
+        && cells.all(|cell| unit(cell).is_some() || cell.chars().count() <= 4)
 }
 
 fn unit(cell: &str) -> Option<Unit> {

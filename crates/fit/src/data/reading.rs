@@ -46,17 +46,19 @@ pub struct Cantilever {
     pub sensitivity: Option<f64>,
 }
 
-/// Where the directions of points come from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Segments {
-    /// From the file. Heights without a direction are split where they turn back.
-    #[default]
-    Auto,
-    /// From the file only.
-    File,
-    /// Points are split where the height, the penetration or the load as abscissa turns back, and at
-    /// radii at the largest ordinate, whatever the file says.
-    Split,
+named! {
+    /// Where the directions of points come from.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub enum Segments {
+        /// From the file. Heights without a direction are split where they turn back.
+        #[default]
+        Auto = "auto",
+        /// From the file only.
+        File = "file",
+        /// Points are split where the height, the penetration or the load as abscissa turns back, and at
+        /// radii at the largest ordinate, whatever the file says.
+        Split = "split",
+    }
 }
 
 /// A measurement, and how it was read.

@@ -44,16 +44,16 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
     let mut rows = Rows {
         delimiter: layout.delimiter,
         format: &format,
-        head,
+        notes: Notes {
+            head,
+            ..Notes::default()
+        },
         blocks: vec![Block::new(titles.headings, assignment)],
         waiting: Waiting::default(),
         mark: DecimalMark::default(),
         segment: None,
         moved: None,
         count: 0,
-        missing: 0,
-        pauses: 0,
-        untimed: None,
     };
     if let Some(row) = &titles.row {
         rows.add(titles.head as u64, row)?;
@@ -150,7 +150,7 @@ impl Waiting {
 struct Rows<'a> {
     delimiter: Delimiter,
     format: &'a Format,
-    head: Head,
+    notes: Notes,
     /// One for each line of headings with rows below it.
     blocks: Vec<Block>,
     waiting: Waiting,
@@ -160,10 +160,6 @@ struct Rows<'a> {
     /// The last direction, which a pause has that is kept.
     moved: Option<Direction>,
     count: u64,
-    missing: u64,
-    pauses: u64,
-    /// The first line of a point whose time is missing.
-    untimed: Option<u64>,
 }
 
 impl Rows<'_> {
@@ -171,7 +167,7 @@ impl Rows<'_> {
     fn add(&mut self, number: u64, line: &str) -> Result<(), DataError> {
         if let Some(text) = comment(line) {
             self.segment = Segment::of_comment(text).or(self.segment);
-            self.head.read(number, text);
+            self.notes.head.read(number, text);
             self.waiting.push(number, line, None);
             return Ok(());
         }
@@ -190,7 +186,7 @@ impl Rows<'_> {
             },
             // It may belong to the head of further rows.
             Err(failure) if failure.may_be_a_head(&cells) => {
-                self.head.read(number, line);
+                self.notes.head.read(number, line);
                 self.waiting.push(number, line, Some(failure));
                 Ok(())
             }
@@ -206,11 +202,11 @@ impl Rows<'_> {
         }
         let format = Format {
             kind: Some(self.blocks[0].assignment.kind),
-            cantilever: self.head.complete(self.format.cantilever),
+            cantilever: self.notes.head.complete(self.format.cantilever),
             ..self.format.clone()
         };
         for titles in titles(&self.waiting.lines, self.delimiter, cells..=cells) {
-            match assign(&titles.headings, &format, self.head.untold.as_ref()) {
+            match assign(&titles.headings, &format, self.notes.head.untold.as_ref()) {
                 Ok(assignment) => {
                     self.blocks.push(Block::new(titles.headings, assignment));
                     self.waiting = Waiting::default();
@@ -241,7 +237,7 @@ impl Rows<'_> {
     fn row(&mut self, number: u64, cells: &[&str]) -> Result<(), DataError> {
         if self.is_pause() {
             self.count += 1;
-            self.pauses += 1;
+            self.notes.pauses += 1;
             return Ok(());
         }
         let block = self.blocks.last_mut().expect("there is the first block");
@@ -287,7 +283,7 @@ impl Rows<'_> {
             Some(Segment::Pause) if self.format.keep_pauses => self.moved,
             Some(Segment::Pause) => {
                 self.count += 1;
-                self.pauses += 1;
+                self.notes.pauses += 1;
                 return Ok(());
             }
             Some(Segment::Moving(direction)) => Some(direction),
@@ -356,44 +352,36 @@ impl Rows<'_> {
                 Some((point, deviations, beside)) => {
                     let is_known = assignment.kind.is_stiffness() || !beside.time.is_nan();
                     if !is_known && has_times {
-                        self.untimed.get_or_insert(number);
+                        self.notes.untimed.get_or_insert(number);
                     }
                     points.push(point, deviations, is_known.then_some(beside));
                 }
-                None => self.missing += 1,
+                None => self.notes.missing += 1,
             }
         }
         Ok(())
     }
 
     /// Joins the points.
-    fn finish(self, name: &str) -> Result<Reading, DataError> {
+    fn finish(mut self, name: &str) -> Result<Reading, DataError> {
         if let Some(failure) = self.waiting.failure {
             return Err(failure);
         }
         self.check_head()?;
         // Between semicolons commas are decimal marks as a rule, and points may part thousands.
         let is_clear = self.delimiter != Delimiter::Semicolon;
-        let marks = match self.mark.marks() {
+        self.notes.marks = match self.mark.marks() {
             Marks::UnclearPoints if is_clear => Marks::Points,
             marks => marks,
         };
-        let notes = Notes {
-            marks,
-            missing: self.missing,
-            pauses: self.pauses,
-            untimed: self.untimed,
-            cantilever: self.format.cantilever,
-            head: self.head,
-            ..Notes::default()
-        };
-        join(self.blocks, self.count, self.format, name, notes)
+        self.notes.cantilever = self.format.cantilever;
+        join(self.blocks, self.count, self.format, name, self.notes)
     }
 
     /// Refuses heads that differ in a value that was used.
     fn check_head(&self) -> Result<(), DataError> {
         let used = self.format.cantilever;
-        match &self.head.conflict {
+        match &self.notes.head.conflict {
             Some([first, second])
                 if [used.stiffness, used.sensitivity].contains(&Some(first.value)) =>
             {

@@ -29,14 +29,14 @@ const SHORTEST_RUN: usize = 8;
 /// The ratio of the scatter to the given noise above which nothing is said.
 const SMALLER: f64 = 0.8;
 
-/// Adds the doubts about noise and agreement, from the residuals, the share of each that the fit
-/// follows, and the noise of neighbouring ordinates of each experiment. Returns of each whether its noise
+/// Adds the doubts about noise and agreement, from the residuals and the share of each that the fit
+/// follows. Returns of each whether its noise
 /// is not the same in contact and off contact.
 pub(super) fn add(
     warnings: &mut Warnings,
     fit: &Fit,
     problem: &Problem<'_>,
-    (residuals, leverages, local_noise): (&DVector<f64>, &[f64], &[Option<f64>]),
+    (residuals, leverages): (&DVector<f64>, &[f64]),
 ) -> Vec<bool> {
     let freedom = fit.degrees_of_freedom as f64;
     if let Some(reduced) = fit.reduced_chi_squared {
@@ -49,14 +49,13 @@ pub(super) fn add(
     }
     let count = problem.assigned.len() as f64;
     let chance = ALIKE / count;
-    let mut row = 0;
     let mut unequal = vec![false; problem.assigned.len()];
     let experiments = problem.assigned.iter().zip(&fit.experiments);
-    for (e, ((assigned, fitted), local)) in experiments.zip(local_noise).enumerate() {
-        let own = residuals.rows(row, assigned.counting());
-        let leverages = &leverages[row..row + own.len()];
+    let experiments = experiments.zip(problem.rows_of_experiments());
+    for (e, ((assigned, fitted), rows)) in experiments.enumerate() {
+        let own = residuals.rows(rows.start, rows.len());
+        let leverages = &leverages[rows];
         let followed: f64 = leverages.iter().sum();
-        row += own.len();
         large_noise(
             warnings,
             assigned,
@@ -64,7 +63,7 @@ pub(super) fn add(
             own.len() as f64 - followed,
         );
         // Rounding makes neighbours alike.
-        if detector::add(warnings, fitted, assigned, local.unwrap_or(0.0)) {
+        if detector::add(warnings, fitted, assigned) {
             continue;
         }
         // A wrong model scatters in contact, too.

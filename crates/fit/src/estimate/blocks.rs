@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use crate::model::Predicted;
 
 /// The number of experiments from which on the blocks are used.
@@ -27,17 +27,12 @@ impl Problem<'_> {
         if self.assigned.len() < MANY {
             return Vec::new();
         }
-        let mut end = 0;
-        let block = |(e, height): (usize, usize)| {
-            let rows = end..end + height;
-            end = rows.end;
-            Block {
-                rows,
-                columns: self.slots_of(e),
-            }
+        let block = |(e, rows): (usize, Range<usize>)| Block {
+            rows,
+            columns: self.slots_of(e),
         };
-        let heights = self.assigned.iter().map(Assigned::counting);
-        heights.enumerate().map(block).collect()
+        let rows = self.rows_of_experiments();
+        rows.into_iter().enumerate().map(block).collect()
     }
 
     /// Returns fewer derivatives and residuals for [`Self::minimise`]: the `R` of `[J r] = Q R` hold `J^T J`, `J^T r` and

@@ -13,7 +13,7 @@ use interp::Probe;
 
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::hold;
-use super::problem::Problem;
+use super::problem::{Assigned, Problem};
 use crate::model::Bodies;
 use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
 use crate::{Branch, Experiment, Kind, Parameter, WarningKind};
@@ -50,18 +50,14 @@ struct Sample {
 }
 
 /// Warns of a loop that the fitted model does not make, and of a depth that remains.
-pub(super) fn add(
-    warnings: &mut Warnings,
-    problem: &Problem<'_>,
-    e: usize,
-    local_noise: Option<f64>,
-) {
-    let experiment = &problem.assigned[e].experiment;
+pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
+    let assigned = &problem.assigned[e];
+    let experiment = &assigned.experiment;
     if matches!(experiment.bodies.probe(), Probe::FlatPunch { .. }) {
         return;
     }
     let Some(ways) = experiment.ways() else {
-        hold::add(warnings, experiment, local_noise);
+        hold::add(warnings, assigned);
         return;
     };
     let Some(ways) = samples(problem, e, &ways) else {
@@ -120,7 +116,7 @@ pub(super) fn add(
             }
         ),
     );
-    if let Some([depth, largest]) = remaining(experiment, local_noise, &ways) {
+    if let Some([depth, largest]) = remaining(assigned, &ways) {
         warnings.add(
             WarningKind::Plasticity,
             format!(
@@ -331,19 +327,14 @@ fn crossing(way: &[Sample], load: f64) -> Option<f64> {
 /// Returns the depth that remains after unloading, and the largest penetration, if the depth is
 /// large: the distance of the two ways at a low load. An adhesive contact that lasts to the contact
 /// point of loading, and beyond, leaves none.
-fn remaining(
-    experiment: &Experiment,
-    local_noise: Option<f64>,
-    ways: &[Vec<Sample>; 2],
-) -> Option<[f64; 2]> {
-    if experiment.measurement.kind.at_radii() {
+fn remaining(assigned: &Assigned, ways: &[Vec<Sample>; 2]) -> Option<[f64; 2]> {
+    if assigned.experiment.measurement.kind.at_radii() {
         return None;
     }
     let loads = |way: &[Sample]| extremes(way.iter().map(|sample| sample.load));
     let [[least, largest], [tension, most]] = [loads(&ways[0]), loads(&ways[1])];
     let largest = largest.min(most);
-    let noise = experiment.usual_noise().or(local_noise).unwrap_or(0.0);
-    let low = least.max(tension).max(CLEAR * noise);
+    let low = least.max(tension).max(CLEAR * assigned.seen_noise());
     let low = low.max(LOW_LOAD[0] * largest) * (1.0 + 1e-9);
     if !(largest > 0.0 && low <= LOW_LOAD[1] * largest) {
         return None;

@@ -15,14 +15,10 @@ const ROUNDED: f64 = 3.0;
 const OF_ROUNDING: [f64; 2] = [0.1, 0.5];
 
 /// Adds the doubts about the detector of an experiment. Tells whether its readings are in coarse
-/// steps. `local_noise` is in the unit of [`FittedExperiment::noise`].
-pub(super) fn add(
-    warnings: &mut Warnings,
-    fitted: &FittedExperiment,
-    assigned: &Assigned,
-    local_noise: f64,
-) -> bool {
+/// steps.
+pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: &Assigned) -> bool {
     let kind = assigned.experiment.measurement.kind;
+    let local_noise = assigned.local_noise.unwrap_or(0.0);
     let [_, ordinate] = kind.names();
     let name = &fitted.name;
     let mut readings: Vec<f64> = fitted.points.iter().map(|point| point.ordinate).collect();
@@ -32,7 +28,7 @@ pub(super) fn add(
     if readings.len() < FEWEST {
         return false;
     }
-    let unit = kind.ordinate_unit();
+    let [_, unit] = kind.units();
     // The noise of a contact stiffness is relative.
     let noise_at = |noise: f64, reading: f64| {
         if kind.is_stiffness() {

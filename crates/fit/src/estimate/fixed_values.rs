@@ -231,9 +231,7 @@ pub(super) fn residuals_with(
     value: impl Fn(f64) -> f64,
 ) -> Option<DVector<f64>> {
     let mut residuals = problem.plain_residuals()?;
-    let mut row = 0;
-    for assigned in &problem.assigned {
-        let count = assigned.counting();
+    for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         if let Some(own) = assigned.experiment.value_of(quantity) {
             let mut experiment = assigned.experiment.clone();
             experiment.replace_fixed(quantity, value(own)).ok()?;
@@ -242,12 +240,11 @@ pub(super) fn residuals_with(
             let branches = &assigned.branches;
             let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, None);
             let predicted = predicted.ok()?;
-            for (row, i) in (row..).zip(assigned.counting_points()) {
+            for (row, i) in rows.zip(assigned.counting_points()) {
                 residuals[row] =
                     (predicted.values[i] - experiment.compared(i)) / assigned.deviation(i);
             }
         }
-        row += count;
     }
     residuals
         .iter()

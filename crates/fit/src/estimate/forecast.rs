@@ -1,7 +1,6 @@
 //! What an experiment would tell, before it is made.
 
 use interp::Table;
-use nalgebra::DVector;
 
 use super::assumptions;
 use super::doubts::Warnings;
@@ -88,6 +87,7 @@ pub fn forecast(
             experiment,
             branches,
             order,
+            local_noise: None,
             noise,
             abscissa_parts: Vec::new(),
             factors: Vec::new(),
@@ -128,22 +128,11 @@ pub fn forecast(
     })
 }
 
-/// Computes the uncertainty without residuals.
+/// Computes the uncertainty, which does not depend on the residuals.
 fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
-    let (jacobian, sizes) = problem.jacobian_of_sizes().ok_or(Error::NoDerivatives)?;
-    if jacobian.nrows() < jacobian.ncols() {
-        return Err(Error::TooFewPoints {
-            points: jacobian.nrows(),
-            parameters: jacobian.ncols(),
-        });
+    let (points, parameters) = (problem.residual_count(), problem.slots.len());
+    if points < parameters {
+        return Err(Error::TooFewPoints { points, parameters });
     }
-    let residuals = DVector::zeros(jacobian.nrows());
-    let blocks = problem.blocks();
-    Ok(Uncertainty::new(
-        jacobian,
-        blocks,
-        &residuals,
-        Loss::Squares,
-        sizes,
-    ))
+    Uncertainty::of(problem).ok_or(Error::NoDerivatives)
 }

@@ -1,8 +1,9 @@
 //! A hold after which no retract was measured: a load that falls then tells that the film relaxes.
 
 use super::doubts::Warnings;
+use super::problem::Assigned;
+use crate::WarningKind;
 use crate::statistics::{extremes, median};
-use crate::{Experiment, WarningKind};
 
 /// The part of the range of penetrations or heights within which they are held, and the part of the load by which it falls
 /// then.
@@ -15,13 +16,14 @@ const FEWEST: usize = 5;
 const PART: usize = 20;
 
 /// Warns of a load that falls during a hold after which no retract was measured.
-pub(super) fn add(warnings: &mut Warnings, experiment: &Experiment, local_noise: Option<f64>) {
+pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
+    let experiment = &assigned.experiment;
     let measurement = &experiment.measurement;
     let kind = measurement.kind;
     if kind.at_radii() || kind.is_stiffness() || experiment.relaxing.is_some() {
         return;
     }
-    let noise = experiment.usual_noise().or(local_noise).unwrap_or(0.0);
+    let noise = assigned.seen_noise();
     let sense = experiment.sense();
     let points = &measurement.points;
     let positions = || points.iter().map(|point| sense * point.abscissa);

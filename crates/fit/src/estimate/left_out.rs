@@ -2,14 +2,14 @@
 
 use super::minima::Minimum;
 use super::problem::Assigned;
-use super::search::{Data, End, ends};
+use super::search::{End, ends};
 use crate::{Branch, Error, LeftOut, LeftOutReason, Numbering};
 
 /// The largest part of the points in contact that may be left out unless more are allowed.
 const MOST: f64 = 1.0 / 3.0;
 
 /// Lists the points left out of each experiment, in the order of the reasons.
-pub(super) fn left_out(found: &Minimum<'_>, data: &Data) -> Vec<Vec<LeftOut>> {
+pub(super) fn left_out(found: &Minimum<'_>, data: &[Assigned]) -> Vec<Vec<LeftOut>> {
     let of_experiment = |(e, whole): (usize, &Assigned)| {
         let uncertainty = found.uncertainty.as_ref();
         let ends = uncertainty.map(|uncertainty| ends(&found.problem, e, uncertainty, whole));
@@ -38,11 +38,7 @@ pub(super) fn left_out(found: &Minimum<'_>, data: &Data) -> Vec<Vec<LeftOut>> {
         groups.sort_by_key(|group| group.reason);
         groups
     };
-    data.assigned
-        .iter()
-        .enumerate()
-        .map(of_experiment)
-        .collect()
+    data.iter().enumerate().map(of_experiment).collect()
 }
 
 /// Returns why a point is left out.
@@ -77,8 +73,8 @@ pub(super) fn in_contact(whole: &Assigned, groups: &[LeftOut]) -> [usize; 2] {
 }
 
 /// Accepts what is left out.
-pub(super) fn accept(data: &Data, left_out: &[Vec<LeftOut>]) -> Result<(), Error> {
-    for (whole, groups) in data.assigned.iter().zip(left_out) {
+pub(super) fn accept(data: &[Assigned], left_out: &[Vec<LeftOut>]) -> Result<(), Error> {
+    for (whole, groups) in data.iter().zip(left_out) {
         let [contacts, lost] = in_contact(whole, groups);
         if lost as f64 > MOST * contacts as f64 {
             let measurement = &whole.experiment.measurement;

@@ -50,8 +50,7 @@ impl Likelihood {
         for experiment in experiments {
             experiment.known_noise()?;
         }
-        let (data, slots) = prepare(experiments, free)?;
-        let mut assigned = data.assigned;
+        let (mut assigned, slots) = prepare(experiments, free)?;
         if let Some(branches) = branches {
             accept_lengths(branches, &assigned)?;
             for (own, given) in assigned.iter_mut().zip(branches) {

@@ -8,7 +8,7 @@ use super::basin::Basin;
 use super::doubts::BEYOND_CHANCE;
 use super::no_adhesion;
 use super::problem::{Assigned, Ending, Problem};
-use super::search::{COARSE, Data, PATIENCE, hold_back, is_bad, settle, thin};
+use super::search::{COARSE, PATIENCE, hold_back, is_bad, settle, thin};
 use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
@@ -56,11 +56,11 @@ pub(crate) struct Rival {
 /// valley of the least known value is followed to both sides.
 pub(crate) fn minimum<'a>(
     table: &'a Table,
-    data: &Data,
+    data: &[Assigned],
     (free, given): (&[Free], &[Slot]),
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
-    let few: Vec<Assigned> = data.assigned.iter().map(hold_back).map(thin).collect();
+    let few: Vec<Assigned> = data.iter().map(hold_back).map(thin).collect();
     let from = |free: &[Free], slots: &[Slot], variation| {
         let mut problem = start::problem(table, &few, (free, slots), loss, variation)?;
         problem.weigh()?;
@@ -69,7 +69,7 @@ pub(crate) fn minimum<'a>(
     let first = from(free, given, Variation::None);
     let first = first.map(|problem| problem.minimise(PATIENCE, COARSE));
     let is_good = |(problem, ending): &(Problem<'_>, Ending)| {
-        *ending == Ending::Converged && !is_bad(problem, data)
+        *ending == Ending::Converged && !is_bad(problem)
     };
     let is_bad = !first.as_ref().is_ok_and(is_good);
     let doubtful = first.as_ref().ok().and_then(|(first, _)| {
@@ -189,7 +189,7 @@ const fn rank(parameter: Parameter) -> Option<usize> {
 }
 
 /// Returns what is free without the starts given, if any is given.
-fn without_starts(data: &Data, free: &[Free]) -> Option<(Vec<Free>, Vec<Slot>)> {
+fn without_starts(data: &[Assigned], free: &[Free]) -> Option<(Vec<Free>, Vec<Slot>)> {
     if free.iter().all(|one| one.start.is_none()) {
         return None;
     }
@@ -198,14 +198,18 @@ fn without_starts(data: &Data, free: &[Free]) -> Option<(Vec<Free>, Vec<Slot>)> 
         ..*one
     };
     let free: Vec<Free> = free.iter().map(without_start).collect();
-    let experiments = data.assigned.iter().map(|one| one.experiment.clone());
+    let experiments = data.iter().map(|one| one.experiment.clone());
     let experiments: Vec<Experiment> = experiments.collect();
     let slots = slots(&experiments, &free).ok()?;
     Some((free, slots))
 }
 
 /// Follows the best ends on few points to all points, and compares what comes out.
-fn best<'a>(mut ends: Vec<(Problem<'a>, Ending)>, data: &Data, evaluations: usize) -> Minimum<'a> {
+fn best<'a>(
+    mut ends: Vec<(Problem<'a>, Ending)>,
+    data: &[Assigned],
+    evaluations: usize,
+) -> Minimum<'a> {
     let has_converged = |end: &(Problem<'_>, Ending)| end.1 == Ending::Converged;
     if ends.iter().any(has_converged) {
         ends.retain(has_converged);
@@ -281,7 +285,7 @@ impl<'a> Minimum<'a> {
     }
 
     /// Follows an end on few points to all points.
-    pub fn settled(problem: Problem<'a>, ending: Ending, data: &Data) -> Self {
+    pub fn settled(problem: Problem<'a>, ending: Ending, data: &[Assigned]) -> Self {
         let (problem, ending, uncertainty) = settle(problem, ending, data);
         Self {
             problem,
@@ -294,7 +298,7 @@ impl<'a> Minimum<'a> {
 
     /// Starts again from a place that is lower than this minimum, which becomes a rival of the new
     /// one.
-    pub fn replace_by(&mut self, lower: Problem<'a>, data: &Data) {
+    pub fn replace_by(&mut self, lower: Problem<'a>, data: &[Assigned]) {
         let lower = Self::settled(lower, Ending::Converged, data);
         let old = std::mem::replace(self, lower);
         self.problem.evaluations += old.problem.evaluations;

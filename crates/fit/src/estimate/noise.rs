@@ -42,11 +42,10 @@ pub(super) fn estimate_noise(
         return (uncertainty, false);
     };
     let of_files = of_files(problem, residuals.as_slice(), &uncertainty.leverages);
-    let (mut row, mut changed) = (0, false);
+    let mut changed = false;
     let mut jacobian = uncertainty.jacobian.clone();
-    for assigned in &mut problem.assigned {
-        let rows = row..row + assigned.counting();
-        row = rows.end;
+    let all_rows = problem.rows_of_experiments();
+    for (assigned, rows) in problem.assigned.iter_mut().zip(all_rows) {
         if assigned.experiment.usual_noise().is_some() || rows.is_empty() {
             continue;
         }
@@ -132,11 +131,8 @@ impl Alone {
 
 /// Lists the files whose noise is estimated with exact abscissae.
 fn of_files(problem: &Problem<'_>, residuals: &[f64], leverages: &[f64]) -> Vec<Alone> {
-    let mut row = 0;
     let mut all = Vec::new();
-    for assigned in &problem.assigned {
-        let rows = row..row + assigned.counting();
-        row = rows.end;
+    for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         let is_known = assigned.experiment.usual_noise().is_some();
         if !is_known && !rows.is_empty() && assigned.abscissa_parts.is_empty() {
             let alone = Alone::new(
@@ -233,10 +229,8 @@ fn most_told(leverages: &[f64]) -> f64 {
 /// Warns of an estimated noise that few points tell, because the errors of the abscissae hide it at
 /// the others.
 pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, uncertainty: &Uncertainty) {
-    let mut row = 0;
-    for assigned in &problem.assigned {
-        let leverages = &uncertainty.leverages[row..row + assigned.counting()];
-        row += leverages.len();
+    for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
+        let leverages = &uncertainty.leverages[rows];
         let experiment = &assigned.experiment;
         if experiment.usual_noise().is_some() || assigned.abscissa_parts.is_empty() {
             continue;

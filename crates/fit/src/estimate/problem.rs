@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::cell::RefCell;
+use std::ops::Range;
 use std::rc::Rc;
 
 use contact::Contact;
@@ -13,8 +14,9 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use super::assumptions;
 use super::basin::Basin;
 use super::loss::weighted;
+use super::search::range;
 use super::slot::Slot;
-use crate::model::Predicted;
+use crate::model::{Assignment, Predicted};
 use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};
 
 /// The residuals at parameters without a contact, such as those outside the table. They are so
@@ -30,6 +32,8 @@ pub(crate) struct Assigned {
     pub experiment: Experiment,
     pub branches: Vec<Branch>,
     pub order: Vec<usize>,
+    /// The noise that differences of neighbouring ordinates show; `None` for too few points.
+    pub local_noise: Option<f64>,
     /// The standard deviation of an ordinate, known or estimated so far.
     pub noise: f64,
     /// What errors of the abscissae add to the deviation of each ordinate; empty where they are
@@ -40,6 +44,25 @@ pub(crate) struct Assigned {
 }
 
 impl Assigned {
+    /// Takes an experiment with the branches of its points, as a fit begins.
+    pub fn new(experiment: Experiment, assignment: Assignment) -> Self {
+        let Assignment {
+            branches,
+            order,
+            local_noise,
+        } = assignment;
+        let least = || local_noise.unwrap_or(0.0).max(1e-6 * range(&experiment));
+        Self {
+            noise: experiment.usual_noise().unwrap_or_else(least),
+            experiment,
+            branches,
+            order,
+            local_noise,
+            abscissa_parts: Vec::new(),
+            factors: Vec::new(),
+        }
+    }
+
     /// Returns the branches, and of ways without adhesion the flat end as baseline. There the model holds on
     /// both sides, but a start needs the points in contact.
     pub fn branches_without_flat_ends(&self, level_is_free: bool) -> Vec<Branch> {
@@ -61,6 +84,12 @@ impl Assigned {
             Some(part) => own.hypot(*part),
             None => own,
         }
+    }
+
+    /// Returns the noise of an ordinate that is known, or that neighbours show; 0 if neither is.
+    pub fn seen_noise(&self) -> f64 {
+        let known = self.experiment.usual_noise();
+        known.or(self.local_noise).unwrap_or(0.0)
     }
 
     /// Returns the number of points that count.
@@ -282,6 +311,17 @@ impl<'a> Problem<'a> {
     pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
         let assigned = self.assigned.iter().enumerate();
         assigned.flat_map(|(e, assigned)| assigned.counting_points().map(move |i| (e, i)))
+    }
+
+    /// Returns the rows of the residuals that each experiment has.
+    pub fn rows_of_experiments(&self) -> Vec<Range<usize>> {
+        let mut end = 0;
+        let rows = |one: &Assigned| {
+            let begin = end;
+            end += one.counting();
+            begin..end
+        };
+        self.assigned.iter().map(rows).collect()
     }
 
     /// Returns the number of points that count.

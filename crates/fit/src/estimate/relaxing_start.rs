@@ -4,7 +4,7 @@
 use interp::{Probe, Table};
 
 use super::problem::Assigned;
-use crate::model::{Freedom, Program, noise_of};
+use crate::model::{Program, noise_of};
 use crate::statistics::{extremes, median};
 use crate::{Bodies, Direction, Error, Experiment, Parameter, Point};
 
@@ -79,12 +79,7 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     for point in &mut experiment.measurement.points {
         point.direction = Some(Direction::Approach);
     }
-    let assignment = experiment.assign(Freedom {
-        adhesive: false,
-        hysteretic: false,
-        level,
-        slope: false,
-    })?;
+    let assignment = experiment.assign(|own| level && own == Parameter::Baseline)?;
     Ok(Some(Assigned {
         experiment,
         branches: assignment.branches,

@@ -4,7 +4,6 @@
 use super::noise::estimate_noise;
 use super::problem::{Assigned, Ending, Problem};
 use super::uncertainty::Uncertainty;
-use crate::model::Assignment;
 use crate::statistics::{MEDIAN, excess, extremes, median};
 use crate::{Bodies, Branch, Experiment, Loss, Parameter, Point};
 
@@ -34,36 +33,6 @@ pub(super) const SHORT: f64 = 0.1;
 const WEIGHTS_CHANGE: f64 = 1e-3;
 /// An excess of the sum of squares, in standard deviations, at which other starts are tried.
 const BAD: f64 = 4.5;
-
-/// The data of a fit before any value is found.
-pub(crate) struct Data {
-    pub assigned: Vec<Assigned>,
-    /// The noise that differences of neighbouring ordinates show.
-    pub local_noise: Vec<Option<f64>>,
-}
-
-impl Data {
-    /// Takes experiments with the branches of their points.
-    pub fn new(experiments: &[Experiment], assignments: Vec<Assignment>) -> Self {
-        let local_noise = assignments.iter().map(|one| one.local_noise).collect();
-        let assigned = experiments.iter().zip(assignments);
-        let assigned = assigned.map(|(experiment, assignment)| Assigned {
-            noise: experiment.usual_noise().unwrap_or_else(|| {
-                let least = 1e-6 * range(experiment);
-                assignment.local_noise.unwrap_or(0.0).max(least)
-            }),
-            experiment: experiment.clone(),
-            branches: assignment.branches,
-            order: assignment.order,
-            abscissa_parts: Vec::new(),
-            factors: Vec::new(),
-        });
-        Self {
-            assigned: assigned.collect(),
-            local_noise,
-        }
-    }
-}
 
 /// Returns the range of the ordinates.
 pub(super) fn range(experiment: &Experiment) -> f64 {
@@ -122,17 +91,16 @@ pub(super) fn thin(mut assigned: Assigned) -> Assigned {
 }
 
 /// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
-pub(super) fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
+pub(super) fn is_bad(problem: &Problem<'_>) -> bool {
     let Some(residuals) = problem.plain_residuals() else {
         return true;
     };
-    let mut row = 0;
-    problem.assigned.iter().enumerate().any(|(e, assigned)| {
-        let count = assigned.counting();
-        let own = residuals.rows(row, count);
-        row += count;
+    let mut experiments = problem.assigned.iter().zip(problem.rows_of_experiments());
+    experiments.any(|(assigned, rows)| {
+        let count = rows.len();
+        let own = residuals.rows(rows.start, count);
         let is_known = assigned.experiment.usual_noise().is_some();
-        let local = data.local_noise[e].filter(|&noise| noise > 0.0);
+        let local = assigned.local_noise.filter(|&noise| noise > 0.0);
         if !is_known && local.is_none() {
             return false;
         }
@@ -151,7 +119,7 @@ pub(super) fn is_bad(problem: &Problem<'_>, data: &Data) -> bool {
 pub(super) fn settle<'a>(
     mut problem: Problem<'a>,
     mut ending: Ending,
-    data: &Data,
+    data: &[Assigned],
 ) -> (Problem<'a>, Ending, Option<Uncertainty>) {
     let mut round = 0;
     loop {
@@ -162,7 +130,7 @@ pub(super) fn settle<'a>(
         };
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
-        for (e, whole) in data.assigned.iter().enumerate() {
+        for (e, whole) in data.iter().enumerate() {
             let branches = clear_branches(&problem, e, &uncertainty, whole);
             if branches != problem.assigned[e].branches && round < ROUNDS {
                 problem.assigned[e].branches = branches;

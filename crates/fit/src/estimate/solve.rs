@@ -5,11 +5,9 @@ use interp::{Probe, Table};
 
 use super::minima::{Minimum, minimum};
 use super::problem::{Assigned, Ending, Problem};
-use super::search::Data;
 use super::slot::{Slot, slots};
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
-use crate::model::Freedom;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, FittedRelaxation, Free,
@@ -67,7 +65,7 @@ fn to_the_end(
 ) -> Result<Fit, Error> {
     accept(options)?;
     let (data, slots) = prepare(experiments, free)?;
-    let points: usize = data.assigned.iter().map(Assigned::counting).sum();
+    let points: usize = data.iter().map(Assigned::counting).sum();
     let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
     if points + priors <= slots.len() {
         return Err(Error::TooFewPoints {
@@ -75,7 +73,7 @@ fn to_the_end(
             parameters: slots.len(),
         });
     }
-    fixed_values::accept(&data.assigned, &slots, &options.known)?;
+    fixed_values::accept(&data, &slots, &options.known)?;
     let mut found = minimum(table, &data, (free, &slots), options.loss)?;
     let intervals = intervals(&mut found, &data, options);
     let left_out = left_out::left_out(&found, &data);
@@ -115,7 +113,7 @@ fn losses(problem: &Problem<'_>) -> Result<Vec<Option<LossAngle>>, Error> {
 /// Finds the intervals asked for. One that leads to a lower minimum starts the fit again from there.
 fn intervals<'a>(
     found: &mut Minimum<'a>,
-    data: &Data,
+    data: &[Assigned],
     options: &Options,
 ) -> Option<Vec<[profile::End; 2]>> {
     let level = options.profile_level?;
@@ -204,7 +202,7 @@ fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
 pub(crate) fn prepare(
     experiments: &[Experiment],
     free: &[Free],
-) -> Result<(Data, Vec<Slot>), Error> {
+) -> Result<(Vec<Assigned>, Vec<Slot>), Error> {
     if experiments.is_empty() {
         return Err(Error::Nothing("experiment"));
     }
@@ -213,11 +211,11 @@ pub(crate) fn prepare(
     }
     let slots = slots(experiments, free)?;
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
-    let mut experiments = experiments.to_vec();
-    let mut assignments = Vec::new();
-    for experiment in &mut experiments {
+    let mut assigned = Vec::new();
+    for experiment in experiments {
+        let mut experiment = experiment.clone();
         experiment.accept_instrument()?;
-        accept_numbers(experiment, free.len())?;
+        accept_numbers(&experiment, free.len())?;
         if is_free(Parameter::Hardness) && experiment.indentation.hardness.is_none() {
             experiment.indentation.hardness = experiment.hardness_to_start_from();
         }
@@ -244,20 +242,10 @@ pub(crate) fn prepare(
                 experiment.set(work, f64::MIN_POSITIVE)?;
             }
         }
-        let adhesive = is_free(Parameter::WorkOfAdhesion)
-            || is_free(Parameter::WorkOfAdhesionReceding)
-            || experiment.work_of_adhesion > 0.0
-            || experiment
-                .work_of_adhesion_receding
-                .is_some_and(|w| w > 0.0);
-        assignments.push(experiment.assign(Freedom {
-            adhesive,
-            hysteretic: experiment.work_of_adhesion_receding.is_some(),
-            level: is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline),
-            slope: is_free(Parameter::BaselineSlope),
-        })?);
+        let assignment = experiment.assign(is_free)?;
+        assigned.push(Assigned::new(experiment, assignment));
     }
-    Ok((Data::new(&experiments, assignments), slots))
+    Ok((assigned, slots))
 }
 
 /// Accepts noise and works of adhesion.
@@ -328,7 +316,7 @@ type Added = (
 /// Puts the result together.
 fn result(
     found: &Minimum<'_>,
-    data: &Data,
+    data: &[Assigned],
     options: &Options,
     (intervals, without, left_out, relaxations): Added,
 ) -> Fit {

@@ -309,7 +309,6 @@ fn matching_modulus(
     compound: f64,
     [radius, load, penetration]: [f64; 3],
 ) -> f64 {
-    // Without the compliance of the other body, if the compound is softer than that body.
     let bodies = &experiment.bodies;
     let other = if parameter == Parameter::SphereModulus {
         let is_thick = bodies
@@ -320,18 +319,7 @@ fn matching_modulus(
     } else {
         bodies.sphere_modulus()
     };
-    let poisson = experiment.get(Parameter::FilmPoissonRatio).unwrap_or(0.5);
-    let young = if parameter == Parameter::FilmModulus {
-        (1.0 - poisson) * (1.0 + poisson)
-    } else {
-        1.0
-    };
-    let compliance = 1.0 / compound - 1.0 / other;
-    let first = if compliance > 0.0 {
-        young / compliance
-    } else {
-        young * compound
-    };
+    let first = bodies.modulus_beside(parameter, compound, other);
     if matches!(experiment.bodies, Bodies::HalfSpace(_)) {
         return first;
     }

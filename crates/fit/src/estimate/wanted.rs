@@ -34,7 +34,6 @@ pub(super) fn add(
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
     residuals: &DVector<f64>,
-    local_noise: &[Option<f64>],
 ) {
     let score = Score::new(problem, uncertainty, residuals);
     let adhesion = adhesion(problem, &score, residuals);
@@ -58,7 +57,7 @@ pub(super) fn add(
         let name = &experiment.measurement.name;
         let fitted = problem.parameters_of(e);
         if is_without_adhesion(experiment, &fitted)
-            && let Some(pull) = experiment.pull(local_noise[e].unwrap_or(assigned.noise))
+            && let Some(pull) = experiment.pull(assigned.local_noise.unwrap_or(assigned.noise))
         {
             // The zeros of the instrument would make up for it, and are not named.
             warnings.add(WarningKind::AdhesionWanted, adhesion_seen(experiment, pull));
@@ -275,8 +274,8 @@ fn mixed(
         );
         return;
     }
-    let first: usize = problem.assigned[..e].iter().map(Assigned::counting).sum();
-    let own = residuals.rows(first, assigned.counting());
+    let rows = &problem.rows_of_experiments()[e];
+    let own = residuals.rows(rows.start, rows.len());
     let moment = |power: i32| own.iter().map(|r| r.powi(power)).sum::<f64>() / own.len() as f64;
     let are_one_way = has_directions && !has_both;
     if !are_one_way && own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS {

@@ -5,9 +5,9 @@ use contact::magnitude::LARGEST_WORK;
 use super::doubts::Warnings;
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
-use super::problem::{Ending, Problem};
+use super::problem::{Assigned, Ending, Problem};
 use super::profile::End;
-use super::search::{Data, SHORT};
+use super::search::SHORT;
 use super::solve::slot_names;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::{Bend, TESTED};
@@ -27,7 +27,7 @@ const BEYOND_END: usize = 2;
 pub(super) fn warnings(
     fit: &Fit,
     found: &Minimum<'_>,
-    data: &Data,
+    data: &[Assigned],
     options: &Options,
 ) -> Vec<Warning> {
     let mut warnings = Warnings::default();
@@ -52,22 +52,12 @@ pub(super) fn warnings(
         interfaces::add(&mut warnings, found, uncertainty);
         left_out(&mut warnings, fit, data);
         if let Some(residuals) = problem.plain_residuals() {
-            let beside = (
-                &residuals,
-                &uncertainty.leverages[..],
-                &data.local_noise[..],
-            );
+            let beside = (&residuals, &uncertainty.leverages[..]);
             let unequal = agreement::add(&mut warnings, fit, problem, beside);
             prior::add(&mut warnings, problem, uncertainty, &residuals);
             noise::add(&mut warnings, problem, uncertainty);
             outliers(&mut warnings, fit, data, (&unequal, problem.loss));
-            wanted::add(
-                &mut warnings,
-                problem,
-                uncertainty,
-                &residuals,
-                &data.local_noise,
-            );
+            wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
     }
     for e in 0..problem.assigned.len() {
@@ -78,7 +68,7 @@ pub(super) fn warnings(
             options.interaction_range,
             &fit.estimates,
         );
-        cycle::add(&mut warnings, problem, e, data.local_noise[e]);
+        cycle::add(&mut warnings, problem, e);
         relaxing::add(&mut warnings, fit, problem, e);
     }
     if fit.converged {
@@ -297,14 +287,11 @@ fn undetermined(
                 1e2 * UNDETERMINED
             ),
         );
-        if matches!(
+        let is_other = matches!(
             parameter,
-            Parameter::FilmModulus
-                | Parameter::FilmThickness
-                | Parameter::FilmPoissonRatio
-                | Parameter::LayerModulus(_)
-                | Parameter::LayerThickness(_)
-        ) {
+            Parameter::SphereModulus | Parameter::LayerInterfaceStiffness(_)
+        );
+        if parameter.is_of_bodies() && !is_other {
             film_not_seen(warnings, problem, parameter);
         }
     }
@@ -356,8 +343,13 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
 
 /// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in one part
 /// than in another: a robust loss would take the quiet part for the rule, and the other one for outliers.
-fn outliers(warnings: &mut Warnings, fit: &Fit, data: &Data, (unequal, loss): (&[bool], Loss)) {
-    let experiments = fit.experiments.iter().zip(&data.assigned).zip(unequal);
+fn outliers(
+    warnings: &mut Warnings,
+    fit: &Fit,
+    data: &[Assigned],
+    (unequal, loss): (&[bool], Loss),
+) {
+    let experiments = fit.experiments.iter().zip(data).zip(unequal);
     for ((fitted, whole), unequal) in experiments {
         let remedy = if *unequal || loss != Loss::Squares {
             ""
@@ -384,8 +376,8 @@ fn outliers(warnings: &mut Warnings, fit: &Fit, data: &Data, (unequal, loss): (&
 }
 
 /// Warns of points that are in contact in the data and clearly not in the fit.
-fn left_out(warnings: &mut Warnings, fit: &Fit, data: &Data) {
-    for (fitted, whole) in fit.experiments.iter().zip(&data.assigned) {
+fn left_out(warnings: &mut Warnings, fit: &Fit, data: &[Assigned]) {
+    for (fitted, whole) in fit.experiments.iter().zip(data) {
         let beyond = fitted.left_out.iter();
         let beyond = beyond.filter(|group| group.reason == LeftOutReason::BeyondEnd);
         let [contacts, lost] = in_contact(whole, &fitted.left_out);

@@ -7,6 +7,7 @@ use super::problem::{Ending, Problem};
 use super::slot::Slot;
 use super::start::{self, Variation};
 use super::uncertainty::{Uncertainty, estimates};
+use crate::model::of_law;
 use crate::{Bodies, Branch, Free, Loss, ModulusBias, Parameter, WithoutFilm};
 
 /// The most evaluations over the number of parameters + 1.
@@ -60,7 +61,7 @@ pub(crate) fn without_film(
     let law = |parameter: Parameter| {
         let mut slots = problem.slots.iter();
         let slot = slots.position(|slot| slot.parameter == parameter)?;
-        parameter.is_of_law().then(|| problem.value(slot))
+        of_law(parameter).map(|_| problem.value(slot))
     };
     let renamed = |parameter: Parameter| {
         if Some(parameter) == of_film {

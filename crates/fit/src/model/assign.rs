@@ -4,7 +4,7 @@
 //! jumps where a point changes its branch. So each point has its branch before the fit.
 
 use super::split::{FEWEST, KnownBaseline};
-use super::{Branch, Direction, Experiment, Kind, Point};
+use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
 use crate::statistics::{MEDIAN, median};
 
@@ -27,21 +27,8 @@ pub(crate) struct Assignment {
     pub local_noise: Option<f64>,
 }
 
-/// What the fit is free to change, as far as it matters to the branches.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Freedom {
-    /// Whether there is adhesion, fixed or free.
-    pub adhesive: bool,
-    /// Whether approach and retract may have works of adhesion of their own.
-    pub hysteretic: bool,
-    /// Whether the level of the baseline is free.
-    pub level: bool,
-    /// Whether the slope of the baseline is free.
-    pub slope: bool,
-}
-
 impl Experiment {
-    /// Accepts the points and reads their branches.
+    /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change.
     ///
     /// At contact radii all points are in contact, except those with a radius of 0. Of a retract
     /// with a work of adhesion of its own, the points within 2 % of the largest radius are left
@@ -54,7 +41,7 @@ impl Experiment {
     /// read from the ends of the segments before.
     /// Without such a jump a flat end of the segment is the baseline. Points between contact and
     /// baseline are left out.
-    pub(crate) fn assign(&self, freedom: Freedom) -> Result<Assignment, Error> {
+    pub(crate) fn assign(&self, is_free: impl Fn(Parameter) -> bool) -> Result<Assignment, Error> {
         let points = &self.measurement.points;
         self.accept_points()?;
         self.accept_stiffness()?;
@@ -78,7 +65,9 @@ impl Experiment {
         let mut local_noise = None;
         match self.measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius => {
-                self.assign_radii(freedom, &mut branches);
+                let receding = Parameter::WorkOfAdhesionReceding;
+                let hysteretic = is_free(receding) || self.get(receding).is_some();
+                self.assign_radii(hysteretic, &mut branches);
                 local_noise = noise_of(
                     &order
                         .iter()
@@ -108,9 +97,13 @@ impl Experiment {
                     local_noise = Some(noises.iter().sum::<f64>() / noises.len() as f64);
                 }
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
-                if freedom.adhesive {
-                    let baseline = self.known_baseline(noise, freedom.level || freedom.slope);
-                    let slope = if freedom.slope {
+                let works = [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding];
+                let adheres = |work| is_free(work) || self.get(work).is_some_and(|w| w > 0.0);
+                if works.into_iter().any(adheres) {
+                    let level = is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline);
+                    let slope = is_free(Parameter::BaselineSlope);
+                    let baseline = self.known_baseline(noise, level || slope);
+                    let slope = if slope {
                         self.tilt(&segments, baseline)
                     } else {
                         self.baseline_slope
@@ -215,7 +208,7 @@ impl Experiment {
     }
 
     /// Assigns points at measured contact radii.
-    fn assign_radii(&self, freedom: Freedom, branches: &mut [Branch]) {
+    fn assign_radii(&self, hysteretic: bool, branches: &mut [Branch]) {
         let points = &self.measurement.points;
         let without_contact = if self.measurement.kind == Kind::LoadRadius {
             Branch::Baseline
@@ -229,7 +222,7 @@ impl Experiment {
             .map(|(point, _)| point.abscissa)
             .fold(0.0, f64::max);
         for (point, branch) in points.iter().zip(branches) {
-            let may_be_pinned = freedom.hysteretic
+            let may_be_pinned = hysteretic
                 && *branch == Branch::Receding
                 && largest > 0.0
                 && point.abscissa > PINNED * largest;

@@ -169,6 +169,21 @@ impl Bodies {
             .map_or(Parameter::FilmModulus, Parameter::LayerModulus)
     }
 
+    /// Returns the modulus of the film or of the sphere that makes a `compound` one with the reduced
+    /// modulus `other` of the other body, Pa; without the other body, if the compound is no softer.
+    pub(crate) fn modulus_beside(&self, parameter: Parameter, compound: f64, other: f64) -> f64 {
+        let compliance = 1.0 / compound - 1.0 / other;
+        let reduced = if compliance > 0.0 {
+            1.0 / compliance
+        } else {
+            compound
+        };
+        match parameter {
+            Parameter::SphereModulus => reduced,
+            _ => reduced * (1.0 - self.film().poisson().powi(2)),
+        }
+    }
+
     /// Tells whether the contacts of these bodies have exact derivatives.
     pub(crate) const fn has_derivatives(&self) -> bool {
         !matches!(self, Self::Layered(_))
@@ -177,29 +192,23 @@ impl Bodies {
     /// Returns these bodies with another value of one of their parameters. Other parameters change
     /// nothing.
     pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
-        if let Self::Layered(layered) = &mut self {
-            layered.set(parameter, value)?;
-            return Ok(self);
-        }
-        let film = self.film();
-        let film = match parameter {
-            Parameter::FilmModulus => Elastic::new(value, film.poisson())?,
-            Parameter::FilmPoissonRatio => Elastic::new(film.young(), value)?,
-            _ => film,
-        };
-        let (sphere_modulus, own_film) = match &mut self {
-            Self::Coated(system) => {
-                if parameter == Parameter::FilmThickness {
-                    system.film_thickness = value;
-                }
-                (&mut system.sphere_modulus, &mut system.film)
+        let (sphere_modulus, film) = match &mut self {
+            Self::Layered(layered) => {
+                layered.set(parameter, value)?;
+                return Ok(self);
             }
+            Self::Coated(system) if parameter == Parameter::FilmThickness => {
+                system.film_thickness = value;
+                return Ok(self);
+            }
+            Self::Coated(system) => (&mut system.sphere_modulus, &mut system.film),
             Self::HalfSpace(half_space) => (&mut half_space.sphere_modulus, &mut half_space.solid),
-            Self::Layered(_) => return Ok(self),
         };
-        *own_film = film;
-        if parameter == Parameter::SphereModulus {
-            *sphere_modulus = value;
+        match parameter {
+            Parameter::SphereModulus => *sphere_modulus = value,
+            Parameter::FilmModulus => *film = Elastic::new(value, film.poisson())?,
+            Parameter::FilmPoissonRatio => *film = Elastic::new(film.young(), value)?,
+            _ => {}
         }
         Ok(self)
     }

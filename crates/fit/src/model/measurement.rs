@@ -41,12 +41,13 @@ impl Kind {
         }
     }
 
-    /// Returns the unit of the ordinate.
-    pub(crate) const fn ordinate_unit(self) -> &'static str {
+    /// Returns the SI units of abscissa and ordinate.
+    pub const fn units(self) -> [&'static str; 2] {
         match self {
-            Self::PenetrationRadius => "m",
-            kind if kind.is_stiffness() => "N/m",
-            _ => "N",
+            Self::LoadRadius | Self::LoadPenetration | Self::ForceHeight => ["m", "N"],
+            Self::PenetrationRadius => ["m", "m"],
+            Self::StiffnessRadius | Self::StiffnessDepth => ["m", "N/m"],
+            Self::StiffnessLoad => ["N", "N/m"],
         }
     }
 

@@ -37,7 +37,7 @@ mod straight_lines;
 mod tilt;
 mod turn;
 
-pub(crate) use assign::{Assignment, Freedom, noise_of};
+pub(crate) use assign::{Assignment, noise_of};
 pub use bodies::Bodies;
 pub use branch::Branch;
 pub use errors::PointErrors;
@@ -53,5 +53,6 @@ pub(crate) use predicted::Predicted;
 pub use prediction::Prediction;
 pub(crate) use program::Program;
 pub use relaxing::Relaxing;
+pub(crate) use relaxing::of_law;
 pub use simulate::{simulate, simulate_experiment};
 pub use solver::Solver;

@@ -195,17 +195,6 @@ impl Parameter {
         )
     }
 
-    /// Tells whether the parameter is a number of a relaxation function.
-    pub(crate) const fn is_of_law(self) -> bool {
-        matches!(
-            self,
-            Self::RelaxedFraction
-                | Self::RelaxationExponent
-                | Self::RelaxationTime(_)
-                | Self::RelaxationWeight(_)
-        )
-    }
-
     /// Tells whether the parameter belongs to the bodies, so that another value needs another
     /// contact.
     pub const fn is_of_bodies(self) -> bool {

@@ -3,7 +3,7 @@
 
 use interp::Table;
 
-use super::{Bodies, Branch, Experiment, Freedom, Kind, Parameter};
+use super::{Bodies, Branch, Experiment, Kind, Parameter};
 use crate::Error;
 
 /// The ordinates that the values of an experiment give at its points.
@@ -33,16 +33,7 @@ impl Experiment {
     /// or not below that of the sphere; [`Error::Constant`] for points that are all at one place or
     /// all read one value.
     pub fn branches(&self, free: &[Parameter]) -> Result<Vec<Branch>, Error> {
-        let is_free = |parameter| free.contains(&parameter);
-        let works = [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding];
-        let is_adhesive = |work| is_free(work) || self.get(work).is_some_and(|value| value > 0.0);
-        let [_, receding] = works;
-        let assignment = self.assign(Freedom {
-            adhesive: works.into_iter().any(is_adhesive),
-            hysteretic: is_free(receding) || self.get(receding).is_some(),
-            level: is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline),
-            slope: is_free(Parameter::BaselineSlope),
-        })?;
+        let assignment = self.assign(|parameter| free.contains(&parameter))?;
         Ok(assignment.branches)
     }
 

@@ -2,13 +2,14 @@
 
 use super::unit::three_digits;
 use crate::statistics::student_deviations;
-use crate::{Experiment, Fit, Kind};
+use crate::{Experiment, Fit};
 
 /// Says how well the fit agrees with the data.
 pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
     let noises = fit.experiments.iter().zip(experiments);
     let noises = noises.map(|(experiment, of)| {
         let kind = of.measurement.kind;
+        let [unit, ordinate_unit] = kind.units();
         let ordinate = if experiment.noise_is_estimated {
             ", from the residuals"
         } else {
@@ -16,14 +17,12 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         };
         let abscissa = match experiment.abscissa_noise {
             0.0 => String::new(),
-            noise if kind == Kind::StiffnessLoad => {
-                format!(", of the abscissa {}", three_digits(noise, "N"))
-            }
-            noise => format!(", of the abscissa {}", three_digits(noise, "m")),
+            noise => format!(", of the abscissa {}", three_digits(noise, unit)),
         };
-        let noise = match kind {
-            kind if kind.is_stiffness() => format!("{:.2} %", 1e2 * experiment.noise),
-            kind => three_digits(experiment.noise, kind.ordinate_unit()),
+        let noise = if kind.is_stiffness() {
+            format!("{:.2} %", 1e2 * experiment.noise)
+        } else {
+            three_digits(experiment.noise, ordinate_unit)
         };
         format!("{noise}{ordinate}{abscissa}")
     });

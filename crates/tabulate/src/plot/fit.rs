@@ -166,16 +166,7 @@ fn is_retract(point: &FittedPoint, measured: &Measured) -> bool {
 /// what the dashed curves are.
 fn panels(kind: Kind, members: &[Drawn<'_>], without: &str) -> Vec<Panel> {
     let [abscissa, ordinate] = kind.names();
-    let unit = match kind {
-        Kind::PenetrationRadius => "m",
-        _ if kind.is_stiffness() => "N/m",
-        _ => "N",
-    };
-    let of_abscissa = if kind == Kind::StiffnessLoad {
-        "N"
-    } else {
-        "m"
-    };
+    let [of_abscissa, unit] = kind.units();
     let marks = || members.iter().flat_map(|one| &one.marks);
     let x = Scale::new(abscissa, of_abscissa, marks().map(|mark| mark.x));
     let values = |mark: &Mark| [Some(mark.y), mark.fit].into_iter().flatten();

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::radius::Place;
 use crate::{Direction, Error, Experiment, Kind, Parameter};
 
 /// The largest factor `beta`, factor `epsilon` and part of the depth by which a film is thinned that
@@ -100,9 +101,9 @@ impl Experiment {
                 let allowed = "below the stiffness of the frame, 1/frame-compliance";
                 return refused(ordinate, point.ordinate, allowed);
             }
-            if kind == Kind::StiffnessDepth {
-                let depth = self.contact_depth_of(i);
-                let radius = of.area.radius(depth);
+            if let Some(Place { radius, depth }) = self.measured_place(i)
+                && kind == Kind::StiffnessDepth
+            {
                 if radius.is_nan() || radius <= 0.0 {
                     let allowed = "such that the contact depth and the area there are positive: \
                                    check the units, or leave out the first rows";

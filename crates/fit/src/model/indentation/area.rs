@@ -1,5 +1,9 @@
 //! The area function of an indenter.
 
+use std::convert::Infallible;
+
+use contact::root;
+
 use crate::Error;
 
 /// The most coefficients: those of `h^2, h, h^(1/2), h^(1/4), .. h^(1/128)`.
@@ -75,33 +79,26 @@ impl AreaFunction {
         NANOMETRE * (area / std::f64::consts::PI).sqrt()
     }
 
-    /// Returns the contact depth (m) at a contact radius (m), by bisection; NaN where no depth up to
+    /// Returns the contact depth (m) at a contact radius (m); NaN where no depth up to
     /// 1 m has it.
     pub(super) fn depth(&self, radius: f64) -> f64 {
         /// The depths (m) among which the first one that is too deep is looked for, and the factor from one to
         /// the next: an area with negative coefficients ends at some depth.
         const DEPTHS: [f64; 2] = [1e-15, 1.0];
         const STEP: f64 = 1.1;
-        /// The bisections of the logarithm of a depth.
-        const BISECTIONS: usize = 60;
         let [least, most] = DEPTHS;
         let depths = (0..).map(|i| least * STEP.powi(i));
         let mut depths = depths.take_while(|depth| *depth <= most);
-        // A depth without an area is too small.
-        let is_deep = |depth: f64| self.radius(depth) >= radius;
-        let Some(first) = depths.find(|depth| is_deep(*depth)) else {
+        // A depth without an area, of which the radius is NaN, is too small.
+        let excess = |depth: f64| self.radius(depth).max(0.0) - radius;
+        let Some(first) = depths.find(|depth| excess(*depth) >= 0.0) else {
             return f64::NAN;
         };
-        let [mut low, mut high] = [(first / STEP).ln(), first.ln()];
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if is_deep(middle.exp()) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        let depth = high.exp();
+        let Ok(depth) = root(
+            |depth| Ok::<_, Infallible>(excess(depth)),
+            first / STEP,
+            first,
+        );
         let is_it = (self.radius(depth) / radius - 1.0).abs() < 1e-9;
         if is_it { depth } else { f64::NAN }
     }

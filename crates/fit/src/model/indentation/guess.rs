@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Indentation;
+use super::radius::Place;
 use crate::model::Layered;
 use crate::statistics::median;
 use crate::{Bodies, Experiment, Kind, Parameter, Reach};
@@ -37,8 +38,8 @@ impl Experiment {
         let moduli = points.map(|i| {
             let point = &self.measurement.points[i];
             let stiffness = point.ordinate / beta;
-            match self.radius_without_contact(i) {
-                Some(a) => stiffness / (2.0 * a),
+            match self.measured_place(i) {
+                Some(place) => stiffness / (2.0 * place.radius),
                 None => {
                     let radius = self.bodies.probe().radius().unwrap_or(f64::NAN);
                     (stiffness.powi(3) / (6.0 * radius * point.abscissa)).sqrt()
@@ -50,47 +51,20 @@ impl Experiment {
             Parameter::SphereModulus => self.bodies.film().reduced(),
             _ => self.get(Parameter::SphereModulus)?,
         };
-        let poisson = self.bodies.film().poisson();
-        let young = match parameter {
-            Parameter::SphereModulus => 1.0,
-            _ => 1.0 - poisson * poisson,
-        };
-        let compliance = 1.0 / compound - 1.0 / other;
-        let modulus = young
-            * if compliance > 0.0 {
-                1.0 / compliance
-            } else {
-                compound
-            };
+        let modulus = self.bodies.modulus_beside(parameter, compound, other);
         (modulus > 0.0 && modulus.is_finite()).then_some(modulus)
     }
 
-    /// Returns the contact radius of a point that does not follow from elasticity.
-    fn radius_without_contact(&self, i: usize) -> Option<f64> {
-        let point = &self.measurement.points[i];
-        let of = &self.indentation;
-        match (self.measurement.kind, of.hardness) {
-            (Kind::StiffnessLoad, Some(hardness)) => {
-                Some((point.abscissa / (PI * hardness)).sqrt())
-            }
-            (Kind::StiffnessLoad, None) => None,
-            (Kind::StiffnessDepth, _) => Some(of.area.radius(self.contact_depth_of(i))),
-            _ => Some(point.abscissa),
-        }
-    }
-
-    /// Returns the contact depth of a point at a depth, m; NaN without a load.
-    pub(super) fn contact_depth_of(&self, i: usize) -> f64 {
-        let (point, of) = (&self.measurement.points[i], &self.indentation);
-        let load = of.loads.get(i).copied().unwrap_or(f64::NAN);
-        let h = point.abscissa - of.frame_compliance * load;
-        of.depth_of(h, load, 1.0 / (1.0 / point.ordinate - of.frame_compliance))
+    /// Returns the measured contact of a point; `None` where it follows from elasticity.
+    pub(super) fn measured_place(&self, i: usize) -> Option<Place> {
+        self.place_without_contact(i, self.measurement.points[i].ordinate)
     }
 
     /// Returns the contact depths of all points, m.
     pub(crate) fn contact_depths(&self) -> Vec<f64> {
         let points = 0..self.measurement.points.len();
-        points.map(|i| self.contact_depth_of(i)).collect()
+        let places = points.filter_map(|i| self.measured_place(i));
+        places.map(|place| place.depth).collect()
     }
 
     /// Returns the largest contact radius of the points, m.
@@ -98,8 +72,8 @@ impl Experiment {
         let points = 0..self.measurement.points.len();
         let radius = |i: usize| {
             let load = self.measurement.points[i].abscissa;
-            self.radius_without_contact(i)
-                .unwrap_or_else(|| self.elastic_radius(load))
+            self.measured_place(i)
+                .map_or_else(|| self.elastic_radius(load), |place| place.radius)
         };
         points.map(radius).fold(0.0, f64::max)
     }
@@ -110,8 +84,9 @@ impl Experiment {
             return;
         }
         let points = 0..self.measurement.points.len();
-        let radii = points.filter_map(|i| self.radius_without_contact(i));
-        let radii = radii
+        let places = points.filter_map(|i| self.measured_place(i));
+        let radii = places
+            .map(|place| place.radius)
             .filter(|radius| radius.is_finite())
             .fold(0.0, f64::max);
         let depths = self.measurement.points.iter().map(|point| point.abscissa);

@@ -9,7 +9,7 @@
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::model::predicted::Predicted;
-use crate::{Bodies, Branch, Error, Experiment, Parameter};
+use crate::{Branch, Error, Experiment, Parameter};
 
 /// The step of `ln E1` by which the derivatives of `ln S` are found, from five moduli.
 const STEP: f64 = 0.25;
@@ -81,15 +81,13 @@ impl Experiment {
     /// Returns the modulus that is complex, that of the film, the half-space or the top layer, with
     /// its absolute value (Pa).
     fn complex_modulus(&self) -> Result<(Parameter, f64), Error> {
-        let parameter = match &self.bodies {
-            Bodies::Layered(layered) if layered.film().is_none() => {
-                self.bodies.top_name().map(Parameter::LayerModulus)
-            }
-            _ => Some(Parameter::FilmModulus),
-        };
+        let parameter = self.bodies.modulus_of_top();
         let reason = "phases are those of the top layer of the stack, which has no name: name it";
-        let parameter = parameter.ok_or_else(|| Error::not_fitted(self, reason))?;
-        Ok((parameter, self.get(parameter).unwrap_or(f64::NAN)))
+        let modulus = self.get(parameter);
+        Ok((
+            parameter,
+            modulus.ok_or_else(|| Error::not_fitted(self, reason))?,
+        ))
     }
 
     /// Returns the series of each point that counts; `None` of the others.

@@ -44,10 +44,21 @@ impl Experiment {
         measured: f64,
         contact: &Contact,
     ) -> Result<Place, contact::Error> {
+        if let Some(place) = self.place_without_contact(i, measured) {
+            return Ok(place);
+        }
+        let equilibria = contact.equilibria(self.work_of_adhesion, Control::Load)?;
+        let state = equilibria.loading(self.measurement.points[i].abscissa)?;
+        let (radius, depth) = (state.contact_radius, 0.0);
+        Ok(Place { radius, depth })
+    }
+
+    /// Returns the contact of a point as [`Self::place`]; `None` where it follows from elasticity.
+    pub(super) fn place_without_contact(&self, i: usize, measured: f64) -> Option<Place> {
         let of = &self.indentation;
         let abscissa = self.measurement.points[i].abscissa;
         let at = |radius| Place { radius, depth: 0.0 };
-        Ok(match (self.measurement.kind, of.hardness) {
+        Some(match (self.measurement.kind, of.hardness) {
             (Kind::StiffnessDepth, _) => {
                 let load = of.loads.get(i).copied().unwrap_or(f64::NAN);
                 let stiffness = 1.0 / (1.0 / measured - of.frame_compliance);
@@ -63,10 +74,7 @@ impl Experiment {
                 }
             }
             (Kind::StiffnessLoad, Some(hardness)) => at((abscissa / (PI * hardness)).sqrt()),
-            (Kind::StiffnessLoad, None) => {
-                let equilibria = contact.equilibria(self.work_of_adhesion, Control::Load)?;
-                at(equilibria.loading(abscissa)?.contact_radius)
-            }
+            (Kind::StiffnessLoad, None) => return None,
             _ => at(abscissa),
         })
     }

@@ -103,11 +103,7 @@ pub struct Arguments {
     /// `segment: retract` or headings of the file (file), or the turn of the height, penetration or load
     /// that is the abscissa, and at contact radii the largest ordinate (split). auto: from the file, and
     /// heights without a direction are split
-    #[arg(long, default_value = "auto", value_parser = one_of([
-        ("auto", Segments::Auto),
-        ("file", Segments::File),
-        ("split", Segments::Split),
-    ]))]
+    #[arg(long, default_value = "auto", value_parser = one_of(Segments::ALL.map(|one| (one.name(), one))))]
     segments: Segments,
     /// Keep the points of one direction only
     #[arg(long, value_parser = one_of(Direction::ALL.map(|one| (one.name(), one))))]
