@@ -23,11 +23,6 @@ const SATURATED: f64 = 0.98;
 /// the pull-off load.
 const SMALLEST_WORK: f64 = 1e-6;
 
-/// The size of a tip rounding over the range of the depths, and that of the compliance of a frame
-/// over the inverse of the range of the stiffnesses.
-const TIP: f64 = 0.1;
-const FRAME: f64 = 0.01;
-
 /// Why no start is found.
 const NO_START: &str = "JKR finds no positive modulus in these data; check units and signs (loads \
      are positive in compression), and the stiffness of a cantilever, which is too small if the \
@@ -236,9 +231,8 @@ pub(super) fn unit(assigned: &Assigned, parameter: Parameter) -> f64 {
         Parameter::LoadOffset | Parameter::Baseline => loads,
         Parameter::BaselineSlope => loads / range(|point| point.abscissa, false),
         Parameter::ContactPoint if measurement.kind == Kind::PenetrationRadius => loads,
-        Parameter::ContactPoint => range(|point| point.abscissa, true),
-        Parameter::TipRounding => TIP * range(|point| point.abscissa, true),
-        Parameter::FrameCompliance => FRAME / loads,
+        Parameter::ContactPoint | Parameter::TipRounding => range(|point| point.abscissa, true),
+        Parameter::FrameCompliance => 1.0 / loads,
         _ => 1.0,
     }
 }

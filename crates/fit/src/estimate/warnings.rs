@@ -268,10 +268,14 @@ fn undetermined(
             continue;
         }
         let parameter = estimate.parameter;
-        let of = if parameter.is_positive() {
-            "its value"
-        } else {
-            "the range of the data"
+        let of = match parameter {
+            _ if parameter.is_positive() => "its value",
+            Parameter::FrameCompliance => "one over the range of the stiffnesses",
+            // These are numbers between 0 and 1.
+            Parameter::FilmPoissonRatio
+            | Parameter::RelaxedFraction
+            | Parameter::RelaxationExponent => "1",
+            _ => "the range of the data",
         };
         let size = if error < 100.0 {
             format!("{:.0} % of", 1e2 * error)

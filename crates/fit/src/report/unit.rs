@@ -30,8 +30,9 @@ impl UnitOf {
 const PREFIXES: [&str; 8] = ["G", "M", "k", "", "m", "u", "n", "p"];
 /// The number below which a power of ten is written: no prefix makes it a usual number.
 const LEAST: f64 = 1e-9;
-/// The part of its standard error below which a work of adhesion has ended at 0.
+/// The part of its standard error, and the size (J/m^2), below which a work of adhesion has ended at 0.
 const NOTHING: f64 = 1e-4;
+const NO_ADHESION: f64 = 1e-9;
 
 /// Returns the prefix of a unit and its size: as asked for, or so that the number before it is at
 /// least 1.
@@ -62,20 +63,23 @@ pub fn scaled(unit: &str, value: f64) -> (String, f64) {
 pub fn is_zero(estimate: &Estimate) -> bool {
     let (parameter, value) = (estimate.parameter, estimate.value);
     let (_, size) = scaled(parameter.unit(), value);
-    let is_nothing = parameter.is_work_of_adhesion() && value < NOTHING * estimate.standard_error;
+    let is_nothing = parameter.is_work_of_adhesion()
+        && value < NO_ADHESION.min(NOTHING * estimate.standard_error);
     parameter.is_positive() && (value / size < LEAST || is_nothing)
 }
 
-/// Returns a value and its error, in one unit, with two digits of the error.
-pub fn with_error(value: f64, error: f64) -> String {
+/// Returns a value and its error, both in `unit`, with two digits of the error.
+fn with_error(value: f64, error: f64, unit: &str) -> String {
     let decimals = decimals(value, error);
     if !error.is_finite() {
-        return format!("{value:.decimals$} without an error");
+        return format!("{value:.decimals$} {unit}, without an error");
     }
-    if value != 0.0 && value.abs() < LEAST {
-        return format!("{value:.1e} +- {error:.1e}");
-    }
-    format!("{value:.decimals$} +- {error:.decimals$}")
+    let numbers = if value != 0.0 && value.abs() < LEAST {
+        format!("{value:.1e} +- {error:.1e}")
+    } else {
+        format!("{value:.decimals$} +- {error:.decimals$}")
+    };
+    format!("{numbers} {unit}").trim_end().to_owned()
 }
 
 /// Returns value, error and unit of an estimate, and its interval.
@@ -96,8 +100,7 @@ pub fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
         asked,
     );
     let [value, error] = [estimate.value, estimate.standard_error].map(|number| number / size);
-    let text = format!("{} {unit}", with_error(value, error));
-    let mut text = text.trim_end().to_owned();
+    let mut text = with_error(value, error, &unit);
     if let Some(profile) = estimate.profile {
         let decimals = decimals(value, error);
         let [low, high] = profile.map(|end| match end / size {
@@ -131,8 +134,11 @@ pub fn decimals_of_three(number: f64) -> usize {
     decimals(number, 0.1 * number.abs().max(1e-3))
 }
 
-/// Returns the number of decimals that shows two digits of the error.
+/// Returns the number of decimals that shows two digits of the error, or without an error three of the value.
 pub fn decimals(value: f64, error: f64) -> usize {
+    if value == 0.0 && !error.is_finite() {
+        return 0;
+    }
     let smallest = if error > 0.0 && error.is_finite() {
         error
     } else {
@@ -149,12 +155,12 @@ mod tests {
     fn units_and_digits_follow_value_and_error() {
         let modulus = |value, error| {
             let (unit, size) = unit(Parameter::FilmModulus, value, error, &[]);
-            format!("{} {unit}", with_error(value / size, error / size))
+            with_error(value / size, error / size, &unit)
         };
         assert_eq!(modulus(2.0134e6, 1.2e4), "2.013 +- 0.012 MPa");
         assert_eq!(modulus(999.0, 123.0), "999 +- 123 Pa");
         assert_eq!(modulus(999.9e3, 1e3), "999.9 +- 1.0 kPa");
-        assert_eq!(modulus(2e6, f64::INFINITY), "2.000 without an error MPa");
+        assert_eq!(modulus(2e6, f64::INFINITY), "2.000 MPa, without an error");
         assert_eq!(modulus(3e-60, 2e-23), "3.0e-48 +- 2.0e-11 pPa");
         let asked = [UnitOf::new(Parameter::FilmModulus, "kPa").expect("a unit")];
         let (unit_name, size) = unit(Parameter::FilmModulus, 2e6, 1e4, &asked);
