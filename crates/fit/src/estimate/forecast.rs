@@ -5,7 +5,7 @@ use interp::Table;
 use super::assumptions;
 use super::doubts::Warnings;
 use super::problem::{Assigned, Problem};
-use super::search::{ROUNDS, clear_branches, hold_back};
+use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
@@ -110,7 +110,8 @@ pub fn forecast(
     for _ in 0..ROUNDS {
         let uncertainty = uncertainty(&problem)?;
         for (e, whole) in whole.iter().enumerate() {
-            problem.assigned[e].branches = clear_branches(&problem, e, &uncertainty, whole);
+            problem.assigned[e].branches =
+                clear_branches(&problem, e, &uncertainty, whole, Beyond::Counts);
         }
     }
     let uncertainty = uncertainty(&problem)?;

@@ -114,13 +114,45 @@ pub(super) fn is_bad(problem: &Problem<'_>) -> bool {
     })
 }
 
-/// Estimates the noise where it is not known, and lets the points count that are clear of the end
-/// of their branch, until neither changes.
-pub(super) fn settle<'a>(
+/// What becomes of points in contact that are clearly beyond the end of their branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Beyond {
+    /// They count, on the line that continues the branch: without them the branch may end ever earlier, on ever fewer
+    /// points.
+    Counts,
+    /// They are left out.
+    LeftOut,
+}
+
+/// The values on the points that count, how they were found, and their uncertainty.
+type Settled<'a> = (Problem<'a>, Ending, Option<Uncertainty>);
+
+/// Estimates the noise where it is not known, and lets the points count that are not near the end of their branch,
+/// until neither changes. Where that does not describe the data, points beyond the end are left out.
+pub(super) fn settle<'a>(problem: Problem<'a>, ending: Ending, data: &[Assigned]) -> Settled<'a> {
+    let found = settle_with(problem.clone(), ending, data, Beyond::Counts);
+    let has_beyond = |(problem, _, uncertainty): &Settled<'_>| {
+        let has = |(e, whole): (usize, &Assigned), uncertainty: &Uncertainty| {
+            let of = |beyond| clear_branches(problem, e, uncertainty, whole, beyond);
+            of(Beyond::Counts) != of(Beyond::LeftOut)
+        };
+        let mut all = data.iter().enumerate();
+        uncertainty
+            .as_ref()
+            .is_none_or(|own| all.any(|one| has(one, own)))
+    };
+    if has_beyond(&found) && is_bad(&found.0) {
+        return settle_with(problem, ending, data, Beyond::LeftOut);
+    }
+    found
+}
+
+fn settle_with<'a>(
     mut problem: Problem<'a>,
     mut ending: Ending,
     data: &[Assigned],
-) -> (Problem<'a>, Ending, Option<Uncertainty>) {
+    beyond: Beyond,
+) -> Settled<'a> {
     let mut round = 0;
     loop {
         let weights = problem.weigh();
@@ -131,7 +163,7 @@ pub(super) fn settle<'a>(
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
         for (e, whole) in data.iter().enumerate() {
-            let branches = clear_branches(&problem, e, &uncertainty, whole);
+            let branches = clear_branches(&problem, e, &uncertainty, whole, beyond);
             if branches != problem.assigned[e].branches && round < ROUNDS {
                 problem.assigned[e].branches = branches;
                 branches_changed = true;
@@ -159,17 +191,17 @@ pub(super) fn settle<'a>(
     }
 }
 
-/// Returns the branches without the points that are beyond the end of their branch, or too near to
-/// it.
+/// Returns the branches without the points that are too near to the end of their branch, or too far beyond it to count.
 pub(super) fn clear_branches(
     problem: &Problem<'_>,
     e: usize,
     uncertainty: &Uncertainty,
     whole: &Assigned,
+    beyond: Beyond,
 ) -> Vec<Branch> {
     let mut ends = ends(problem, e, uncertainty, whole);
     narrow(whole, &mut ends);
-    let branches = clear_of(whole, &ends);
+    let branches = clear_of(whole, &ends, beyond);
     let counting = branches.iter().filter(|own| **own != Branch::LeftOut);
     if counting.count() < problem.slots.len() {
         // The values are so uncertain that the branch may end anywhere.
@@ -252,15 +284,18 @@ pub(super) fn ends(
         .collect()
 }
 
-/// Returns the branches without the points in contact that are beyond the end of their branch, or too
-/// near to it.
-fn clear_of(whole: &Assigned, ends: &[End]) -> Vec<Branch> {
+/// Returns the branches without the points in contact that are near the end of their branch, or beyond it and do not
+/// count.
+fn clear_of(whole: &Assigned, ends: &[End], beyond: Beyond) -> Vec<Branch> {
     let sense = whole.experiment.sense();
     let points = whole.experiment.measurement.points.iter();
     let branch = |(point, &branch): (&Point, &Branch)| {
-        let is_near =
-            |end: &End| end.branch == branch && sense * point.abscissa <= end.position + end.clear;
-        if ends.iter().any(is_near) {
+        let is_left_out = |end: &End| {
+            let distance = sense * point.abscissa - end.position;
+            let is_near = distance >= -end.clear || beyond == Beyond::LeftOut;
+            end.branch == branch && distance <= end.clear && is_near
+        };
+        if ends.iter().any(is_left_out) {
             Branch::LeftOut
         } else {
             branch
