@@ -10,7 +10,7 @@ use interp::{Probe, Table};
 
 use crate::imagined::{
     Course, FORCE_CURVE, Imagined, LENS, assert_warns, fit_all, fit_with, free_of, gel,
-    measurement, measurement_at, of_file, off, text,
+    measurement, measurement_at, of_file, text,
 };
 
 /// Fits an experiment; most of its points may be left out if `allow`.
@@ -175,54 +175,4 @@ fn the_value_of_a_free_work_of_adhesion_does_not_count() {
         });
         assert_eq!(none, other, "seed {seed}");
     }
-}
-
-/// Without the points beyond the end of its branch a fit may end ever earlier, at ever smaller works of adhesion, with
-/// errors that are too small.
-#[test]
-fn points_beyond_the_end_of_a_fit_hold_it() {
-    let probe = Probe::Paraboloid { radius: 1e-5 };
-    let system = rigid_probe(probe, solid(2e4, 0.5), 5e-6, solid(2e11, 0.25));
-    let cycle = |count: u32, noise: f64| {
-        let height = |i: u32| 0.6e-6 - 0.9e-6 * f64::from(i) / f64::from(count - 1);
-        let heights = (0..count).chain((0..count).rev()).map(height);
-        let mut measurement = measurement_at(Kind::ForceHeight, heights);
-        for (i, point) in (0..).zip(&mut measurement.points) {
-            let is_retract = i >= count;
-            point.direction = Some(if is_retract {
-                Direction::Retract
-            } else {
-                Direction::Approach
-            });
-        }
-        Experiment {
-            work_of_adhesion: 8e-5,
-            stiffness: Some(0.02),
-            noise: Some(noise),
-            contact_point: 1e-7,
-            baseline: 1e-9,
-            ..Experiment::new(measurement, Bodies::Coated(system.clone()))
-        }
-    };
-    // Returns the error of the work of adhesion in standard errors.
-    let off_by = |plan: &Experiment, seed: u64| {
-        let noise = plan.noise.expect("planned");
-        let measured = Experiment {
-            measurement: simulate(Table::embedded(), plan, noise, seed).expect("in the table"),
-            contact_point: 0.0,
-            baseline: 0.0,
-            ..plan.clone()
-        };
-        let found = fitted(&measured, &FORCE_CURVE, true).expect("a fit");
-        off(&found, Parameter::WorkOfAdhesion, 8e-5)
-    };
-    let seen = off_by(&cycle(100, 1.5e-10), 31_001);
-    assert!(seen.abs() < 2.0, "{seen}");
-    let noisy = cycle(40, 3e-10);
-    let low = (0..60)
-        .map(|seed| off_by(&noisy, seed))
-        .filter(|off| *off < -3.0);
-    let low = low.count();
-    println!("{low} of 60 works of adhesion are too small by more than three standard errors");
-    assert!(low <= 3, "{low}");
 }

@@ -23,6 +23,7 @@ mod limits_of_doubts;
 mod magnitudes;
 mod minima;
 mod noise;
+mod noisy_cycles;
 mod planning;
 mod recovery;
 mod relaxing;

@@ -87,18 +87,22 @@ fn points_of(assigned: &Assigned, branch: Branch) -> Vec<[f64; 2]> {
 }
 
 /// Returns the branch from which modulus and zeros are read: approach if retract has a work of
-/// adhesion of its own, else the one with more points.
+/// adhesion of its own, else the one that is wider. Of a branch with many points only some may be here.
 fn main_branch(assigned: &Assigned) -> Branch {
-    let count = |branch| {
-        assigned
-            .branches
-            .iter()
-            .filter(|&&own| own == branch)
-            .count()
+    let points = assigned.experiment.measurement.points.iter();
+    let of = |branch: Branch| {
+        let own = points.clone().zip(&assigned.branches);
+        own.filter(move |(_, own)| **own == branch)
+            .map(|(point, _)| point.abscissa)
     };
-    let [advancing, receding] = [Branch::Advancing, Branch::Receding].map(count);
+    let width = |branch| {
+        let [least, most] = extremes(of(branch));
+        most - least
+    };
     let hysteretic = assigned.experiment.work_of_adhesion_receding.is_some();
-    if (hysteretic && advancing > 2) || advancing >= receding {
+    if (hysteretic && of(Branch::Advancing).count() > 2)
+        || width(Branch::Advancing) >= width(Branch::Receding)
+    {
         Branch::Advancing
     } else {
         Branch::Receding

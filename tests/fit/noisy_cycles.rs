@@ -1,0 +1,95 @@
+//! Cycles of approach and retract whose noise hides where contacts begin and end.
+
+use acceptance::{rigid_probe, solid};
+use fit::{Bodies, Direction, Experiment, Kind, Parameter, simulate};
+use interp::{Elastic, Probe, System, Table};
+
+use crate::imagined::{FORCE_CURVE, fit_with, free_of, measurement_at, off};
+
+/// A rigid sphere on a film on a stiff substrate.
+fn system(radius: f64, film: Elastic, thickness: f64) -> System {
+    let probe = Probe::Paraboloid { radius };
+    rigid_probe(probe, film, thickness, solid(2e11, 0.25))
+}
+
+/// Plans a cycle of as many points on each way, from the first height to the second and back.
+fn cycle(system: System, [from, to]: [f64; 2], count: u32, noise: f64) -> Experiment {
+    let height = |i: u32| from + (to - from) * f64::from(i) / f64::from(count - 1);
+    let heights = (0..count).chain((0..count).rev()).map(height);
+    let mut measurement = measurement_at(Kind::ForceHeight, heights);
+    for (i, point) in (0..).zip(&mut measurement.points) {
+        point.direction = Some(if i < count {
+            Direction::Approach
+        } else {
+            Direction::Retract
+        });
+    }
+    Experiment {
+        noise: Some(noise),
+        ..Experiment::new(measurement, Bodies::Coated(system))
+    }
+}
+
+/// Returns how many standard errors a work of adhesion is off that is found from data of a plan.
+fn off_by(plan: &Experiment, seed: u64) -> f64 {
+    let noise = plan.noise.expect("planned");
+    let measured = Experiment {
+        measurement: simulate(Table::embedded(), plan, noise, seed).expect("in the table"),
+        contact_point: 0.0,
+        baseline: 0.0,
+        ..plan.clone()
+    };
+    let found = fit_with(&measured, &free_of(&FORCE_CURVE), |options| {
+        options.allow_left_out = true;
+    });
+    off(
+        &found.expect("a fit"),
+        Parameter::WorkOfAdhesion,
+        plan.work_of_adhesion,
+    )
+}
+
+/// Without the points beyond the end of its branch a fit may end ever earlier, at ever smaller works of adhesion, with
+/// errors that are too small.
+#[test]
+fn points_beyond_the_end_of_a_fit_hold_it() {
+    let plan = |count, noise| Experiment {
+        work_of_adhesion: 8e-5,
+        stiffness: Some(0.02),
+        contact_point: 1e-7,
+        baseline: 1e-9,
+        ..cycle(
+            system(1e-5, solid(2e4, 0.5), 5e-6),
+            [0.6e-6, -0.3e-6],
+            count,
+            noise,
+        )
+    };
+    let seen = off_by(&plan(100, 1.5e-10), 31_001);
+    assert!(seen.abs() < 2.0, "{seen}");
+    let noisy = plan(40, 3e-10);
+    let low = (0..60)
+        .map(|seed| off_by(&noisy, seed))
+        .filter(|off| *off < -3.0);
+    let low = low.count();
+    println!("{low} of 60 works of adhesion are too small by more than three standard errors");
+    assert!(low <= 3, "{low}");
+}
+
+/// A retract of many points beside an approach of few: the approach alone tells no modulus.
+#[test]
+fn a_start_is_found_where_the_approach_is_short() {
+    let plan = Experiment {
+        work_of_adhesion: 5e-3,
+        stiffness: Some(0.5),
+        ..cycle(
+            system(3e-6, solid(1e6, 0.5), 1e-6),
+            [300e-9, -100e-9],
+            150,
+            4e-9,
+        )
+    };
+    let squares = (0..20).map(|seed| off_by(&plan, seed).powi(2)).sum::<f64>() / 20.0;
+    println!("mean square of errors in standard errors {squares:.2}");
+    assert!(squares < 4.0, "{squares}");
+}
