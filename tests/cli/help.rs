@@ -73,7 +73,6 @@ fn wrong_usage_ends_with_2_and_failed_work_with_1() {
         1 | query missing.h5 --points points.csv | missing.h5
         1 | info points.csv | points.csv
         1 | pack points.csv -o table.bin | not a coated-contact table
-        1 | curve --film-thickness -1 | film_thickness; -1
         1 | curve --film-poisson-ratio 0.6 | film; Poisson ratio; 0.6
         "
     ));

@@ -109,6 +109,7 @@ fn links_are_followed_to_files_and_refused_where_they_lead_nowhere() {
         1 | {solve} /proc/self/fd/1 | cannot write; stream of the program
         1 | {solve} . | cannot write; is not a file
         1 | {solve} missing/out.csv | cannot write; there is no folder missing
+        1 | solve --points none.csv -o missing/out.csv | cannot write; there is no folder missing
         "
     ));
 }

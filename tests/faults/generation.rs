@@ -483,18 +483,3 @@ fn a_budget_that_does_not_allow_another_round_leaves_the_table_of_this_one() {
     assert!(enough.refined.len() == 1 && enough.points == first + second);
     assert!(workdir.read("other.h5") == workdir.read("table.h5"));
 }
-
-#[test]
-fn stated_nodes_are_obeyed_and_a_table_that_misses_its_tolerance_is_kept() {
-    let workdir = workdir();
-    workdir.write(
-        "scene.toml",
-        SCENE.replace("to = 1e2 ", "to = 1e2, nodes = 4 "),
-    );
-    let run = workdir.run(GENERATE);
-    assert_eq!(run.status, 1);
-    assert_names(&run.stderr, &["is written", "exceeds the tolerance"]);
-    let table = Table::open(workdir.path("table.h5")).expect("a sound table");
-    assert!(table.description().certificate.max_error > 1e-6);
-    assert_eq!(workdir.files(), ["scene.toml", "table.h5"]);
-}

@@ -383,32 +383,19 @@ fn the_commands_take_it_or_refuse_it() {
         "films.csv",
         "a_over_t,e1_over_e2,nu1,e0_over_e2\n3,1.75,0.5,1\n",
     );
-    let refused = [
-        (
-            "query scene.h5 --points films.csv",
-            "for a table of one stack of layers are a_over_t, e1_over_e2",
-        ),
-        (
-            "query scene.h5 --points points.csv --gradient",
-            "leave out --gradient",
-        ),
-        ("curve scene.h5", "`pull-off` or `fit` as --stack"),
-        (
-            "curve --stack scene.h5 --tolerance 1e-6",
-            "leave out --tolerance",
-        ),
-        (
-            "simulate --stack scene.h5 --value primer.modulus=1e6 --kind load-radius \
-                 --from 5e-5 --to 1e-4 --noise 0",
-            "do without the table: name a stack file",
-        ),
-        ("report scene.h5 -o page.html", "one stack of layers"),
-        ("cost lookup scene.h5", "this table has other axes"),
-        ("cost table scene.toml", "give a scene without [stack]"),
-    ];
-    for (arguments, part) in refused {
-        assert_names(&workdir.fail(1, arguments), &[part]);
-    }
+    let plan = "--value primer.modulus=1e6 --kind load-radius --from 5e-5 --to 1e-4 --noise 0";
+    workdir.refuses(format!(
+        "
+        1 | query scene.h5 --points films.csv | for a table of one stack of layers are a_over_t, e1_over_e2
+        1 | query scene.h5 --points points.csv --gradient | leave out --gradient
+        1 | curve scene.h5 | `pull-off` or `fit` as --stack
+        1 | curve --stack scene.h5 --tolerance 1e-6 | leave out --tolerance
+        1 | simulate --stack scene.h5 {plan} | do without the table: name a stack file
+        1 | report scene.h5 -o page.html | one stack of layers
+        1 | cost lookup scene.h5 | this table has other axes
+        1 | cost table scene.toml | give a scene without [stack]
+        "
+    ));
 }
 
 /// The flag `--stack` with a table prints what it prints with the file of the same stack.
