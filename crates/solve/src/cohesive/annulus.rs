@@ -49,15 +49,6 @@ impl Annulus {
         }
     }
 
-    /// Returns the disc of the attraction before the contact.
-    pub fn without_contact(outer: f64) -> Self {
-        Self {
-            inner: 0.0,
-            outer,
-            angle: FRAC_PI_2,
-        }
-    }
-
     /// Returns `sqrt(c^2 - a^2)`.
     pub fn root(&self) -> f64 {
         self.inner * self.angle.tan()

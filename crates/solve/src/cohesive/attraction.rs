@@ -4,8 +4,6 @@ use interp::{Normalisation, Probe, System};
 
 use crate::Error;
 use crate::cohesive::CohesiveState;
-use crate::cohesive::annulus::Annulus;
-use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::surface::Surface;
 use crate::compliance::Compliance;
 use crate::layered::LayeredCompliance;
@@ -119,13 +117,18 @@ impl Cohesive {
         }
     }
 
-    /// Returns a state in SI units.
-    pub(super) fn in_si(&self, annulus: &Annulus, part: &Part) -> CohesiveState {
+    /// Returns a state in SI units; the attraction acts between the two radii.
+    pub(super) fn in_si(
+        &self,
+        [inner, outer]: [f64; 2],
+        load: f64,
+        penetration: f64,
+    ) -> CohesiveState {
         CohesiveState {
-            contact_radius: annulus.inner * self.thickness,
-            outer_radius: annulus.outer * self.thickness,
-            load: self.load_in_si(part.load),
-            penetration: part.penetration * self.thickness,
+            contact_radius: inner * self.thickness,
+            outer_radius: outer * self.thickness,
+            load: self.load_in_si(load),
+            penetration: penetration * self.thickness,
         }
     }
 

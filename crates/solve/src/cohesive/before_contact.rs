@@ -14,8 +14,6 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use contact::{Control, root};
 
 use crate::Error;
-use crate::cohesive::annulus::Annulus;
-use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::search::{self, Point};
 use crate::cohesive::surface::Surface;
 use crate::cohesive::{Cohesive, CohesiveState};
@@ -76,15 +74,9 @@ impl Cohesive {
     pub(super) fn before_contact(&self, c: f64) -> (CohesiveState, f64) {
         let [middle, edge] = rise(c, &self.symbol).map(|u| -self.traction * u);
         let penetration = 0.5 * self.curvature * c * c + edge - self.range;
-        let part = Part {
-            penetration,
-            load: -0.5 * PI * self.traction * c * c,
-            opening: self.range,
-            field: Vec::new(),
-            spectrum: Vec::new(),
-        };
+        let load = -0.5 * PI * self.traction * c * c;
         (
-            self.in_si(&Annulus::without_contact(c), &part),
+            self.in_si([0.0, c], load, penetration),
             middle - penetration,
         )
     }

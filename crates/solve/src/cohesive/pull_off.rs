@@ -155,8 +155,8 @@ impl Cohesive {
                 error => error,
             })?;
         *width = Some(solution.annulus.outer - solution.annulus.inner);
-        let state = self.in_si(&solution.annulus, &solution.part);
-        Ok(control.imposed(state.load, state.penetration))
+        let (load, penetration) = (solution.part.load, solution.part.penetration);
+        Ok(control.imposed(self.load_in_si(load), penetration * self.thickness))
     }
 
     /// Makes the error of a pull-off beyond the reach.

@@ -20,7 +20,8 @@ impl Cohesive {
         let mut contact = self.fixed(contact_radius)?;
         let solution = self.solution(&mut contact, contact_radius, None)?;
         self.check(&solution)?;
-        Ok(self.in_si(&solution.annulus, &solution.part))
+        let Solution { annulus, part, .. } = &solution;
+        Ok(self.in_si([annulus.inner, annulus.outer], part.load, part.penetration))
     }
 
     /// Returns the pressure (Pa, positive in compression) at the radii `r` (m) inside the contact of
