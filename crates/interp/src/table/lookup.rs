@@ -1,7 +1,7 @@
 //! The lookup of the curve of one material: the preparation, once for a table, and the sums for
 //! each material.
 
-use crate::curve::quantity_resampler::{Pieces, QuantityResampler};
+use crate::curve::quantity_resampler::QuantityResampler;
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
 use crate::table::axes::Axes;
@@ -101,8 +101,8 @@ impl Lookup {
             Ok((equivalent, axes.locate(&equivalent)?))
         })?;
         let coefficients = self.spline.coefficients(coordinates);
-        let pieces = self.pieces(&coefficients, &equivalent);
-        self.of_pieces(description, pieces, equivalent, None)
+        let curve = Curve::of_splines(&self.resampler, &coefficients, equivalent);
+        accept(curve, description)
     }
 
     /// Makes the curve of the table's stack of layers under a sphere.
@@ -116,8 +116,8 @@ impl Lookup {
         let nu0 = description.nu0.under(axes.ends(Parameter::Nu1)[0]);
         let (material, coordinates) = axes.locate_sphere(e1_over_e2, nu0)?;
         let coefficients = self.spline.coefficients(coordinates);
-        let pieces = self.pieces(&coefficients, &material);
-        self.of_pieces(description, pieces, material, Some(stack))
+        let curve = Curve::of_splines(&self.resampler, &coefficients, material);
+        accept(curve.of_stack(stack), description)
     }
 
     /// Makes the curve of `material` with those of its derivatives with respect to
@@ -184,40 +184,22 @@ impl Lookup {
         let es = equivalent.sphere_film_modulus();
         let (pieces, derivatives) = self.resampler.values_and_derivatives(&values, &slopes, es);
         let sensitivities = Sensitivities::new(derivatives, factors, known, *material);
-        Ok(self
-            .of_pieces(description, pieces, equivalent, None)?
-            .with_sensitivities(sensitivities))
-    }
-
-    /// Returns the polynomials of `material` from its coefficients over `ln(a/t)`.
-    fn pieces(&self, coefficients: &[f64], material: &Material) -> Pieces {
-        let es = material.sphere_film_modulus();
-        self.resampler.values(coefficients, es)
-    }
-
-    /// Makes the curve of the equivalent material from its polynomials; of a stack of layers, if
-    /// its shape is given.
-    fn of_pieces(
-        &self,
-        description: &Description,
-        pieces: Pieces,
-        equivalent: Material,
-        stack: Option<StackShape>,
-    ) -> Result<Curve, Error> {
         let curve = Curve::of_pieces(&self.resampler, pieces, equivalent);
-        let curve = match stack {
-            Some(stack) => curve.of_stack(stack),
-            None => curve,
-        };
-        let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
-        if let Some((quantity, value)) = curve.unreasonable() {
-            return Err(Error::Malformed(format!(
-                "{} reaches {value:?} between the nodes, outside [1e-30, 1e30]",
-                quantity.name()
-            )));
-        }
-        Ok(curve)
+        Ok(accept(curve, description)?.with_sensitivities(sensitivities))
     }
+}
+
+/// Adds the expansions beyond the nodes to a curve of the table, and accepts its values between
+/// them.
+fn accept(curve: Curve, description: &Description) -> Result<Curve, Error> {
+    let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
+    if let Some((quantity, value)) = curve.unreasonable() {
+        return Err(Error::Malformed(format!(
+            "{} reaches {value:?} between the nodes, outside [1e-30, 1e30]",
+            quantity.name()
+        )));
+    }
+    Ok(curve)
 }
 
 /// The axes of reduced moduli.
