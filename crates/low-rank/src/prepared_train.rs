@@ -282,9 +282,23 @@ impl Core {
         };
         let (smooth_degree, terms, after) = (self.smooth_degree, self.terms, self.scales.len());
         let transform = functions.transform(|u| polynomials(smooth_degree, terms, self.ends, u));
-        let row = |b: usize, k: usize| &self.entries[(b * terms + k) * after..][..after];
         let before = self.entries.len() / (terms * after);
-        Interval::new(functions, &transform, before, row, self.tolerance)
+        let mut rows = vec![0.0; functions.count * before * after];
+        for (rows, transform) in rows.chunks_exact_mut(before * after).zip(&transform) {
+            let cores = self.entries.chunks_exact(terms * after);
+            for (row, core) in rows.chunks_exact_mut(after).zip(cores) {
+                add_rows(row, transform, core, after);
+            }
+        }
+        let jumps = Functions::AT_ENDS * before;
+        let negligible = |row| self.tolerance * if row < jumps { ROUNDING } else { NEGLIGIBLE };
+        let rows = MixedPrecision::new(&rows, after, negligible, ROUNDING * self.tolerance);
+        let contraction = rows.contraction(before);
+        Interval {
+            functions,
+            rows,
+            contraction,
+        }
     }
 
     /// Writes the product of the vector over the bond before and the core at `u` to `after`. What
@@ -363,39 +377,6 @@ impl Core {
         interval.rows.few_sums(simd, weights, 0, &mut after);
         after.scale(&self.scales);
         after
-    }
-}
-
-impl Interval {
-    /// Expands the core in the functions of an interval.
-    ///
-    /// `coefficients(b, k)` is the row over the next bond of the index `b`, below `before`, of the
-    /// bond before, and of the polynomial `k`. `transform` holds a row for each function.
-    fn new<'a>(
-        functions: Functions,
-        transform: &[Vec<f64>],
-        before: usize,
-        coefficients: impl Fn(usize, usize) -> &'a [f64],
-        tolerance: f64,
-    ) -> Self {
-        let length = coefficients(0, 0).len();
-        let mut rows = vec![0.0; functions.count * before * length];
-        for (rows, transform) in rows.chunks_exact_mut(before * length).zip(transform) {
-            for (i, row) in rows.chunks_exact_mut(length).enumerate() {
-                for (k, weight) in transform.iter().enumerate() {
-                    add_rows(row, &[*weight], coefficients(i, k), length);
-                }
-            }
-        }
-        let jumps = Functions::AT_ENDS * before;
-        let negligible = |row| tolerance * if row < jumps { ROUNDING } else { NEGLIGIBLE };
-        let rows = MixedPrecision::new(&rows, length, negligible, ROUNDING * tolerance);
-        let contraction = rows.contraction(before);
-        Self {
-            functions,
-            rows,
-            contraction,
-        }
     }
 }
 
