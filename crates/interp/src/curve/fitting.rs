@@ -4,7 +4,7 @@ use piecewise::bspline::Basis;
 use piecewise::{Exponentials, FUNCTION_TERMS, Fitting, Grid, Piecewise, Resampler, Target};
 
 use crate::Quantity;
-use crate::curve::derived::Derivation;
+use crate::curve::derived::{Constants, Derivation};
 use crate::curve::quantity_resampler::{Pieces, QuantityResampler};
 
 impl QuantityResampler {
@@ -79,7 +79,8 @@ impl<C: AsRef<[f64]>> Target<QuantityResampler> for FromGamma<'_, C> {
             Derivation::at(x * grid.factor(), [eeq, delta0, pi0])
         });
         let beginnings: Vec<[f64; 3]> = beginnings.collect();
-        resampler.derived_from(derivation, coefficients, &beginnings)
+        let constants = Constants::Given(&beginnings);
+        resampler.derived(derivation, coefficients, 1.0, constants, &mut [])
     }
 
     /// Returns the quantities at `x`, over their scales.

@@ -30,7 +30,7 @@ pub(crate) struct Pieces {
 }
 
 /// The derivatives of the derived quantities with respect to one parameter.
-struct ParameterDerivatives<'a> {
+pub(super) struct ParameterDerivatives<'a> {
     /// The derivatives of the coefficients.
     coefficients: &'a [f64],
     /// The constants of their integrals.
@@ -129,7 +129,7 @@ impl QuantityResampler {
     /// Returns the polynomials of the quantities that follow from the spline of `Gamma`, see
     /// [`Derivation::integrals`]; writes those of the derivatives of their logarithms, see
     /// [`Derivation::sensitivities`].
-    fn derived(
+    pub(super) fn derived(
         &self,
         derivation: &Derivation,
         coefficients: &[f64],
@@ -179,18 +179,6 @@ impl QuantityResampler {
         }
         pieces.truncate(count);
         pieces
-    }
-
-    /// Returns the polynomials of the derived quantities over their scales. The integrals have the
-    /// given values at the beginning of each piece.
-    pub(super) fn derived_from(
-        &self,
-        derivation: &Derivation,
-        coefficients: &[f64],
-        beginnings: &[[f64; 3]],
-    ) -> Piecewise<FUNCTION_TERMS> {
-        let constants = Constants::Given(beginnings);
-        self.derived(derivation, coefficients, 1.0, constants, &mut [])
     }
 }
 
