@@ -53,7 +53,11 @@ impl Equilibria<'_> {
         states: &mut [State],
     ) -> Result<(), Error> {
         interp::Error::same_length(imposed, states)?;
-        let mut follower = Follower::new(self, branch);
+        let mut follower = Follower {
+            equilibria: self,
+            branch,
+            last: None,
+        };
         for (state, &value) in states.iter_mut().zip(imposed) {
             *state = follower.state(value)?;
         }
@@ -205,15 +209,7 @@ struct Follower<'a> {
     last: Option<Last>,
 }
 
-impl<'a> Follower<'a> {
-    fn new(equilibria: &'a Equilibria<'a>, branch: Branch) -> Self {
-        Self {
-            equilibria,
-            branch,
-            last: None,
-        }
-    }
-
+impl Follower<'_> {
     /// Returns the state at an imposed value.
     fn state(&mut self, imposed: f64) -> Result<State, Error> {
         if let Some(found) = self.near_the_last(imposed)? {
