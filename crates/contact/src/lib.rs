@@ -39,6 +39,7 @@ mod history;
 mod implicit_step;
 mod jkr_fit;
 mod line_energy;
+mod made;
 pub mod magnitude;
 mod moving_stiffness;
 mod radii;

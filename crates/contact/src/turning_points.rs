@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use super::line_energy::LineEnergy;
 use super::root::root;
 use crate::Error;
+use crate::made::made;
 use crate::shape::Shape;
 use crate::{Branch, Contact, Control, Equilibria};
 use interp::LoadAndPenetration;
@@ -221,14 +222,8 @@ impl Equilibria<'_> {
             if imposed <= section.imposed[1] {
                 break;
             }
-            let value = match value.get() {
-                Some(value) => *value,
-                None => {
-                    let computed = self.imposed(&self.state(*u)?);
-                    *value.get_or_init(|| computed)
-                }
-            };
-            (section.u[1], section.imposed[1]) = (*u, value);
+            let value = made(value, || Ok::<_, Error>(self.imposed(&self.state(*u)?)))?;
+            (section.u[1], section.imposed[1]) = (*u, *value);
         }
         Ok(section)
     }

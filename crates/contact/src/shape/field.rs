@@ -50,6 +50,7 @@ use fearless_simd::{Level, dispatch, f64x4};
 use super::medium::{Change, Medium};
 use super::polynomial::{CHEBYSHEV, POINTS, basis_on, points_on};
 use crate::Error;
+use crate::made::made;
 
 /// The most iterations in a block. Each gains a digit or more.
 const MOST_ITERATIONS: usize = 40;
@@ -143,10 +144,7 @@ impl Field {
             of.solve_to(a)?;
         }
         for i in 0..=self.block(2.0 * a) {
-            if self.rows[i].get().is_none() {
-                // Another thread may have been faster; its blocks are the same.
-                let _ = self.rows[i].set(self.solve(i)?);
-            }
+            made(&self.rows[i], || self.solve(i))?;
         }
         Ok(())
     }

@@ -27,6 +27,7 @@ use super::moments::{Curvature, Integrals};
 use super::polynomial::{POINTS, basis_on, points_on};
 use super::transform::{Knot, Transform};
 use crate::Error;
+use crate::made::made;
 use interp::{Curve, MaterialParameter, Parameter};
 
 /// What a contact with a shape is differentiated with respect to.
@@ -98,13 +99,10 @@ impl Expanded {
     /// field `of`.
     fn modes(&self, x: f64, of: Option<&Self>) -> Result<&Modes, Error> {
         let (number, ends) = self.block(x);
-        let cell = &self.modes[number];
-        if cell.get().is_none() {
+        made(&self.modes[number], || {
             let of = of.map(|of| of.modes(x, None)).transpose()?;
-            // Another thread may have been faster; its coefficients are the same.
-            let _ = cell.set(Modes::new(&self.field, ends, of)?);
-        }
-        Ok(cell.get().expect("it has just been made"))
+            Modes::new(&self.field, ends, of)
+        })
     }
 
     /// Returns the integrals with the shape at a contact radius.
@@ -123,14 +121,11 @@ impl Expanded {
             return Ok(at(self.modes(x, of)?, x));
         }
         let order = transform.order();
-        let cell = &self.smooth[number];
-        if cell.get().is_none() {
+        let points = made(&self.smooth[number], || {
             let modes = self.modes(x, of)?;
             let scaled = |x: f64| at(modes, x).scaled(x.powf(-order));
-            // Another thread may have been faster; its integrals are the same.
-            let _ = cell.set(points_on(ends).map(scaled));
-        }
-        let points = cell.get().expect("it has just been made");
+            Ok::<_, Error>(points_on(ends).map(scaled))
+        })?;
         let terms = points.iter().zip(basis_on(ends, x));
         let sum = terms.fold(Integrals::default(), |sum, (own, part)| {
             sum.plus(own.scaled(part))
@@ -306,14 +301,11 @@ impl Solved {
         x: f64,
     ) -> Result<[f64; 2], Error> {
         let field = &self.own.field;
-        let cell = &self.by[parameter as usize];
-        if cell.get().is_none() {
+        let (change, derivative) = made(&self.by[parameter as usize], || {
             let change = field.medium.change(curve, parameter)?;
-            let derivative = Expanded::new(self.shape.clone(), Field::derivative(field, change));
-            // Another thread may have been faster; its derivative is the same.
-            let _ = cell.set((change, derivative));
-        }
-        let (change, derivative) = cell.get().expect("it has just been made");
+            let derivative = Field::derivative(field, change);
+            Ok::<_, Error>((change, Expanded::new(self.shape.clone(), derivative)))
+        })?;
         let bare = self.bare(x);
         if self.is_thick(x) {
             let mean = bare.integral / x;
