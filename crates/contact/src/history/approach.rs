@@ -1,5 +1,6 @@
 //! The steps of a measured history up to the turn.
 
+use super::moments::slopes;
 use super::one_turn::Step;
 use super::setting::Setting;
 use super::{HistoryError, Phase, TimedContact};
@@ -49,15 +50,12 @@ pub(super) struct Approach<'a> {
 const NEWTON: usize = 60;
 const CONVERGED: f64 = 1e-9;
 
-/// The coefficients of `dF/dy` on a step, with `y` from 1 at its beginning to 0 at its end.
-pub(super) fn slopes(from: &Passed, to: &Passed) -> [f64; 3] {
-    let rise = to.penetration - from.penetration;
-    let (d0, d1, d) = (
-        from.stiffness * rise,
-        to.stiffness * rise,
-        to.load - from.load,
-    );
-    [d1, 6.0 * d - 2.0 * d0 - 4.0 * d1, 3.0 * (d0 + d1) - 6.0 * d]
+impl Passed {
+    /// Returns the [`slopes`] of the elastic load on a step from here.
+    pub fn slopes_to(&self, to: &Self) -> [f64; 3] {
+        let load = |at: &Self| (at.load, at.stiffness);
+        slopes(load(self), load(to), to.penetration - self.penetration)
+    }
 }
 
 impl<'a> Approach<'a> {
@@ -132,7 +130,7 @@ impl<'a> Approach<'a> {
             if to.penetration <= 0.0 {
                 return 0.0;
             }
-            let slopes = slopes(&from, to);
+            let slopes = from.slopes_to(to);
             let rise = to.penetration - from.penetration;
             let last: f64 = slopes
                 .iter()
@@ -149,7 +147,7 @@ impl<'a> Approach<'a> {
         };
         let load = load_at(&to);
         let slopes = if to.penetration > 0.0 {
-            slopes(&from, &to)
+            from.slopes_to(&to)
         } else {
             [0.0; 3]
         };

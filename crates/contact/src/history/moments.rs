@@ -22,6 +22,13 @@ pub(super) fn moments(z: f64) -> (f64, [f64; 3]) {
     (e, [i0, i1, (2.0 * i1 - e) / z])
 }
 
+/// Returns the coefficients of `dF/dy` of a load that is a cubic polynomial, with `y` from 1 at the
+/// beginning of a step to 0 at its end, from load and stiffness there and the `rise` between them.
+pub(super) fn slopes((f0, s0): (f64, f64), (f1, s1): (f64, f64), rise: f64) -> [f64; 3] {
+    let (d0, d1, d) = (s0 * rise, s1 * rise, f1 - f0);
+    [d1, 6.0 * d - 2.0 * d0 - 4.0 * d1, 3.0 * (d0 + d1) - 6.0 * d]
+}
+
 /// Returns `1 - int_0^1 exp(-z y) dy`.
 pub(super) fn one_less_mean(z: f64) -> f64 {
     if z < SERIES {

@@ -17,7 +17,7 @@
 use super::adhesion::Adhesion;
 use super::elastic::ElasticCurve;
 use super::exponentials::Exponentials;
-use super::moments::moments;
+use super::moments::{moments, slopes};
 use super::program::{Instant, Program};
 use super::{HistoryError, Phase, TimedContact};
 use crate::State;
@@ -159,13 +159,10 @@ impl OneTurn<'_> {
         let old = self.loads.len() - m;
         let rise = speed * h;
         let slopes = if to > 0.0 && rise > 0.0 {
-            let piece = self.curve.piece(from.max(0.0));
-            let (f0, s0) = self.curve.load(piece, from.max(0.0));
-            let (f1, s1) = self.curve.load(piece, to);
-            let (d0, d1, d) = (s0 * rise, s1 * rise, f1 - f0);
-            // d F_el/dy with y from 1 at the beginning to 0 at the end of the step.
-            let square = 3.0 * (d0 + d1) - 6.0 * d;
-            [d1, 6.0 * d - 2.0 * d0 - 4.0 * d1, square]
+            let from = from.max(0.0);
+            let piece = self.curve.piece(from);
+            let load = |at: f64| self.curve.load(piece, at);
+            slopes(load(from), load(to), rise)
         } else {
             [0.0; 3]
         };
@@ -226,11 +223,8 @@ impl OneTurn<'_> {
         let (h, whole) = (t - self.times[low], self.times[low + 1] - self.times[low]);
         let penetration = p0 + (p2 - p0) * (h / whole);
         let piece = self.curve.piece(p0.max(0.0));
-        let (f0, s0) = self.curve.load(piece, p0);
-        let (f1, s1) = self.curve.load(piece, penetration);
-        let rise = penetration - p0;
-        let (d0, d1, d) = (s0 * rise, s1 * rise, f1 - f0);
-        let slopes = [d1, 6.0 * d - 2.0 * d0 - 4.0 * d1, 3.0 * (d0 + d1) - 6.0 * d];
+        let load = |at: f64| self.curve.load(piece, at);
+        let slopes = slopes(load(p0), load(penetration), penetration - p0);
         let memories = self
             .law
             .rates

@@ -1,6 +1,6 @@
 //! The steps of a measured history after the turn.
 
-use super::approach::{Approach, Passed, Place, slopes};
+use super::approach::{Approach, Passed, Place};
 use super::elastic::hermite;
 use super::moments::moments;
 use super::one_turn::Step;
@@ -276,7 +276,7 @@ impl<'a> Return<'a> {
         let passed = self.passed_at(low, t1);
         let speed = (to.penetration - from.penetration) / (to.time - from.time);
         let (lag, h) = (now.time - t1, t1 - from.time);
-        let slopes = slopes(&from, &passed);
+        let slopes = from.slopes_to(&passed);
         let rise = passed.penetration - from.penetration;
         let (mut length, mut load) = (
             law.constant * passed.penetration,
@@ -326,7 +326,7 @@ impl<'a> Return<'a> {
         let (lag, h) = (now.time - t1, t1 - from.time);
         let part = h / (to.time - from.time);
         let spring = setting.compliance > 0.0;
-        let slopes = slopes(&from, &passed);
+        let slopes = from.slopes_to(&passed);
         let rise = passed.penetration - from.penetration;
         let last_rise = state.state.penetration - self.penetration;
         // At the time of the line: the decay since, that within its step, and the mean there.
