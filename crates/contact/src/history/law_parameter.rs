@@ -47,30 +47,30 @@ impl Relaxation {
 
     /// Returns one of the numbers; `None` for one that the law does not have. Times are in s.
     pub fn parameter(&self, of: LawParameter) -> Option<f64> {
+        self.clone().place(of).copied()
+    }
+
+    /// Returns where one of the numbers is; `None` for one that the law does not have.
+    fn place(&mut self, of: LawParameter) -> Option<&mut f64> {
         use LawParameter::{Exponent, RelaxedFraction, Time, Weight};
         Some(match (self, of) {
-            (Self::Prony { relaxed, .. }, RelaxedFraction) => *relaxed,
-            (Self::Prony { terms, .. }, Time(k)) => terms.get(k)?[1],
-            (Self::Prony { terms, .. }, Weight(k)) if k > 0 => terms.get(k)?[0],
-            (Self::PowerLaw { exponent, .. }, Exponent) => *exponent,
+            (Self::Prony { terms, .. }, Time(k)) => &mut terms.get_mut(k)?[1],
+            (Self::Prony { terms, .. }, Weight(k @ 1..)) => &mut terms.get_mut(k)?[0],
             (
-                Self::ModifiedPowerLaw {
-                    relaxed,
-                    exponent,
-                    time,
-                }
-                | Self::FractionalZener {
-                    relaxed,
-                    exponent,
-                    time,
-                },
-                of,
-            ) => match of {
-                RelaxedFraction => *relaxed,
-                Exponent => *exponent,
-                Time(0) => *time,
-                _ => return None,
-            },
+                Self::Prony { relaxed, .. }
+                | Self::ModifiedPowerLaw { relaxed, .. }
+                | Self::FractionalZener { relaxed, .. },
+                RelaxedFraction,
+            ) => relaxed,
+            (
+                Self::PowerLaw { exponent, .. }
+                | Self::ModifiedPowerLaw { exponent, .. }
+                | Self::FractionalZener { exponent, .. },
+                Exponent,
+            ) => exponent,
+            (Self::ModifiedPowerLaw { time, .. } | Self::FractionalZener { time, .. }, Time(0)) => {
+                time
+            }
             _ => return None,
         })
     }
@@ -79,31 +79,12 @@ impl Relaxation {
     /// that it does not have, this law. The weight of the first term of a Prony series follows.
     #[must_use]
     pub fn with(&self, of: LawParameter, value: f64) -> Self {
-        use LawParameter::{Exponent, RelaxedFraction, Time, Weight};
         let mut own = self.clone();
-        match (&mut own, of) {
-            (Self::Prony { relaxed, .. }, RelaxedFraction) => *relaxed = value,
-            (Self::Prony { terms, .. }, Time(k)) if k < terms.len() => terms[k][1] = value,
-            (Self::Prony { terms, .. }, Weight(k)) if k > 0 && k < terms.len() => {
-                terms[k][0] = value;
-            }
-            (
-                Self::PowerLaw { exponent, .. }
-                | Self::ModifiedPowerLaw { exponent, .. }
-                | Self::FractionalZener { exponent, .. },
-                Exponent,
-            ) => *exponent = value,
-            (
-                Self::ModifiedPowerLaw { relaxed, .. } | Self::FractionalZener { relaxed, .. },
-                RelaxedFraction,
-            ) => *relaxed = value,
-            (Self::ModifiedPowerLaw { time, .. } | Self::FractionalZener { time, .. }, Time(0)) => {
-                *time = value;
-            }
-            _ => {}
+        if let Some(place) = own.place(of) {
+            *place = value;
         }
         if let Self::Prony { relaxed, terms } = &mut own
-            && !matches!(of, Time(_))
+            && !matches!(of, LawParameter::Time(_))
             && let Some((first, others)) = terms.split_first_mut()
         {
             first[0] = 1.0 - *relaxed - others.iter().map(|[weight, _]| weight).sum::<f64>();
