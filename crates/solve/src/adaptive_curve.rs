@@ -7,10 +7,13 @@
 //! old points before they are added to it. The curve is the quintic spline through values of the
 //! polynomial, as close to each other as the tolerance needs.
 
+use std::borrow::Cow;
+
 use interp::{Curve, Material, Quantities};
 
 use crate::Error;
 use crate::domain::A_OVER_T;
+use crate::error::of_film;
 use crate::estimate::difference;
 use crate::parallel::try_map;
 use crate::solution::solve;
@@ -70,15 +73,10 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
     check_range(a_over_t, tolerance)?;
     curve_of(
         material,
+        of_film(material),
         a_over_t,
         tolerance,
         |x, tolerance| Ok(solve(x, material, tolerance)?.quantities),
-        |reached, a_over_t| Error::NotConverged {
-            a_over_t,
-            material: *material,
-            tolerance,
-            reached,
-        },
     )
 }
 
@@ -91,20 +89,25 @@ pub fn check_range([from, to]: [f64; 2], tolerance: f64) -> Result<(), Error> {
 
 /// Makes the curve of any surface that the sphere touches.
 ///
-/// `material` is what the curve is said to be made for. `solve(x, tolerance)` solves the contact at
-/// `x = a/t`. `not_converged(reached, a_over_t)` is the error of an estimated error that is larger
-/// than the tolerance of the curve.
+/// `material` is what the curve is said to be made for, and `of` how [`Error::NotConverged`] names the
+/// contact. `solve(x, tolerance)` solves it at `x = a/t`.
 pub fn curve_of(
     material: &Material,
+    of: Cow<'static, str>,
     a_over_t: [f64; 2],
     tolerance: f64,
     solve: impl Fn(f64, f64) -> Result<Quantities, Error> + Sync,
-    not_converged: impl Fn(f64, f64) -> Error + Sync,
 ) -> Result<Curve, Error> {
     let range = Range::new(a_over_t);
+    let not_converged = |reached: f64, a_over_t: f64| Error::NotConverged {
+        a_over_t,
+        of: of.clone(),
+        tolerance,
+        reached,
+    };
     let solve_at = |x: f64| match solve(x, SHARE_OF_SOLVES * tolerance) {
         // In terms of the tolerance of the curve.
-        Err(Error::NotConverged { reached, .. } | Error::StackNotConverged { reached, .. }) => {
+        Err(Error::NotConverged { reached, .. }) => {
             Err(not_converged(reached / SHARE_OF_SOLVES, x))
         }
         quantities => Ok((x, quantities?)),

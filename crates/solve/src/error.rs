@@ -1,6 +1,19 @@
 //! The errors of direct solves. Each holds the numbers that explain it.
 
+use std::borrow::Cow;
+
 use interp::Material;
+
+/// How [`Error::NotConverged`] names a stack of layers, and a contact with stick.
+pub(crate) const OF_STACK: Cow<'static, str> = Cow::Borrowed(" of this stack of layers");
+pub(crate) const WITH_STICK: Cow<'static, str> = Cow::Borrowed(" with stick");
+
+/// Returns how [`Error::NotConverged`] names the film of a material.
+pub(crate) fn of_film(material: &Material) -> Cow<'static, str> {
+    let [e1, e0] = [material.e1_over_e2(), material.e0_over_e2()];
+    let [nu1, nu0] = [material.nu1(), material.nu0()];
+    format!(", e1_over_e2 = {e1:?}, nu1 = {nu1:?}, e0_over_e2 = {e0:?}, nu0 = {nu0:?}").into()
+}
 
 /// Any failure of a direct solve.
 #[derive(Debug, thiserror::Error)]
@@ -20,31 +33,17 @@ pub enum Error {
     },
     /// A tolerance that the solve has not reached.
     #[error(
-        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?}, e1_over_e2 = {:?}, nu1 = {:?}, e0_over_e2 = {:?}, nu0 = {:?}: \
-         the estimated error is {reached:.1e}; ask for a larger tolerance",
-        material.e1_over_e2(), material.nu1(), material.e0_over_e2(), material.nu0()
+        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?}{of}: the estimated error is {reached:.1e}; \
+         ask for a larger tolerance"
     )]
     NotConverged {
-        /// The contact radius over the film thickness.
+        /// The contact radius over the thickness of the film or stack.
         a_over_t: f64,
-        /// The material.
-        material: Material,
+        /// The rest of the contact, in words: the material of a film, the stack, or that there is stick.
+        of: Cow<'static, str>,
         /// The tolerance.
         tolerance: f64,
         /// The estimated relative error that was reached; infinite where every method failed.
-        reached: f64,
-    },
-    /// A tolerance that the solve of a stack of layers has not reached.
-    #[error(
-        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?} of this stack of layers: the estimated error is {reached:.1e}; \
-         ask for a larger tolerance"
-    )]
-    StackNotConverged {
-        /// The contact radius over the thickness of the stack.
-        a_over_t: f64,
-        /// The tolerance.
-        tolerance: f64,
-        /// The estimated relative error that was reached; infinite where the method failed.
         reached: f64,
     },
     /// A contact that is too wide beside the top layer of a stack.
@@ -147,19 +146,6 @@ pub enum Error {
         thickness: f64,
         /// The radius of the sphere, m.
         sphere_radius: f64,
-    },
-    /// A tolerance that the solve of a contact with stick has not reached.
-    #[error(
-        "tolerance {tolerance:.1e} is not reached at a_over_t = {a_over_t:?} with stick: the estimated error is {reached:.1e}; \
-         ask for a larger tolerance"
-    )]
-    StickNotConverged {
-        /// The contact radius over the thickness of the film or stack.
-        a_over_t: f64,
-        /// The tolerance.
-        tolerance: f64,
-        /// The estimated relative error that was reached; infinite where the method failed.
-        reached: f64,
     },
     /// A sphere that sticks to a film with which it couples pressure and shear at the edge.
     #[error(

@@ -4,6 +4,7 @@ use interp::{Material, Quantities};
 
 use crate::Error;
 use crate::domain;
+use crate::error::of_film;
 use crate::estimate::{Estimate, larger};
 use crate::method::Method;
 use crate::power_law::{self, PowerLaw};
@@ -85,7 +86,7 @@ pub fn solve_power_laws(
     }
     Err(Error::NotConverged {
         a_over_t,
-        material: *material,
+        of: of_film(material),
         tolerance,
         reached,
     })

@@ -8,6 +8,7 @@ use interp::{Curve, Material, Normalisation, Quantities};
 use crate::Error;
 use crate::adaptive_curve::{check_range, curve_of};
 use crate::domain::{A_OVER_T, TOLERANCE};
+use crate::error::OF_STACK;
 use crate::galerkin;
 use crate::layered::LayeredCompliance;
 use crate::method::{Method, closed_form, has_closed_form};
@@ -34,7 +35,7 @@ const MANY_LAYERS: usize = 4;
 /// # Errors
 /// [`Error::Domain`] for an `a_over_t`, a `tolerance` or a ratio of moduli outside the domain of
 /// [`solve`](crate::solve()); [`Error::StackReach`] where the contact is too wide beside the top layer
-/// ([`MOST_A_OVER_TOP`]); [`Error::StackNotConverged`] where double precision does not allow the
+/// ([`MOST_A_OVER_TOP`]); [`Error::NotConverged`] where double precision does not allow the
 /// tolerance.
 pub fn solve_stack(
     a_over_t: f64,
@@ -124,14 +125,10 @@ pub fn stack_curve(
     let contact = layers.under(sphere_modulus)?;
     let curve = curve_of(
         &contact.material,
+        OF_STACK,
         a_over_t,
         tolerance,
         |x, tolerance| Ok(contact.solve(x, &[], tolerance)?.0.quantities),
-        |reached, a_over_t| Error::StackNotConverged {
-            a_over_t,
-            tolerance,
-            reached,
-        },
     )?;
     Ok(curve.of_stack(stack.shape()))
 }
@@ -251,8 +248,9 @@ impl StackContact<'_> {
     ) -> Result<(Solution, Vec<PowerLaw>), Error> {
         Error::check("tolerance", tolerance, TOLERANCE)?;
         let x = a_over_t * self.layers.thickness_over_top;
-        let not_converged = |reached| Error::StackNotConverged {
+        let not_converged = |reached| Error::NotConverged {
             a_over_t,
+            of: OF_STACK,
             tolerance,
             reached,
         };

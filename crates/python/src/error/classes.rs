@@ -158,12 +158,6 @@ impl From<::solve::Error> for Failure {
             } => of("SolveError").about(name, value).range(from, to),
             Error::NotConverged {
                 tolerance, reached, ..
-            }
-            | Error::StackNotConverged {
-                tolerance, reached, ..
-            }
-            | Error::StickNotConverged {
-                tolerance, reached, ..
             } => of("SolveError")
                 .about("tolerance", tolerance)
                 .range(reached, f64::INFINITY),

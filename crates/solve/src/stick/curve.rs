@@ -19,6 +19,7 @@ use interp::{Curve, Quantities};
 
 use crate::Error;
 use crate::adaptive_curve::CURVE_TOLERANCE;
+use crate::error::WITH_STICK;
 use crate::estimate::difference;
 use crate::stick::growth::Grown;
 use crate::stick::sticking::{GrownContact, Sticking};
@@ -78,10 +79,14 @@ impl StickCurves {
         Error::check("a_over_t", from, [1e-6, to / (1.0 + 1e-6)])?;
         let grown = sticking.grown(to, 2.0, SHARE * tolerance);
         let grown = grown.map_err(|error| match error {
-            Error::StickNotConverged {
-                a_over_t, reached, ..
-            } => Error::StickNotConverged {
+            Error::NotConverged {
                 a_over_t,
+                of,
+                reached,
+                ..
+            } => Error::NotConverged {
+                a_over_t,
+                of,
                 tolerance,
                 reached: reached / SHARE,
             },
@@ -172,8 +177,9 @@ fn splines<const N: usize>(
             return Ok(curves.map(|curve| sticking.mark(curve)));
         }
         if distance < LEAST_DISTANCE.min(1e-3 * length) {
-            return Err(Error::StickNotConverged {
+            return Err(Error::NotConverged {
                 a_over_t: to,
+                of: WITH_STICK,
                 tolerance,
                 reached: error / SHARE,
             });

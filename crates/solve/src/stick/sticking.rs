@@ -5,6 +5,7 @@ use interp::{Curve, Material, Quantities, StackShape};
 
 use crate::Error;
 use crate::domain;
+use crate::error::WITH_STICK;
 use crate::estimate::larger;
 use crate::galerkin;
 use crate::layered::LayeredCompliance;
@@ -163,13 +164,14 @@ impl Sticking {
     ///
     /// # Errors
     /// [`Error::Domain`] for an `a_over_t` or a `tolerance` outside the domain;
-    /// [`Error::StickNotConverged`] where double precision does not allow the tolerance.
+    /// [`Error::NotConverged`] where double precision does not allow the tolerance.
     pub fn punch(&self, a_over_t: f64, tolerance: f64) -> Result<StickPunch, Error> {
         Error::check("tolerance", tolerance, PUNCH_TOLERANCE)?;
         Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, self.most_of_punch()])?;
         let x = a_over_t * self.thickness_over_top;
-        let not_converged = |reached| Error::StickNotConverged {
+        let not_converged = |reached| Error::NotConverged {
             a_over_t,
+            of: WITH_STICK,
             tolerance,
             reached,
         };
@@ -234,7 +236,7 @@ impl Sticking {
     ///
     /// # Errors
     /// [`Error::Domain`] for an argument outside the domain; [`Error::Coupled`] where Dundurs' beta
-    /// of sphere and top layer is not 0; [`Error::StickNotConverged`] where double precision does
+    /// of sphere and top layer is not 0; [`Error::NotConverged`] where double precision does
     /// not allow the tolerance.
     pub fn grown(
         &self,
@@ -258,8 +260,9 @@ impl Sticking {
         let a_over_t = if is_end { most } else { a_over_t };
         Error::check("a_over_t", a_over_t, [LEAST_A_OVER_T, most])?;
         let x = a_over_t * self.thickness_over_top;
-        let not_converged = |reached| Error::StickNotConverged {
+        let not_converged = |reached| Error::NotConverged {
             a_over_t,
+            of: WITH_STICK,
             tolerance,
             reached,
         };

@@ -131,11 +131,9 @@ pub fn within<T>(
     solve: impl Fn(f64) -> Result<T, Error>,
 ) -> Result<T, Error> {
     match solve(tolerance) {
-        Err(
-            Error::StickNotConverged { reached, .. }
-            | Error::NotConverged { reached, .. }
-            | Error::StackNotConverged { reached, .. },
-        ) if given.is_none() && 2.0 * reached <= LARGEST_ERROR => {
+        Err(Error::NotConverged { reached, .. })
+            if given.is_none() && 2.0 * reached <= LARGEST_ERROR =>
+        {
             within(given, 2.0 * reached, solve)
         }
         result => result,

@@ -293,9 +293,7 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
             None => Ok(curve(&system.material()?, [from, to], tolerance)?),
         };
         let curve = match curve_to(TOLERANCE) {
-            Err(crate::Error::Solve(
-                solve::Error::NotConverged { .. } | solve::Error::StackNotConverged { .. },
-            )) => curve_to(OF_CONFINED),
+            Err(crate::Error::Solve(solve::Error::NotConverged { .. })) => curve_to(OF_CONFINED),
             curve => curve,
         };
         // A wider range may be out of reach where a narrower one is not.
