@@ -4,14 +4,12 @@ use std::f64::consts::LOG2_E;
 
 use fearless_simd::prelude::*;
 
-use crate::lanes::Lanes;
-
 /// Returns the exponential function of each number, to about two units in the last place.
 ///
 /// It is exact to rounding for numbers from -700 to 700. A smaller or larger one gives a result that
 /// is not in `[1e-300, 1e300]`, and NaN gives NaN.
 #[inline(always)]
-pub fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
+pub fn exp<S: Simd, V: SimdFloat<S, Element = f64>>(simd: S, x: V) -> V {
     /// The logarithm of 2 as a sum; the first part has few digits, so that its multiples are exact.
     const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
     /// A number whose last digit counts whole numbers.
@@ -27,7 +25,7 @@ pub fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
         }
         inverses
     };
-    let number = |value: f64| Lanes::splat(simd, value);
+    let number = |value: f64| V::splat(simd, value);
     let within = x.max(number(-700.0)).min(number(700.0));
     // `x = n ln 2 + r` with a whole number `n`, and `r` at most half of `ln 2`.
     let shifted = within.mul_add(number(LOG2_E), number(WHOLE));
@@ -42,7 +40,7 @@ pub fn exp<S: Simd>(simd: S, x: Lanes<S>) -> Lanes<S> {
     }
     let sum = odd.mul_add(r, even);
     // The bits of `2^n`: those of the whole number, as the exponent.
-    let power = Lanes::from_bits((shifted.to_bits() + 1023) << 52);
+    let power = V::from_bits((shifted.to_bits() + 1023) << 52);
     sum * power
 }
 
@@ -51,7 +49,7 @@ mod tests {
     use fearless_simd::{Level, dispatch};
 
     use super::*;
-    use crate::lanes::LANES;
+    use crate::lanes::{LANES, Lanes};
 
     #[test]
     fn the_exponential_function_is_that_of_the_standard_library() {
