@@ -18,7 +18,7 @@ use interp::Material;
 use crate::excess::{largest_excess, shear};
 use crate::joint::Joint;
 use crate::minors::{Minors, scaled, sum};
-use crate::slab::{Samples, Slab};
+use crate::slab::{Component, Samples, Slab};
 use crate::stack::Stack;
 use crate::surface::{AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all};
 
@@ -141,7 +141,8 @@ impl LayeredCompliance {
     fn evaluate<S: Simd>(&self, simd: S, k: S::f64s) -> Samples<S::f64s> {
         let k = k + self.least;
         let [y, z] = self.below_top(simd, k);
-        self.top.sample(simd, k, y, z)
+        let [samples] = self.top.sample(simd, k, y, z, [Component::NORMAL]);
+        samples
     }
 
     /// Returns the wave number that is added to all.

@@ -53,7 +53,7 @@
 //!
 //! ```text
 //! X - 1 = (e/2) E F/d(top)
-//! F = f(y) + q f(N y) + q^2/2 f(N^2 y) + 4 l- (1 - 2q + 2q^2 - E)                        (3)
+//! F = f(y) + q f(N y) + q^2/2 f(N^2 y) + c 4 l- (1 - 2q + 2q^2 - E)        c = 1         (3)
 //! ```
 //!
 //! The slope `k dX/dk` follows from `z = k dy/dk`, which takes the same steps as `y` and in each
@@ -69,7 +69,7 @@ use crate::joint::Joint;
 use crate::minors::{Minors, sum};
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.
-pub const SWITCH: f64 = 1.0;
+const SWITCH: f64 = 1.0;
 
 /// The numbers of one layer.
 #[derive(Clone, Copy, Debug)]
@@ -84,10 +84,31 @@ pub struct Slab {
     pub b: f64,
     l: f64,
     /// `2/(1 - nu)`, the reduced modulus over half the shear modulus.
-    pub e: f64,
+    e: f64,
 }
 
-/// The compliance at the top of a layer, at several wave numbers.
+/// A compliance at the top of a layer: one of the minors times `(e/2)/d`.
+#[derive(Clone, Copy)]
+pub struct Component {
+    /// The place of the minor.
+    pub place: usize,
+    /// The limit at large wave numbers, the factor of `(2/e) d` in `f`.
+    pub limit: f64,
+    /// The factor `c` of (3), times 4.
+    pub fall: f64,
+}
+
+impl Component {
+    /// The displacement under a pressure.
+    pub const NORMAL: Self = Self {
+        place: 3,
+        limit: 1.0,
+        fall: 4.0,
+    };
+}
+
+/// A compliance at the top of a layer, at several wave numbers.
+#[derive(Clone, Copy)]
 pub struct Samples<V> {
     /// `X`.
     pub x: V,
@@ -236,78 +257,84 @@ impl Slab {
 
     /// Returns `l+` and `l-`.
     #[inline(always)]
-    pub fn exponential_parts<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> [S::f64s; 2] {
+    fn exponential_parts<S: Simd>(&self, [d, c11, c12, c22, det]: Minors<S>) -> [S::f64s; 2] {
         let even = det.mul_add(self.e, c12.mul_add(4.0 * self.b, d * (1.0 + self.b)));
         let odd = (c11 + c22) * 2.0;
         [(even + odd) * 0.0625, (even - odd) * 0.0625]
     }
 
-    /// Returns the compliance at the top of this layer, at wave numbers `k`, from minors `y` and
+    /// Returns compliances at the top of this layer, at wave numbers `k`, from minors `y` and
     /// `z = k dy/dk` at its bottom.
     #[inline(always)]
-    pub fn sample<S: Simd>(
+    pub fn sample<S: Simd, const N: usize>(
         &self,
         simd: S,
         k: S::f64s,
         y: Minors<S>,
         z: Minors<S>,
-    ) -> Samples<S::f64s> {
+        components: [Component; N],
+    ) -> [Samples<S::f64s>; N] {
         let q = k * self.thickness;
         let [y_top, z_top] = self.cross(simd, k, y, z);
         let half = 0.5 * self.e;
         let per_d = S::f64s::splat(simd, 1.0) / y_top[0];
-        let x = y_top[3] * half * per_d;
-        let mut samples = Samples {
-            x,
-            excess: (y_top[3] * half - y_top[0]) * per_d,
-            slope: (z_top[3] * half - x * z_top[0]) * per_d,
-        };
+        let mut samples = [Samples {
+            x: per_d,
+            excess: per_d,
+            slope: per_d,
+        }; N];
+        for (own, Component { place, limit, .. }) in samples.iter_mut().zip(components) {
+            own.x = y_top[place] * half * per_d;
+            own.excess = (y_top[place] * half - y_top[0] * limit) * per_d;
+            own.slope = (z_top[place] * half - own.x * z_top[0]) * per_d;
+        }
         let thick = q.simd_gt(SWITCH);
         if thick.any_true() {
             let e = exponential(simd, q * -2.0);
-            let [value, slope] = self.departure::<S>(q, e, y, z);
+            let square = q * q;
+            let half_square = square * 0.5;
+            let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
+            let slope_of_fall = square * 4.0 + q * (e - 1.0) * 2.0;
             let factor = e * half * per_d;
             let rate = z_top[0].mul_add(per_d, q * 2.0);
-            let excess = factor * value;
-            let slope = factor * (slope - value * rate);
-            samples.excess = thick.select(excess, samples.excess);
-            samples.slope = thick.select(slope, samples.slope);
+            let of_y = self.functionals::<S, N>(y, components);
+            let of_z = self.functionals::<S, N>(z, components);
+            for (i, own) in samples.iter_mut().enumerate() {
+                // `F` of equation (3) and `k dF/dk`.
+                let [flat, once, twice, fall] = of_y[i];
+                let value =
+                    fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, flat)));
+                let explicit = q * once + square * twice + fall * slope_of_fall;
+                let [flat, once, twice, fall] = of_z[i];
+                let slope =
+                    fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, flat)));
+                let excess = factor * value;
+                let slope = factor * (slope + explicit - value * rate);
+                own.excess = thick.select(excess, own.excess);
+                own.slope = thick.select(slope, own.slope);
+            }
         }
         samples
     }
 
-    /// Returns `F` of equation (3) and `k dF/dk`. `e` is `E`.
+    /// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `c 4 l-` of each compliance.
     #[inline(always)]
-    fn departure<S: Simd>(
+    fn functionals<S: Simd, const N: usize>(
         &self,
-        q: S::f64s,
-        e: S::f64s,
         y: Minors<S>,
-        z: Minors<S>,
-    ) -> [S::f64s; 2] {
-        let square = q * q;
-        let half_square = square * 0.5;
-        let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
-        let [of_y, once, twice, fall] = self.functionals::<S>(y);
-        let value = fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, of_y)));
-        let explicit = q * once + square * twice + fall * (square * 4.0 + q * (e - 1.0) * 2.0);
-        let [of_z, once, twice, fall] = self.functionals::<S>(z);
-        let slope = fall.mul_add(of_fall, half_square.mul_add(twice, q.mul_add(once, of_z)));
-        [value, slope + explicit]
-    }
-
-    /// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `4 l-`.
-    #[inline(always)]
-    fn functionals<S: Simd>(&self, y: Minors<S>) -> [S::f64s; 4] {
-        let factor = -2.0 / self.e;
+        components: [Component; N],
+    ) -> [[S::f64s; 4]; N] {
         let once = self.n_times::<S>(y);
         let twice = self.n_times::<S>(once);
         let [_, fall] = self.exponential_parts::<S>(y);
-        [
-            y[0].mul_add(factor, y[3]),
-            once[0].mul_add(factor, once[3]),
-            twice[0].mul_add(factor, twice[3]),
-            fall * 4.0,
-        ]
+        let mut functionals = [[fall; 4]; N];
+        for (own, Component { place, limit, fall }) in functionals.iter_mut().zip(components) {
+            let factor = -2.0 * limit / self.e;
+            for (of, y) in own.iter_mut().zip([y, once, twice]) {
+                *of = y[0].mul_add(factor, y[place]);
+            }
+            own[3] *= fall;
+        }
+        functionals
     }
 }

@@ -24,10 +24,8 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
-use crate::exponential::exponential;
 use crate::layered::LayeredCompliance;
-use crate::minors::Minors;
-use crate::slab::{SWITCH, Slab};
+use crate::slab::Component;
 use crate::surface::filled;
 
 /// `X11 - 1`, `X12 - b` and `X22 - 1`, or their slopes `q d/dq`, in this order.
@@ -61,87 +59,27 @@ fn extend<S: Simd>(simd: S, surface: &LayeredCompliance, q: &[f64], samples: &mu
     for group in q.chunks(S::f64s::LEN) {
         let wave_numbers = filled(simd, group) + surface.least();
         let [y, z] = surface.below_top(simd, wave_numbers);
-        let [excess, whole, slope] = at_top(simd, surface.top(), wave_numbers, y, z);
+        let components = [
+            Component::NORMAL,
+            Component {
+                place: 2,
+                limit: surface.top().b,
+                fall: 0.0,
+            },
+            Component {
+                place: 1,
+                ..Component::NORMAL
+            },
+        ];
+        let all = surface.top().sample(simd, wave_numbers, y, z, components);
         for (values, i) in samples.whole.iter_mut().zip([0, 2]) {
-            values.extend_from_slice(&whole[i].as_slice()[..group.len()]);
+            values.extend_from_slice(&all[i].x.as_slice()[..group.len()]);
         }
-        for i in 0..3 {
-            samples.excess[i].extend_from_slice(&excess[i].as_slice()[..group.len()]);
-            samples.slope[i].extend_from_slice(&slope[i].as_slice()[..group.len()]);
-        }
-    }
-}
-
-/// The places of `c22`, `c12` and `c11` among the minors.
-const PLACES: Three<usize> = [3, 2, 1];
-
-/// Returns the compliances without and with their limits, and their slopes, at the top of the `top` layer, at wave numbers `k`,
-/// from minors `y` and `z = k dy/dk` at its bottom.
-#[inline(always)]
-fn at_top<S: Simd>(
-    simd: S,
-    top: &Slab,
-    k: S::f64s,
-    y: Minors<S>,
-    z: Minors<S>,
-) -> [Three<S::f64s>; 3] {
-    let q = k * top.thickness;
-    let [y_top, z_top] = top.cross(simd, k, y, z);
-    let half = 0.5 * top.e;
-    let limits = [1.0, top.b, 1.0];
-    let per_d = S::f64s::splat(simd, 1.0) / y_top[0];
-    let mut excess = [per_d; 3];
-    let mut whole = [per_d; 3];
-    let mut slope = [per_d; 3];
-    for i in 0..3 {
-        let x = y_top[PLACES[i]] * half * per_d;
-        whole[i] = x;
-        excess[i] = (y_top[PLACES[i]] * half - y_top[0] * limits[i]) * per_d;
-        slope[i] = (z_top[PLACES[i]] * half - x * z_top[0]) * per_d;
-    }
-    let thick = q.simd_gt(SWITCH);
-    if thick.any_true() {
-        let e = exponential(simd, q * -2.0);
-        let square = q * q;
-        let of_fall = square * 2.0 - q * 2.0 - e + 1.0;
-        let slope_of_fall = square * 4.0 + q * (e - 1.0) * 2.0;
-        let of_y = functionals::<S>(top, y);
-        let of_z = functionals::<S>(top, z);
-        let factor = e * half * per_d;
-        let rate = z_top[0].mul_add(per_d, q * 2.0);
-        for i in 0..3 {
-            let sum = |[flat, once, twice, fall]: [S::f64s; 4]| {
-                fall.mul_add(
-                    of_fall,
-                    (square * 0.5).mul_add(twice, q.mul_add(once, flat)),
-                )
-            };
-            let value = sum(of_y[i]);
-            let [_, once, twice, fall] = of_y[i];
-            let explicit = q * once + square * twice + fall * slope_of_fall;
-            let departure = factor * value;
-            let change = factor * (sum(of_z[i]) + explicit - value * rate);
-            excess[i] = thick.select(departure, excess[i]);
-            slope[i] = thick.select(change, slope[i]);
+        for (i, own) in all.iter().enumerate() {
+            samples.excess[i].extend_from_slice(&own.excess.as_slice()[..group.len()]);
+            samples.slope[i].extend_from_slice(&own.slope.as_slice()[..group.len()]);
         }
     }
-    [excess, whole, slope]
-}
-
-/// Returns `f(y)`, `f(N y)`, `f(N^2 y)` and `c 4 l-` of each compliance.
-#[inline(always)]
-fn functionals<S: Simd>(top: &Slab, y: Minors<S>) -> Three<[S::f64s; 4]> {
-    let once = top.n_times::<S>(y);
-    let twice = top.n_times::<S>(once);
-    let [_, fall] = top.exponential_parts::<S>(y);
-    let factors = [-2.0 / top.e, -2.0 * top.b / top.e, -2.0 / top.e];
-    let falls = [4.0, 0.0, 4.0];
-    let mut functionals = [[fall; 4]; 3];
-    for i in 0..3 {
-        let of = |y: Minors<S>| y[0].mul_add(factors[i], y[PLACES[i]]);
-        functionals[i] = [of(y), of(once), of(twice), fall * falls[i]];
-    }
-    functionals
 }
 
 #[cfg(test)]
