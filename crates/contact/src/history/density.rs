@@ -3,9 +3,10 @@
 
 use std::f64::consts::PI;
 
+use libm::tgamma;
+
 use super::Relaxation;
 use super::exponentials::Exponentials;
-use super::gamma::gamma;
 
 /// The density of the exponentials of a law over `x = ln(rate unit)`.
 pub(super) struct Density<'a> {
@@ -56,7 +57,7 @@ impl<'a> Density<'a> {
         Some(match *law {
             Relaxation::Prony { .. } => return None,
             Relaxation::PowerLaw { exponent, time } => Self {
-                value: Box::new(move |x| (exponent * x).exp() / gamma(exponent)),
+                value: Box::new(move |x| (exponent * x).exp() / tgamma(exponent)),
                 relaxed: 0.0,
                 unit: time,
                 exponents: [exponent, exponent],
@@ -68,7 +69,7 @@ impl<'a> Density<'a> {
                 exponent,
                 time,
             } => Self {
-                value: Box::new(move |x| (exponent * x - x.exp()).exp() / gamma(exponent)),
+                value: Box::new(move |x| (exponent * x - x.exp()).exp() / tgamma(exponent)),
                 relaxed,
                 unit: time,
                 exponents: [exponent, exponent],

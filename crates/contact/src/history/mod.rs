@@ -7,7 +7,7 @@
 //! `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses among them and refines. `density` and `variation` hold the
 //! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
 //! them `measured`, at the places of `steps`, by `approach` and `return_steps`, which share a `setting`, follows measured points and
-//! differentiates their loads. `unlike` bounds the error by bodies that do not relax. `moments` and `gamma` are functions for them.
+//! differentiates their loads. `unlike` bounds the error by bodies that do not relax. `moments` has functions for them.
 
 mod adhesion;
 mod approach;
@@ -16,7 +16,6 @@ mod elastic;
 mod elements;
 mod error;
 mod exponentials;
-mod gamma;
 mod growing_load;
 mod history;
 mod law_parameter;

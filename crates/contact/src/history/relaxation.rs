@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use super::HistoryError;
 use super::exponentials::Exponentials;
-use super::gamma::gamma;
 
 /// How Young's modulus falls in time after a step of the strain: `E(t) = E_ref phi(t)`, at a
 /// constant Poisson ratio.
@@ -223,7 +222,7 @@ impl Relaxation {
         }
         Ok(match *self {
             Self::PowerLaw { exponent, time } => {
-                let size = gamma(1.0 - exponent) * (omega * time).powf(exponent);
+                let size = libm::tgamma(1.0 - exponent) * (omega * time).powf(exponent);
                 let (sin, cos) = (0.5 * PI * exponent).sin_cos();
                 [size * cos, size * sin]
             }
