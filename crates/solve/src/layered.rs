@@ -20,7 +20,7 @@ use crate::joint::Joint;
 use crate::minors::{Minors, scaled, sum};
 use crate::slab::{Component, Samples, Slab};
 use crate::stack::Stack;
-use crate::surface::{AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all};
+use crate::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
 
 /// The smallest scale over the estimate of the nearest pole, of a stack that is not bonded: the
 /// estimate leaves out the factor 1/2 of the bound, and plates that slide need some of it.
@@ -118,22 +118,12 @@ impl LayeredCompliance {
     /// Returns `X(q)` for a finite `q >= 0`, with a relative error of a few rounding units, however
     /// small it is.
     pub fn x(&self, q: f64) -> f64 {
-        self.at(q).x
-    }
-
-    /// Returns the compliance at one wave number.
-    fn at(&self, q: f64) -> Samples<f64> {
-        dispatch!(Level::new(), simd => self.evaluate_one(simd, q))
+        dispatch!(Level::new(), simd => self.x_at(simd, q))
     }
 
     #[inline(always)]
-    fn evaluate_one<S: Simd>(&self, simd: S, q: f64) -> Samples<f64> {
-        let Samples { x, excess, slope } = self.evaluate(simd, S::f64s::splat(simd, q));
-        Samples {
-            x: x[0],
-            excess: excess[0],
-            slope: slope[0],
-        }
+    fn x_at<S: Simd>(&self, simd: S, q: f64) -> f64 {
+        self.evaluate(simd, S::f64s::splat(simd, q)).x[0]
     }
 
     /// Returns the compliance at several wave numbers `k`.
@@ -254,11 +244,6 @@ impl SurfaceCompliance for LayeredCompliance {
         }
     }
 
-    fn sample(&self, q: f64) -> Sample {
-        let Samples { excess, slope, .. } = self.at(q);
-        Sample { excess, slope }
-    }
-
     fn sample_all(&self, q: &[f64]) -> AllSamples {
         sample_all(self, q)
     }
@@ -282,6 +267,7 @@ pub(super) mod tests {
     use super::*;
     use crate::estimate::larger;
     use crate::stack::{Interface, Layer};
+    use crate::surface::Sample;
     use crate::surface::tests::assert_that_the_cut_off_bounds_the_rest;
 
     /// Draws a stack of two to ten layers, with moduli over nine decades and thicknesses over four.

@@ -8,7 +8,7 @@ use fearless_simd::{Level, dispatch};
 
 use crate::compliance::FLAT;
 use crate::layered::LayeredCompliance;
-use crate::surface::{AllSamples, Sample, SurfaceCompliance};
+use crate::surface::{AllSamples, SurfaceCompliance};
 
 /// The samples of a panel. With poles at 26 degrees from the real axis, the ellipse of convergence
 /// of a panel `[c, 1.4c]` is 5.5, and that of the first panel, whose length is half the distance of
@@ -66,14 +66,6 @@ impl SampledCompliance {
 impl SurfaceCompliance for SampledCompliance {
     fn points(tolerance: f64, oscillates: bool) -> usize {
         LayeredCompliance::points(tolerance, oscillates)
-    }
-
-    fn sample(&self, q: f64) -> Sample {
-        let AllSamples { excess, slope } = self.sample_all(&[q]);
-        Sample {
-            excess: excess[0],
-            slope: slope[0],
-        }
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {

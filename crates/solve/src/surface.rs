@@ -57,7 +57,13 @@ pub trait SurfaceCompliance {
 
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
-    fn sample(&self, q: f64) -> Sample;
+    fn sample(&self, q: f64) -> Sample {
+        let AllSamples { excess, slope } = self.sample_all(&[q]);
+        Sample {
+            excess: excess[0],
+            slope: slope[0],
+        }
+    }
 
     /// Returns the samples at all `q`, in their order.
     fn sample_all(&self, q: &[f64]) -> AllSamples;
@@ -73,10 +79,6 @@ pub trait SurfaceCompliance {
 impl<C: SurfaceCompliance> SurfaceCompliance for &C {
     fn points(tolerance: f64, oscillates: bool) -> usize {
         C::points(tolerance, oscillates)
-    }
-
-    fn sample(&self, q: f64) -> Sample {
-        C::sample(self, q)
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {

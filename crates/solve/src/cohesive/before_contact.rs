@@ -18,7 +18,6 @@ use crate::cohesive::search::{self, Point};
 use crate::cohesive::surface::Surface;
 use crate::cohesive::{Cohesive, CohesiveState};
 use crate::quadrature::{PanelWeights, Panels};
-use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
 
 /// Returns `-u/tau` in the middle and at the edge of a disc of radius `c`.
@@ -37,9 +36,10 @@ fn rise(c: f64, symbol: &Symbol<Surface>) -> [f64; 2] {
     );
     for ends in panels.edges.windows(2) {
         let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-        for (t, w) in panels.rule.abscissae.iter().zip(&panels.rule.weights) {
-            let q = middle + half * t;
-            let excess = symbol.compliance().sample(q).excess;
+        let abscissae = panels.rule.abscissae.iter().map(|t| middle + half * t);
+        let abscissae: Vec<f64> = abscissae.collect();
+        let excesses = symbol.compliance().excesses(&abscissae);
+        for ((q, w), excess) in abscissae.iter().zip(&panels.rule.weights).zip(excesses) {
             let term = symbol.film() / es * c * half * w * excess * libm::j1(q * c) / q;
             rise[0] += term;
             rise[1] += term * libm::j0(q * c);

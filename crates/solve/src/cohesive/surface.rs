@@ -2,7 +2,7 @@
 
 use crate::compliance::Compliance;
 use crate::layered::LayeredCompliance;
-use crate::surface::{AllSamples, Sample, SurfaceCompliance};
+use crate::surface::{AllSamples, SurfaceCompliance};
 
 /// The compliance of a film or of a stack.
 #[derive(Clone, Debug)]
@@ -31,10 +31,6 @@ impl SurfaceCompliance for Surface {
     /// The number for layers serves films, too.
     fn points(tolerance: f64, oscillates: bool) -> usize {
         LayeredCompliance::points(tolerance, oscillates)
-    }
-
-    fn sample(&self, q: f64) -> Sample {
-        self.get().sample(q)
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {
