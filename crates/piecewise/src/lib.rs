@@ -6,6 +6,7 @@ pub mod exp;
 mod fitting;
 mod functions;
 mod grid;
+mod lagrange;
 pub mod lanes;
 mod resampler;
 pub mod series;
@@ -14,6 +15,7 @@ mod spans;
 pub use fitting::{Exponentials, Fitting, Target};
 pub use functions::{Piecewise, Polynomials};
 pub use grid::{Grid, Position};
+pub use lagrange::lagrange;
 pub use resampler::Resampler;
 
 /// The number of coefficients of a spline on a piece, of `1, t, t^2, ...`

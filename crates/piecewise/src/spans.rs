@@ -7,6 +7,7 @@ use fearless_simd::{f64x4, f64x8};
 use crate::SPLINE_TERMS;
 use crate::bspline::Basis;
 use crate::grid::Grid;
+use crate::lagrange::lagrange;
 use crate::lanes::{LANES, Lanes, transposed_lanes};
 use crate::series::Series;
 
@@ -54,7 +55,7 @@ impl Spans {
         for ((_, ends), span) in grid.pieces().zip(&spans) {
             let samples = samples(ends);
             let polynomials =
-                lagrange(samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
+                lagrange(&samples.map(|y| (2.0 * y - ends[0] - ends[1]) / (ends[1] - ends[0])));
             for (splines, polynomial) in samples.map(&splines).iter().zip(polynomials) {
                 let own = &mut weights[span.start + splines.first - span.first..];
                 for (weights, value) in own.iter_mut().zip(&splines.values[..splines.count]) {
@@ -147,34 +148,5 @@ pub(crate) fn chebyshev_points([from, to]: [f64; 2], range: [f64; 2]) -> [f64; S
     std::array::from_fn(|i| {
         let share = 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / (SPLINE_TERMS - 1) as f64).cos();
         (from + (to - from) * share).clamp(range[0], range[1])
-    })
-}
-
-/// Returns the Lagrange polynomials of the points, as coefficients of powers: each is 1 at its own
-/// point and 0 at the others. If all points coincide, the first polynomial is 1 and the others are
-/// 0.
-fn lagrange(points: [f64; SPLINE_TERMS]) -> [[f64; SPLINE_TERMS]; SPLINE_TERMS] {
-    if points[0] == points[SPLINE_TERMS - 1] {
-        return std::array::from_fn(|i| {
-            std::array::from_fn(|k| if i == 0 && k == 0 { 1.0 } else { 0.0 })
-        });
-    }
-    std::array::from_fn(|i| {
-        let mut polynomial = [0.0; SPLINE_TERMS];
-        polynomial[0] = 1.0;
-        for other in points
-            .iter()
-            .enumerate()
-            .filter(|&(j, _)| j != i)
-            .map(|(_, &point)| point)
-        {
-            // Times (t - other) / (points[i] - other).
-            let distance = points[i] - other;
-            for k in (0..SPLINE_TERMS).rev() {
-                let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
-                polynomial[k] = (lower - other * polynomial[k]) / distance;
-            }
-        }
-        polynomial
     })
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use interp::once::Lazy;
+use piecewise::lagrange;
 
 /// The number of points on an interval.
 pub(super) const POINTS: usize = 12;
@@ -32,18 +33,7 @@ impl Points {
             let others = (0..POINTS).filter(|&j| j != i);
             1.0 / others.map(|j| at[i] - at[j]).product::<f64>()
         });
-        let lagrange: [[f64; POINTS]; POINTS] = std::array::from_fn(|i| {
-            let mut polynomial = [0.0; POINTS];
-            polynomial[0] = 1.0;
-            for j in (0..POINTS).filter(|&j| j != i) {
-                let distance = at[i] - at[j];
-                for k in (0..POINTS).rev() {
-                    let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
-                    polynomial[k] = (lower - at[j] * polynomial[k]) / distance;
-                }
-            }
-            polynomial
-        });
+        let lagrange = lagrange(&at);
         let integral = |polynomial: &[f64; POINTS], to: f64| {
             let at = |x: f64| {
                 let terms = polynomial.iter().enumerate().rev();

@@ -1,6 +1,7 @@
 //! The weights of the even powers in a shape: the coefficients of `b''` on a piece.
 
 use crate::Validity;
+use piecewise::lagrange;
 
 /// The largest number of even powers in `b''`.
 pub(super) const MOST_TERMS: usize = 7;
@@ -115,30 +116,7 @@ impl EvenShape {
 }
 
 /// The coefficients of the polynomials that are 1 at one of [`POINTS`] and 0 at the others.
-static LAGRANGE: [[f64; MOST_TERMS]; MOST_TERMS] = {
-    let mut all = [[0.0; MOST_TERMS]; MOST_TERMS];
-    let mut j = 0;
-    while j < MOST_TERMS {
-        let own = &mut all[j];
-        own[0] = 1.0;
-        let mut i = 0;
-        while i < MOST_TERMS {
-            if i != j {
-                // Times `(u - POINTS[i])/(POINTS[j] - POINTS[i])`.
-                let scale = 1.0 / (POINTS[j] - POINTS[i]);
-                let mut k = MOST_TERMS - 1;
-                while k > 0 {
-                    own[k] = scale * (own[k - 1] - POINTS[i] * own[k]);
-                    k -= 1;
-                }
-                own[0] *= -scale * POINTS[i];
-            }
-            i += 1;
-        }
-        j += 1;
-    }
-    all
-};
+static LAGRANGE: [[f64; MOST_TERMS]; MOST_TERMS] = lagrange(&POINTS);
 
 /// Returns the coefficients of the polynomial in `u` that equals `R b'/s = artanh(v)/v + 1/(1 -
 /// v^2)`, `v = alpha sqrt(u)`, at the Chebyshev points of the second kind on `0 <= u <= 1`.
