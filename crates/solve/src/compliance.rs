@@ -7,16 +7,11 @@
 //! ```text
 //! N = c0/2 cosh 2q + c1/2 (sinh 2q - 2q)        + c2 q
 //! D = c3/2         + c1/2 (cosh 2q - 1 - 2q^2)  + c0/2 sinh 2q + c4 q^2
-//!
-//! c0 = m (1+g1)(1+g0)            c3 = (1+g1)^2
-//! c1 = 2 m^2 g0 + m (g0-1)(g1-1) + 2 g1
-//! c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1)
-//! c4 = (1+g1) (m (g0-1) + 2)
 //! ```
 //!
-//! This form is used up to `q = 1`. Both brackets are summed as power series, so that nothing
-//! cancels where `X` is small: a nearly incompressible film on a rigid substrate has `X ~ 2/3 q^3`.
-//! Beyond `q = 1`, with `a = (m g0 - g1)/(1 + m g0)` and `b = (m-1)/(m+g1)`,
+//! with [`Material::compliance_coefficients`]. This form is used up to `q = 1`. Both brackets are
+//! summed as power series, so that nothing cancels where `X` is small: a nearly incompressible film
+//! on a rigid substrate has `X ~ 2/3 q^3`. Beyond `q = 1`, with `a = (m g0 - g1)/(1 + m g0)` and `b = (m-1)/(m+g1)`,
 //!
 //! ```text
 //! X - 1 = [(a + b + 4 b q (1+q)) e^{-2q} - 2 a b e^{-4q}] / [1 - (a + b + 4 b q^2) e^{-2q} + a b e^{-4q}]
@@ -73,19 +68,8 @@ impl Compliance {
         let (nu1, nu0) = (material.nu1(), material.nu0());
         let (g1, g0) = (3.0 - 4.0 * nu1, 3.0 - 4.0 * nu0);
         let m = material.film_over_substrate() * ((1.0 + nu0) / (1.0 + nu1));
-        // N and D divided by max(m, 1), so that m^2 cannot overflow.
-        let unit = 1.0 / m.max(1.0);
-        let share = m.min(1.0);
-        let c = [
-            share * (1.0 + g1) * (1.0 + g0),
-            2.0 * m * share * g0 + share * (g0 - 1.0) * (g1 - 1.0) + 2.0 * g1 * unit,
-            4.0 * m * share * g0 - 8.0 * share * nu1 * (1.0 - 2.0 * nu0)
-                + 4.0 * (1.0 - 2.0 * nu1) * unit,
-            (1.0 + g1) * (1.0 + g1) * unit,
-            (1.0 + g1) * (share * (g0 - 1.0) + 2.0 * unit),
-        ];
         Self {
-            c,
+            c: material.compliance_coefficients(),
             a: (m * g0 - g1) / (1.0 + m * g0),
             b: (m - 1.0) / (m + g1),
         }

@@ -175,53 +175,46 @@ impl Material {
         compound(self.sphere_compliance(), self.substrate_modulus())
     }
 
-    /// Returns `(1/e1) X'(0)`: the slope, at wave number `q = kt` of 0, of the compliance of film
-    /// and substrate. With `X = N/D`, `m = G1/G0` and `g = 3 - 4 nu`,
+    /// Returns the numbers `c0` to `c4` of the compliance `X = N/D` of film and substrate at the wave
+    /// number `q = kt`, divided by the larger of 1 and `m`, so that `m^2` cannot overflow. With
+    /// `m = G1/G0` and `g = 3 - 4 nu`,
     ///
     /// ```text
-    /// X'(0) = 2 (c2 c3 - c0^2)/c3^2,   c0 = m (1+g1)(1+g0),   c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1),   c3 = (1+g1)^2
+    /// N = c0/2 cosh 2q + c1/2 (sinh 2q - 2q)        + c2 q
+    /// D = c3/2         + c1/2 (cosh 2q - 1 - 2q^2)  + c0/2 sinh 2q + c4 q^2
+    ///
+    /// c0 = m (1+g1)(1+g0)            c3 = (1+g1)^2
+    /// c1 = 2 m^2 g0 + m (g0-1)(g1-1) + 2 g1
+    /// c2 = 4 m^2 g0 - 8 m nu1 (1-2 nu0) + 4 (1-2 nu1)
+    /// c4 = (1+g1) (m (g0-1) + 2)
     /// ```
-    pub(crate) fn compliance_slope(&self) -> f64 {
-        let Compliance { c0, c2, c3, .. } = self.compliance();
-        2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
+    pub const fn compliance_coefficients(&self) -> [f64; 5] {
+        let (nu1, nu0) = (self.nu1, self.nu0);
+        let (g1, g0) = (3.0 - 4.0 * nu1, 3.0 - 4.0 * nu0);
+        let m = self.film_over_substrate() * ((1.0 + nu0) / (1.0 + nu1));
+        let (unit, share) = (1.0 / m.max(1.0), m.min(1.0));
+        [
+            share * (1.0 + g1) * (1.0 + g0),
+            2.0 * m * share * g0 + share * (g0 - 1.0) * (g1 - 1.0) + 2.0 * g1 * unit,
+            4.0 * m * share * g0 - 8.0 * share * nu1 * (1.0 - 2.0 * nu0)
+                + 4.0 * (1.0 - 2.0 * nu1) * unit,
+            (1.0 + g1) * (1.0 + g1) * unit,
+            (1.0 + g1) * (share * (g0 - 1.0) + 2.0 * unit),
+        ]
     }
 
-    /// Returns the numbers of the compliance that its value and slope at 0 need.
-    const fn compliance(&self) -> Compliance {
-        let (g1, g0) = (3.0 - 4.0 * self.nu1, 3.0 - 4.0 * self.nu0);
-        let m = self.film_over_substrate() * ((1.0 + self.nu0) / (1.0 + self.nu1));
-        Compliance {
-            m,
-            g1,
-            g0,
-            c0: m * (1.0 + g1) * (1.0 + g0),
-            c2: 4.0 * m * m * g0 - 8.0 * m * self.nu1 * (1.0 - 2.0 * self.nu0)
-                + 4.0 * (1.0 - 2.0 * self.nu1),
-            c3: (1.0 + g1) * (1.0 + g1),
-        }
+    /// Returns `(1/e1) X'(0)`: the slope of the compliance of film and substrate at wave number 0,
+    /// `X'(0) = 2 (c2 c3 - c0^2)/c3^2`.
+    pub(crate) fn compliance_slope(&self) -> f64 {
+        let [c0, _, c2, c3, _] = self.compliance_coefficients();
+        2.0 * (c2 - c0 * (c0 / c3)) / c3 / self.film_modulus()
     }
 
     /// Returns how far the logarithm of the compliance at wave number `q = kt`, of 2 at most, is
     /// from the line through its value and slope at 0: `|ln[einf S(q)] - einf X'(0)/e1 q|`, with
-    /// the compliance `S = 1 + X/e1` (`S = X` under a rigid sphere). With the numbers of
-    /// [`Self::compliance_slope`], `X = N/D`,
-    ///
-    /// ```text
-    /// N = c0/2 cosh 2q + c1/2 (sinh 2q - 2q) + c2 q
-    /// D = c3/2 + c1/2 (cosh 2q - 1 - 2q^2) + c0/2 sinh 2q + c4 q^2
-    /// c1 = 2 m^2 g0 + m (g0-1)(g1-1) + 2 g1,   c4 = (1+g1) (m (g0-1) + 2)
-    /// ```
+    /// the compliance `S = 1 + X/e1` (`S = X` under a rigid sphere).
     pub(crate) fn compliance_beyond_slope(&self, q: f64) -> f64 {
-        let Compliance {
-            m,
-            g1,
-            g0,
-            c0,
-            c2,
-            c3,
-        } = self.compliance();
-        let c1 = 2.0 * m * m * g0 + m * (g0 - 1.0) * (g1 - 1.0) + 2.0 * g1;
-        let c4 = (1.0 + g1) * (m * (g0 - 1.0) + 2.0);
+        let [c0, c1, c2, c3, c4] = self.compliance_coefficients();
         // The series of `sinh t - t` and `cosh t - 1 - t^2/2`, without cancellation.
         let t = 2.0 * q;
         let (mut sinh, mut cosh, mut term) = (0.0, 0.0, 0.5 * t * t);
@@ -253,16 +246,6 @@ impl Material {
             ..Quantities::homogeneous(einf)
         }
     }
-}
-
-/// The numbers in the compliance of film and substrate, see [`Material::compliance_slope`].
-struct Compliance {
-    m: f64,
-    g1: f64,
-    g0: f64,
-    c0: f64,
-    c2: f64,
-    c3: f64,
 }
 
 /// Returns `1/(compliance + 1/modulus)`, without overflow for a modulus from the smallest positive
