@@ -352,24 +352,29 @@ impl IntegerTrain {
         }
         // From the order of the cores to that of the variables.
         let counts = self.order.map(|variable| places[variable].len());
-        let strides = [counts[1] * counts[2], counts[2], 1];
-        let stride = |variable: usize| {
+        let core = |variable: usize| {
             let core = self.order.iter().position(|&other| other == variable);
-            strides[core.expect("the order holds each variable")]
+            1 + core.expect("the order holds each variable")
         };
-        let [by_1, by_2, by_3] = [1, 2, 3].map(stride);
-        let width = places[0].len() * self.functions;
-        let mut values = Vec::with_capacity(vectors.len());
-        for i in 0..places[1].len() {
-            for j in 0..places[2].len() {
-                for k in 0..places[3].len() {
-                    let row = i * by_1 + j * by_2 + k * by_3;
-                    values.extend_from_slice(&vectors[row * width..][..width]);
-                }
+        permuted(&vectors, &counts, [1, 2, 3].map(core))
+    }
+}
+
+/// Returns a tensor of the axes 1, 2, 3 and the rest, with the first three in another order.
+pub(crate) fn permuted(tensor: &[f64], counts: &[usize], order: [usize; 3]) -> Vec<f64> {
+    let width = tensor.len() / counts[..3].iter().product::<usize>();
+    let strides = [counts[1] * counts[2], counts[2], 1];
+    let [first, second, third] = order.map(|axis| (counts[axis - 1], strides[axis - 1]));
+    let mut result = Vec::with_capacity(tensor.len());
+    for i in 0..first.0 {
+        for j in 0..second.0 {
+            for k in 0..third.0 {
+                let at = i * first.1 + j * second.1 + k * third.1;
+                result.extend_from_slice(&tensor[at * width..][..width]);
             }
         }
-        values
     }
+    result
 }
 
 /// Returns the sum of squares, each times the mean of its term. There are `after` entries for each

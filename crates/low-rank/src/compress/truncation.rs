@@ -16,7 +16,7 @@ use thiserror::Error;
 
 use super::coefficients::{Axis, Coefficients};
 use super::matrices::{larger, rank, row_major, singular_vectors};
-use crate::IntegerTrain;
+use crate::integer_train::{IntegerTrain, permuted};
 
 /// The step, over the largest error allowed anywhere: the bounds of the search. For the
 /// table of `interp` it ends between a hundredth and a thousandth.
@@ -313,22 +313,4 @@ impl Train {
         );
         train.expect("values within the bounds of a train make one")
     }
-}
-
-/// Returns a tensor of the variables 1, 2, 3 and the rest, with the first three in another order.
-fn permuted(tensor: &[f64], counts: &[usize], order: [usize; 3]) -> Vec<f64> {
-    let width = tensor.len() / counts[..3].iter().product::<usize>();
-    let strides = [counts[1] * counts[2], counts[2], 1];
-    let [first, second, third] =
-        order.map(|variable| (counts[variable - 1], strides[variable - 1]));
-    let mut result = Vec::with_capacity(tensor.len());
-    for i in 0..first.0 {
-        for j in 0..second.0 {
-            for k in 0..third.0 {
-                let at = i * first.1 + j * second.1 + k * third.1;
-                result.extend_from_slice(&tensor[at * width..][..width]);
-            }
-        }
-    }
-    result
 }
