@@ -346,7 +346,7 @@ mod tests {
             let curvature = Curvature::of(&transform).expect("no sphere");
             for j in [0, 1, 5] {
                 let [more, less] = [1.0 + step, 1.0 - step].map(|factor| {
-                    let other = transform.scaled(factor);
+                    let other = transform.in_units_of(1.0 / factor);
                     let curvature = Curvature::of(&other).expect("no sphere");
                     of_order(&curvature, j, a, other.integral(a))
                 });

@@ -177,28 +177,6 @@ impl Transform {
         }
     }
 
-    /// Returns the transform of a shape whose lengths are all larger by a factor.
-    pub(crate) fn scaled(&self, factor: f64) -> Self {
-        match self {
-            Self::Sphere(radius) => Self::Sphere(radius * factor),
-            Self::Power {
-                factor: own,
-                exponent,
-            } => Self::Power {
-                factor: own * factor.powf(1.0 - exponent),
-                exponent: *exponent,
-            },
-            Self::Knots(knots) => {
-                let knots = knots.iter().map(|knot| Knot {
-                    radius: factor * knot.radius,
-                    jump: knot.jump,
-                    bend: knot.bend / factor,
-                });
-                Self::Knots(knots.collect())
-            }
-        }
-    }
-
     /// Returns the transform with lengths in units of a `length`.
     pub(crate) fn in_units_of(&self, length: f64) -> Self {
         match self {
@@ -213,7 +191,11 @@ impl Transform {
                     })
                     .collect(),
             ),
-            _ => self.scaled(1.0 / length),
+            Self::Sphere(radius) => Self::Sphere(radius / length),
+            Self::Power { factor, exponent } => Self::Power {
+                factor: factor * length.powf(exponent - 1.0),
+                exponent: *exponent,
+            },
         }
     }
 
