@@ -60,7 +60,7 @@ pub fn solve_stack_power_laws(
     tolerance: f64,
 ) -> Result<(Solution, Vec<PowerLaw>), Error> {
     power_law::check(exponents)?;
-    Layers::new(stack, a_over_t, Evaluation::Direct)?
+    Layers::new(stack, a_over_t, usize::MAX)?
         .under(sphere_modulus)?
         .solve(a_over_t, exponents, tolerance)
 }
@@ -80,7 +80,7 @@ pub fn solve_stack_under_spheres(
     tolerance: f64,
     solve_one: &(dyn Fn(usize) -> Result<Quantities, Error> + Sync),
 ) -> Result<Vec<Quantities>, Error> {
-    let layers = Layers::new(stack, a_over_t, Evaluation::Direct)?;
+    let layers = Layers::new(stack, a_over_t, usize::MAX)?;
     let (Form::Layers(compliance), 2..) = (&layers.form, sphere_moduli.len()) else {
         return try_map(0..sphere_moduli.len(), solve_one);
     };
@@ -121,7 +121,7 @@ pub fn stack_curve(
     tolerance: f64,
 ) -> Result<Curve, Error> {
     check_range(a_over_t, tolerance)?;
-    let layers = Layers::new(stack, a_over_t[1], Evaluation::Sampled)?;
+    let layers = Layers::new(stack, a_over_t[1], MANY_LAYERS)?;
     let contact = layers.under(sphere_modulus)?;
     let curve = curve_of(
         &contact.material,
@@ -152,15 +152,6 @@ pub fn check_reach(stack: &Stack, a_over_t: f64) -> Result<(), Error> {
     })
 }
 
-/// The way in which the compliance of a stack is evaluated.
-#[derive(Clone, Copy, PartialEq)]
-enum Evaluation {
-    /// At every wave number anew.
-    Direct,
-    /// From samples, if there are many layers.
-    Sampled,
-}
-
 /// A stack, ready for contacts up to some `a/t` with any sphere.
 struct Layers<'a> {
     stack: &'a Stack,
@@ -183,17 +174,17 @@ enum Form {
 
 impl<'a> Layers<'a> {
     /// Prepares a stack for contacts up to `a_over_t`. Refuses one that is too wide beside the top
-    /// layer, before any work with layers too thin for it.
-    fn new(stack: &'a Stack, a_over_t: f64, evaluation: Evaluation) -> Result<Self, Error> {
+    /// layer, before any work with layers too thin for it. The compliance of `sampled_from` and more
+    /// layers is sampled.
+    fn new(stack: &'a Stack, a_over_t: f64, sampled_from: usize) -> Result<Self, Error> {
         Error::check("a_over_t", a_over_t, A_OVER_T)?;
         check_reach(stack, a_over_t)?;
         let merged = stack.merged().of_top_layer();
-        let count = merged.layers().len();
         let form = if merged.is_film() {
             Form::Film
         } else {
             let compliance = LayeredCompliance::new(&merged);
-            if evaluation == Evaluation::Sampled && count >= MANY_LAYERS {
+            if merged.layers().len() >= sampled_from {
                 Form::Sampled(SampledCompliance::new(compliance))
             } else {
                 Form::Layers(compliance)
@@ -248,27 +239,21 @@ impl StackContact<'_> {
     ) -> Result<(Solution, Vec<PowerLaw>), Error> {
         Error::check("tolerance", tolerance, TOLERANCE)?;
         let x = a_over_t * self.layers.thickness_over_top;
-        let not_converged = |reached| Error::NotConverged {
+        let of_top = &self.of_top;
+        let solved = match &self.layers.form {
+            Form::Film => match solve_power_laws(x, of_top, exponents, tolerance) {
+                Err(Error::NotConverged { reached, .. }) => Err(reached),
+                solution => Ok(solution?),
+            },
+            Form::Layers(layers) => layered(x, layers, of_top, exponents, tolerance),
+            Form::Sampled(layers) => layered(x, layers, of_top, exponents, tolerance),
+        };
+        let (mut solution, mut power_laws) = solved.map_err(|reached| Error::NotConverged {
             a_over_t,
             of: OF_STACK,
             tolerance,
             reached,
-        };
-        let of_top = &self.of_top;
-        let (mut solution, mut power_laws) = match &self.layers.form {
-            Form::Film => match solve_power_laws(x, of_top, exponents, tolerance) {
-                Err(Error::NotConverged { reached, .. }) => Err(not_converged(reached)),
-                solution => solution,
-            }?,
-            Form::Layers(compliance) => {
-                let symbol = Symbol::with_compliance(compliance, of_top);
-                layered(x, &symbol, exponents, tolerance).map_err(not_converged)?
-            }
-            Form::Sampled(compliance) => {
-                let symbol = Symbol::with_compliance(compliance, of_top);
-                layered(x, &symbol, exponents, tolerance).map_err(not_converged)?
-            }
-        };
+        })?;
         solution.quantities = self.at_surface(solution.quantities);
         for power_law in &mut power_laws {
             power_law.pi *= self.factors.pi0;
@@ -287,10 +272,12 @@ impl StackContact<'_> {
 /// is the estimated error that is reached, where that is more than `tolerance`.
 fn layered<C: SurfaceCompliance>(
     x: f64,
-    symbol: &Symbol<C>,
+    compliance: C,
+    of_top: &Material,
     exponents: &[f64],
     tolerance: f64,
 ) -> Result<(Solution, Vec<PowerLaw>), f64> {
+    let symbol = &Symbol::with_compliance(compliance, of_top);
     let (method, estimate) = if has_closed_form(symbol, tolerance) {
         (Method::ClosedForm, closed_form(symbol, exponents))
     } else {
