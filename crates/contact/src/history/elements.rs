@@ -34,15 +34,16 @@ const RING: f64 = 1e-6;
 /// For a load or a spring: the change of the penetration, relative to it, at which Newton's method ends, and its most steps.
 const CLOSE: f64 = 1e-12;
 const NEWTON: usize = 60;
+/// The longest step of a run without refinement, in parts of the duration.
+pub(super) const LONGEST: f64 = 0.02;
 
 impl Elements<'_> {
-    /// Follows the program in steps of at most `longest` times the duration, each divided into
+    /// Follows the program in steps of at most [`LONGEST`] times the duration, each divided into
     /// `refined` parts. Returns the states at the times asked for and the largest contact radius.
     pub fn follow(
         &self,
         program: &Program,
         asked: &[f64],
-        longest: f64,
         refined: usize,
     ) -> Result<(Vec<TimedContact>, f64), HistoryError> {
         let all = program.with(asked);
@@ -71,7 +72,7 @@ impl Elements<'_> {
             let (from, at) = (&pair[0], &pair[1]);
             let whole = at.time - from.time;
             // A whole number of steps is one in other units, too.
-            let parts = (whole / (longest * program.duration()) - 1e-9)
+            let parts = (whole / (LONGEST * program.duration()) - 1e-9)
                 .ceil()
                 .max(1.0) as usize
                 * refined;
@@ -309,7 +310,7 @@ mod tests {
                     control,
                 };
                 let (states, _) = elements
-                    .follow(&program, &times, 0.02, refined)
+                    .follow(&program, &times, refined)
                     .expect("a course");
                 let error = |of: fn(&State) -> f64| {
                     let pairs = states.iter().zip(&exact);

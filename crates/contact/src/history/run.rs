@@ -2,7 +2,7 @@
 
 use super::adhesion::Adhesion;
 use super::elastic::{self, ElasticCurve, Node};
-use super::elements::Elements;
+use super::elements::{Elements, LONGEST};
 use super::exponentials::Exponentials;
 use super::program::Program;
 use super::{History, HistoryError, TimedContact, growing_load, one_turn};
@@ -24,9 +24,8 @@ const SAFETY: f64 = 4.0;
 const ROUNDING: f64 = 1e-13;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
-/// The number of elements and the longest step, in parts of the duration, of the first run.
+/// The number of elements of the first run.
 const ELEMENTS: usize = 50;
-const LONGEST: f64 = 0.02;
 /// The most times that both are refined by 2.
 const REFINEMENTS: usize = 7;
 /// A change of the states from one refinement to the next that is a smaller part of the one before may be small by
@@ -236,7 +235,7 @@ impl Run<'_> {
                 control: self.control,
             };
             let (states, grown) = loop {
-                match own.follow(self.program, self.times, LONGEST, parts) {
+                match own.follow(self.program, self.times, parts) {
                     // An element that touches and is released within one step may look like a ring.
                     Err(HistoryError::NotOneDisc { .. }) if parts < MOST_PARTS => parts *= 4,
                     found => break found?,
