@@ -93,7 +93,7 @@ class LogLikelihood(Native, OneLine):
     def torch(self) -> Callable[..., Any]:
         """Return it as a function of tensors of PyTorch, with its gradient; needs torch.
 
-        The last axis of the tensor, of float64, is the parameters.
+        The last axis of the tensor, of float64, is the parameters. Second derivatives are an error.
         """
         return _adapters.torch(self)
 
