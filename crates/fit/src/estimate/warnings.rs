@@ -174,7 +174,7 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[Stri
             format!(
                 "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
                  chance: {}; fix a parameter, or give it a prior or bounds",
-                rival.excess,
+                rival.excess.max(0.0),
                 values.join(", ")
             ),
         );
