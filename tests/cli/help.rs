@@ -238,12 +238,12 @@ fn completions_and_man_pages_mention_every_command_and_option() {
 fn a_file_is_not_given_the_ending_of_another_format() {
     let workdir = workdir!();
     for command in [
-        ["generate", "-o", "table.bin", "--plan"],
-        ["unpack", "embedded", "-o", "table.BIN"],
-        ["pack", "embedded", "-o", "table.h5"],
+        "generate -o table.bin --plan",
+        "unpack embedded -o table.BIN",
+        "pack embedded -o table.h5",
         // Those of scenes, measurements, pages and figures.
-        ["unpack", "embedded", "-o", "table.csv"],
-        ["pack", "embedded", "-o", "table.toml"],
+        "unpack embedded -o table.csv",
+        "pack embedded -o table.toml",
     ] {
         let message = workdir.fail(2, command);
         assert_names(&message, &["table.", "let the name end in .", "pack"]);

@@ -88,12 +88,7 @@ fn errors_show_fields_and_names_escaped() {
         assert!(is_toml || message.lines().count() == 1, "{message}");
     }
     workdir.write("y\u{1b}[2J\n.toml", TWO_QUANTITIES);
-    let printed = workdir.succeed([
-        "generate",
-        "y\u{1b}[2J\n.toml",
-        "--certificate-points",
-        "20",
-    ]);
+    let printed = workdir.succeed("generate 'y\u{1b}[2J\n.toml' --certificate-points 20");
     assert_harmless(&printed);
     assert_names(&printed, &["written         y\\u{1b}[2J\\u{a}.h5 ("]);
 }

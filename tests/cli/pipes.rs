@@ -4,7 +4,7 @@ use std::io::pipe;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use acceptance::{Arguments, assert_names, shipped, workdir};
+use acceptance::{arguments, assert_names, shipped, workdir};
 use interp::{Quantity, Table};
 
 /// Runs the program in a folder. The readers of standard output and, if `both`, of standard error
@@ -17,7 +17,7 @@ fn run_unread(folder: &Path, both: bool, args: &str) -> Output {
     };
     let stderr = if both { unread() } else { Stdio::piped() };
     Command::new(env!("CARGO_BIN_EXE_tabulate-under-test"))
-        .args(args.list())
+        .args(arguments(args))
         .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(unread())

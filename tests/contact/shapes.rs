@@ -3,7 +3,7 @@
 mod direct;
 mod separation;
 
-use acceptance::{looked_up, on_half_space, rigid_probe, solid};
+use acceptance::{Refused, looked_up, on_half_space, rigid_probe, solid};
 use contact::{Branch, Contact, Control, Input, Neglected, State};
 use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
 
@@ -461,4 +461,17 @@ fn every_shape_is_made_of_its_name_and_numbers() {
         Probe::of_numbers("profile", &[1.0, 0.0]),
         Some(Err(_))
     ));
+}
+
+/// A flat end that is wide beside the film leaves few contact radii, and is no punch.
+#[test]
+fn a_wide_flat_end_names_its_largest_contact() {
+    let probe = Probe::FlatEndedCone {
+        radius: 5e-6,
+        half_angle: HALF_ANGLE,
+    };
+    let wide = contact(probe, solid(1e6, 0.3), 1e-8, solid(1e9, 0.3));
+    assert!(wide.load(6e-6, 0.0).is_ok());
+    let beyond = wide.load(1e-5, 0.0);
+    beyond.refused("below the largest one for which the shape is known or computed");
 }

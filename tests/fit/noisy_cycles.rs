@@ -76,7 +76,7 @@ fn points_beyond_the_end_of_a_fit_hold_it() {
     assert!(low <= 3, "{low}");
 }
 
-/// A retract of many points beside an approach of few: the approach alone tells no modulus.
+/// A retract of many points beside an approach of few, under noise: the approach alone may tell no modulus.
 #[test]
 fn a_start_is_found_where_the_approach_is_short() {
     let plan = Experiment {

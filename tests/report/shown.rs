@@ -76,11 +76,9 @@ pub fn assert_shows(
 
         // The command in the page prints the curve of the page's CSV file.
         let command = look["command"].as_str().expect("a command");
-        let arguments: Vec<&str> = command
-            .split(' ')
-            .skip(1)
-            .map(|word| if word == "TABLE" { name } else { word })
-            .collect();
+        let words = command.split(' ').skip(1);
+        let words = words.map(|word| if word == "TABLE" { name } else { word });
+        let arguments = words.collect::<Vec<_>>().join(" ");
         let csv = Data::parse("the page's", look["csv"].as_str().expect("CSV"));
         assert_eq!(
             csv.columns(),

@@ -31,7 +31,7 @@ pub use printed::{assert_estimate, estimate, json, kinds, number, value};
 pub use refusals::{Refused, Words, assert_cases, assert_names, rows};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
 pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table, write_hdf5};
-pub use workdir::{Arguments, Run, Workdir, nothing_starts, start};
+pub use workdir::{Run, Workdir, arguments, nothing_starts, start};
 
 /// Returns `count + 1` numbers from `from` to `to`, evenly spaced in the logarithm.
 pub fn geometric([from, to]: [f64; 2], count: u32) -> impl Iterator<Item = f64> {

@@ -2,12 +2,12 @@
 
 use serde_json::Value;
 
-use crate::{Arguments, Data, Workdir};
+use crate::{Data, Workdir};
 
 impl Workdir {
     /// Runs the program, which must succeed as [`Workdir::succeed`] says, and returns what it prints,
     /// which must be one line of JSON.
-    pub fn json(&self, args: impl Arguments) -> Value {
+    pub fn json(&self, args: impl AsRef<str>) -> Value {
         let text = self.succeed(args);
         assert_eq!(text.lines().count(), 1, "{text}");
         json(&text)
@@ -15,7 +15,7 @@ impl Workdir {
 
     /// Runs the program, which must succeed as [`Workdir::succeed`] says, and returns what it prints, which
     /// must be CSV.
-    pub fn csv(&self, args: impl Arguments) -> Data {
+    pub fn csv(&self, args: impl AsRef<str>) -> Data {
         Data::parse("standard output", &self.succeed(args))
     }
 }

@@ -34,52 +34,15 @@ impl Run {
     }
 }
 
-/// The arguments of a run: a list, or a line as a user types it, where spaces part the arguments and
-/// an argument that holds spaces stands between quotes `'`.
-pub trait Arguments {
-    /// Returns the list.
-    fn list(&self) -> Vec<String>;
-}
-
-impl Arguments for str {
-    fn list(&self) -> Vec<String> {
-        let parts = self.split('\'').enumerate();
-        let words = parts.flat_map(|(i, part)| match i % 2 {
-            0 => part.split_whitespace().collect(),
-            _ => vec![part],
-        });
-        words.map(str::to_owned).collect()
-    }
-}
-
-impl Arguments for String {
-    fn list(&self) -> Vec<String> {
-        self.as_str().list()
-    }
-}
-
-impl Arguments for [&str] {
-    fn list(&self) -> Vec<String> {
-        self.iter().map(|&argument| argument.to_owned()).collect()
-    }
-}
-
-impl<const N: usize> Arguments for [&str; N] {
-    fn list(&self) -> Vec<String> {
-        self.as_slice().list()
-    }
-}
-
-impl Arguments for Vec<&str> {
-    fn list(&self) -> Vec<String> {
-        self.as_slice().list()
-    }
-}
-
-impl<T: Arguments + ?Sized> Arguments for &T {
-    fn list(&self) -> Vec<String> {
-        (**self).list()
-    }
+/// Returns the arguments in a line as a user types it: spaces part them, and one that holds spaces stands between quotes
+/// `'`.
+pub fn arguments(line: &str) -> Vec<String> {
+    let parts = line.split('\'').enumerate();
+    let words = parts.flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().collect(),
+        _ => vec![part],
+    });
+    words.map(str::to_owned).collect()
 }
 
 /// Makes an empty [`Workdir`] for the program under test.
@@ -163,19 +126,19 @@ impl Workdir {
     }
 
     /// Runs the program to its end. Its output is captured, and so is not a terminal.
-    pub fn run(&self, args: impl Arguments) -> Run {
-        self.end(&args, self.start(&args))
+    pub fn run(&self, args: impl AsRef<str>) -> Run {
+        self.end(args.as_ref(), self.start(&args))
     }
 
     /// Starts the program. Its output is captured.
-    pub fn start(&self, args: impl Arguments) -> Child {
-        self.spawn(Command::new(self.program).args(args.list()))
+    pub fn start(&self, args: impl AsRef<str>) -> Child {
+        self.spawn(Command::new(self.program).args(arguments(args.as_ref())))
     }
 
     /// Runs a shell script, in which `$0` is the program.
     pub fn script(&self, script: &str) -> Run {
         let child = self.spawn(Command::new("sh").args(["-c", script, self.program]));
-        self.end([script], child)
+        self.end(script, child)
     }
 
     fn spawn(&self, command: &mut Command) -> Child {
@@ -184,13 +147,13 @@ impl Workdir {
 
     /// Waits for the end of `child` and returns its exit status and output. Messages name it by
     /// `args`.
-    pub fn end(&self, args: impl Arguments, child: Child) -> Run {
+    pub fn end(&self, args: &str, child: Child) -> Run {
         let output = child.wait_with_output().expect("the program runs");
         let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
         let status = output
             .status
             .code()
-            .unwrap_or_else(|| panic!("{:?}: {}", args.list(), output.status));
+            .unwrap_or_else(|| panic!("{args:?}: {}", output.status));
         Run {
             status,
             stdout: text(output.stdout),
@@ -200,19 +163,19 @@ impl Workdir {
 
     /// Runs the program, which must succeed and print nothing on standard error but comment lines,
     /// which begin with `# `, and returns its standard output.
-    pub fn succeed(&self, args: impl Arguments) -> String {
+    pub fn succeed(&self, args: impl AsRef<str>) -> String {
         let run = self.run(&args);
         let mut lines = run.stderr.lines();
         let all_comments = lines.all(|line| line.starts_with("# "));
         let succeeds = run.status == 0 && all_comments;
-        assert!(succeeds, "{:?}: {run:?}", args.list());
+        assert!(succeeds, "{:?}: {run:?}", args.as_ref());
         run.stdout
     }
 
     /// Runs the program, which must succeed, whatever it says on standard error.
-    pub fn answer(&self, args: impl Arguments) -> Run {
+    pub fn answer(&self, args: impl AsRef<str>) -> Run {
         let run = self.run(&args);
-        assert_eq!(run.status, 0, "{:?}: {run:?}", args.list());
+        assert_eq!(run.status, 0, "{:?}: {run:?}", args.as_ref());
         run
     }
 
@@ -235,9 +198,9 @@ impl Workdir {
 
     /// Runs the program, which must end with `status` and print nothing on standard output, and
     /// returns its standard error.
-    pub fn fail(&self, status: i32, args: impl Arguments) -> String {
+    pub fn fail(&self, status: i32, args: impl AsRef<str>) -> String {
         let run = self.run(&args);
-        assert!(run.fails(status), "{:?}: {run:?}", args.list());
+        assert!(run.fails(status), "{:?}: {run:?}", args.as_ref());
         run.stderr
     }
 }

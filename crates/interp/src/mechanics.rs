@@ -182,7 +182,7 @@ impl Mechanics {
                 sphere_radius: to,
             };
         }
-        let (allowed, limit) = if from > 0.0 && to < 2.0 * from {
+        let (allowed, limit) = if from > 0.0 && to < 1.01 * from {
             ("that of the punch,", 0.5 * (from + to))
         } else if a < from {
             ("at least the radius of the flat end,", from)

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use spdx::{Expression, ParseMode};
 
-use crate::workspace;
+use crate::{printed, workspace};
 
 /// Licences like MIT: to keep the notice. BSD-3-Clause also forbids to advertise with the names of the authors.
 const LIKE_MIT: [&str; 9] = [
@@ -229,16 +229,7 @@ fn crates(args: &[&str]) -> Result<Crates, String> {
 
 /// Runs cargo and returns its output.
 fn cargo(args: &[&str]) -> Result<String, String> {
-    let output = workspace::cargo()
-        .args(args)
-        .current_dir(workspace::root())
-        .output()
-        .map_err(|e| format!("cannot run cargo: {e}"))?;
-    if !output.status.success() {
-        let message = String::from_utf8_lossy(&output.stderr);
-        return Err(format!("cargo {} failed: {message}", args.join(" ")));
-    }
-    String::from_utf8(output.stdout).map_err(|e| e.to_string())
+    printed(workspace::cargo().args(args).current_dir(workspace::root()))
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ use std::env;
 use std::fs::{self, File};
 use std::io::{self, Write, stderr, stdout};
 use std::path::PathBuf;
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 use std::thread;
 
 const USAGE: &str = "\
@@ -256,6 +256,19 @@ const SCIPY: &str = ">=1.11,<2";
 fn cargo(args: &[String]) -> Result<(), String> {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     succeed(&mut hdf5::cargo(&args)?)
+}
+
+/// Runs a command and returns what it prints. An error names the command, and has what it printed.
+fn printed(command: &mut Command) -> Result<String, String> {
+    let output = command
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|e| format!("cannot run {:?}: {e}", command.get_program()))?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    if output.status.success() {
+        return Ok(text);
+    }
+    Err(format!("{command:?} failed ({}): {text}", output.status))
 }
 
 /// Runs a command whose output is its own. An error names the command.

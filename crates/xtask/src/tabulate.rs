@@ -2,11 +2,11 @@
 
 use std::env;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use serde_json::Value;
 
-use crate::{hdf5, succeed, workspace};
+use crate::{hdf5, printed, succeed, workspace};
 
 /// The build of the program. It selects the whole workspace, and one of the targets that need what
 /// only tests need: so all dependencies have the features that they have in the tests, for which
@@ -47,15 +47,7 @@ fn built() -> Result<PathBuf, String> {
 
 /// Runs `tabulate` and returns the text that it prints.
 pub fn text(args: &[&str]) -> Result<String, String> {
-    let mut command = command(args)?;
-    let output = command
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|e| format!("cannot run cargo: {e}"))?;
-    if !output.status.success() {
-        return Err(format!("{command:?} failed ({})", output.status));
-    }
-    String::from_utf8(output.stdout).map_err(|e| e.to_string())
+    printed(&mut command(args)?)
 }
 
 /// Runs `tabulate` with `--json` and returns the object that it prints.

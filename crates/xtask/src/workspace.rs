@@ -7,6 +7,8 @@ use std::process::Command;
 
 use serde_json::Value;
 
+use crate::printed;
+
 /// Returns the folder of the workspace's `Cargo.toml`.
 pub fn root() -> PathBuf {
     // The environment comes first: in a target directory that was copied with its checkout, this
@@ -58,13 +60,8 @@ pub fn members() -> Result<Vec<Value>, String> {
             "--manifest-path",
         ])
         .arg(root().join("Cargo.toml"));
-    let output = command
-        .output()
-        .map_err(|e| format!("cannot run cargo metadata: {e}"))?;
-    let mut metadata: Value = serde_json::from_slice(&output.stdout).map_err(|e| {
-        let message = String::from_utf8_lossy(&output.stderr);
-        format!("cargo metadata prints no JSON ({e}): {message}")
-    })?;
+    let mut metadata: Value = serde_json::from_str(&printed(&mut command)?)
+        .map_err(|e| format!("cargo metadata prints no JSON: {e}"))?;
     match metadata["packages"].take() {
         Value::Array(members) => Ok(members),
         _ => Err("cargo metadata lists no packages".into()),

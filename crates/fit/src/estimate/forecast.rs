@@ -30,12 +30,6 @@ pub fn forecast(
     experiments: &[Experiment],
     free: &[Free],
 ) -> Result<Forecast, Error> {
-    if experiments.is_empty() {
-        return Err(Error::Nothing("experiment"));
-    }
-    if free.is_empty() {
-        return Err(Error::Nothing("free parameter"));
-    }
     let free: Vec<Free> = free
         .iter()
         .map(|one| Free {

@@ -62,7 +62,14 @@ pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homog
                 branches,
                 ..assigned.clone()
             };
-            of_loads_at_positions(&shown, unknown)
+            let main = main_branch(&shown);
+            let other = match main {
+                Branch::Advancing => Branch::Receding,
+                _ => Branch::Advancing,
+            };
+            // Under noise a way with few points in contact may tell no modulus.
+            let found = of_loads_at_positions(&shown, unknown, main);
+            found.or_else(|| of_loads_at_positions(&shown, unknown, other))
         }
         Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => None,
     };
@@ -87,22 +94,18 @@ fn points_of(assigned: &Assigned, branch: Branch) -> Vec<[f64; 2]> {
 }
 
 /// Returns the branch from which modulus and zeros are read: approach if retract has a work of
-/// adhesion of its own, else the one that is wider. Of a branch with many points only some may be here.
+/// adhesion of its own, else the one with more points.
 fn main_branch(assigned: &Assigned) -> Branch {
-    let points = assigned.experiment.measurement.points.iter();
-    let of = |branch: Branch| {
-        let own = points.clone().zip(&assigned.branches);
-        own.filter(move |(_, own)| **own == branch)
-            .map(|(point, _)| point.abscissa)
+    let count = |branch| {
+        assigned
+            .branches
+            .iter()
+            .filter(|&&own| own == branch)
+            .count()
     };
-    let width = |branch| {
-        let [least, most] = extremes(of(branch));
-        most - least
-    };
+    let [advancing, receding] = [Branch::Advancing, Branch::Receding].map(count);
     let hysteretic = assigned.experiment.work_of_adhesion_receding.is_some();
-    if (hysteretic && of(Branch::Advancing).count() > 2)
-        || width(Branch::Advancing) >= width(Branch::Receding)
-    {
+    if (hysteretic && advancing > 2) || advancing >= receding {
         Branch::Advancing
     } else {
         Branch::Receding
@@ -225,7 +228,11 @@ fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Hom
 ///
 /// For a given `w`, JKR's contact radius and penetration at a load are `E*^{-1/3} b` and
 /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
-fn of_loads_at_positions(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
+fn of_loads_at_positions(
+    assigned: &Assigned,
+    unknown: Unknown,
+    branch: Branch,
+) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
     let [level, slope] = baseline(assigned, unknown)?;
@@ -248,7 +255,6 @@ fn of_loads_at_positions(assigned: &Assigned, unknown: Unknown) -> Option<Homoge
         points.truncate(least);
         points
     };
-    let branch = main_branch(assigned);
     let points = forces_of(branch);
     let work_of_least = |points: &[[f64; 2]]| {
         let least = points.iter().map(|point| point[0]).fold(0.0, f64::min);

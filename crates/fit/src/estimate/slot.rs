@@ -144,6 +144,12 @@ impl Coordinate {
 /// Accepts what is free, and lists the values to be found. The coordinates start from the values of
 /// the experiments.
 pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slot>, Error> {
+    if experiments.is_empty() {
+        return Err(Error::Nothing("experiment"));
+    }
+    if free.is_empty() {
+        return Err(Error::Nothing("free parameter"));
+    }
     for (i, one) in free.iter().enumerate() {
         accept(one)?;
         for other in &free[..i] {

@@ -203,12 +203,6 @@ pub(crate) fn prepare(
     experiments: &[Experiment],
     free: &[Free],
 ) -> Result<(Vec<Assigned>, Vec<Slot>), Error> {
-    if experiments.is_empty() {
-        return Err(Error::Nothing("experiment"));
-    }
-    if free.is_empty() {
-        return Err(Error::Nothing("free parameter"));
-    }
     let slots = slots(experiments, free)?;
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
     let mut assigned = Vec::new();

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::{VERSION, at, here};
 use crate::workspace::read;
-use crate::{python, succeed};
+use crate::{printed, python, succeed};
 
 /// The program that checks and converts `CITATION.cff`, and that which reads conda recipes.
 const CFFCONVERT: &str = "==2.0.0";
@@ -72,9 +72,7 @@ fn agree(citation: &Value, stored: &Value) -> Result<(), String> {
 /// Writes the recipe of a source distribution: with its checksum.
 pub fn recipe_of(source: &Path, to: &Path) -> Result<(), String> {
     let recipe = read(&here(RECIPE))?;
-    let output = Command::new("sha256sum").arg(source).output();
-    let output = output.map_err(|e| format!("cannot run sha256sum: {e}"))?;
-    let printed = String::from_utf8_lossy(&output.stdout);
+    let printed = printed(Command::new("sha256sum").arg(source))?;
     let checksum = printed.split(' ').next().unwrap_or_default();
     fs::write(to, recipe.replace(NO_CHECKSUM, checksum)).map_err(|e| at(to, &e))?;
     render(to)
@@ -95,22 +93,12 @@ fn render(recipe: &Path) -> Result<(), String> {
 
 fn cffconvert(args: &[&str]) -> Result<String, String> {
     let folder = python::package("cffconvert", CFFCONVERT)?;
-    let output = Command::new("python3")
-        .arg(folder.join("bin/cffconvert"))
-        .args(args)
-        .env("PYTHONPATH", &folder)
-        .output()
-        .map_err(|e| format!("cannot run python3: {e}"))?;
-    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
-    if output.status.success() {
-        Ok(printed)
-    } else {
-        let error = String::from_utf8_lossy(&output.stderr);
-        Err(format!(
-            "cffconvert {} fails: {printed}{error}",
-            args.join(" ")
-        ))
-    }
+    printed(
+        Command::new("python3")
+            .arg(folder.join("bin/cffconvert"))
+            .args(args)
+            .env("PYTHONPATH", &folder),
+    )
 }
 
 #[cfg(test)]
