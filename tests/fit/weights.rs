@@ -8,6 +8,32 @@ use interp::Table;
 
 use crate::imagined::{Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement};
 
+/// The branches of a fit are those of its model, and not only of data.
+#[test]
+fn predictions_on_the_branches_of_a_fit_are_those_of_the_fit() {
+    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
+    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+    probe.truth.work_of_adhesion_receding = Some(1.5e-4);
+    let mut experiment = probe.measured(&probe.exact(), 1);
+    let found = fitted(&experiment, &probe.free);
+    for one in &found.estimates {
+        experiment.set(one.parameter, one.value).expect("physical");
+    }
+    let points = &found.experiments[0].points;
+    let branches: Vec<Branch> = points.iter().map(|point| point.branch).collect();
+    let predicted = experiment.predictions(Table::embedded(), Some(&branches), &[]);
+    let predicted = predicted.expect("sound");
+    assert_eq!(predicted.branches, branches);
+    for (point, ordinate) in points.iter().zip(&predicted.ordinates) {
+        if let Some(fit) = point.fit {
+            assert!(
+                (ordinate - fit).abs() <= 1e-3 * probe.noise,
+                "{point:?}: {ordinate}"
+            );
+        }
+    }
+}
+
 #[test]
 fn pinned_points_count_in_the_likelihood_as_in_the_fit() {
     let free = [Parameter::FilmModulus, Parameter::ContactPoint];

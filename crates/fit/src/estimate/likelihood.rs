@@ -54,13 +54,7 @@ impl Likelihood {
         if let Some(branches) = branches {
             accept_lengths(branches, &assigned)?;
             for (own, given) in assigned.iter_mut().zip(branches) {
-                own.branches.clone_from(given);
-                for branch in &mut own.branches {
-                    // A pinned point is a receding one whose line does not move.
-                    if *branch == Branch::Pinned {
-                        *branch = Branch::Receding;
-                    }
-                }
+                own.branches = given.iter().map(|branch| branch.of_contact()).collect();
             }
         }
         let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);

@@ -19,3 +19,13 @@ named! {
         LeftOut = "left-out",
     }
 }
+
+impl Branch {
+    /// Returns the branch whose contact a point has: a pinned point is a receding one whose line does not move.
+    pub(crate) const fn of_contact(self) -> Self {
+        match self {
+            Self::Pinned => Self::Receding,
+            own => own,
+        }
+    }
+}

@@ -83,7 +83,9 @@ impl Experiment {
             let (found, allowed) = (branches.len(), format!("that of the points, {count}"));
             return Err(Error::setting("number of branches", found as f64, allowed));
         }
-        let mut predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
+        let of_contact: Vec<Branch> = branches.iter().map(|one| one.of_contact()).collect();
+        let mut predicted =
+            self.predict_with(&contact_of, &of_contact, &order, Some(parameters))?;
         if self.measurement.kind.is_stiffness() {
             let width = parameters.len();
             for (i, value) in predicted.values.iter_mut().enumerate() {
