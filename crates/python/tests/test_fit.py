@@ -281,6 +281,11 @@ def test_fixed_values_are_left_out_or_refused():
     known = {"sphere_radius": 0.03}
     refuses(FitError, "at most its value", lambda: fit(lens(seed=1), WANTED, known=known))
     refuses(FitError, "sphere_radius", lambda: fit(lens(seed=1), WANTED, known={"sphere": 1e4}))
+    # Loads at radii do not know where the contact begins, and maps have no intervals.
+    point = {"contact_point": 1e-7}
+    refuses(FitError, "known contact", lambda: fit(lens(seed=1), WANTED, known=point))
+    levels = {"profile_level": 0.95}
+    refuses(TypeError, "profile_level", lambda: fit_map([lens(seed=1)], WANTED, **levels))
 
 
 def test_fixed_values_that_differ_are_all_told():
