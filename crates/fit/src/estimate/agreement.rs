@@ -7,9 +7,10 @@
 
 use nalgebra::DVector;
 
+use super::assigned::Assigned;
 use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use super::unequal_noise;
 use crate::statistics::{
     CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours, likeness_of_runs,

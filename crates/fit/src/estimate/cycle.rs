@@ -11,9 +11,10 @@ use std::f64::consts::PI;
 use contact::Contact;
 use interp::Probe;
 
+use super::assigned::Assigned;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::hold;
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use crate::model::Bodies;
 use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
 use crate::{Branch, Experiment, Kind, Parameter, WarningKind};

@@ -1,7 +1,7 @@
 //! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
 
+use super::assigned::Assigned;
 use super::doubts::Warnings;
-use super::problem::Assigned;
 use crate::statistics::extremes;
 use crate::{Branch, FittedExperiment, FittedPoint, WarningKind};
 

@@ -7,9 +7,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::assigned::Assigned;
 use super::blocks::svd;
 use super::loss::influence;
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use super::slot::Slot;
 use super::uncertainty::Uncertainty;
 use crate::model::Bodies;
@@ -31,18 +32,23 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             let name = format!("the standard error of {name}");
             return Err(Error::setting(name, *error, "positive and finite"));
         }
-        let has_effect = |one: &&Assigned| match quantity {
+        let has_effect = |one: &Assigned| match quantity {
             Fixed::Parameter(zero) if !zero.is_positive() => {
                 one.experiment.why_without_effect(*zero).is_none()
             }
             _ => true,
         };
-        let mut values = assigned.iter().filter(has_effect);
+        let mut values = assigned.iter();
         let first = values.find_map(|one| one.experiment.value_of(*quantity));
         let Some(first) = first else {
             let allowed = "of a value that the measurement has: check its name and the bodies";
             return Err(Error::setting(name, f64::NAN, allowed));
         };
+        if !assigned.iter().any(has_effect) {
+            let allowed =
+                "of a value that has an effect on these measurements: leave its error out";
+            return Err(Error::setting(name, first, allowed));
+        }
         if first.is_infinite() {
             let allowed =
                 "finite, and this body is rigid: leave its error out, or give the body a modulus";

@@ -2,9 +2,10 @@
 
 use interp::Table;
 
+use super::assigned::Assigned;
 use super::assumptions;
 use super::doubts::Warnings;
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;

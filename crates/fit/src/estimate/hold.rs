@@ -1,7 +1,7 @@
 //! A hold after which no retract was measured: a load that falls then tells that the film relaxes.
 
+use super::assigned::Assigned;
 use super::doubts::Warnings;
-use super::problem::Assigned;
 use crate::WarningKind;
 use crate::statistics::{extremes, median};
 

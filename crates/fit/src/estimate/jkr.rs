@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::problem::{Assigned, LARGEST};
+use super::assigned::Assigned;
+use super::problem::LARGEST;
 use crate::statistics::{extremes, median};
 use crate::{Branch, Experiment, Kind};
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use interp::Table;
 
-use super::problem::Assigned;
+use super::assigned::Assigned;
 use super::slot::Slot;
 use super::solve::prepare;
 use crate::{Bodies, Branch, Error, Experiment, Free, Parameter};

@@ -4,10 +4,11 @@ use std::rc::Rc;
 
 use interp::Table;
 
+use super::assigned::Assigned;
 use super::basin::Basin;
 use super::doubts::BEYOND_CHANCE;
 use super::no_adhesion;
-use super::problem::{Assigned, Ending, Problem};
+use super::problem::{Ending, Problem};
 use super::search::{COARSE, PATIENCE, hold_back, is_bad, settle, thin};
 use super::slot::{Slot, slots};
 use super::start::{self, Variation};

@@ -1,8 +1,8 @@
 //! Finding the parameters, their uncertainty, and what the data do not tell.
 //!
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
-//! coordinates, `jkr` and `start` find where the method starts, `problem` is the least-squares
-//! problem with its `loss`, and `blocks` decomposes the derivatives of many experiments. `minima`
+//! coordinates, `jkr` and `start` find where the method starts, `assigned` is an experiment with the
+//! branches of its points, `problem` the least-squares problem with its `loss`, and `blocks` decomposes the derivatives of many experiments. `minima`
 //! compares the minima that several starts lead to, `basin` tells which of them lead to a known one,
 //! `valley` looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points that
@@ -13,6 +13,7 @@
 //! experiment, `likelihood` is for samplers. `result` holds what comes out.
 
 mod agreement;
+mod assigned;
 mod assumptions;
 mod basin;
 mod blocks;

@@ -1,7 +1,8 @@
 //! The noise of the ordinates, estimated from the residuals where nobody gives it.
 
+use super::assigned::Assigned;
 use super::doubts::Warnings;
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use super::search::range;
 use super::uncertainty::Uncertainty;
 use crate::statistics::{MEDIAN, median, ratio_of_squares, student_deviations, weighted_median};

@@ -3,7 +3,7 @@
 
 use interp::{Probe, Table};
 
-use super::problem::Assigned;
+use super::assigned::Assigned;
 use crate::model::{Program, noise_of};
 use crate::statistics::{extremes, median};
 use crate::{Bodies, Direction, Error, Experiment, Parameter, Point};

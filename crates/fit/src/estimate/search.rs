@@ -1,8 +1,9 @@
 //! The way from a minimum on few points to that on all: points near the end of a branch are held
 //! back, and the noise is estimated.
 
+use super::assigned::Assigned;
 use super::noise::estimate_noise;
-use super::problem::{Assigned, Ending, Problem};
+use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
 use crate::statistics::{MEDIAN, excess, extremes, median};
 use crate::{Bodies, Branch, Experiment, Loss, Parameter, Point};

@@ -3,8 +3,9 @@
 use contact::HistoryError;
 use interp::{Probe, Table};
 
+use super::assigned::Assigned;
 use super::minima::{Minimum, minimum};
-use super::problem::{Assigned, Ending, Problem};
+use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};

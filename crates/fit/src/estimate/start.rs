@@ -3,10 +3,11 @@
 use contact::Control;
 use interp::Table;
 
+use super::assigned::Assigned;
 use super::indentation;
 use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
 use super::no_adhesion;
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use super::relaxing_start;
 use super::slot::Slot;
 use crate::statistics::extremes;

@@ -5,8 +5,8 @@
 //! noise that stands for both is too small in contact, where the moduli and the work of adhesion are told,
 //! and the more so the longer the baseline is.
 
+use super::assigned::Assigned;
 use super::doubts::{BEYOND_CHANCE, Warnings};
-use super::problem::Assigned;
 use crate::WarningKind;
 use crate::model::Predicted;
 use crate::statistics::{far, ratio_of_squares};

@@ -1,6 +1,7 @@
 //! The valley of the sum of squares along one value, away from a minimum.
 
-use super::problem::{Assigned, Ending, Problem};
+use super::assigned::Assigned;
+use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};

@@ -5,10 +5,11 @@
 
 use nalgebra::DVector;
 
+use super::assigned::Assigned;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::fixed_values::residuals_with;
 use super::loss::influence;
-use super::problem::{Assigned, Problem};
+use super::problem::Problem;
 use super::uncertainty::Uncertainty;
 use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, WarningKind};
 

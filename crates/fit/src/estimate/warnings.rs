@@ -2,10 +2,11 @@
 
 use contact::magnitude::LARGEST_WORK;
 
+use super::assigned::Assigned;
 use super::doubts::Warnings;
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
-use super::problem::{Assigned, Ending, Problem};
+use super::problem::{Ending, Problem};
 use super::profile::End;
 use super::search::SHORT;
 use super::solve::slot_names;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use interp::Table;
 
-use crate::estimate::problem::Assigned;
+use crate::estimate::assigned::Assigned;
 use crate::statistics::median;
 use crate::{Bodies, Branch, Error, Parameter};
 

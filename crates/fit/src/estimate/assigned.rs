@@ -1,0 +1,84 @@
+//! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
+
+use super::search::range;
+use crate::model::Assignment;
+use crate::{Branch, Experiment};
+
+/// An experiment with the branches of its points.
+#[derive(Clone, Debug)]
+pub(crate) struct Assigned {
+    /// The experiment with the present values of the parameters.
+    pub experiment: Experiment,
+    pub branches: Vec<Branch>,
+    pub order: Vec<usize>,
+    /// The noise that differences of neighbouring ordinates show; `None` for too few points.
+    pub local_noise: Option<f64>,
+    /// The standard deviation of an ordinate, known or estimated so far.
+    pub noise: f64,
+    /// What errors of the abscissae add to the deviation of each ordinate; empty where they are
+    /// exact.
+    pub abscissa_parts: Vec<f64>,
+    /// The factors of the deviations of ordinates that also tell the contact depth; empty are 1.
+    pub factors: Vec<f64>,
+}
+
+impl Assigned {
+    /// Takes an experiment with the branches of its points, as a fit begins.
+    pub fn new(experiment: Experiment, assignment: Assignment) -> Self {
+        let Assignment {
+            branches,
+            order,
+            local_noise,
+        } = assignment;
+        let least = || local_noise.unwrap_or(0.0).max(1e-6 * range(&experiment));
+        Self {
+            noise: experiment.usual_noise().unwrap_or_else(least),
+            experiment,
+            branches,
+            order,
+            local_noise,
+            abscissa_parts: Vec::new(),
+            factors: Vec::new(),
+        }
+    }
+
+    /// Returns the branches, and of ways without adhesion the flat end as baseline. There the model holds on
+    /// both sides, but a start needs the points in contact.
+    pub fn branches_without_flat_ends(&self, level_is_free: bool) -> Vec<Branch> {
+        let mut branches = self.branches.clone();
+        let (experiment, noise) = (&self.experiment, self.noise);
+        let kind = experiment.measurement.kind;
+        let works = [Branch::Advancing, Branch::Receding].map(|branch| experiment.work_of(branch));
+        if !kind.at_radii() && !kind.is_stiffness() && works == [0.0; 2] {
+            experiment.take_flat_ends(&mut branches, noise, level_is_free);
+        }
+        branches
+    }
+
+    /// Returns the standard deviation of the residual of a point.
+    pub fn deviation(&self, i: usize) -> f64 {
+        let own = self.experiment.own_deviation(i).unwrap_or(self.noise);
+        let own = own * self.factors.get(i).copied().unwrap_or(1.0);
+        match self.abscissa_parts.get(i) {
+            Some(part) => own.hypot(*part),
+            None => own,
+        }
+    }
+
+    /// Returns the noise of an ordinate that is known, or that neighbours show; 0 if neither is.
+    pub fn seen_noise(&self) -> f64 {
+        let known = self.experiment.usual_noise();
+        known.or(self.local_noise).unwrap_or(0.0)
+    }
+
+    /// Returns the number of points that count.
+    pub fn counting(&self) -> usize {
+        self.counting_points().count()
+    }
+
+    /// Returns the points that count.
+    pub fn counting_points(&self) -> impl Iterator<Item = usize> {
+        let counts = |i: &usize| self.branches[*i] != Branch::LeftOut;
+        (0..self.branches.len()).filter(counts)
+    }
+}
