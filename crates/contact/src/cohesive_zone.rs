@@ -38,6 +38,11 @@ impl CohesiveZone {
     /// The longest cohesive zone that counts as short, over the contact radius and over the
     /// thickness of the film, or of the top layer of a stack.
     pub const LONGEST: f64 = 0.25;
+
+    /// The largest mean tension `-F/(pi a^2)` of a contact over the stress of the attraction. No attraction bears more than
+    /// its stress: a confined film, which can hardly yield, is under tension throughout, and the contact opens inside.
+    /// On a half-space no short zone has as much.
+    pub const MOST_TENSION: f64 = 0.9;
 }
 
 /// A state with a cohesive zone around the contact.
@@ -69,6 +74,8 @@ pub struct ShortZone<'a> {
     energy: LineEnergy,
     /// The length of the zone `l`, m.
     zone: f64,
+    /// The traction of the attraction, Pa.
+    stress: f64,
 }
 
 impl Contact {
@@ -105,12 +112,8 @@ impl Contact {
     pub fn cohesive_zone(&self, w: f64, range: CohesiveZone) -> Result<ShortZone<'_>, Error> {
         positive("work of adhesion", w)?;
         positive("stress of the attraction", range.stress)?;
-        let modulus = self.mechanics().sphere_film_modulus();
-        self.with_zone(w, 0.25 * PI * (modulus / range.stress) * (w / range.stress))
-    }
-
-    /// Corrects the contact for a cohesive zone of the length `zone`, m.
-    pub(crate) fn with_zone(&self, w: f64, zone: f64) -> Result<ShortZone<'_>, Error> {
+        let (modulus, stress) = (self.mechanics().sphere_film_modulus(), range.stress);
+        let zone = 0.25 * PI * (modulus / stress) * (w / stress);
         self.smooth_probe()?;
         self.without_stick(
             "an attraction of finite range",
@@ -126,6 +129,7 @@ impl Contact {
             contact: self,
             energy: LineEnergy::with_zone(w, zone),
             zone,
+            stress,
         })
     }
 
@@ -168,12 +172,13 @@ impl ShortZone<'_> {
     ///
     /// # Errors
     /// As [`Contact::load_and_penetration`]; [`Error::LongZone`] for a contact radius that is below
-    /// the zone over [`CohesiveZone::LONGEST`].
+    /// the zone over [`CohesiveZone::LONGEST`]; [`Error::Tension`] for a contact that opens inside.
     pub fn state(&self, a: f64) -> Result<CohesiveState, Error> {
         self.contact.mechanics().check_radius(a)?;
         short(self.zone, a, "contact radius")?;
         let b = a + 2.0 / 3.0 * self.zone;
         let (load, penetration) = self.contact.load_and_penetration(b, self.energy.at(b))?;
+        bears(self.stress, load, a)?;
         Ok(CohesiveState {
             contact_radius: a,
             outer_radius: a + self.zone,
@@ -185,8 +190,7 @@ impl ShortZone<'_> {
     /// Returns the state in which the contact separates on unloading, as [`Contact::pull_off`].
     ///
     /// # Errors
-    /// As [`Contact::pull_off`]; [`Error::LongZone`] for a contact radius that is below the zone
-    /// over [`CohesiveZone::LONGEST`].
+    /// As [`Contact::pull_off`] and [`ShortZone::state`].
     pub fn pull_off(&self, control: Control) -> Result<CohesiveState, Error> {
         let tip = self
             .contact
@@ -198,12 +202,12 @@ impl ShortZone<'_> {
     /// Returns the equilibria at an imposed load (N), penetration (m) or position of the spring
     /// (m), in ascending order of contact radius.
     ///
-    /// They are those of [`Equilibria::at`](crate::Equilibria::at). Unstable ones whose contact
-    /// radius is below the zone over [`CohesiveZone::LONGEST`] are left out.
+    /// They are those of [`Equilibria::at`](crate::Equilibria::at). Unstable ones that have no
+    /// [`ShortZone::state`] are left out.
     ///
     /// # Errors
     /// As [`Contact::equilibria`] and [`Equilibria::at`](crate::Equilibria::at);
-    /// [`Error::LongZone`] for a stable equilibrium of such a contact radius.
+    /// [`Error::LongZone`] and [`Error::Tension`] for a stable equilibrium without a state.
     pub fn equilibria(
         &self,
         control: Control,
@@ -216,7 +220,7 @@ impl ShortZone<'_> {
         let mut found = Vec::with_capacity(all.len());
         for tip in all {
             match self.at_tip(tip.state.contact_radius) {
-                Err(Error::LongZone { .. }) if !tip.stable => {}
+                Err(Error::LongZone { .. } | Error::Tension { .. }) if !tip.stable => {}
                 state => found.push(CohesiveEquilibrium {
                     state: state?,
                     stable: tip.stable,
@@ -244,6 +248,24 @@ pub(crate) fn short(zone: f64, length: f64, what: &'static str) -> Result<(), Er
         zone,
         what,
         length,
+        most,
+    })
+}
+
+/// Returns the mean tension `-F/(pi a^2)` (Pa) of a contact of radius `a` (m) under a load (N).
+pub(crate) fn mean_tension(load: f64, a: f64) -> f64 {
+    -load / (PI * a * a)
+}
+
+/// Accepts a contact whose mean tension an attraction of this stress (Pa) bears.
+pub(crate) fn bears(stress: f64, load: f64, a: f64) -> Result<(), Error> {
+    let (tension, most) = (mean_tension(load, a), CohesiveZone::MOST_TENSION);
+    if tension <= most * stress {
+        return Ok(());
+    }
+    Err(Error::Tension {
+        tension,
+        stress,
         most,
     })
 }

@@ -77,6 +77,20 @@ pub enum Error {
         /// The largest length of the zone over this length.
         most: f64,
     },
+    /// A contact under more tension than the attraction bears.
+    #[error(
+        "the mean tension in the contact is {tension:?} Pa, more than {most} times the stress of the attraction, {stress:?} \
+         Pa: the contact opens inside, and the correction for a short zone does not hold: give a larger stress of the \
+         attraction, or solve a zone of any length by a direct solve"
+    )]
+    Tension {
+        /// The mean tension, Pa.
+        tension: f64,
+        /// The stress of the attraction, Pa.
+        stress: f64,
+        /// The largest mean tension over this stress.
+        most: f64,
+    },
     /// A question that a contact with full friction does not answer.
     #[error("{question} cannot be told of a contact with full friction: {reason}")]
     Sticks {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::cohesive_zone::short;
+use super::cohesive_zone::{CohesiveZone, bears, mean_tension, short};
 use crate::Error;
 use crate::{Contact, Control};
 use interp::check::finite_result;
@@ -186,8 +186,13 @@ pub struct ZoneSize<'a> {
     pub cohesive_zone: f64,
     /// The range over the thickness of the film, or of all layers of a stack; 0 on a half-space.
     pub range_over_thickness: f64,
+    /// The mean tension `|F|/(pi a^2)` of JKR's contact at pull-off under an imposed load over the stress `w/z0`, the
+    /// largest that the attraction bears; NaN where that pull-off is not known. On a half-space it is `0.65/mu`. On a
+    /// confined film, which can hardly yield, it may be above 1: such a contact opens inside.
+    pub tension: f64,
     contact: &'a Contact,
     work_of_adhesion: f64,
+    stress: f64,
 }
 
 impl ZoneSize<'_> {
@@ -199,11 +204,18 @@ impl ZoneSize<'_> {
     /// film is that of bodies that do not yield.
     pub const THIN: f64 = 0.1;
 
-    /// Tells whether Tabor's parameter is at least [`ZoneSize::JKR`], and the range at most [`ZoneSize::THIN`] of the
-    /// thickness. The pull-off load of JKR under an imposed load then errs by up to 0.7 % (Dugdale's law, 1848 random
-    /// systems); with a range of 0.3 of the thickness, by up to 17 %.
+    /// The mean tension over the stress of the attraction up to which JKR holds on a film. Beyond 1 the contact opens
+    /// inside.
+    pub const TENSE: f64 = 0.3;
+
+    /// Tells whether Tabor's parameter is at least [`ZoneSize::JKR`], the range at most [`ZoneSize::THIN`] of the
+    /// thickness, and the tension at most [`ZoneSize::TENSE`]. The pull-off load of JKR under an imposed load then errs by
+    /// up to 0.7 % (Dugdale's law, 1848 random systems); with a range of 0.3 of the thickness by up to 17 %, and with a
+    /// tension above 1 by 5 to 30 %.
     pub fn is_jkr(&self) -> bool {
-        self.tabor >= Self::JKR && self.range_over_thickness <= Self::THIN
+        self.tabor >= Self::JKR
+            && self.range_over_thickness <= Self::THIN
+            && self.tension <= Self::TENSE
     }
 
     /// Returns the part by which the pull-off load of JKR is too small, for Dugdale's law and to
@@ -224,13 +236,19 @@ impl ZoneSize<'_> {
     ///
     /// # Errors
     /// As [`Contact::pull_off`] and [`Contact::cohesive_zone`]: [`Error::LongZone`] for a zone that
-    /// is not short.
+    /// is not short; [`Error::Tension`] for a contact that opens inside.
     pub fn pull_off_error(&self) -> Result<f64, Error> {
         let (contact, w, zone) = (self.contact, self.work_of_adhesion, self.cohesive_zone);
-        contact.with_zone(w, zone)?;
+        contact.cohesive_zone(
+            w,
+            CohesiveZone {
+                stress: self.stress,
+            },
+        )?;
         let pull_off = contact.pull_off(w, Control::Load)?;
         let a = pull_off.contact_radius;
         short(zone, a, "contact radius")?;
+        bears(self.stress, pull_off.load, a)?;
         let lowered_by = contact.adhesionless_load(a)? - pull_off.load;
         Ok(0.5 * lowered_by / pull_off.load.abs() * zone / (6.0 * a))
     }
@@ -247,7 +265,10 @@ impl Contact {
     /// that a result overflows an f64.
     pub fn validity(&self, a: f64) -> Result<Validity, Error> {
         self.mechanics().check_radius(a)?;
-        let a_over_r = self.probe().slope(a);
+        let a_over_r = match *self.probe() {
+            Probe::Sphere { radius } => a / radius,
+            ref other => other.slope(a),
+        };
         // Where the curve does not cover `a/t`, the size is that of a paraboloid on a half-space.
         let without = self.adhesionless_penetration(a).unwrap_or(a * a_over_r);
         let bare = 2.0 * a * self.mechanics().sphere_substrate_modulus();
@@ -379,14 +400,20 @@ impl Contact {
             interaction_range,
             "such that Tabor's parameter and the length of the zone do not overflow an f64",
         )?;
+        let stress = w / interaction_range;
+        let tension = self.pull_off(w, Control::Load).map_or(f64::NAN, |state| {
+            mean_tension(state.load, state.contact_radius) / stress
+        });
         Ok(ZoneSize {
             tabor,
             cohesive_zone,
             range_over_thickness: self
                 .system()
                 .map_or(0.0, |system| interaction_range / system.film_thickness),
+            tension,
             contact: self,
             work_of_adhesion: w,
+            stress,
         })
     }
 }

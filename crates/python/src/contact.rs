@@ -284,11 +284,16 @@ impl Contact {
         Ok(fields)
     }
 
-    /// Returns Tabor's parameter, the length of the cohesive zone, and the range over the thickness.
-    fn zone_size<'py>(&self, points: Points<'py>, w: Input<'_>, z0: Input<'_>) -> Outputs<'py, 3> {
+    /// Returns Tabor's parameter, the length of the cohesive zone, the range over the thickness, and the tension.
+    fn zone_size<'py>(&self, points: Points<'py>, w: Input<'_>, z0: Input<'_>) -> Outputs<'py, 4> {
         points.evaluate([&w, &z0], |[w, z0]| {
             let range = self.contact.zone_size(w, z0)?;
-            Ok::<_, Error>([range.tabor, range.cohesive_zone, range.range_over_thickness])
+            Ok::<_, Error>([
+                range.tabor,
+                range.cohesive_zone,
+                range.range_over_thickness,
+                range.tension,
+            ])
         })
     }
 

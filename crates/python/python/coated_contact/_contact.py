@@ -500,7 +500,7 @@ class Contact(Native):
         Returns
         -------
         ZoneSize
-            Tabor's parameter and the length of the cohesive zone.
+            Tabor's parameter, the length of the cohesive zone, and the tension at pull-off.
         """
         found = evaluate(
             self._native.zone_size,
@@ -508,8 +508,8 @@ class Contact(Native):
             work_of_adhesion=w,
             interaction_range=interaction_range,
         )
-        tabor, zone, part = map(scalar_or_array, found)
-        return ZoneSize(tabor, zone, part, self, fixed(w), fixed(interaction_range), errors)
+        numbers = map(scalar_or_array, found)
+        return ZoneSize(*numbers, self, fixed(w), fixed(interaction_range), errors)
 
     def cohesive_zone(self, w: float, *, stress: float) -> ShortZone:
         """Correct the contact for an attraction of short, finite range, to first order.

@@ -167,11 +167,17 @@ class ZoneSize(OneLine):
         (Maugis, J. Colloid Interface Sci. 150, 243, 1992).
     range_over_thickness : float or numpy.ndarray
         The range over the thickness of the film, or of all layers of a stack; 0 on a half-space.
+    tension : float or numpy.ndarray
+        The mean tension ``|F| / (pi a^2)`` of JKR's contact at pull-off under an imposed load over
+        the stress ``w / z0``, the largest that the attraction bears; NaN where that pull-off is not
+        known. On a half-space it is ``0.65 / tabor``. On a confined film, which can hardly yield,
+        it may be above 1: such a contact opens inside.
     """
 
     tabor: Any
     cohesive_zone: Any
     range_over_thickness: Any
+    tension: Any
     _contact: Contact = field(repr=False)
     _work_of_adhesion: ArrayLike = field(repr=False)
     _interaction_range: ArrayLike = field(repr=False)
@@ -179,12 +185,14 @@ class ZoneSize(OneLine):
 
     @property
     def is_jkr(self) -> Any:
-        """Whether Tabor's parameter is 5 or more, and the range a tenth of the thickness or less.
+        """Whether JKR holds: its pull-off load under an imposed load errs by up to 0.7 %.
 
-        The pull-off load of JKR under an imposed load then errs by up to 0.7 % (Dugdale's law).
+        That is Dugdale's law where Tabor's parameter is 5 or more, the range a tenth of the
+        thickness or less, and ``tension`` 0.3 or less. Above 1 the load errs by 5 to 30 %.
         """
+        is_thin = np.less_equal(self.range_over_thickness, 0.1)
         return _plain(
-            np.greater_equal(self.tabor, 5.0) & np.less_equal(self.range_over_thickness, 0.1)
+            np.greater_equal(self.tabor, 5.0) & is_thin & np.less_equal(self.tension, 0.3)
         )
 
     def is_short_beside(self, length: float) -> Any:

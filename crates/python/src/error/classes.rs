@@ -123,6 +123,15 @@ impl From<::contact::Error> for Failure {
                      {length:?} m, and the correction for a short zone does not hold: give a larger \
                      stress of the attraction, or solve a zone of any length with `Cohesive`"
                 )),
+            Error::Tension { tension, stress, most } => of("InputError")
+                .about("stress", stress)
+                .range(tension / most, f64::INFINITY)
+                .saying(&format!(
+                    "the mean tension in the contact is {tension:?} Pa, more than {most} times the stress of \
+                     the attraction, {stress:?} Pa: the contact opens inside, and the correction for a short \
+                     zone does not hold: give a larger stress of the attraction, or solve a zone of any \
+                     length with `Cohesive`"
+                )),
             Error::OutsideRadii {
                 name,
                 value,

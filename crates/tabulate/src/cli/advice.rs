@@ -31,7 +31,7 @@ fn of_cause(cause: &(dyn std::error::Error + 'static)) -> Option<&'static str> {
         );
     }
     let of_table = match (of_contact(cause), cause.downcast_ref()) {
-        (Some(contact::Error::LongZone { .. }), _) => {
+        (Some(contact::Error::LongZone { .. } | contact::Error::Tension { .. }), _) => {
             return Some("`tabulate pull-off --interaction-range` solves it");
         }
         (Some(contact::Error::Table(error)), _) | (_, Some(crate::Error::Table(error))) => {
