@@ -76,6 +76,49 @@ fn points_beyond_the_end_of_a_fit_hold_it() {
     assert!(low <= 3, "{low}");
 }
 
+/// A contact that detaches slowly has points in contact where the model has none. They are left out, or they would move
+/// all values by many standard errors, the more points of baseline there are.
+#[test]
+fn points_of_a_slow_detachment_do_not_hold_a_fit() {
+    let plan = Experiment {
+        work_of_adhesion: 5e-3,
+        stiffness: Some(0.5),
+        ..cycle(
+            system(3e-6, solid(1e6, 0.5), 1e-6),
+            [300e-9, -100e-9],
+            150,
+            4e-10,
+        )
+    };
+    let made = |noise, seed| simulate(Table::embedded(), &plan, noise, seed).expect("in the table");
+    let exact = made(1e-16, 0).points.into_iter().enumerate();
+    let (last, least) = exact
+        .map(|(i, point)| (i, point.ordinate))
+        .min_by(|(_, one), (_, other)| one.total_cmp(other))
+        .expect("points");
+    for seed in 0..12 {
+        let mut measurement = made(4e-10, seed);
+        for (point, part) in measurement.points[last + 1..]
+            .iter_mut()
+            .zip([0.9, 0.7, 0.5])
+        {
+            point.ordinate = part * least;
+        }
+        let measured = Experiment {
+            measurement,
+            ..plan.clone()
+        };
+        let found = fit_with(&measured, &free_of(&FORCE_CURVE), |_| ()).expect("a fit");
+        for (parameter, truth) in [
+            (Parameter::FilmModulus, 1e6),
+            (Parameter::WorkOfAdhesion, 5e-3),
+        ] {
+            let off = off(&found, parameter, truth);
+            assert!(off.abs() < 4.0, "{seed}: {parameter} is off by {off}");
+        }
+    }
+}
+
 /// A retract of many points beside an approach of few, under noise: the approach alone may tell no modulus.
 #[test]
 fn a_start_is_found_where_the_approach_is_short() {

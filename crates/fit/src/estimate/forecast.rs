@@ -105,8 +105,8 @@ pub fn forecast(
     for _ in 0..ROUNDS {
         let uncertainty = uncertainty(&problem)?;
         for (e, whole) in whole.iter().enumerate() {
-            problem.assigned[e].branches =
-                clear_branches(&problem, e, &uncertainty, whole, Beyond::Counts);
+            let (branches, _) = clear_branches(&problem, e, &uncertainty, whole, Beyond::Counts);
+            problem.assigned[e].branches = branches;
         }
     }
     let uncertainty = uncertainty(&problem)?;

@@ -26,6 +26,8 @@ const CLEAR: f64 = 4.0;
 const MOST_NEAR: f64 = 0.1;
 /// The most rounds of noise and branches.
 pub(super) const ROUNDS: usize = 6;
+/// The round from which on a point that counts goes on to count.
+const STEADY: usize = 3;
 /// The largest distance of the end of a fit from the minimum of its linearisation, in standard
 /// errors. A fit that ends farther away was stopped.
 pub(super) const SHORT: f64 = 0.1;
@@ -129,23 +131,39 @@ pub(super) enum Beyond {
 type Settled<'a> = (Problem<'a>, Ending, Option<Uncertainty>);
 
 /// Estimates the noise where it is not known, and lets the points count that are not near the end of their branch,
-/// until neither changes. Where that does not describe the data, points beyond the end are left out.
+/// until neither changes. Points beyond the end are left out where the fit does not describe the data with them, or where
+/// the other points contradict them.
 pub(super) fn settle<'a>(problem: Problem<'a>, ending: Ending, data: &[Assigned]) -> Settled<'a> {
-    let found = settle_with(problem.clone(), ending, data, Beyond::Counts);
-    let has_beyond = |(problem, _, uncertainty): &Settled<'_>| {
-        let has = |(e, whole): (usize, &Assigned), uncertainty: &Uncertainty| {
-            let of = |beyond| clear_branches(problem, e, uncertainty, whole, beyond);
-            of(Beyond::Counts) != of(Beyond::LeftOut)
-        };
-        let mut all = data.iter().enumerate();
-        uncertainty
-            .as_ref()
-            .is_none_or(|own| all.any(|one| has(one, own)))
-    };
-    if has_beyond(&found) && is_bad(&found.0) {
-        return settle_with(problem, ending, data, Beyond::LeftOut);
+    let (counted, has_beyond) = settle_with(problem.clone(), ending, data, Beyond::Counts);
+    if !has_beyond {
+        return counted;
     }
-    found
+    let (without, _) = settle_with(problem, ending, data, Beyond::LeftOut);
+    if is_bad(&counted.0) || without.1 == Ending::Converged && contradicts(&without.0, &counted.0) {
+        without
+    } else {
+        counted
+    }
+}
+
+/// Tells whether the points that count `without` those beyond the end contradict the fit in which these `counted`: whether
+/// it describes them worse by more than chance explains, in units of their noise.
+fn contradicts(without: &Problem<'_>, counted: &Problem<'_>) -> bool {
+    let mut change = 0.0;
+    let all = without.assigned.iter().zip(&counted.assigned);
+    let predicted = without.predicted.iter().flatten();
+    let predicted = predicted.zip(counted.predicted.iter().flatten());
+    for ((own, other), (ours, theirs)) in all.zip(predicted) {
+        let square = |values: &[f64], i: usize| {
+            ((values[i] - own.experiment.compared(i)) / own.deviation(i)).powi(2)
+        };
+        let in_both = own
+            .counting_points()
+            .filter(|&i| other.branches[i] != Branch::LeftOut);
+        let changes = in_both.map(|i| square(&theirs.values, i) - square(&ours.values, i));
+        change += changes.sum::<f64>();
+    }
+    excess(change, without.slots.len() as f64) > BAD
 }
 
 fn settle_with<'a>(
@@ -153,18 +171,27 @@ fn settle_with<'a>(
     mut ending: Ending,
     data: &[Assigned],
     beyond: Beyond,
-) -> Settled<'a> {
-    let mut round = 0;
+) -> (Settled<'a>, bool) {
+    let (mut round, mut has_beyond) = (0, false);
     loop {
         let weights = problem.weigh();
         let uncertainty = Uncertainty::of(&problem);
         let (Some(uncertainty), Ok(weights)) = (uncertainty, weights) else {
-            return (problem, Ending::Failed, None);
+            return ((problem, Ending::Failed, None), has_beyond);
         };
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
         for (e, whole) in data.iter().enumerate() {
-            let branches = clear_branches(&problem, e, &uncertainty, whole, beyond);
+            let (mut branches, own) = clear_branches(&problem, e, &uncertainty, whole, beyond);
+            has_beyond |= own;
+            // Or an end that moves to and fro would go on to do so.
+            if beyond == Beyond::Counts && round >= STEADY {
+                for (new, old) in branches.iter_mut().zip(&problem.assigned[e].branches) {
+                    if *new == Branch::LeftOut {
+                        *new = *old;
+                    }
+                }
+            }
             if branches != problem.assigned[e].branches && round < ROUNDS {
                 problem.assigned[e].branches = branches;
                 branches_changed = true;
@@ -183,32 +210,39 @@ fn settle_with<'a>(
         let settled =
             !(branches_changed || weights_changed || noise_changed && noise_matters || stalled);
         if settled || round > ROUNDS {
-            return (problem, ending, Some(uncertainty));
+            return ((problem, ending, Some(uncertainty)), has_beyond);
         }
         if problem.update().is_err() {
-            return (problem, Ending::Failed, None);
+            return ((problem, Ending::Failed, None), has_beyond);
         }
         (problem, ending) = problem.minimise(PATIENCE, FINE);
     }
 }
 
-/// Returns the branches without the points that are too near to the end of their branch, or too far beyond it to count.
+/// Returns the branches without the points that are too near to the end of their branch, or too far beyond it to count,
+/// and tells whether there are any beyond it.
 pub(super) fn clear_branches(
     problem: &Problem<'_>,
     e: usize,
     uncertainty: &Uncertainty,
     whole: &Assigned,
     beyond: Beyond,
-) -> Vec<Branch> {
+) -> (Vec<Branch>, bool) {
     let mut ends = ends(problem, e, uncertainty, whole);
     narrow(whole, &mut ends);
-    let branches = clear_of(whole, &ends, beyond);
+    let [counted, without] =
+        [Beyond::Counts, Beyond::LeftOut].map(|beyond| clear_of(whole, &ends, beyond));
+    let has_beyond = counted != without;
+    let branches = match beyond {
+        Beyond::Counts => counted,
+        Beyond::LeftOut => without,
+    };
     let counting = branches.iter().filter(|own| **own != Branch::LeftOut);
     if counting.count() < problem.slots.len() {
         // The values are so uncertain that the branch may end anywhere.
-        return hold_back(whole).branches;
+        return (hold_back(whole).branches, has_beyond);
     }
-    branches
+    (branches, has_beyond)
 }
 
 /// Narrows the distances from which on points are clear of the ends, until no more than
@@ -222,7 +256,7 @@ fn narrow(whole: &Assigned, ends: &mut [End]) {
         .filter_map(|(point, branch)| {
             let end = ends.iter().find(|end| end.branch == *branch)?;
             let distance = sense * point.abscissa - end.position;
-            (distance.abs() <= end.clear).then_some(distance)
+            (distance.abs() <= end.clear).then_some(distance.abs())
         })
         .collect();
     let is_contact = |branch: &&Branch| matches!(branch, Branch::Advancing | Branch::Receding);
