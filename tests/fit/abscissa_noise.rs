@@ -9,7 +9,7 @@ use interp::Table;
 
 use crate::imagined::{
     Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warned, assert_warns, fit_all,
-    fit_with, half_space, lens, text,
+    fit_with, half_space, lens, off, text,
 };
 use crate::recovery::{SETS, assert_recovers};
 
@@ -143,14 +143,40 @@ fn the_effective_variance_is_that_of_the_slope() {
         assert!((found / if parameter == LENS[0] { modulus } else { w } - 1.0).abs() < 0.3);
         found
     });
+    let slope = |a: f64| 4.0 * modulus * a * a / radius - 1.5 * (8.0 * PI * w * modulus * a).sqrt();
     for point in &found.experiments[0].points {
+        // Where the point most likely lies, by the tangent.
         let a = point.abscissa;
-        let slope = 4.0 * modulus * a * a / radius - 1.5 * (8.0 * PI * w * modulus * a).sqrt();
-        let expected = 5e-6_f64.hypot(slope * RADIUS_NOISE);
+        let (tangent, above) = (slope(a), point.residual().expect("none is left out"));
+        let variance = 5e-6_f64.powi(2) + (tangent * RADIUS_NOISE).powi(2);
+        let a = a + above * tangent * RADIUS_NOISE.powi(2) / variance;
+        let expected = 5e-6_f64.hypot(slope(a) * RADIUS_NOISE);
         let off = point.deviation / expected - 1.0;
         // The weights are those of the last round but one, to 1e-3.
         assert!(off.abs() < 2e-3, "{a:e}: {off:e}");
     }
+}
+
+/// A radius that is read too small is on a flatter part of the curve. A weight by the slope there would be too large, and
+/// works of adhesion too small by two standard errors.
+#[test]
+fn the_weight_of_a_point_does_not_go_with_its_error() {
+    const NOISE: f64 = 1e-6;
+    let mut lens = Imagined {
+        points: [1000, 0],
+        ..Imagined::lens(Kind::LoadRadius, 2e-6, 5e-6, &LENS)
+    };
+    lens.truth.bodies = half_space(1e-3, 2e6, solid(7e10, 0.2));
+    let exact = lens.exact();
+    let pull = |seed| {
+        let mut experiment = blurred(lens.measured(&exact, seed), |_| NOISE, seed);
+        experiment.abscissa_noise = NOISE;
+        let found = fitted(experiment, &lens, Loss::Squares);
+        off(&found, Parameter::WorkOfAdhesion, 0.04)
+    };
+    let mean = (0..30).map(pull).sum::<f64>() / 30.0;
+    println!("works of adhesion are {mean:+.2} standard errors off in the mean");
+    assert!(mean.abs() < 0.6, "{mean}");
 }
 
 #[test]

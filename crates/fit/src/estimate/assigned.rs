@@ -55,10 +55,15 @@ impl Assigned {
         branches
     }
 
-    /// Returns the standard deviation of the residual of a point.
-    pub fn deviation(&self, i: usize) -> f64 {
+    /// Returns the standard deviation of the ordinate of a point.
+    pub fn own_deviation(&self, i: usize) -> f64 {
         let own = self.experiment.own_deviation(i).unwrap_or(self.noise);
-        let own = own * self.factors.get(i).copied().unwrap_or(1.0);
+        own * self.factors.get(i).copied().unwrap_or(1.0)
+    }
+
+    /// Returns the standard deviation of the residual of a point, with what the error of the abscissa adds.
+    pub fn deviation(&self, i: usize) -> f64 {
+        let own = self.own_deviation(i);
         match self.abscissa_parts.get(i) {
             Some(part) => own.hypot(*part),
             None => own,

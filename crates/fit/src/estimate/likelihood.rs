@@ -60,7 +60,8 @@ impl Likelihood {
         let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
         for own in &mut assigned {
             let (of, branches) = (&own.experiment, &own.branches);
-            let parts = of.abscissa_parts(&contact_of, branches, &own.order)?;
+            let noise = |i| own.own_deviation(i);
+            let parts = of.abscissa_parts(&contact_of, branches, &own.order, noise)?;
             let factors = of.noise_factors(&contact_of, branches)?;
             (own.abscissa_parts, own.factors) = (parts, factors);
         }

@@ -208,9 +208,11 @@ impl<'a> Problem<'a> {
             let own = &self.assigned[e];
             let contact_of =
                 |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
-            let parts = own
-                .experiment
-                .abscissa_parts(&contact_of, &own.branches, &own.order)?;
+            let parts =
+                own.experiment
+                    .abscissa_parts(&contact_of, &own.branches, &own.order, |i| {
+                        own.own_deviation(i)
+                    })?;
             let factors = own.experiment.noise_factors(&contact_of, &own.branches)?;
             if parts.is_empty() && factors.is_empty() {
                 continue;

@@ -3,7 +3,8 @@
 //! An error of the abscissa counts as one of the ordinate, by the change of the model: the effective
 //! variance is `sigma_y^2 + (dy/dx)^2 sigma_x^2` (Orear, Am. J. Phys. 50, 912, 1982) with the mean square of
 //! the change in place of `(dy/dx)^2 sigma_x^2`, so that a point at which the model has no slope is not
-//! taken for exact.
+//! taken for exact. The slope is that where the point most likely lies. At the abscissa read, weight and error would go
+//! together: where an abscissa is read too small on a curve that steepens, the slope is too small and the weight too large.
 
 use super::differences::ContactOf;
 use super::{Branch, Experiment};
@@ -13,6 +14,9 @@ use crate::statistics::median;
 /// The step of an abscissa over its standard deviation, at which Hermite's and Gauss' rule of three nodes
 /// takes the change of the model; the square of the change at each side has a sixth of the weight.
 const STEP: f64 = 1.732_050_807_568_877_2;
+
+/// The largest distance, in standard deviations of the abscissa, at which a point is taken to lie from where it was read.
+const FARTHEST: f64 = 3.0;
 
 /// Standard deviations that differ from point to point, in the order of the points. An empty list
 /// leaves those of the [`Experiment`].
@@ -89,14 +93,21 @@ impl Experiment {
 
     /// Returns what the errors of the abscissae add to the standard deviation of each ordinate, the root
     /// mean square of the change of the model; an empty list where the abscissae are exact. Of a straight
-    /// line it is `|dy/dx| sigma_x`, and of a parabola it is exact, too.
+    /// line it is `|dy/dx| sigma_x`, and of a parabola it is exact, too. `noise` returns the standard deviation of an
+    /// ordinate without it.
     ///
-    /// The points are moved, and their branches kept.
+    /// The points are moved, and their branches kept. With the slope `b` and half the curvature `c` at the abscissa `x`,
+    /// and the reading `r` above the model there, the point most likely lies at `x + d`:
+    ///
+    /// ```text
+    /// d = r b sigma_x^2/(sigma_y^2 + b^2 sigma_x^2)        part^2 = sigma_x^2 ((b + 2 c d)^2 + 3 c^2 sigma_x^2)
+    /// ```
     pub(crate) fn abscissa_parts(
         &self,
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
         order: &[usize],
+        noise: impl Fn(usize) -> f64,
     ) -> Result<Vec<f64>, Error> {
         if self.abscissa_noise == 0.0 && self.errors.abscissa.is_empty() {
             return Ok(Vec::new());
@@ -137,14 +148,18 @@ impl Experiment {
         let part = |i: usize| {
             let neighbour = order.get(1).filter(|_| Some(i) == turn);
             let k = neighbour.copied().unwrap_or(i);
-            let squares = sides.each_ref().map(|side| (side[k] - here[k]).powi(2));
-            let change = (0.5 * squares.iter().sum::<f64>()).sqrt();
             let width = step(k);
-            if width > 0.0 {
-                change / width * deviation(i)
-            } else {
-                0.0
+            if width == 0.0 {
+                return 0.0;
             }
+            let [above, below] = sides.each_ref().map(|side| side[k] - here[k]);
+            let [odd, even] = [0.5 * (above - below), 0.5 * (above + below)];
+            let (by_error, read) = (odd / width * deviation(k), self.compared(k) - here[k]);
+            let way = read * by_error / (noise(k).powi(2) + by_error * by_error);
+            // There is none without a reading, and without noise and slope.
+            let way = if way.is_nan() { 0.0 } else { way };
+            let way = way.clamp(-FARTHEST, FARTHEST) * deviation(k) / width;
+            (odd + 2.0 * even * way).hypot(even) / width * deviation(i)
         };
         Ok((0..points.len()).map(part).collect())
     }
