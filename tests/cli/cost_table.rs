@@ -10,8 +10,8 @@ use cost::table::{Row, TOLERANCES, break_even, markdown};
 use cost::{Measured, to_csv};
 use interp::Table;
 use tabulate::Error;
-use tabulate::measure::{self, Limits, read_csv};
-use tabulate::table::{Observer, Plan, Scene};
+use tabulate::measure::{self, read_csv};
+use tabulate::table::{Budget, Observer, Plan, Scene};
 
 const SCENE: &str = "\
 title = 'A small box'
@@ -53,12 +53,9 @@ impl Work {
     /// Measures the small box. A second of the budget is a point that is solved, on any machine.
     fn measure(&self, budget: Option<u64>) -> Result<Measured<Row>, Error> {
         let scene = Scene::parse(SCENE, None).expect("the scene is sound");
-        let limits = Limits {
-            tightest: 1e-8,
-            budget: budget.map(Duration::from_secs),
-            clock: &|| Duration::from_secs(self.0.load(Ordering::Relaxed)),
-        };
-        measure::table(&scene, &limits, Timing::Brief, self)
+        let clock = || Duration::from_secs(self.0.load(Ordering::Relaxed));
+        let budget = budget.map(|points| Budget::on(&clock, Duration::from_secs(points)));
+        measure::table(&scene, 1e-8, budget, Timing::Brief, self)
     }
 }
 

@@ -82,8 +82,10 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
             "cannot be read",
         ),
     ];
+    let (_, others) = nodes.split_once(',').expect("four axes");
     for wrong in ["0", "1", "20000", "100000000000", "9223372036854775807"] {
-        cases.push((with(nodes, &format!("nodes = {wrong}")), "not the scene's"));
+        let forged = with(nodes, &format!("nodes = [{wrong},{others}"));
+        cases.push((forged, "not the scene's"));
     }
     cases.push((with("from = 0.01", "from = -1.0"), "not the scene's"));
     for (forged, words) in cases {

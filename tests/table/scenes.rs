@@ -216,7 +216,7 @@ fn a_plan_obeys_stated_nodes_and_asks_for_more_where_the_tolerance_is_smaller() 
                     nu1 = { from = 0.3, to = 0.5, nodes = 6 }\ne0_over_e2 = inf\n";
         Scene::parse(&text.replace('T', tolerance), None).expect("a sound scene")
     };
-    let shape = |tolerance| Plan::new(&scene(tolerance)).expect("within reach").shape();
+    let shape = |tolerance| Plan::new(&scene(tolerance)).expect("within reach").nodes;
     let shapes = ["1e-3", "1e-5", "1e-7"].map(shape);
     println!("{shapes:?}");
     assert!(shapes.iter().all(|shape| shape[1..] == [9, 6, 1]));

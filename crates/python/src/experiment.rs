@@ -1,6 +1,5 @@
 //! The experiments of fits and forecasts, from the attributes of the Python class.
 
-use ::solve::stack::Layer;
 use fit::{
     Bodies, Direction, Experiment, Kind, Layered, Measurement, NamedLayer, Numbering, Point,
     PointErrors, Reach, Relaxing, Solver,
@@ -8,7 +7,6 @@ use fit::{
 use interp::System;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use tabulate::stack::NamedStack;
 
 use crate::bodies::{NativeHalfSpace, NativeStackSystem, NativeSystem};
 use crate::contacts_on_layers::{ContactsOnLayers, stick};
@@ -111,16 +109,14 @@ pub fn one(py: Python<'_>, given: &Given<'_>, solvers: &ContactsOnLayers) -> PyR
     let bodies = match &given.bodies {
         GivenBodies::Coated(system) if stick.is_some() => {
             let system = &system.get().0;
-            // The film is a single layer without a name.
-            let layer = Layer::bonded(system.film, system.film_thickness);
-            let layers = vec![NamedLayer { name: None, layer }];
+            let layers = NamedLayer::of_film(system);
             layered(system, layers, &measurement, stick, solvers)
         }
         GivenBodies::Coated(system) => Bodies::Coated(system.get().0.clone()),
         GivenBodies::HalfSpace(half_space) => Bodies::HalfSpace(half_space.get().0.clone()),
         GivenBodies::Layered(layers) => {
             let NativeStackSystem { named, system } = layers.get();
-            let layers = named_layers(named).or_raise(py)?;
+            let layers = NamedLayer::all(&named.stack, &named.names).or_raise(py)?;
             layered(system, layers, &measurement, stick, solvers)
         }
     };
@@ -177,15 +173,4 @@ fn layered(
         solver: stick.unwrap_or_else(|| solvers.frictionless.clone()),
         interrupt: solvers.interrupt(),
     })
-}
-
-/// Returns the layers of a stack with their names.
-fn named_layers(NamedStack { stack, names }: &NamedStack) -> Result<Vec<NamedLayer>, fit::Error> {
-    let named = |(layer, name): (&Layer, &Option<String>)| {
-        Ok(NamedLayer {
-            name: name.as_deref().map(str::parse).transpose()?,
-            layer: *layer,
-        })
-    };
-    stack.layers().iter().zip(names).map(named).collect()
 }

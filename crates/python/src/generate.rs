@@ -15,7 +15,7 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use tabulate::Error;
 use tabulate::table::{
-    Here, Keep, Observer, Options, Scene, Solver, Sweep, build_name, default_points, generate_with,
+    Keep, Observer, Options, Scene, Sweep, build_name, default_points, generate_with, here,
 };
 
 use crate::arrays::Output;
@@ -23,8 +23,9 @@ use crate::error::OrRaise as _;
 use crate::interruption::TICK;
 use crate::table::Table;
 
-/// What to generate, as the attributes of a Python object.
+/// What to generate, as a Python dict.
 #[derive(FromPyObject)]
+#[pyo3(from_item_all)]
 pub struct Given {
     scene: GivenScene,
     path: PathBuf,
@@ -33,8 +34,9 @@ pub struct Given {
     resume: bool,
 }
 
-/// A scene, as the attributes of a Python object: a file, or its text.
+/// A scene, as a Python dict: a file, or its text.
 #[derive(FromPyObject)]
+#[pyo3(from_item_all)]
 pub struct GivenScene {
     file: Option<PathBuf>,
     text: String,
@@ -90,6 +92,36 @@ impl Told {
             .unwrap_or_else(PoisonError::into_inner)
             .send(event);
     }
+
+    /// Solves the pieces `missing` by the caller's thread.
+    fn solve(
+        &self,
+        sweep: &Sweep<'_>,
+        missing: &[usize],
+        observer: &dyn Observer,
+        keep: Keep<'_>,
+    ) -> Result<(), Error> {
+        let (reply, solved) = channel();
+        let missing = missing.to_vec();
+        let mut left = missing.len();
+        self.tell(Event::Pieces(Pieces {
+            axes: sweep.axes().clone(),
+            missing,
+            reply,
+        }));
+        for (piece, values) in solved {
+            observer.advance(sweep.points());
+            keep(piece, &values)?;
+            left -= 1;
+        }
+        if left > 0 {
+            // The caller has an exception, which it raises in place of this error.
+            let total = sweep.pieces() * sweep.points();
+            let finished = total - left * sweep.points();
+            return Err(Error::Interrupted { finished, total });
+        }
+        Ok(())
+    }
 }
 
 /// Tells the end of the generation when it is dropped, after a panic too.
@@ -120,40 +152,6 @@ impl Observer for Told {
 
     fn is_interrupted(&self) -> bool {
         self.interrupted.load(Ordering::Relaxed)
-    }
-}
-
-/// Solves pieces by the caller's thread.
-struct Elsewhere<'a>(&'a Told);
-
-impl Solver for Elsewhere<'_> {
-    fn solve(
-        &self,
-        sweep: &Sweep<'_>,
-        missing: &[usize],
-        observer: &dyn Observer,
-        keep: Keep<'_>,
-    ) -> Result<(), Error> {
-        let (reply, solved) = channel();
-        let missing = missing.to_vec();
-        let mut left = missing.len();
-        self.0.tell(Event::Pieces(Pieces {
-            axes: sweep.axes().clone(),
-            missing,
-            reply,
-        }));
-        for (piece, values) in solved {
-            observer.advance(sweep.points());
-            keep(piece, &values)?;
-            left -= 1;
-        }
-        if left > 0 {
-            // The caller has an exception, which it raises in place of this error.
-            let total = sweep.pieces() * sweep.points();
-            let finished = total - left * sweep.points();
-            return Err(Error::Interrupted { finished, total });
-        }
-        Ok(())
     }
 }
 
@@ -316,9 +314,17 @@ pub fn generate(
         let (told, scene, path) = (&told, &scene, &given.path);
         let generation = scope.spawn(move || {
             let _end = End(told);
-            let elsewhere = Elsewhere(told);
-            let solver: &dyn Solver = if is_elsewhere { &elsewhere } else { &Here };
-            generate_with(scene, path, &options, told, solver)
+            if is_elsewhere {
+                let elsewhere = |sweep: &Sweep<'_>,
+                                 missing: &[usize],
+                                 observer: &dyn Observer,
+                                 keep: Keep<'_>| {
+                    told.solve(sweep, missing, observer, keep)
+                };
+                generate_with(scene, path, &options, told, &elsewhere)
+            } else {
+                generate_with(scene, path, &options, told, &here)
+            }
         });
         listener.listen(py)?;
         Ok::<_, PyErr>(

@@ -1,9 +1,6 @@
 //! What is known of a measurement of contact stiffness, from Python.
 
-use fit::{
-    AreaFunction, Bodies, ContactDepth, Error, Experiment, Indentation, Interrupt, Layered, Reach,
-    Solver,
-};
+use fit::{AreaFunction, Bodies, ContactDepth, Error, Experiment, Indentation, Layered};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -55,15 +52,12 @@ impl GivenIndentation {
             });
             return refused.or_raise(py);
         };
-        experiment.bodies = Bodies::Layered(Layered {
-            reach: Reach::of(&experiment.measurement, &half_space.probe),
-            probe: half_space.probe.clone(),
-            sphere_modulus: half_space.sphere_modulus,
-            base: half_space.solid,
-            layers: Vec::new(),
-            solver: Solver::Direct,
-            interrupt: Interrupt::default(),
-        });
+        experiment.bodies = Bodies::Layered(Layered::bare(
+            &experiment.measurement,
+            &half_space.probe,
+            half_space.sphere_modulus,
+            half_space.solid,
+        ));
         Ok(())
     }
 }

@@ -14,8 +14,9 @@ use pyo3::types::PyDict;
 
 use crate::error::{Failure, OrRaise as _};
 
-/// What is known about a file, as the attributes of a Python class.
+/// What is known about a file, as a Python dict.
 #[derive(FromPyObject)]
+#[pyo3(from_item_all)]
 pub struct GivenFormat {
     kind: Option<String>,
     /// What a column holds, and its heading.

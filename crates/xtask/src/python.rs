@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use crate::succeed;
 use crate::workspace;
 
 /// Returns the folder (for `PYTHONPATH`) of the package `name` at a version in `range`. The first
@@ -109,14 +110,9 @@ fn pip(python: &Path, command: &str) -> Command {
 
 /// Runs a command of Python. An error says what it needs.
 fn run(python: &mut Command) -> Result<(), String> {
-    let status = python
-        .status()
-        .map_err(|e| format!("cannot run python3: {e}; install python3 with pip"))?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!(
-            "{python:?} failed; it needs python3 with pip (Debian: python3-pip), new enough for these versions, and PyPI within reach"
-        ))
-    }
+    succeed(python).map_err(|error| {
+        format!(
+            "{error}; it needs python3 with pip (Debian: python3-pip), new enough for these versions, and PyPI within reach"
+        )
+    })
 }

@@ -103,39 +103,36 @@ pub fn markdown(rows: &[Row]) -> String {
          films have one above 0.49.\n"
     );
     let has = |effect| rows.iter().any(|row| row.without == Some(effect));
-    if has(Effect::Shape) {
-        text += &format!(
+    let notes = [
+        (Effect::Shape, format!(
             "The shape needs no other table. Its errors are those of the adhesionless load under the paraboloid, relative to that \
              under the sphere itself, at a = {A_OVER_R} R. Its time is that in which the embedded table makes the contact of a \
              new material.\n"
-        );
-    }
-    if has(Effect::FiniteRange) {
-        text += &format!(
+        )),
+        (Effect::FiniteRange, format!(
             "The finite range needs no other table. Its errors are those of JKR's pull-off load, relative to itself, under a \
              sphere that pulls off at the contact radius, at a Tabor parameter of {TABOR}; they fall with its square. Its time \
              is that of a pull-off load with the correction for the range.\n"
-        );
-    }
-    if has(Effect::Friction) {
-        text += &format!(
+        )),
+        (Effect::Friction, format!(
             "Friction needs no other table. Its errors are those of the load of a flat punch without friction, relative to that with \
              full friction, at the a/t of the point or {WIDEST} if that is less. Its time is that of a curve of a sphere up to \
              a/t = 3, solved directly.\n"
-        );
-    }
-    if has(Effect::Interface) {
-        text += "The interface needs no table. Its errors are those of the load of a bonded film where the film slides on its \
+        )),
+        (Effect::Interface, "The interface needs no table. Its errors are those of the load of a bonded film where the film slides on its \
              substrate, up to a/t of 1000. Its time is that of the curve of a new film that slides, by direct solves to 1e-8 \
-             over three decades of a/t, over that in which the embedded table makes the contact of a bonded one.\n";
-    }
-    if has(Effect::Relaxation) {
-        text += &format!(
+             over three decades of a/t, over that in which the embedded table makes the contact of a bonded one.\n".to_owned()),
+        (Effect::Relaxation, format!(
             "Relaxation needs no other table. Its errors are the largest of the elastic load on approach and retract at equal speeds to \
              the contact radius, relative to the load at the turn, where all bodies relax by a power law of exponent {EXPONENT}; the \
              elastic curve has the modulus that gives the load at the turn. Its time is that of a history of 1001 points, over \
              that of 1001 points of an elastic curve.\n"
-        );
+        )),
+    ];
+    for (effect, note) in notes {
+        if has(effect) {
+            text += &note;
+        }
     }
     let missing: Vec<&str> = Effect::ALL
         .into_iter()

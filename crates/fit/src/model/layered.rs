@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use arrayvec::ArrayString;
-use interp::{Elastic, Probe};
+use interp::{Elastic, Probe, System};
 use solve::stack::{Interface, Layer, Stack};
 
 use super::{Interrupt, Kind, Measurement, Parameter, Solver};
@@ -73,6 +73,28 @@ pub struct NamedLayer {
 }
 
 impl NamedLayer {
+    /// Returns the layers of a stack with their `names`, from the base up.
+    ///
+    /// # Errors
+    /// [`Error::LayerName`].
+    pub fn all(stack: &Stack, names: &[Option<String>]) -> Result<Vec<Self>, Error> {
+        let named = |(layer, name): (&Layer, &Option<String>)| {
+            Ok(Self {
+                name: name.as_deref().map(str::parse).transpose()?,
+                layer: *layer,
+            })
+        };
+        stack.layers().iter().zip(names).map(named).collect()
+    }
+
+    /// Returns the film of a system as a single layer without a name.
+    pub fn of_film(system: &System) -> Vec<Self> {
+        vec![Self {
+            name: None,
+            layer: Layer::bonded(system.film, system.film_thickness),
+        }]
+    }
+
     /// Returns the tangential stiffness (Pa/m) of the springs below; `None` where there are none: the
     /// layer is bonded or slides.
     pub(crate) fn interface_stiffness(&self) -> Option<f64> {
@@ -159,6 +181,24 @@ impl PartialEq for Layered {
 }
 
 impl Layered {
+    /// Returns a half-space as the base without layers, of which any probe has a contact stiffness.
+    pub fn bare(
+        measurement: &Measurement,
+        probe: &Probe,
+        sphere_modulus: f64,
+        base: Elastic,
+    ) -> Self {
+        Self {
+            reach: Reach::of(measurement, probe),
+            probe: probe.clone(),
+            sphere_modulus,
+            base,
+            layers: Vec::new(),
+            solver: Solver::Direct,
+            interrupt: Interrupt::default(),
+        }
+    }
+
     /// Returns the layers on their base.
     ///
     /// # Errors

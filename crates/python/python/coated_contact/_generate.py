@@ -8,8 +8,7 @@ import os
 import tempfile
 import warnings
 from collections.abc import Callable, Mapping
-from contextlib import closing
-from dataclasses import dataclass
+from contextlib import closing, nullcontext
 from math import isinf, isnan
 from numbers import Integral
 from pathlib import Path
@@ -28,26 +27,6 @@ Progress = Callable[[str, int, int], object]
 Scene = str | os.PathLike[str] | Mapping[str, Any]
 
 LOGGER = logging.getLogger("coated_contact")
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class GivenScene:
-    """A scene as the native part takes it: a file, or its text."""
-
-    file: str | None
-    text: str
-    tolerance: float | None
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Given:
-    """The arguments of a generation as the native part takes them."""
-
-    scene: GivenScene
-    path: str
-    certificate_points: int | None
-    seed: int
-    resume: bool
 
 
 def generate(
@@ -130,50 +109,42 @@ def generate(
     if certificate_points is not None:
         integer("certificate_points", certificate_points, 1, 2**31)
     integer("seed", seed, 0, 2**63)
-    if path is None:
-        with tempfile.TemporaryDirectory() as folder:
-            return generate(
-                scene,
-                Path(folder) / "table.bin",
-                tolerance=tolerance,
-                progress=progress,
-                certificate_points=certificate_points,
-                seed=seed,
-                client=client,
-            )
-    given = Given(
-        scene=given_scene,
-        path=os.fspath(path),
-        certificate_points=certificate_points,
-        seed=seed,
-        resume=resume,
-    )
-    pieces = None if client is None else solved_pieces(client, given_scene)
-    with closing(Bar(progress)) as bar:
-        table = Table(_core.generate(given, bar.told, LOGGER.warning, pieces))
+    with tempfile.TemporaryDirectory() if path is None else nullcontext() as folder:
+        file = path if folder is None else Path(folder) / "table.bin"
+        given = {
+            "scene": given_scene,
+            "path": file,
+            "certificate_points": certificate_points,
+            "seed": seed,
+            "resume": resume,
+        }
+        pieces = None if client is None else solved_pieces(client, given_scene)
+        with closing(Bar(progress)) as bar:
+            table = Table(_core.generate(given, bar.told, LOGGER.warning, pieces))
     if not table.max_error <= table.tolerance:
+        name = "the table" if path is None else os.fspath(path)
         warnings.warn(
-            f"{os.fspath(path)}: the measured error {table.max_error:.1e} exceeds the tolerance "
+            f"{name}: the measured error {table.max_error:.1e} exceeds the tolerance "
             f"{table.tolerance:g}: give the axes more nodes",
             stacklevel=2,
         )
     return table
 
 
-def scene_of(scene: Scene, tolerance: float | None) -> GivenScene:
+def scene_of(scene: Scene, tolerance: float | None) -> dict[str, Any]:
     """Return a scene as the native part takes it."""
     wanted = None if tolerance is None else number("tolerance", tolerance)
     if isinstance(scene, Mapping):
-        return GivenScene(file=None, text=toml(scene), tolerance=wanted)
+        return {"file": None, "text": toml(scene), "tolerance": wanted}
     if isinstance(scene, os.PathLike):
-        return GivenScene(file=os.fspath(scene), text="", tolerance=wanted)
+        return {"file": os.fspath(scene), "text": "", "tolerance": wanted}
     if not isinstance(scene, str):
         raise TypeError(f"a scene is a mapping, a path or text, not {type(scene).__name__}")
     if "=" not in scene:
         raise ValueError(
             f"{scene!r} is no text of a scene: give the path of a file as pathlib.Path"
         )
-    return GivenScene(file=None, text=scene, tolerance=wanted)
+    return {"file": None, "text": scene, "tolerance": wanted}
 
 
 def toml(scene: Mapping[str, Any]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Literal, get_args
 
 import numpy as np
@@ -38,20 +38,6 @@ Role = Literal[
 ]
 Segments = Literal["auto", "file", "split"]
 Direction = Literal["approach", "retract"]
-
-
-@dataclass(frozen=True, slots=True)
-class _Format:
-    """What is known about a file, as the native part takes it."""
-
-    kind: Kind | None
-    columns: list[tuple[str, str]]
-    stiffness: float | None
-    sensitivity: float | None
-    segments: Segments
-    only: Direction | None
-    between: tuple[float, float] | None
-    keep_pauses: bool
 
 
 def read_experiment(
@@ -88,7 +74,8 @@ def read_experiment(
         Columns that are not recognised: the heading, with a unit if the file has none, or the
         number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
         ``"deflection"``, ``"segment"``, ``"contact_stiffness"``, ``"contact_area"``,
-        ``"phase_shift"`` or ``"loss_stiffness"``. A minus before it turns the sign. Where approach
+        ``"phase_shift"``, ``"loss_stiffness"`` or ``"time"``, and for the standard deviation of one
+        of them with ``_error``, such as ``"load_error"``. A minus before it turns the sign. Where approach
         and retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}
         ``"file"``: directions come from the file. ``"split"``: the points are split at the turn of
@@ -139,17 +126,17 @@ def read_experiment(
     one_of("segments", segments, get_args(Segments))
     if only is not None:
         one_of("only", only, get_args(Direction))
-    given = _Format(
-        kind=kind,
-        columns=_columns(columns or {}),
-        stiffness=None if stiffness is None else number("stiffness", stiffness),
-        sensitivity=None if sensitivity is None else number("sensitivity", sensitivity),
-        segments=segments,
-        only=only,
-        between=None if between is None else _ends(between),
+    given = {
+        "kind": kind,
+        "columns": _columns(columns or {}),
+        "stiffness": None if stiffness is None else number("stiffness", stiffness),
+        "sensitivity": None if sensitivity is None else number("sensitivity", sensitivity),
+        "segments": segments,
+        "only": only,
+        "between": None if between is None else _ends(between),
         # A hold is a part of the history of a film that relaxes.
-        keep_pauses=known.get("relaxation") is not None,
-    )
+        "keep_pauses": known.get("relaxation") is not None,
+    }
     fields, doubt = _core.read_file(os.fspath(path), given)
     if doubt is not None:
         warnings.warn(f"{fields['name']}: {doubt}", stacklevel=2)

@@ -137,9 +137,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             bar.inc(1);
             anyhow::Ok(row)
         };
-        let rows = try_map(0..arguments.points, row)?;
-        bar.finish_and_clear();
-        rows
+        try_map(0..arguments.points, row)?
     };
     given.name_example(&[]);
     bodies.note_large_contact(to);
@@ -255,13 +253,11 @@ impl<'a> States<'a> {
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
         let mut work_of_adhesion = bodies.work_of_adhesion;
-        arguments.history.needs_poisson_ratio()?;
-        let source = if let Some(nu2) = arguments.history.sticks(bodies.half_space)? {
-            ensure!(
-                arguments.table.is_none() && attracting.interaction_range.is_none(),
-                "--friction stick is solved directly, and without a range of the attraction: leave \
-                 out the table and --interaction-range"
-            );
+        let is_other = arguments.table.is_some() || attracting.interaction_range.is_some();
+        let sticks = arguments
+            .history
+            .sticks_alone(bodies.half_space, is_other)?;
+        let source = if let Some(nu2) = sticks {
             let (contact, receding) =
                 arguments
                     .history

@@ -25,8 +25,7 @@ pub fn read_or_make(name: Option<&TableName>) -> anyhow::Result<Cow<'static, Tab
     }
     let scene = read_scene(None, Some(OWN_TOLERANCE))?;
     let bars = Bars::new();
-    let packed = Made::new(&scene, None, &bars)
-        .and_then(|made| low_rank(&made.table, TOLERANCE, None, None, &bars));
-    bars.clear();
-    Ok(Cow::Owned(packed?))
+    let made = Made::new(&scene, None, &bars)?;
+    let packed = low_rank(&made.table, TOLERANCE, None, None, &bars)?;
+    Ok(Cow::Owned(packed))
 }

@@ -175,6 +175,19 @@ impl HistoryArguments {
         Ok(())
     }
 
+    /// Returns the Poisson ratio of the sphere where the contact sticks, as [`Self::sticks`], for a command that fits
+    /// nothing. `is_other` tells whether a table or a range of the attraction is given.
+    pub fn sticks_alone(&self, half_space: bool, is_other: bool) -> anyhow::Result<Option<f64>> {
+        self.needs_poisson_ratio()?;
+        let sticks = self.sticks(half_space)?;
+        anyhow::ensure!(
+            sticks.is_none() || !is_other,
+            "--friction stick is solved directly, and without a range of the attraction: leave out the \
+             table and --interaction-range"
+        );
+        Ok(sticks)
+    }
+
     /// Returns the work of adhesion with which the contact recedes, and the ratio to it of
     /// `advancing`, with which it has grown.
     pub fn works(&self, advancing: f64) -> anyhow::Result<(f64, f64)> {

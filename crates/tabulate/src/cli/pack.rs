@@ -54,9 +54,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut table = arguments.table.read()?;
     if let Some(tolerance) = arguments.tolerance {
         let points = arguments.points.map(|points| points as usize);
-        let bars = Bars::new();
-        let packed = low_rank(&table, tolerance, points, arguments.seed, &bars);
-        bars.clear();
+        let packed = low_rank(&table, tolerance, points, arguments.seed, &Bars::new());
         table = Cow::Owned(packed.with_context(|| arguments.table.to_string())?);
     }
     let bytes = table.to_packed()?;

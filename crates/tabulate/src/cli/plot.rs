@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ::cost::Measurement;
+use ::cost::clock::Timing;
 use clap::{Args, Subcommand, ValueHint};
 use figures::chart;
 use figures::picture::Format;
@@ -236,7 +237,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         Figure::TableCost(of) => of.draw(cost::measure_table, |rows| Ok(table_cost::figure(rows))),
         Figure::Effects(of) => of.draw(cost::measure_effects, effects::figure),
-        Figure::WorkPrecision(of) => of.draw(|| Ok(cost::measure_solve()), work_precision::figure),
+        Figure::WorkPrecision(of) => of.draw(
+            || Ok(cost::measure_solve(Timing::Thorough)),
+            work_precision::figure,
+        ),
         Figure::LookupCost(of) => of.draw(cost::measure_lookup, lookup_cost::figure),
     }
 }

@@ -106,7 +106,7 @@ impl<'a> Points<'a> {
             let answer = answer(&point).with_context(|| place(path, point.line))?;
             anyhow::Ok((point, answer))
         };
-        let outcome = output.stream(|out| {
+        output.stream(|out| {
             let mut writer = csv::Writer::from_writer(out);
             for number in 0.. {
                 let batch = self.batch();
@@ -130,9 +130,7 @@ impl<'a> Points<'a> {
                 bar.set_position(self.reader.position());
             }
             Ok(())
-        });
-        bar.finish_and_clear();
-        outcome
+        })
     }
 
     /// Reads the next points, none at the end of the file. The last may be an error.

@@ -103,13 +103,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     );
     let attracting = &arguments.attracting;
     let bodies = attracting.bodies.read_checked()?;
-    arguments.history.needs_poisson_ratio()?;
-    let sticks = arguments.history.sticks(bodies.half_space)?;
-    ensure!(
-        sticks.is_none() || arguments.table.is_none() && attracting.interaction_range.is_none(),
-        "--friction stick is solved directly, and without a range of the attraction: leave out the \
-         table and --interaction-range"
-    );
+    let is_other = arguments.table.is_some() || attracting.interaction_range.is_some();
+    let sticks = arguments
+        .history
+        .sticks_alone(bodies.half_space, is_other)?;
     let table = arguments.table.as_ref();
     let table = table.map(TableName::read_for_contacts).transpose()?;
     let table = table.as_deref();

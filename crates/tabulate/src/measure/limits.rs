@@ -1,60 +1,25 @@
-//! The end of the series of tables: the tightest tolerance, or a budget that does not suffice.
-
-use std::time::Duration;
+//! The end of a series of tables: a budget that does not suffice, or a tolerance out of reach.
 
 use cost::clock::human;
-use cost::table::TOLERANCES;
 
 use crate::Error;
 use crate::table::{Budget, Plan, Scene, default_points};
 
-/// The limits of a series of tables.
-#[derive(Clone, Copy)]
-pub struct Limits<'a> {
-    /// The tightest tolerance of a table.
-    pub tightest: f64,
-    /// The time for all tables together; none if there is no limit.
-    pub budget: Option<Duration>,
-    /// Returns the time since the start of the series. Tests count work instead of time.
-    pub clock: &'a dyn Fn() -> Duration,
-}
-
-impl Limits<'_> {
-    /// Returns the [`TOLERANCES`] that are not below the tightest one.
-    pub fn tolerances(&self) -> impl Iterator<Item = f64> {
-        let tightest = self.tightest;
-        TOLERANCES
-            .into_iter()
-            .filter(move |&tolerance| tolerance >= tightest)
+/// Accepts the next table of a series if the budget is likely to suffice, given the time of the last one per point.
+///
+/// # Errors
+/// [`Error::Budget`] with the time that is left and the time that the table would take; those of [`Plan::new`].
+pub fn check(scene: &Scene, budget: Budget<'_>, seconds_per_point: f64) -> Result<(), Error> {
+    let plan = Plan::within(scene, Some(budget))?;
+    let takes = seconds_per_point * points(scene, plan.points() as u64);
+    let left = budget.left().as_secs_f64();
+    if takes <= left {
+        return Ok(());
     }
-
-    /// Returns the part of the budget that is left.
-    pub fn left(&self) -> Option<Duration> {
-        let spent = (self.clock)();
-        self.budget.map(|budget| budget.saturating_sub(spent))
-    }
-
-    /// Accepts the next table of a series if the budget is likely to suffice, given the time of the
-    /// last one per point.
-    ///
-    /// # Errors
-    /// [`Error::Budget`] with the time that is left and the time that the table would take; those
-    /// of [`Plan::new`].
-    pub fn check(&self, scene: &Scene, seconds_per_point: f64) -> Result<(), Error> {
-        let Some(left) = self.left() else {
-            return Ok(());
-        };
-        let plan = Plan::within(scene, Some(Budget::of(left)))?;
-        let takes = seconds_per_point * points(scene, plan.points() as u64);
-        let left = self.left().unwrap_or_default().as_secs_f64();
-        if takes <= left {
-            return Ok(());
-        }
-        let [left, takes] = [left, takes].map(human);
-        Err(Error::Budget {
-            spent: format!("but for {left}, and this table would take about {takes}"),
-        })
-    }
+    let [left, takes] = [left, takes].map(human);
+    Err(Error::Budget {
+        spent: format!("but for {left}, and this table would take about {takes}"),
+    })
 }
 
 /// Returns the number of points that are solved for a table with this number of nodes: the nodes

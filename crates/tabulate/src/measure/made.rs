@@ -1,6 +1,6 @@
 //! A table that is generated to be measured.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use interp::Table;
 
@@ -26,7 +26,7 @@ impl Made {
     /// Those of [`generate`]; [`Error::Write`] for a temporary folder that cannot be written.
     pub fn new(
         scene: &Scene,
-        budget: Option<Duration>,
+        budget: Option<Budget<'_>>,
         observer: &dyn Observer,
     ) -> Result<Self, Error> {
         let unwritable = |source| Error::Write {
@@ -39,7 +39,7 @@ impl Made {
             certificate_points: default_points(scene.axes()),
             seed: 1,
             resume: false,
-            budget: budget.map(Budget::of),
+            budget,
         };
         let began = Instant::now();
         let generated = generate(scene, &path, &options, observer)?;

@@ -9,9 +9,9 @@ mod rows;
 mod table;
 
 pub use effects::measure as effects;
-pub use limits::Limits;
 pub use made::Made;
+pub(crate) use rows::read;
+pub use rows::read_csv;
 #[cfg(test)]
 pub(crate) use rows::rows;
-pub use rows::{read_csv, read_earlier};
 pub use table::measure as table;

@@ -22,16 +22,11 @@ pub fn read_csv<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
     read(path, R::RANGES)
 }
 
-/// Reads rows that [`cost::to_csv`] wrote, to [compare](cost::compare) others with them: a time of 0
-/// was not measured.
-///
-/// # Errors
-/// As [`read_csv`], but for the ranges.
-pub fn read_earlier<R: Measurement>(path: &Path) -> Result<Vec<R>, Error> {
-    read(path, &[])
-}
-
-fn read<R: Measurement>(path: &Path, ranges: &[(&str, [f64; 2])]) -> Result<Vec<R>, Error> {
+/// Reads such rows with other ranges of numbers.
+pub(crate) fn read<R: Measurement>(
+    path: &Path,
+    ranges: &[(&str, [f64; 2])],
+) -> Result<Vec<R>, Error> {
     let rows = input::open(path, LONGEST).and_then(|(file, _)| rows(file, ranges));
     rows.map_err(|source| Error::Read {
         path: path.to_owned(),

@@ -4,16 +4,16 @@ use std::time::Instant;
 
 use cost::Measured;
 use cost::clock::Timing;
-use cost::table::{Evaluation, POINTS, Row, SEED, break_even};
+use cost::table::{Evaluation, POINTS, Row, SEED, TOLERANCES, break_even};
 use interp::Material;
 
 use super::Made;
-use super::limits::{Limits, is_limit, points};
+use super::limits::{check, is_limit, points};
 use crate::Error;
-use crate::table::{Observer, Scene, low_rank};
+use crate::table::{Budget, Observer, Scene, low_rank};
 
-/// Makes the tables of a scene to the [`TOLERANCES`](cost::table::TOLERANCES), from the loosest on, within `limits`. The
-/// scene's own tolerance is ignored.
+/// Makes the tables of a scene to the [`TOLERANCES`], from the loosest to the `tightest`, within a budget for all of
+/// them. The scene's own tolerance is ignored.
 ///
 /// The time of the next table is predicted from its planned nodes, the points of its two
 /// certificates, and the time per point of the last table. A table that is still being solved when
@@ -25,25 +25,29 @@ use crate::table::{Observer, Scene, low_rank};
 /// be made; [`Error::Write`] for temporary files that cannot be written.
 pub fn measure(
     scene: &Scene,
-    limits: &Limits<'_>,
+    tightest: f64,
+    budget: Option<Budget<'_>>,
     timing: Timing,
     observer: &dyn Observer,
 ) -> Result<Measured<Row>, Error> {
     let mut rows: Vec<Row> = Vec::new();
     let mut seconds_per_point = None;
-    for tolerance in limits.tolerances() {
+    for tolerance in TOLERANCES.into_iter().filter(|&one| one >= tightest) {
         let scene = Scene {
             tolerance,
             ..scene.clone()
         };
-        let began = (limits.clock)();
-        let made = seconds_per_point
-            .map_or(Ok(()), |seconds| limits.check(&scene, seconds))
-            .and_then(|()| row(&scene, limits, timing, observer));
+        let began = budget.map(|budget| budget.now());
+        let made = budget
+            .zip(seconds_per_point)
+            .map_or(Ok(()), |(budget, seconds)| check(&scene, budget, seconds))
+            .and_then(|()| row(&scene, budget, timing, observer));
         match made {
             Ok(row) => {
-                let took = (limits.clock)().saturating_sub(began).as_secs_f64();
-                seconds_per_point = Some(took / points(&scene, row.nodes().iter().product()));
+                seconds_per_point = budget.zip(began).map(|(budget, began)| {
+                    let took = budget.now().saturating_sub(began).as_secs_f64();
+                    took / points(&scene, row.nodes().iter().product())
+                });
                 rows.push(row);
             }
             Err(error) if !rows.is_empty() && is_limit(&error) => {
@@ -51,13 +55,13 @@ pub fn measure(
                     rows,
                     left_out: vec![format!(
                         "There is no table to {tolerance:e}: {}.",
-                        reason(&error, limits)
+                        reason(&error, budget)
                     )],
                 });
             }
             Err(Error::Budget { spent }) => {
                 return Err(Error::Budget {
-                    spent: format!("{spent}{}", of_budget(limits)),
+                    spent: format!("{spent}{}", of_budget(budget)),
                 });
             }
             Err(error) => return Err(error),
@@ -67,30 +71,28 @@ pub fn measure(
 }
 
 /// An error in words, with the budget if it is about that.
-fn reason(error: &Error, limits: &Limits<'_>) -> String {
+fn reason(error: &Error, budget: Option<Budget<'_>>) -> String {
     match error {
-        Error::Budget { .. } => format!("{error}{}", of_budget(limits)),
+        Error::Budget { .. } => format!("{error}{}", of_budget(budget)),
         _ => error.to_string(),
     }
 }
 
-fn of_budget(limits: &Limits<'_>) -> String {
-    limits.budget.map_or_else(String::new, |budget| {
-        format!(
-            " (--budget is {:?} s; give a larger one)",
-            budget.as_secs_f64()
-        )
+fn of_budget(budget: Option<Budget<'_>>) -> String {
+    budget.map_or_else(String::new, |budget| {
+        let whole = budget.whole().as_secs_f64();
+        format!(" (--budget is {whole:?} s; give a larger one)")
     })
 }
 
 /// Makes, packs and times the table of a scene to its tolerance.
 fn row(
     scene: &Scene,
-    limits: &Limits<'_>,
+    budget: Option<Budget<'_>>,
     timing: Timing,
     observer: &dyn Observer,
 ) -> Result<Row, Error> {
-    let made = Made::new(scene, limits.left(), observer).map_err(|error| match error {
+    let made = Made::new(scene, budget, observer).map_err(|error| match error {
         Error::Budget { .. } => Error::Budget {
             spent: format!("before the table to {:e} is finished", scene.tolerance),
         },

@@ -13,7 +13,8 @@ pub type Clock<'a> = &'a (dyn Fn() -> Duration + Sync);
 #[derive(Clone, Copy)]
 pub struct Budget<'a> {
     clock: Clock<'a>,
-    end: Duration,
+    began: Duration,
+    whole: Duration,
 }
 
 impl Budget<'static> {
@@ -28,7 +29,8 @@ impl<'a> Budget<'a> {
     pub fn on(clock: Clock<'a>, time: Duration) -> Self {
         Self {
             clock,
-            end: clock().saturating_add(time),
+            began: clock(),
+            whole: time,
         }
     }
 
@@ -39,7 +41,14 @@ impl<'a> Budget<'a> {
 
     /// Returns the time left; 0 when the budget is spent.
     pub(crate) fn left(&self) -> Duration {
-        self.end.saturating_sub(self.now())
+        let spent = self.now().saturating_sub(self.began);
+        self.whole.saturating_sub(spent)
+    }
+
+    /// Returns the time allowed from the beginning.
+    #[cfg(feature = "figures")]
+    pub(crate) fn whole(&self) -> Duration {
+        self.whole
     }
 
     /// Returns true when no time is left.

@@ -56,42 +56,26 @@ pub trait Observer: Sync {
 /// Keeps the values of a finished piece, given by its number.
 pub type Keep<'a> = &'a mut dyn FnMut(usize, &[f64]) -> Result<(), Error>;
 
-/// Solves the pieces of a sweep: in this process ([`Here`]), or elsewhere.
-pub trait Solver {
-    /// Solves the pieces `missing` of a sweep in any order, tells the observer of finished points,
-    /// and hands the values of each piece to `keep`, as [`Sweep::solve`] returns them.
-    ///
-    /// # Errors
-    /// The first error of a solve or of `keep`, which ends the work.
-    fn solve(
-        &self,
-        sweep: &Sweep<'_>,
-        missing: &[usize],
-        observer: &dyn Observer,
-        keep: Keep<'_>,
-    ) -> Result<(), Error>;
-}
+/// Solves the given pieces of a sweep in any order, [`here`] or elsewhere: tells the observer of finished points, and hands
+/// the values of each piece to [`Keep`], as [`Sweep::solve`] returns them. The first error ends the work.
+pub type Solver<'a> =
+    &'a dyn Fn(&Sweep<'_>, &[usize], &dyn Observer, Keep<'_>) -> Result<(), Error>;
 
-/// Solves the pieces one after the other, each on all cores of this machine.
-#[derive(Clone, Copy, Debug)]
-pub struct Here;
-
-impl Solver for Here {
-    fn solve(
-        &self,
-        sweep: &Sweep<'_>,
-        missing: &[usize],
-        observer: &dyn Observer,
-        keep: Keep<'_>,
-    ) -> Result<(), Error> {
-        for &piece in missing {
-            keep(
-                piece,
-                &sweep.solve(piece, &|count| observer.advance(count))?,
-            )?;
-        }
-        Ok(())
+/// Solves the pieces `missing` one after the other, each on all cores of this machine.
+///
+/// # Errors
+/// The first of a solve or of `keep`.
+pub fn here(
+    sweep: &Sweep<'_>,
+    missing: &[usize],
+    observer: &dyn Observer,
+    keep: Keep<'_>,
+) -> Result<(), Error> {
+    for &piece in missing {
+        let solved = sweep.solve(piece, &|count| observer.advance(count))?;
+        keep(piece, &solved)?;
     }
+    Ok(())
 }
 
 /// A finished table and the numbers of its generation.
@@ -152,7 +136,7 @@ pub fn generate(
     options: &Options<'_>,
     observer: &dyn Observer,
 ) -> Result<Generated, Error> {
-    generate_with(scene, path, options, observer, &Here)
+    generate_with(scene, path, options, observer, &here)
 }
 
 /// Generates like [`generate`], with the pieces of each sweep solved by `solver`. The certificate
@@ -169,7 +153,7 @@ pub fn generate_with(
     path: &Path,
     options: &Options<'_>,
     observer: &dyn Observer,
-    solver: &dyn Solver,
+    solver: Solver<'_>,
 ) -> Result<Generated, Error> {
     assert!(options.certificate_points > 0, "a certificate needs points");
     // Two links to one file are one output. A file cannot be renamed from one disk to another.
@@ -193,7 +177,7 @@ fn run(
     scene: &Scene,
     path: &Path,
     options: &Options<'_>,
-    (observer, solver): (&dyn Observer, &dyn Solver),
+    (observer, solver): (&dyn Observer, Solver<'_>),
     journal: &mut Journal,
 ) -> Result<Generated, Error> {
     let start = Instant::now();
@@ -207,7 +191,7 @@ fn run(
             (0, plan)
         }
     };
-    let resumed = journal.finished() * (plan.points() / plan.shape()[0]);
+    let resumed = journal.finished() * (plan.points() / plan.nodes[0]);
     let (mut refined, mut points) = (Vec::new(), 0);
     loop {
         let began = budget.map(|budget| budget.now());
@@ -245,7 +229,7 @@ fn run(
         };
         match next.filter(is_affordable) {
             Some(next) => {
-                refined.push((plan.shape(), certificate));
+                refined.push((plan.nodes, certificate));
                 round += 1;
                 plan = next;
                 journal.go_on(header(scene, round, &plan, options))?;
@@ -286,7 +270,7 @@ fn resumed_plan(
         return Ok(None);
     };
     same_run(&header, scene, path, options)?;
-    let pieces = header.plan.shape()[0];
+    let pieces = header.plan.nodes[0];
     let values = header.plan.points() / pieces * scene.quantities.len();
     journal.keep(pieces, values);
     Ok(Some((header.round, header.plan)))
@@ -320,7 +304,7 @@ fn table(
     scene: &Scene,
     plan: &Plan,
     journal: &mut Journal,
-    by: (&dyn Observer, &dyn Solver),
+    by: (&dyn Observer, Solver<'_>),
     budget: Option<Budget<'_>>,
 ) -> Result<Table, Error> {
     let axes = plan.axes();
@@ -337,7 +321,7 @@ fn table(
 fn solve(
     sweep: &Sweep<'_>,
     journal: &mut Journal,
-    (observer, solver): (&dyn Observer, &dyn Solver),
+    (observer, solver): (&dyn Observer, Solver<'_>),
     budget: Option<Budget<'_>>,
 ) -> Result<(), Error> {
     let total = sweep.pieces() * sweep.points();
@@ -347,7 +331,7 @@ fn solve(
     let missing: Vec<usize> = (0..sweep.pieces())
         .filter(|&piece| !journal.holds(piece))
         .collect();
-    solver.solve(sweep, &missing, observer, &mut |piece, solved| {
+    solver(sweep, &missing, observer, &mut |piece, solved| {
         if solved.len() != sweep.values() {
             return Err(Error::Piece {
                 piece,

@@ -41,10 +41,9 @@ pub use compress::{compress, low_rank};
 pub use extent::Extent;
 pub use file::{WRITES_HDF5, write};
 pub use generate::{
-    Generated, Here, Keep, Observer, Options, Solver, generate, generate_with, journal_of,
+    Generated, Keep, Observer, Options, Solver, generate, generate_with, here, journal_of,
 };
 pub use of_stack::StackTable;
-pub use placement::Placement;
 pub use plan::Plan;
 pub use scene::{Scene, random_points};
 pub use scene_text::DEFAULT_NU0;

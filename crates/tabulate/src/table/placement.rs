@@ -3,29 +3,6 @@
 use std::f64::consts::PI;
 
 use interp::Parameter;
-use serde::{Deserialize, Serialize};
-
-/// The nodes of one axis, as a rule.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub enum Placement {
-    /// A fixed parameter.
-    Fixed(f64),
-    /// `nodes` nodes at `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the
-    /// second kind, in the parameter's coordinate.
-    Nodes {
-        /// The first node.
-        from: f64,
-        /// The last node.
-        to: f64,
-        /// The number of nodes, two or more.
-        nodes: usize,
-        /// 0 for Chebyshev points, 1 for even spacing.
-        evenness: f64,
-        /// Whether the number may be changed, because the scene does not state it.
-        free: bool,
-    },
-}
 
 /// The values of `evenness` from which the planner takes the one with the fewest nodes.
 ///
@@ -33,33 +10,29 @@ pub enum Placement {
 /// region need nodes that crowd towards their ends.
 pub(super) const EVENNESS: [f64; 4] = [0.0, 0.9, 0.95, 0.98];
 
-impl Placement {
-    /// Returns the nodes, ascending, with exact ends.
-    ///
-    /// # Panics
-    /// If there are fewer than 2 nodes or `evenness` is not in `[0, 1]`.
-    pub fn nodes(&self, parameter: Parameter) -> Vec<f64> {
-        match *self {
-            Self::Fixed(value) => vec![value],
-            Self::Nodes {
-                from,
-                to,
-                nodes,
-                evenness,
-                ..
-            } => {
-                let (first, last) = (parameter.coordinate(from), parameter.coordinate(to));
-                let node = |place: f64| parameter.value(first + (last - first) * place);
-                let mut values: Vec<f64> = places(nodes, evenness).into_iter().map(node).collect();
-                values[0] = from;
-                values[nodes - 1] = to;
-                values
-            }
-        }
+/// Returns the nodes of an axis, ascending, with exact ends: `count` at the [`places`] in the
+/// parameter's coordinate, or a single one at `from`.
+///
+/// # Panics
+/// As [`places`] for no node, and for an `evenness` that is none.
+pub(super) fn nodes(
+    parameter: Parameter,
+    [from, to]: [f64; 2],
+    (count, evenness): (usize, f64),
+) -> Vec<f64> {
+    if count == 1 {
+        return vec![from];
     }
+    let [first, last] = [from, to].map(|end| parameter.coordinate(end));
+    let node = |place: f64| parameter.value(first + (last - first) * place);
+    let mut values: Vec<f64> = places(count, evenness).into_iter().map(node).collect();
+    values[0] = from;
+    values[count - 1] = to;
+    values
 }
 
-/// Returns `count` places from 0 to 1, ascending: those of [`Placement::Nodes`].
+/// Returns `count` places from 0 to 1, ascending: `asin(evenness z)/asin(evenness)`, with the Chebyshev points `z` of the
+/// second kind, moved from `[-1, 1]`. They are these points at an `evenness` of 0, and evenly spaced at 1.
 ///
 /// # Panics
 /// If `count` is below 2 or `evenness` is not in `[0, 1]`.

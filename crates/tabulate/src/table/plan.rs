@@ -11,7 +11,7 @@ use crate::Error;
 use crate::table::budget::Budget;
 use crate::table::extent::{Extent, MOST_NODES};
 use crate::table::lines::Lines;
-use crate::table::placement::{EVENNESS, Placement};
+use crate::table::placement::{EVENNESS, nodes};
 use crate::table::scene::Scene;
 
 /// The nodes of a table.
@@ -20,8 +20,13 @@ use crate::table::scene::Scene;
 pub struct Plan {
     /// The parameters of the table: those of the scene.
     pub parameters: [Parameter; 4],
-    /// The rule of each parameter.
-    pub placements: [Placement; 4],
+    /// The values of each.
+    pub extents: [Extent; 4],
+    /// The number of nodes on each axis.
+    pub nodes: [usize; 4],
+    /// How evenly the nodes of each axis are spaced in the parameter's coordinate: 0 for Chebyshev points, which crowd
+    /// towards the ends, and 1 for even spacing.
+    pub evenness: [f64; 4],
 }
 
 /// The largest number of values of a table, 1.6 GB. A larger one is taken for a mistake.
@@ -48,45 +53,30 @@ impl Plan {
 
     /// Plans like [`Plan::new`], or returns [`Error::Budget`] when the budget is spent before.
     pub(crate) fn within(scene: &Scene, budget: Option<Budget<'_>>) -> Result<Self, Error> {
-        // At least two nodes on every axis: what cannot be made of these is refused before a solve.
-        let placements = scene.extents.map(|extent| match extent {
-            Extent::Fixed(value) => Placement::Fixed(value),
-            Extent::Even { from, to, nodes } => Placement::Nodes {
-                from,
-                to,
-                nodes,
-                evenness: 1.0,
-                free: false,
-            },
-            Extent::Range { from, to } => Placement::Nodes {
-                from,
-                to,
-                nodes: 2,
-                evenness: EVENNESS[0],
-                free: true,
-            },
-        });
         let mut plan = Self {
             parameters: scene.parameters,
-            placements,
+            extents: scene.extents,
+            // At least two nodes on every axis: what cannot be made of these is refused before a solve.
+            nodes: scene.extents.map(|extent| match extent {
+                Extent::Fixed(_) => 1,
+                Extent::Range { .. } => 2,
+                Extent::Even { nodes, .. } => nodes,
+            }),
+            evenness: scene.extents.map(|extent| match extent {
+                Extent::Range { .. } => EVENNESS[0],
+                Extent::Fixed(_) | Extent::Even { .. } => 1.0,
+            }),
         };
         plan.check(scene)?;
-        for (parameter, placement) in scene.parameters.into_iter().zip(&mut plan.placements) {
-            if let Placement::Nodes {
-                from,
-                to,
-                nodes,
-                evenness,
-                free: true,
-            } = placement
-            {
-                let lines = Lines::solve(scene, parameter, [*from, *to], budget)?;
+        for (i, parameter) in scene.parameters.into_iter().enumerate() {
+            if let Extent::Range { from, to } = scene.extents[i] {
+                let lines = Lines::solve(scene, parameter, [from, to], budget)?;
                 let unresolved = || Error::Unresolved {
                     axis: parameter.name(),
                     nodes: lines.most(),
                     tolerance: scene.tolerance,
                 };
-                (*nodes, *evenness) = lines
+                (plan.nodes[i], plan.evenness[i]) = lines
                     .fewest(SHARE * scene.tolerance)
                     .ok_or_else(unresolved)?;
             }
@@ -98,31 +88,24 @@ impl Plan {
     /// Returns the four parameters with their nodes.
     ///
     /// # Panics
-    /// For a plan that [`Plan::new`] has not made, as [`Placement::nodes`].
+    /// For a plan that [`Plan::new`] has not made, with no node on an axis or an evenness outside `[0, 1]`.
     pub fn axes(&self) -> [(Parameter, Vec<f64>); 4] {
         self.parameters.map(|parameter| {
-            let placement = &self.placements[parameter.dimension()];
-            (parameter, placement.nodes(parameter))
-        })
-    }
-
-    /// Returns the number of nodes on each axis.
-    pub fn shape(&self) -> [usize; 4] {
-        self.placements.map(|placement| match placement {
-            Placement::Fixed(_) => 1,
-            Placement::Nodes { nodes, .. } => nodes,
+            let i = parameter.dimension();
+            let rule = (self.nodes[i], self.evenness[i]);
+            (parameter, nodes(parameter, self.extents[i].ends(), rule))
         })
     }
 
     /// Returns the number of points to solve.
     pub fn points(&self) -> usize {
-        self.shape().iter().product()
+        self.nodes.iter().product()
     }
 
     /// Tells whether an axis may get more nodes, because the tolerance chose them.
     pub fn can_grow(&self) -> bool {
-        let is_free = |one: &Placement| matches!(one, Placement::Nodes { free: true, .. });
-        self.placements.iter().any(is_free)
+        let mut all = self.extents.iter();
+        all.any(|extent| matches!(extent, Extent::Range { .. }))
     }
 
     /// Returns the plan with more nodes on some axes; none if nothing changes.
@@ -134,13 +117,10 @@ impl Plan {
     /// [`Error::TooLarge`]; [`Error::Unresolved`].
     pub(crate) fn refined(&self, factors: [f64; 4], scene: &Scene) -> Result<Option<Self>, Error> {
         let mut plan = self.clone();
-        for (placement, factor) in plan.placements.iter_mut().zip(factors) {
-            if let Placement::Nodes {
-                nodes, free: true, ..
-            } = placement
-                && factor > 1.0
-            {
-                *nodes = ((*nodes as f64 * factor).ceil() as usize).max(*nodes + 2);
+        for (i, factor) in factors.into_iter().enumerate() {
+            if matches!(plan.extents[i], Extent::Range { .. }) && factor > 1.0 {
+                let nodes = plan.nodes[i];
+                plan.nodes[i] = ((nodes as f64 * factor).ceil() as usize).max(nodes + 2);
             }
         }
         if plan == *self {
@@ -152,38 +132,20 @@ impl Plan {
 
     /// Returns true if this can be the plan of the scene, refined or not.
     pub(crate) fn fits(&self, scene: &Scene) -> bool {
-        let fits = |(placement, extent): (&Placement, &Extent)| match (*placement, *extent) {
-            (Placement::Fixed(value), Extent::Fixed(fixed)) => value == fixed,
-            (
-                Placement::Nodes {
-                    from,
-                    to,
-                    nodes,
-                    evenness,
-                    free: true,
-                },
-                Extent::Range { .. },
-            ) => [from, to] == extent.ends() && nodes >= 2 && EVENNESS.contains(&evenness),
-            (
-                Placement::Nodes {
-                    from,
-                    to,
-                    nodes,
-                    evenness,
-                    free: false,
-                },
-                Extent::Even { nodes: stated, .. },
-            ) => [from, to] == extent.ends() && nodes == stated && evenness == 1.0,
-            _ => false,
+        let is_sound = |i: usize| match self.extents[i] {
+            Extent::Fixed(_) => self.nodes[i] == 1,
+            Extent::Range { .. } => self.nodes[i] >= 2 && EVENNESS.contains(&self.evenness[i]),
+            Extent::Even { nodes, .. } => self.nodes[i] == nodes && self.evenness[i] == 1.0,
         };
         self.parameters == scene.parameters
-            && self.placements.iter().zip(&scene.extents).all(fits)
+            && self.extents == scene.extents
+            && (0..4).all(is_sound)
             && self.check(scene).is_ok()
     }
 
     /// Accepts a plan whose nodes are not too many and can be told apart.
     fn check(&self, scene: &Scene) -> Result<(), Error> {
-        let shape = self.shape();
+        let shape = self.nodes;
         let values = shape
             .iter()
             .fold(scene.quantities.len(), |product, &nodes| {

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use clap::Subcommand;
 use cost::clock::Timing;
-use cost::{Measured, Measurement, compare, to_csv};
+use cost::{Measured, Measurement, compare, history, to_csv};
 
-use super::{effects, history, lookup, solve, table};
+use super::{effects, lookup, solve, table};
 use crate::cli::output::Output;
 use crate::cli::{note, print};
-use crate::measure::{read_csv, read_earlier};
+use crate::measure::{read, read_csv};
 use crate::printable;
 
 /// Measure the cost of accuracy in time and memory
@@ -29,20 +29,41 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Of {
-    Solve(solve::Arguments),
+    /// Measure one solve: error against time, beside a plain dense Nystrom solve
+    #[command(after_help = crate::cli::examples!(
+        "tabulate cost solve --data tables/figures/solve.csv",
+        "tabulate cost solve -o solve.csv",
+    ))]
+    Solve(Rows),
     Table(table::Arguments),
     Lookup(lookup::Arguments),
     Effects(effects::Arguments),
-    History(history::Arguments),
+    /// Measure contacts in time: error of the load against time, of three laws of relaxation
+    ///
+    /// Penetrations that grow and fall once take integrals, whose errors are those against a run at a much
+    /// smaller tolerance. All others take elements, whose errors are the stated ones.
+    #[command(after_help = crate::cli::examples!(
+        "tabulate cost history --data tables/figures/history.csv",
+        "tabulate cost history -o history.csv",
+    ))]
+    History(Rows),
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     match &arguments.of {
-        Of::Solve(arguments) => solve::run(arguments),
+        Of::Solve(rows) => rows.report(
+            None,
+            |timing| Ok(solve::measured(timing).into()),
+            ::cost::solve::markdown,
+        ),
         Of::Table(arguments) => table::run(arguments),
         Of::Lookup(arguments) => lookup::run(arguments),
         Of::Effects(arguments) => effects::run(arguments),
-        Of::History(arguments) => history::run(arguments),
+        Of::History(rows) => rows.report(
+            None,
+            |timing| Ok(history::measure(timing)?.into()),
+            history::markdown,
+        ),
     }
 }
 
@@ -77,10 +98,11 @@ impl Rows {
             self.output.as_deref(),
             [input, self.data.as_deref(), self.compare.as_deref()],
         )?;
+        // A time of 0 was not measured, and is in no range.
         let before = self
             .compare
             .as_ref()
-            .map(|path| anyhow::Ok((path, read_earlier::<R>(path)?)))
+            .map(|path| anyhow::Ok((path, read::<R>(path, &[])?)))
             .transpose()?;
         let Measured { rows, left_out } = match &self.data {
             Some(path) => read_csv(path)?.into(),

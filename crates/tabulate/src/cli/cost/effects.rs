@@ -24,7 +24,8 @@ const POINTS: u32 = 10_000;
 /// compressibility, adhesion or penetration. Compares the loads with those of the whole scene, by
 /// direct solves. The shape of the sphere needs no other table: its row has the error of the
 /// paraboloid at a = 0.3 R, and the time of a new material as a ratio. So does the row of the
-/// interface: the error of a bonded film where it slides, and the time of one that slides. The row of the relaxation has the error of
+/// interface: the error of a bonded film where it slides, and the time of one that slides. The rows of the finite range and of friction are the errors of a
+/// pull-off load and of a flat punch without them. The row of the relaxation has the error of
 /// an elastic load on approach and retract. Errors are relative to the adhesionless load at the same contact radius. A time
 /// is printed as not measurable where it is the difference of two times and not above their noise.
 #[derive(clap::Args)]
@@ -71,8 +72,6 @@ pub fn of_default() -> anyhow::Result<Vec<Row>> {
 
 /// Measures all rows, with bars.
 fn measured(scene: &Scene, points: u32, timing: Timing) -> anyhow::Result<Vec<Row>> {
-    let bars = Bars::new();
-    let rows = measure::effects(scene, points as usize, timing, &bars);
-    bars.clear();
-    Ok(rows?)
+    let points = points as usize;
+    Ok(measure::effects(scene, points, timing, &Bars::new())?)
 }

@@ -63,7 +63,5 @@ fn measured(name: Option<&TableName>, timing: Timing) -> anyhow::Result<Measured
     );
     let bar = progress_bar(solves(POINTS), "measuring");
     let points = random_points(&table, POINTS, SEED);
-    let measured = measure(&table, &points, timing, &|count| bar.inc(count as u64));
-    bar.finish_and_clear();
-    measured.context(name)
+    measure(&table, &points, timing, &|count| bar.inc(count as u64)).context(name)
 }

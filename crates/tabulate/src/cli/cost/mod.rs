@@ -2,7 +2,6 @@
 
 mod cost;
 mod effects;
-mod history;
 mod lookup;
 mod solve;
 mod table;
@@ -10,5 +9,5 @@ mod table;
 pub use self::cost::{Arguments, run};
 pub use self::effects::of_default as measure_effects;
 pub use self::lookup::of_default as measure_lookup;
-pub use self::solve::of_default as measure_solve;
+pub use self::solve::measured as measure_solve;
 pub use self::table::of_default as measure_table;

@@ -1,7 +1,7 @@
 //! `tabulate cost table`
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use anyhow::ensure;
 
@@ -9,8 +9,8 @@ use super::cost::{Rows, complete};
 use crate::cli::generate::{budget, read_scene};
 use crate::cli::progress::Bars;
 use crate::cli::quantity::number;
-use crate::measure::{self, Limits};
-use crate::table::Scene;
+use crate::measure;
+use crate::table::{Budget, Scene};
 use cost::Measured;
 use cost::clock::Timing;
 use cost::table::{Row, TOLERANCES, markdown};
@@ -99,14 +99,7 @@ fn measured(
     budget: Option<Duration>,
     timing: Timing,
 ) -> anyhow::Result<Measured<Row>> {
-    let began = Instant::now();
-    let limits = Limits {
-        tightest,
-        budget,
-        clock: &|| began.elapsed(),
-    };
-    let bars = Bars::new();
-    let measured = measure::table(scene, &limits, timing, &bars);
-    bars.clear();
-    Ok(measured?)
+    let budget = budget.map(Budget::of);
+    let measured = measure::table(scene, tightest, budget, timing, &Bars::new())?;
+    Ok(measured)
 }

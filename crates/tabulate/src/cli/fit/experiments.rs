@@ -21,7 +21,6 @@ use crate::cli::interface::FILM;
 use crate::cli::quantity::force_per_length;
 use crate::cli::stack_file::Layers;
 use crate::cli::system::{self, Value};
-use solve::stack::Layer;
 
 /// The flags of known values.
 #[derive(clap::Args)]
@@ -35,7 +34,7 @@ pub struct KnownArguments {
     pub stiffness: Option<f64>,
     /// Value of a parameter, of sphere-radius, substrate-modulus or substrate-poisson-ratio, in SI units or with
     /// its unit: the fixed value, or where the fit starts if the parameter is free. NAME=VALUE,VALUE,... gives each
-    /// file its own. It goes before the flag of the same name
+    /// file its own. It counts in place of the flag of the same name, wherever it stands
     #[arg(long = "value", value_name = "NAME=VALUE")]
     pub values: Vec<Values>,
     #[command(flatten)]
@@ -203,13 +202,7 @@ impl KnownArguments {
                 sphere_poisson_ratio: nu2,
                 advancing,
             };
-            // A film is a single layer without a name.
-            let film = || {
-                vec![NamedLayer {
-                    name: None,
-                    layer: Layer::bonded(system.film, system.film_thickness),
-                }]
-            };
+            let film = || NamedLayer::of_film(&system);
             layers = Some((layers.map_or_else(film, |(layers, _)| layers), solver));
         }
         let bodies = |measurement: &Measurement| {
@@ -324,16 +317,9 @@ fn layers(layers: &Layers) -> anyhow::Result<(Vec<NamedLayer>, Solver)> {
             table: Arc::new(table.table().clone()),
         },
     };
-    let layer = |(layer, name): (&Layer, &Option<String>)| {
-        let name = name.as_deref().map(str::parse::<LayerName>).transpose();
-        Ok(NamedLayer {
-            name: name.context("--stack")?,
-            layer: *layer,
-        })
-    };
     let named = layers.named();
-    let layers = named.stack.layers().iter().zip(&named.names).map(layer);
-    Ok((layers.collect::<anyhow::Result<_>>()?, solver))
+    let layers = NamedLayer::all(&named.stack, &named.names).context("--stack")?;
+    Ok((layers, solver))
 }
 
 /// Leaves the shape of the probe and the adhesion out of experiments in which they do not matter.

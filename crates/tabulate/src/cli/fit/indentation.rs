@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use ::fit::{
-    AreaFunction, Bodies, ContactDepth, Experiment, Fixed, Free, Indentation, Interrupt, Kind,
-    Layered, Measurement, Parameter, Reach, Scope, Solver,
+    AreaFunction, Bodies, ContactDepth, Experiment, Fixed, Free, Indentation, Kind, Layered,
+    Measurement, Parameter, Scope,
 };
 use anyhow::{Context, bail, ensure};
 use clap::ValueHint;
@@ -253,16 +253,8 @@ impl ReferenceArguments {
         let poisson = self.reference_poisson_ratio.unwrap_or(substrate.poisson());
         let solid = Elastic::new(young, poisson).context("--reference-modulus")?;
         let sphere_modulus = film.get(Parameter::SphereModulus).unwrap_or(f64::INFINITY);
-        let bodies = Bodies::Layered(Layered {
-            reach: Reach::of(&measurement, film.bodies.probe()),
-            probe: film.bodies.probe().clone(),
-            sphere_modulus,
-            base: solid,
-            layers: Vec::new(),
-            solver: Solver::Direct,
-            interrupt: Interrupt::default(),
-        });
-        let mut experiment = Experiment::new(measurement, bodies);
+        let bare = Layered::bare(&measurement, film.bodies.probe(), sphere_modulus, solid);
+        let mut experiment = Experiment::new(measurement, Bodies::Layered(bare));
         experiment.indentation = film.indentation.clone();
         // A film is thinned, and a bare sample is not; its hardness is its own.
         experiment.indentation.thinning = 0.0;
