@@ -33,7 +33,7 @@ fn what_is_no_contact_stiffness_is_refused() {
     };
     with_loads(|one| one.indentation.hardness = Some(-1.0)).refused("hardness; positive");
     with_loads(|one| one.indentation.hardness = Some(0.0)).refused("hardness; positive");
-    with_loads(|one| one.indentation.phases = vec![0.1; 8]).refused("phases; elasticity");
+    with_loads(|one| one.indentation.phases = vec![0.1; 8]).refused("viscous; hardness");
     with_loads(|one| one.measurement.points[0].direction = Some(Direction::Retract))
         .refused("unloaded; line 1");
     with(|one| one.measurement.kind = Kind::StiffnessDepth).refused("loads; 8");

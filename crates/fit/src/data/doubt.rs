@@ -70,12 +70,12 @@ impl fmt::Display for Doubt {
             Self::Commas => write!(
                 f,
                 "each comma stands before three digits, and is read as a decimal mark: 1,249 is 1.249; \
-                 if the commas part thousands, remove them from the file"
+                 if the commas part thousands, take the commas out of the numbers"
             ),
             Self::Points => write!(
                 f,
-                "each point stands before three digits, and is read as a decimal mark: 1.249 is not 1249; \
-                 if the points part thousands, remove them from the file"
+                "each decimal point stands before three digits, and is read as one: 1.249 is not 1249; if these marks \
+                 part thousands, take the marks out of the numbers"
             ),
             Self::Tilt { ordinate, abscissa } => write!(
                 f,

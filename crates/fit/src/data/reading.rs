@@ -138,7 +138,10 @@ impl Notes {
         let sensitivity = head.sensitivity.as_ref().zip(given.sensitivity);
         let text = |quantity, unit, (named, used): (&HeadValue, f64)| {
             let HeadValue { value, name, line } = named;
-            if used == *value {
+            // Without the rounding of the unit.
+            let [used, value] =
+                [used, *value].map(|one| format!("{one:.14e}").parse().unwrap_or(one));
+            if used == value {
                 format!("{quantity} {used} {unit} from line {line}, {name:?}")
             } else {
                 format!("{quantity} {used} {unit} as given, and line {line}, {name:?}, has {value}")

@@ -118,14 +118,14 @@ fn add(
             ),
         );
     }
-    if !paraboloid && validity.a_over_r > Validity::WARNING_SLOPE {
+    let slope = experiment.bodies.probe().slope(a);
+    if !paraboloid && slope > Validity::WARNING_SLOPE {
         warnings.add(
             WarningKind::LargeContact,
             format!(
-                "{name}: the slope of the probe reaches {:.2} at the edge of the contact, as of a cone of half angle \
+                "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
                  {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
-                validity.a_over_r,
-                validity.a_over_r.recip().atan().to_degrees()
+                slope.recip().atan().to_degrees()
             ),
         );
     }
@@ -185,12 +185,20 @@ fn add(
                     range.tabor,
                     ZoneSize::JKR
                 )
-            } else {
+            } else if range.range_over_thickness > ZoneSize::THIN {
                 let part = range.range_over_thickness;
                 format!(
                     "this is {part:.2} of the thickness, above {}",
                     ZoneSize::THIN
                 )
+            } else if range.tension > ZoneSize::TENSE {
+                format!(
+                    "the mean tension at pull-off is {:.2} of that of the attraction, above {}",
+                    range.tension,
+                    ZoneSize::TENSE
+                )
+            } else {
+                continue;
             };
             warnings.add(
                 WarningKind::LongRange,
@@ -213,7 +221,7 @@ fn error_of_jkr(range: &ZoneSize<'_>) -> String {
              computes it with the range",
             1e2 * error
         ),
-        Err(error @ contact::Error::LongZone { .. }) => {
+        Err(error @ (contact::Error::LongZone { .. } | contact::Error::Tension { .. })) => {
             format!("The model does not hold: {error}")
         }
         Err(error) => format!("By how much the model is wrong is not known: {error}"),

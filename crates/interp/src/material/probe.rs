@@ -151,10 +151,11 @@ impl Probe {
         }
     }
 
-    /// Returns the slope `f'(a)` of the shape at a radius, that of the paraboloid for a sphere.
+    /// Returns the slope `f'(a)` of the shape at a radius.
     pub fn slope(&self, a: f64) -> f64 {
         match *self {
-            Self::Paraboloid { radius } | Self::Sphere { radius } => a / radius,
+            Self::Paraboloid { radius } => a / radius,
+            Self::Sphere { radius } => a / ((radius - a) * (radius + a)).sqrt(),
             Self::PowerLaw {
                 coefficient,
                 exponent,

@@ -181,11 +181,18 @@ impl Bodies {
     pub fn note_large_contact(&self, a: f64) {
         let paraboloid = matches!(self.system.probe, Probe::Paraboloid { .. });
         if paraboloid && a > Validity::WARNING_A_OVER_R * self.sphere_radius {
+            let exact = if self.half_space {
+                "--probe sphere takes the shape of the sphere".to_owned()
+            } else {
+                let limit = Validity::EXACT_SPHERE_A_OVER_R;
+                format!(
+                    "On one bonded film --probe sphere takes the shape of the sphere, up to {limit} R"
+                )
+            };
             note(&format!(
-                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. On one bonded film, without friction and \
-                 without --interaction-range, --probe sphere takes the shape of the sphere, up to {} R.",
+                "{LARGE_CONTACT} The largest contact radius here is {:.3} R. {exact}, without friction and without \
+                 --interaction-range.",
                 a / self.sphere_radius,
-                Validity::EXACT_SPHERE_A_OVER_R
             ));
         }
         let slope = self.system.probe.slope(a);

@@ -47,7 +47,7 @@ pub struct Arguments {
     ///
     /// A field is empty where the scene of the table fixes the parameter to a finite value, and 0 with
     /// respect to a rigid substrate. There are no derivatives
-    /// above the a/t of the table, and none from a table without all four quantities.
+    /// above the a/t of the table, and none from a table that does not answer all four quantities.
     #[arg(long)]
     gradient: bool,
 }

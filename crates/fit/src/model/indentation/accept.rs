@@ -13,6 +13,10 @@ const MOST: [(&str, f64, f64); 3] = [
     ("the thinning", 0.0, 1.0),
 ];
 
+/// Why a film with a loss angle needs a hardness or measured contact radii.
+pub(super) const VISCOUS: &str = "its film is viscous, and the contact radii would follow from the loads as those of an \
+                                  elastic one: give a hardness, or measure contact radii";
+
 impl Experiment {
     /// Accepts the settings of a measurement of contact stiffness.
     pub(crate) fn accept_indentation(&self) -> Result<(), Error> {
@@ -70,9 +74,7 @@ impl Experiment {
             return Err(count("phases", of.phases.len(), allowed));
         }
         if !of.phases.is_empty() && self.is_elastic_load() {
-            let allowed = "0 where elasticity tells the contact radii, which a viscous film does not \
-                           have: give a hardness, or measure the contact radius";
-            return Err(count("phases", of.phases.len(), allowed.into()));
+            return Err(Error::not_fitted(self, VISCOUS));
         }
         self.accept_directions()?;
         let thickness = self.bodies.top_thickness();

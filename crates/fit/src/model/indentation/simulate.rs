@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::accept::VISCOUS;
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::{Branch, Error, Experiment, Kind};
@@ -20,6 +21,9 @@ impl Experiment {
         if !(0.0..=1.0).contains(&loss_tangent) {
             let allowed = "from 0 to 1, where the phases are exact to 1 %";
             return Err(self.wrong_setting("the loss tangent", loss_tangent, allowed));
+        }
+        if loss_tangent > 0.0 && self.is_elastic_load() {
+            return Err(Error::not_fitted(self, VISCOUS));
         }
         self.indentation.phases.clear();
         let count = self.measurement.points.len();

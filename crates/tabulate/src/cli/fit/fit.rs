@@ -117,14 +117,14 @@ pub struct Arguments {
     free: FreeArguments,
     #[command(flatten)]
     reference: ReferenceArguments,
-    /// Value and standard error of a quantity that is not free, in SI units:
+    /// Value and standard error of a quantity that is not free, in SI units or with units:
     /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
     /// be given several times. The fit keeps the value, and its error adds to the standard errors:
     /// to the first order, as one of several independent errors. --prior instead lets the data move
     /// a free value
     #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
     given: Vec<Given>,
-    /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%), one or one for each file [default: that
+    /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%): one number, or one for each file, separated by commas [default: that
     /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
     /// residuals]
     #[arg(
@@ -135,7 +135,7 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     noise: Vec<Noise>,
-    /// Standard deviation of a contact radius, penetration or height, m, one or one for each file
+    /// Standard deviation of a contact radius, penetration or height, m: one number, or one for each file, separated by commas
     /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
     /// the model: the variance of a point is that of its load plus (slope x S)^2
     #[arg(
@@ -424,12 +424,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let fit = ::fit::fit(table, &experiments, &free, &options)
         .map_err(|error| doubted(error, &experiments, &notes))?;
-    let timed = experiments
-        .iter()
-        .any(|one| !one.times.is_empty() && one.relaxing.is_none());
     if fit.converged {
         allow::magnitudes(&fit.magnitudes(), allowed)
-            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, timed)))
+            .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, &experiments)))
             .map_err(|error| with_doubts(error, &experiments, &notes))?;
     }
     // A picture that cannot be drawn is told before anything is written.
@@ -452,7 +449,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
                 report += &step;
             }
         }
-        report += &next_steps(&fit, timed);
+        report += &next_steps(&fit, &experiments);
         print(printable::lines(&report).as_bytes())?;
     }
     // The result is printed even if a file cannot be written.

@@ -17,7 +17,7 @@ pub struct FreeArguments {
     /// LAYER.interface-stiffness (tangential, of the interface below, Pa/m) of a layer by its name in
     /// the file take the place of those of the film; with --interface the film is the layer `film`
     ///
-    /// Default: the work of adhesion, unless --work-of-adhesion 0 says that there is none; the modulus of the sphere, or of the film or top layer under
+    /// A list takes the place of the default, which is: the work of adhesion, unless --work-of-adhesion 0 says that there is none; the modulus of the sphere, or of the film or top layer under
     /// a rigid sphere, if loads are measured; the contact point with penetrations or heights; the
     /// baseline with heights; of a contact stiffness the modulus of the film or top layer; with
     /// --relaxation the modulus of the film or top layer, the numbers of the law, the contact point and

@@ -1,25 +1,26 @@
 //! The flags that follow from the warnings of a fit.
 
-use ::fit::{Fit, WarningKind};
+use ::fit::{Bodies, Experiment, Fit, Parameter, WarningKind};
+use interp::Probe;
 
 /// What helps where loading and unloading differ.
 const WAYS: &str = "loading and unloading that differ: --free ...,work-of-adhesion-receding, or --only approach, or --only \
                     retract (points without a direction: --segments split)";
 
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
-pub fn further_doubts(fit: &Fit, timed: bool) -> String {
+pub fn further_doubts(fit: &Fit, experiments: &[Experiment]) -> String {
     let others = fit.warnings.iter();
     let others = others.filter(|warning| warning.kind != WarningKind::Implausible);
     let texts: String = others
         .map(|warning| format!("\nwarning: {}", warning.text))
         .collect();
-    format!("{texts}\n{}", next_steps(fit, timed))
+    format!("{texts}\n{}", next_steps(fit, experiments))
         .trim_end()
         .to_owned()
 }
 
 /// Returns the flags that follow from the warnings, a line each.
-pub fn next_steps(fit: &Fit, timed: bool) -> String {
+pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let steps = [
         (
             WarningKind::Saturated,
@@ -48,10 +49,25 @@ pub fn next_steps(fit: &Fit, timed: bool) -> String {
     let applies = |kind: WarningKind| fit.warns_of(kind) && !(relaxes && is_loop(kind));
     let laws = "a film that relaxes: --relaxation power-law, or sls, prony:2, modified-power-law, \
          fractional-zener (see `tabulate fit --help`)";
+    let timed = experiments
+        .iter()
+        .any(|one| !one.times.is_empty() && one.relaxing.is_none());
     let may_relax = applies(WarningKind::Relaxes) || timed && applies(WarningKind::Hysteresis);
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
+    let found = Parameter::names(fit.estimates.iter().map(|one| one.parameter));
+    let wanted = format!(
+        "what the data want: its name in the list, --free {},NAME",
+        found.replace(", ", ",")
+    );
+    steps.extend(applies(WarningKind::OffsetWanted).then_some(&*wanted));
+    let is_exact = |one: &Experiment| {
+        !matches!(one.bodies, Bodies::Layered(_))
+            && matches!(one.bodies.probe(), Probe::Paraboloid { .. })
+    };
+    let exact = applies(WarningKind::LargeContact) && experiments.iter().any(is_exact);
+    steps.extend(exact.then_some("the exact sphere: --probe sphere"));
     steps.dedup();
     steps.into_iter().map(|step| format!("{step}\n")).collect()
 }
