@@ -139,7 +139,8 @@ pub(super) fn settle<'a>(problem: Problem<'a>, ending: Ending, data: &[Assigned]
         return counted;
     }
     let (without, _) = settle_with(problem, ending, data, Beyond::LeftOut);
-    if is_bad(&counted.0) || without.1 == Ending::Converged && contradicts(&without.0, &counted.0) {
+    let is_better = is_bad(&counted.0) || contradicts(&without.0, &counted.0);
+    if without.1 == Ending::Converged && is_better {
         without
     } else {
         counted

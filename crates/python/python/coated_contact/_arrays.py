@@ -17,8 +17,15 @@ from numpy.typing import ArrayLike, NDArray
 from ._errors import ContactError, InputError
 
 Errors = Literal["raise", "nan"]
-# The units that datasets of this package and others name, and that need no factor.
-SI = ("", "1", "m", "N", "Pa", "s", "rad", "V", "m^2", "N/m", "J/m^2", "m/V", "m/N", "Pa/m", "Hz")
+# The units that datasets of this package and others name, and that need no factor; quotients also
+# as products with negative exponents, as the conventions of netCDF have them.
+SI = (
+    *("", "1", "None", "dimensionless", "m", "meter", "metre", "meters", "metres", "N", "newton"),
+    *("newtons", "Pa", "pascal", "pascals", "s", "second", "seconds", "rad", "radian", "radians"),
+    *("V", "volt", "volts", "Hz", "hertz", "m^2", "m2", "N/m", "N m-1", "N m^-1", "J/m^2", "J/m2"),
+    *("J m-2", "J m^-2", "N/m^2", "N/m2", "N m-2", "N m^-2", "m/V", "m V-1", "m/N", "m N-1"),
+    *("Pa/m", "Pa m-1", "N/m^3", "N m-3"),
+)
 
 
 def number(name: str, value: float) -> float:
@@ -47,8 +54,9 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if hasattr(type(value), "units") or hasattr(type(value), "unit"):
         raise TypeError(f"{name} = {value!r} has a unit of its own: give its value in SI units")
     # What xarray knows of a unit.
-    unit = str(getattr(value, "attrs", {}).get("units", "1"))
-    if unit not in SI:
+    unit = getattr(value, "attrs", {}).get("units", "1")
+    unit = unit.decode() if isinstance(unit, bytes) else str(unit)
+    if unit.replace("²", "^2").strip() not in SI:
         raise TypeError(f"{name} has the unit {unit!r} of its own: give its value in SI units")
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
