@@ -147,7 +147,7 @@ fn effects_that_a_scene_does_not_have_are_named() {
     let workdir = workdir!();
     let like = "title = 'x'\na_over_t = { from = 0.1, to = 10 }\ne1_over_e2 = 2\nnu1 = 0.25\ne0_over_e2 = 2\nnu0 = 0.25\nquantities = ['pi0']\n";
     workdir.write("like.toml", like);
-    let printed = workdir.succeed("cost effects like.toml --points 500 -o like.csv");
+    let printed = workdir.succeed("cost effects like.toml --points 60 -o like.csv");
     let words = "Not in this scene: adhesion, penetration, shape, finite range, relaxation.; | film | JKR on the bare substrate | 1 |";
     assert_names(&printed, words);
     let film = &read_csv::<Row>(&workdir.path("like.csv")).expect("its own")[1];
@@ -156,7 +156,7 @@ fn effects_that_a_scene_does_not_have_are_named() {
 
     let rigid = "title = 'x'\na_over_t = 1\ne1_over_e2 = 0\nnu1 = 0.5\ne0_over_e2 = inf\n";
     workdir.write("rigid.toml", rigid);
-    let printed = workdir.succeed("cost effects rigid.toml --points 500");
+    let printed = workdir.succeed("cost effects rigid.toml --points 60");
     let words =
         "Not in this scene: film, sphere compliance, substrate compliance, film compressibility.";
     assert_names(&printed, words);

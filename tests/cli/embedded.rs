@@ -25,8 +25,7 @@ fn embedded_is_the_table_that_is_compiled_in() {
         let of = |table: &str| workdir.succeed(command.replace("TABLE", table));
         assert_eq!(of("embedded"), of(path), "{command:?}");
     }
-    // The commands of `report --help`.
-    workdir.succeed("report embedded -o report.html");
+    // A command of `report --help`.
     let punch = "report embedded --probe flat-punch --sphere-radius 1e-5";
     workdir.succeed(format!("{punch} -o punch.html"));
     workdir.succeed("pack embedded -o packed.bin");

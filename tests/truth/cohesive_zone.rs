@@ -1,7 +1,9 @@
 //! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
-use acceptance::{Data, Refused, larger, on_half_space, rigid_probe, solid, solved_contact, stack};
+use acceptance::{
+    Data, Refused, larger, looked_up, on_half_space, rigid_probe, solid, solved_contact, stack,
+};
 use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
 use interp::{Elastic, Probe};
 use solve::cohesive::Cohesive;
@@ -315,7 +317,7 @@ fn long_zones_and_shapes_with_edges_are_refused() {
 #[test]
 fn jkr_holds_where_the_range_is_small_beside_the_film_too() {
     let (w, range) = (0.05, 1.04e-8);
-    for (thickness, holds) in [(348e-9, true), (34.8e-9, false)] {
+    for (thickness, holds) in [(500e-9, true), (34.8e-9, false)] {
         let system = rigid_probe(
             Probe::Paraboloid { radius: 1e-5 },
             solid(1e7, 0.5),
@@ -324,7 +326,10 @@ fn jkr_holds_where_the_range_is_small_beside_the_film_too() {
         );
         let contact = solved_contact(&system, [1e-2, 1e2], 1e-8);
         let size = contact.zone_size(w, range).expect("positive");
-        assert!(size.tabor >= ZoneSize::JKR && size.is_jkr() == holds);
+        assert!(
+            size.tabor >= ZoneSize::JKR && size.is_jkr() == holds,
+            "{size:?}"
+        );
         let jkr = contact.pull_off(w, Control::Load).expect("in range").load;
         let attracting = Cohesive::new(&system, w, range).expect("within reach");
         let load = attracting.pull_off(Control::Load).expect("solved").load;
@@ -333,5 +338,40 @@ fn jkr_holds_where_the_range_is_small_beside_the_film_too() {
             if holds { error < 7e-3 } else { error > 0.15 },
             "{thickness}: {error}"
         );
+    }
+}
+
+/// A film that can hardly yield holds its contact down to a tension that an attraction of such a range does not bear: the
+/// contact opens inside, and JKR's pull-off load is far too large, with and without the correction of first order. No
+/// attraction bears more than its stress times the area within its outer radius.
+#[test]
+fn a_confined_contact_does_not_pull_harder_than_its_attraction_bears() {
+    let (w, range) = (1.956_551_4e-3, 1.82e-8);
+    for (radius, holds) in [(13.009e-3, false), (20e-6, true)] {
+        let probe = Probe::Paraboloid { radius };
+        let system = rigid_probe(probe, solid(1e6, 0.5), 1e-6, solid(f64::INFINITY, 0.25));
+        let contact = looked_up(&system);
+        let size = contact.zone_size(w, range).expect("positive");
+        assert!(size.range_over_thickness <= ZoneSize::THIN);
+        assert_eq!(size.tension > 1.0, !holds, "{size:?}");
+        let jkr = contact.pull_off(w, Control::Load).expect("in range").load;
+        let attracting = Cohesive::new(&system, w, range).expect("within reach");
+        let pull_off = attracting.pull_off(Control::Load).expect("solved");
+        let most = w / range * PI * pull_off.outer_radius.powi(2);
+        assert!(-pull_off.load < most);
+        let error = (jkr / pull_off.load - 1.0).abs();
+        let corrected = contact.cohesive_zone(w, CohesiveZone { stress: w / range });
+        let corrected = corrected.and_then(|zone| zone.pull_off(Control::Load));
+        if holds {
+            let corrected = corrected.expect("a short zone").load;
+            assert!(
+                (corrected / pull_off.load - 1.0).abs() < 7e-3,
+                "{corrected}"
+            );
+        } else {
+            assert!(!size.is_jkr() && error > 0.2 && -jkr > most, "{error}");
+            corrected.refused("mean tension; opens inside; larger stress");
+            size.pull_off_error().refused("mean tension; opens inside");
+        }
     }
 }

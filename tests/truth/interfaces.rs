@@ -165,7 +165,7 @@ fn stated_errors_bound_the_true_ones_of_random_contacts() {
     const ROUNDING: f64 = 2e-14;
     let mut draw = Contacts::new(34);
     let (mut compared, mut largest): (usize, f64) = (0, 0.0);
-    for i in 0..300 {
+    for i in 0..120 {
         let stack = random_stack(&mut draw);
         let top = stack.layers().last().expect("a layer").thickness;
         let sphere = [1.0, f64::INFINITY, 1e-3][i % 3];
@@ -191,5 +191,5 @@ fn stated_errors_bound_the_true_ones_of_random_contacts() {
         }
     }
     println!("{compared} contacts, errors at most {largest:.2} of the tolerance");
-    assert!(compared >= 700);
+    assert!(compared >= 280);
 }

@@ -39,9 +39,9 @@ impl CohesiveZone {
     /// thickness of the film, or of the top layer of a stack.
     pub const LONGEST: f64 = 0.25;
 
-    /// The largest mean tension `-F/(pi a^2)` of a contact over the stress of the attraction. No attraction bears more than
-    /// its stress: a confined film, which can hardly yield, is under tension throughout, and the contact opens inside.
-    /// On a half-space no short zone has as much.
+    /// The largest mean tension `-F/(pi c^2)` within the outer radius over the stress of the attraction, which bears no
+    /// more than its stress: a confined film, which can hardly yield, is under tension throughout, and the contact
+    /// opens inside. On a half-space no short zone has as much.
     pub const MOST_TENSION: f64 = 0.9;
 }
 
@@ -84,9 +84,8 @@ impl Contact {
     /// The correction is exact to first order in the length `l` of the cohesive zone over the
     /// contact radius and over the thickness of the film, or of the top layer of a stack. It costs
     /// as much as JKR. The load at pull-off under an imposed load errs by up to 0.7 % where `l` is a fifth
-    /// of the shorter of contact radius and thickness, and by 0.06 % where it is a twentieth, if the range is below a
-    /// tenth of the thickness (by up to 11 % beyond that); at an imposed displacement by 3 % and 0.4 %, and by up to
-    /// 40 % where the curve has two nearly equal least penetrations (against solves of random films; five are in
+    /// of the shorter of contact radius and thickness, and by 0.06 % where it is a twentieth; at an imposed displacement by
+    /// 3 % and 0.4 %, and by up to 40 % where the curve has two nearly equal least penetrations (against solves of random films; five are in
     /// `tests/truth/cohesive_zone.rs`). The error falls with the square of `l`. At a given contact radius
     /// load and penetration err by more, on half-spaces by up to 3 % of what adhesion lowers them by where
     /// `l` is a twentieth of the radius, because they are not stationary there. The crate `solve` solves zones of any length
@@ -178,7 +177,7 @@ impl ShortZone<'_> {
         short(self.zone, a, "contact radius")?;
         let b = a + 2.0 / 3.0 * self.zone;
         let (load, penetration) = self.contact.load_and_penetration(b, self.energy.at(b))?;
-        bears(self.stress, load, a)?;
+        bears(self.stress, load, a + self.zone)?;
         Ok(CohesiveState {
             contact_radius: a,
             outer_radius: a + self.zone,
@@ -252,14 +251,14 @@ pub(crate) fn short(zone: f64, length: f64, what: &'static str) -> Result<(), Er
     })
 }
 
-/// Returns the mean tension `-F/(pi a^2)` (Pa) of a contact of radius `a` (m) under a load (N).
-pub(crate) fn mean_tension(load: f64, a: f64) -> f64 {
-    -load / (PI * a * a)
+/// Returns the mean tension `-F/(pi r^2)` (Pa) within a radius (m) under a load (N).
+pub(crate) fn mean_tension(load: f64, r: f64) -> f64 {
+    -load / (PI * r * r)
 }
 
-/// Accepts a contact whose mean tension an attraction of this stress (Pa) bears.
-pub(crate) fn bears(stress: f64, load: f64, a: f64) -> Result<(), Error> {
-    let (tension, most) = (mean_tension(load, a), CohesiveZone::MOST_TENSION);
+/// Accepts a load (N) within an outer radius (m) that an attraction of this stress (Pa) bears.
+pub(crate) fn bears(stress: f64, load: f64, outer_radius: f64) -> Result<(), Error> {
+    let (tension, most) = (mean_tension(load, outer_radius), CohesiveZone::MOST_TENSION);
     if tension <= most * stress {
         return Ok(());
     }

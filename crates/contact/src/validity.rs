@@ -248,7 +248,7 @@ impl ZoneSize<'_> {
         let pull_off = contact.pull_off(w, Control::Load)?;
         let a = pull_off.contact_radius;
         short(zone, a, "contact radius")?;
-        bears(self.stress, pull_off.load, a)?;
+        bears(self.stress, pull_off.load, a + zone)?;
         let lowered_by = contact.adhesionless_load(a)? - pull_off.load;
         Ok(0.5 * lowered_by / pull_off.load.abs() * zone / (6.0 * a))
     }

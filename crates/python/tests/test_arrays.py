@@ -188,5 +188,6 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
             young_modulus=xarray.DataArray(3.5, attrs={"units": "MPa"}), poisson_ratio=0.5
         ),
     )
-    pascals = xarray.DataArray(3.5e6, attrs={"units": "Pa"})
-    assert Elastic(young_modulus=pascals, poisson_ratio=0.5).young_modulus == 3.5e6
+    for unit in ("Pa", "pascal", "N m-2", "N/m^2", "N/m²", b"Pa"):
+        pascals = xarray.DataArray(3.5e6, attrs={"units": unit})
+        assert Elastic(young_modulus=pascals, poisson_ratio=0.5).young_modulus == 3.5e6

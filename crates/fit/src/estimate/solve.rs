@@ -273,8 +273,8 @@ fn accept(options: &Options) -> Result<(), Error> {
         return Err(Error::setting(
             "the number of known errors beside profile-likelihood intervals",
             options.known.len() as f64,
-            "0: a profile keeps the known values and holds nothing of their errors; free them with \
-             a prior instead",
+            "0: a profile keeps the known values and holds nothing of their errors; leave the intervals out, or give \
+             values that can be free a prior instead",
         ));
     }
     if let Some(level) = options

@@ -3,6 +3,7 @@
 //! The gain of a further parameter is the decrease of the sum of squares that the linearised model
 //! predicts for it (Rao's score test). No further fit is made.
 
+use interp::Probe;
 use nalgebra::DVector;
 
 use super::assigned::Assigned;
@@ -164,6 +165,12 @@ fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
         return format!(
             "{what}, and contacts that relax are fitted without: leave the points of the retract out, and keep those of \
              approach and hold"
+        );
+    }
+    if let Probe::FlatPunch { .. } = experiment.bodies.probe() {
+        return format!(
+            "{what}, and the work of adhesion is 0 and not fitted: the pull-off load alone tells that of a flat punch; give a \
+             larger one than that, such as 1 J/m^2, for the fit of the rest"
         );
     }
     format!(

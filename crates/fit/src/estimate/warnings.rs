@@ -263,7 +263,8 @@ fn undetermined(
     (uncertainty, names, at_zero): (&Uncertainty, &[String], &[usize]),
 ) {
     for (i, estimate) in fit.estimates.iter().enumerate() {
-        let error = uncertainty.relative_error(i);
+        // With what the errors of known values add.
+        let error = estimate.standard_error / uncertainty.sizes[i];
         // Not `>`, which is false for NaN.
         if error <= UNDETERMINED || at_zero.contains(&i) {
             continue;

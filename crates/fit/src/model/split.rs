@@ -95,7 +95,8 @@ impl KnownBaseline {
     /// Returns where a way with a flat end is split.
     ///
     /// The first contact is where two neighbours leave the baseline. Between it and the contact point a force rises from
-    /// the noise: it takes as far again until it is 3 times as large.
+    /// the noise: it takes as far again until it is 3 times as large. A contact that ends in tension ends by a jump, which
+    /// the noise hides.
     pub fn flat_end(&self, readings: &[f64]) -> [usize; 2] {
         let count = readings.len();
         let Some([level, noise]) = self.level(&readings[count - tail(count)..]) else {
@@ -107,7 +108,12 @@ impl KnownBaseline {
             found.map_or(0, |i| i + 1)
         };
         let (contact_ends, clear) = (leaves(NEAR), leaves(3.0 * NEAR));
-        let margin = 2 * contact_ends.saturating_sub(clear) + 1;
+        let in_tension = contact_ends > 0 && readings[contact_ends - 1] < level;
+        let margin = if in_tension {
+            SIDE
+        } else {
+            2 * contact_ends.saturating_sub(clear) + 1
+        };
         [contact_ends, (contact_ends + margin).min(count)]
     }
 }
@@ -120,6 +126,20 @@ pub(super) fn tail(count: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::KnownBaseline;
+
+    /// A pull-off of 8 noises, in which no step is more than 6, leaves the baseline behind it.
+    #[test]
+    fn a_jump_in_the_noise_does_not_take_the_baseline() {
+        let contact = (0..100).map(|i| 80.0 - 0.8 * f64::from(i));
+        let tension = [-2.0, -5.0, -7.0, -8.0, -8.0, -5.5];
+        let readings: Vec<f64> = contact.chain(tension).chain([0.0; 100]).collect();
+        let baseline = KnownBaseline {
+            level: 0.0,
+            level_is_free: true,
+            noise: 1.0,
+        };
+        assert_eq!(baseline.split(&readings), [106, 111]);
+    }
 
     /// A tether that holds 45 % of the pull-off force is no contact.
     #[test]

@@ -316,12 +316,12 @@ fn a_course_or_commas_that_are_doubtful_are_told() {
         (
             "contact_radius;load",
             "1,100;2,300\n2,100;3,300\n".to_owned(),
-            "1,249 is 1.249; if the commas part thousands, remove them",
+            "1,249 is 1.249; if the commas part thousands, take",
         ),
         (
             "contact_radius;load",
             "1.100;2.300\n242;3.300\n".to_owned(),
-            "1.249 is not 1249; if the points part thousands, remove them",
+            "1.249 is not 1249; if these marks part thousands, take",
         ),
     ] {
         let doubts = doubts(head, &rows);

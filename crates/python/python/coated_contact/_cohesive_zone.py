@@ -34,10 +34,10 @@ class ShortZone:
     contact radius and over the thickness of the film, or top layer, at the cost of JKR.
 
     Against solves, the load at pull-off errs by up to 0.7 % where ``l`` is a fifth of the shorter
-    of contact radius and thickness, and by 0.06 % where it is a twentieth, if the range is below a
-    tenth of the thickness (by up to 11 % beyond that); at an imposed displacement by 3 % and 0.4 %,
-    and by up to 40 % where the curve has two nearly equal least penetrations. At a given contact
-    radius load and penetration err by more. :class:`Cohesive` solves zones of any length.
+    of contact radius and thickness, and by 0.06 % where it is a twentieth; at an imposed
+    displacement by 3 % and 0.4 %, and by up to 40 % where the curve has two nearly equal least
+    penetrations. At a given contact radius load and penetration err by more. A confined film that
+    pulls harder than the attraction bears opens inside, and is an InputError. :class:`Cohesive` solves zones of any length.
 
     Parameters
     ----------

@@ -508,8 +508,9 @@ class Contact(Native):
             work_of_adhesion=w,
             interaction_range=interaction_range,
         )
-        numbers = map(scalar_or_array, found)
-        return ZoneSize(*numbers, self, fixed(w), fixed(interaction_range), errors)
+        tabor, zone, part, tension = map(scalar_or_array, found)
+        given = (fixed(w), fixed(interaction_range))
+        return ZoneSize(tabor, zone, part, tension, self, *given, errors)
 
     def cohesive_zone(self, w: float, *, stress: float) -> ShortZone:
         """Correct the contact for an attraction of short, finite range, to first order.

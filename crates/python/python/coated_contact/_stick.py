@@ -103,9 +103,9 @@ def stick_stiffening(
     """Return the size of friction: the load with full friction over that without.
 
     It is that of flat punches at equal penetration, one solve each. Under a sphere on an
-    incompressible film the load at equal penetration rises by 0.45 to 0.99 of it. A model without friction finds moduli of a film that are at most larger
-    by this factor (on a stiff base under a stiff sphere). ``Contact.validity`` compares the other
-    assumptions of the model.
+    incompressible film the load at equal penetration rises by 0.45 to 0.99 of it. A model without
+    friction finds moduli of a film that are at most larger by this factor (on a stiff base under a
+    stiff sphere). ``Contact.validity`` compares the other assumptions of the model.
 
     Parameters
     ----------

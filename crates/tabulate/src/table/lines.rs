@@ -146,6 +146,10 @@ impl Lines {
         let mut best = (self.most() + 1, EVENNESS[0]);
         for evenness in EVENNESS {
             let keeps = |nodes: usize| self.error(nodes, evenness) <= tolerance;
+            // Lines that have not converged at the most points may have no such number.
+            if self.points > Self::MOST && !keeps(self.most()) {
+                continue;
+            }
             // The error falls with the number of nodes, apart from small variations.
             let (mut too_few, mut enough) = (1, 16);
             while enough < best.0 && !keeps(enough) {

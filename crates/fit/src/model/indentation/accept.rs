@@ -86,7 +86,7 @@ impl Experiment {
             let numbers = [(ordinate, point.ordinate), (abscissa, point.abscissa)];
             for (name, value) in numbers.into_iter().chain(loads) {
                 if !(value > 0.0 && value < 1e100) {
-                    let allowed = "positive and finite: leave out rows without contact";
+                    let allowed = "positive and finite: leave out rows without contact, and those under tension";
                     return refused(name, value, allowed);
                 }
             }

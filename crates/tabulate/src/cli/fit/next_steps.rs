@@ -3,9 +3,12 @@
 use ::fit::{Bodies, Experiment, Fit, Parameter, WarningKind};
 use interp::Probe;
 
-/// What helps where loading and unloading differ.
-const WAYS: &str = "loading and unloading that differ: --free ...,work-of-adhesion-receding, or --only approach, or --only \
-                    retract (points without a direction: --segments split)";
+/// What helps where loading and unloading differ, and where the work of adhesion of the receding line is free already.
+const WAYS: [&str; 2] = [
+    "loading and unloading that differ: --free ...,work-of-adhesion-receding, or --only approach, or --only retract \
+     (points without a direction: --segments split)",
+    "loading and unloading that differ: --only approach, or --only retract (points without a direction: --segments split)",
+];
 
 /// Returns the warnings that may tell why a value is impossible, and what follows, a line each.
 pub fn further_doubts(fit: &Fit, experiments: &[Experiment]) -> String {
@@ -21,6 +24,8 @@ pub fn further_doubts(fit: &Fit, experiments: &[Experiment]) -> String {
 
 /// Returns the flags that follow from the warnings, a line each.
 pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
+    let is_receding_free = fit.estimate(Parameter::WorkOfAdhesionReceding).is_some();
+    let ways = WAYS[usize::from(is_receding_free)];
     let steps = [
         (
             WarningKind::Saturated,
@@ -35,8 +40,8 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
             "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; a noise that differs from \
              point to point: a column of it, such as `load error [mN]`",
         ),
-        (WarningKind::Hysteresis, WAYS),
-        (WarningKind::MixedBranches, WAYS),
+        (WarningKind::Hysteresis, ways),
+        (WarningKind::MixedBranches, ways),
         (
             WarningKind::Plasticity,
             "what remains after unloading: keep the rows of unloading above half of the largest \
