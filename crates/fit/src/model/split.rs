@@ -95,8 +95,8 @@ impl KnownBaseline {
     /// Returns where a way with a flat end is split.
     ///
     /// The first contact is where two neighbours leave the baseline. Between it and the contact point a force rises from
-    /// the noise: it takes as far again until it is 3 times as large. A contact that ends in tension ends by a jump, which
-    /// the noise hides.
+    /// the noise: it takes as far again until it is 3 times as large. A tension that is nowhere so large ends by a jump
+    /// that the noise hides, or as slowly as it has fallen from its largest value.
     pub fn flat_end(&self, readings: &[f64]) -> [usize; 2] {
         let count = readings.len();
         let Some([level, noise]) = self.level(&readings[count - tail(count)..]) else {
@@ -108,9 +108,10 @@ impl KnownBaseline {
             found.map_or(0, |i| i + 1)
         };
         let (contact_ends, clear) = (leaves(NEAR), leaves(3.0 * NEAR));
-        let in_tension = contact_ends > 0 && readings[contact_ends - 1] < level;
-        let margin = if in_tension {
-            SIDE
+        let is_pressed = |end: usize| end == 0 || readings[end - 1] > level;
+        let margin = if is_pressed(clear) && !is_pressed(contact_ends) {
+            let lowest = (clear..contact_ends).min_by(|&i, &j| readings[i].total_cmp(&readings[j]));
+            SIDE.max(contact_ends - lowest.unwrap_or(contact_ends))
         } else {
             2 * contact_ends.saturating_sub(clear) + 1
         };

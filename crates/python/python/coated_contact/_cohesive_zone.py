@@ -37,7 +37,8 @@ class ShortZone:
     of contact radius and thickness, and by 0.06 % where it is a twentieth; at an imposed
     displacement by 3 % and 0.4 %, and by up to 40 % where the curve has two nearly equal least
     penetrations. At a given contact radius load and penetration err by more. A confined film that
-    pulls harder than the attraction bears opens inside, and is an InputError. :class:`Cohesive` solves zones of any length.
+    pulls harder than the attraction bears opens inside, and is an InputError. :class:`Cohesive`
+    solves zones of any length.
 
     Parameters
     ----------
