@@ -148,7 +148,7 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
         }
     }
     let noise = ordinates * random.log_uniform(1e-4, 5e-2);
-    truth.measurement = simulate(Table::embedded(), &truth, noise, seed).ok()?;
+    let mut truth = simulate(Table::embedded(), &truth, noise, seed).ok()?;
     truth.noise = (random.uniform(0.0, 1.0) < 0.5).then_some(noise);
     let mut experiment = truth.clone();
     for &parameter in &free {

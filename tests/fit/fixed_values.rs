@@ -2,7 +2,10 @@
 //! against many specimens whose values are not quite the given ones.
 
 use acceptance::{Contacts, Refused, assert_names};
-use fit::{Bodies, Experiment, Fit, Fixed, Free, Kind, Known, Loss, Options, Parameter, simulate};
+use fit::{
+    Bodies, Experiment, Fit, Fixed, Free, Kind, Known, LayerQuantity, Loss, Options, Parameter,
+    simulate,
+};
 use interp::{Probe, Table};
 use rayon::prelude::*;
 
@@ -11,20 +14,28 @@ use crate::recovery::{SETS, assert_coverage};
 
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 
-/// Every name that a message or a result shows is one that `--known` and `Known` take.
+/// Every name that a message or a result shows is one that `--known` and `Known` take. Identifiers keep the names of layers.
 #[test]
 fn names_are_read_as_they_are_written() {
-    for name in [
-        "sphere-radius",
-        "film-thickness",
-        "substrate-poisson-ratio",
-        "layer-2.modulus",
-        "layer-2.poisson-ratio",
-        "oxide.modulus",
-        "oxide.poisson-ratio",
+    for (name, identifier) in [
+        ("sphere-radius", "sphere_radius"),
+        ("film-thickness", "film_thickness"),
+        ("work-of-adhesion", "work_of_adhesion"),
+        ("substrate-poisson-ratio", "substrate_poisson_ratio"),
+        ("relaxation-time", "relaxation_time"),
+        ("relaxation-time.2", "relaxation_time.2"),
+        ("relaxation-weight.2", "relaxation_weight.2"),
+        ("layer-2.modulus", "layer_2.modulus"),
+        ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
+        ("top-coat.modulus", "top-coat.modulus"),
+        (
+            "top_coat.interface-stiffness",
+            "top_coat.interface_stiffness",
+        ),
+        ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
     ] {
         let read = Fixed::parse(name).expect("a name");
-        assert_eq!(read.name(), name);
+        assert_eq!((&*read.name(), &*read.identifier()), (name, identifier));
     }
     assert_eq!(Fixed::parse("oxide.colour"), None);
 }
@@ -230,7 +241,7 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
             }
             let measured = simulate(Table::embedded(), &specimen, 1e-6, seed);
             let mut experiment = planned.clone();
-            experiment.measurement = measured.expect("in the table");
+            experiment.measurement = measured.expect("in the table").measurement;
             found(&experiment, &lens.free, |options| {
                 options.known = known.to_vec()
             })
@@ -293,6 +304,7 @@ fn an_error_that_cannot_be_known_is_refused() {
     with(&[(THICKNESS, 0.03)], None).refused("known film-thickness; 0.03; at most its value; m");
     with(&[(Fixed::SphereRadius, 0.01)], None).refused("known sphere-radius; 0.01; at most");
     with(&[(THICKNESS, 1e-6); 2], None).refused("film-thickness; once");
-    with(&[(Fixed::LayerModulus(1), 1e6)], None).refused("layer-1.modulus; bodies");
+    with(&[(Fixed::Layer(1, LayerQuantity::Modulus), 1e6)], None)
+        .refused("layer-1.modulus; bodies");
     with(&[(THICKNESS, 1e-6)], Some(0.95)).refused("profile; prior");
 }

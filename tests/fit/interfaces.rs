@@ -1,22 +1,22 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
 use acceptance::{Refused, assert_names, solid, springs};
-use fit::{Bodies, Fit, Free, Kind, Parameter, WarningKind, forecast};
+use fit::{Bodies, Fit, Free, Kind, LayerQuantity, Parameter, WarningKind, forecast};
 use interp::{System, Table};
 use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
 
 use crate::imagined::{Imagined, assert_silent};
-use crate::layers::{fit_of, layer, named, on_layers, recover, with_reach};
+use crate::layers::{fit_of, layer, modulus_of, named, on_layers, recover, with_reach};
 
 const INFINITY: f64 = f64::INFINITY;
 
 fn stiffness() -> Parameter {
-    Parameter::LayerInterfaceStiffness(named("film"))
+    Parameter::Layer(named("film"), LayerQuantity::InterfaceStiffness)
 }
 
 fn modulus() -> Parameter {
-    Parameter::LayerModulus(named("film"))
+    modulus_of("film")
 }
 
 /// A lens on an elastomer of 10 um on silicon, with an interface between them. A parameter and the work of

@@ -25,12 +25,10 @@ fn experiment(kind: Kind, probe: Probe) -> Experiment {
 #[test]
 fn a_half_space_is_the_straight_line_of_jkr_whatever_the_offset() {
     let planned = experiment(Kind::LoadRadius, Probe::Paraboloid { radius: 1e-3 });
-    let measurement = simulate(Table::embedded(), &planned, 0.0, 0).expect("simulated");
     let measured = Experiment {
-        measurement,
         noise: Some(1e-9),
         load_offset: 0.0,
-        ..planned
+        ..simulate(Table::embedded(), &planned, 0.0, 0).expect("simulated")
     };
     let free = [
         Parameter::FilmModulus,
@@ -56,8 +54,8 @@ fn a_half_space_is_the_straight_line_of_jkr_whatever_the_offset() {
 fn other_measurements_and_probes_are_refused_with_the_reason() {
     let paraboloid = Probe::Paraboloid { radius: 1e-3 };
     let cone = Probe::Cone { half_angle: 1.5 };
-    let mut lens = experiment(Kind::LoadRadius, paraboloid.clone());
-    lens.measurement = simulate(Table::embedded(), &lens, 1e-6, 0).expect("simulated");
+    let lens = experiment(Kind::LoadRadius, paraboloid.clone());
+    let lens = simulate(Table::embedded(), &lens, 1e-6, 0).expect("simulated");
     let one = fit_all(&[lens], &[Free::new(Parameter::FilmModulus)]).expect("fitted");
     for (kind, probe, word) in [
         (Kind::PenetrationRadius, paraboloid, "contact radii"),

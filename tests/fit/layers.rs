@@ -2,8 +2,8 @@
 
 use acceptance::{larger, solid};
 use fit::{
-    Bodies, Experiment, Fit, Free, Interrupt, Kind, LayerName, Layered, Loss, NamedLayer,
-    Parameter, Reach, Solver, WarningKind,
+    Bodies, Experiment, Fit, Free, Interrupt, Kind, LayerName, LayerQuantity, Layered, Loss,
+    NamedLayer, Parameter, Reach, Solver, WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
@@ -15,6 +15,14 @@ use crate::recovery::assert_recovers;
 
 pub fn named(name: &str) -> LayerName {
     name.parse().expect("a name")
+}
+
+pub fn modulus_of(layer: &str) -> Parameter {
+    Parameter::Layer(named(layer), LayerQuantity::Modulus)
+}
+
+pub fn thickness_of(layer: &str) -> Parameter {
+    Parameter::Layer(named(layer), LayerQuantity::Thickness)
 }
 
 pub fn layer(name: &str, solid: Elastic, thickness: f64) -> NamedLayer {
@@ -85,7 +93,7 @@ pub fn recover(name: &str, imagined: &Imagined, expected: &[WarningKind]) {
 
 #[test]
 fn the_modulus_of_a_buried_layer_is_found() {
-    let primer = Parameter::LayerModulus(named("primer"));
+    let primer = modulus_of("primer");
     let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
     recover("lens, primer's modulus", &lens, &[WarningKind::LargeStrain]);
 }
@@ -93,7 +101,7 @@ fn the_modulus_of_a_buried_layer_is_found() {
 #[test]
 fn the_thickness_of_a_layer_is_found_from_a_force_curve() {
     let mut free = FORCE_CURVE;
-    free[0] = Parameter::LayerThickness(named("gel"));
+    free[0] = thickness_of("gel");
     let probe = probe(Course::Retract, 2e-4, &free);
     recover(
         "probe, gel's thickness",
@@ -104,7 +112,7 @@ fn the_thickness_of_a_layer_is_found_from_a_force_curve() {
 
 #[test]
 fn sphere_and_layer_are_found_together() {
-    let elastomer = Parameter::LayerModulus(named("elastomer"));
+    let elastomer = modulus_of("elastomer");
     let mut lens = lens(&[LENS[0], elastomer, LENS[1]]);
     lens.noise = 2e-7;
     recover(
@@ -124,8 +132,8 @@ fn as_one_layer(imagined: &Imagined) -> Imagined {
     layered.truth.bodies = on_layers(system, &[film]);
     for free in &mut layered.free {
         free.parameter = match free.parameter {
-            Parameter::FilmModulus => Parameter::LayerModulus(named("film")),
-            Parameter::FilmThickness => Parameter::LayerThickness(named("film")),
+            Parameter::FilmModulus => modulus_of("film"),
+            Parameter::FilmThickness => thickness_of("film"),
             other => other,
         };
     }
@@ -234,7 +242,7 @@ fn differences_are_the_derivatives_of_the_film() {
 
 #[test]
 fn a_planned_experiment_on_layers_has_the_errors_of_its_fit() {
-    let primer = Parameter::LayerThickness(named("primer"));
+    let primer = thickness_of("primer");
     let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
     let experiment = with_reach(lens.planned());
     let expected = fit::forecast(Table::embedded(), &[experiment], &lens.free).expect("sound");
@@ -258,7 +266,7 @@ fn without_the_layers_the_sphere_touches_the_base() {
 
 #[test]
 fn bounds_priors_and_robust_losses_hold_for_layers() {
-    let primer = Parameter::LayerModulus(named("primer"));
+    let primer = modulus_of("primer");
     let mut lens = lens(&[primer, Parameter::WorkOfAdhesion]);
     lens.outliers = true;
     lens.loss = Loss::HUBER;
@@ -313,10 +321,10 @@ fn a_punch_on_one_layer_has_the_loads_on_the_film() {
 
 #[test]
 fn lenses_on_two_coatings_tell_the_modulus_of_their_primer() {
-    let primer = Parameter::LayerModulus(named("primer"));
+    let primer = modulus_of("primer");
     let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
     let (thin, mut thick) = (lens.clone(), lens.clone());
-    let thickness = Parameter::LayerThickness(named("elastomer"));
+    let thickness = thickness_of("elastomer");
     thick.truth.set(thickness, 1e-5).expect("a layer");
     let experiments = [&thin, &thick].map(|lens| with_reach(lens.measured(&lens.exact(), 5)));
     let found = fit_all(&experiments, &lens.free).expect("sound data");

@@ -4,12 +4,12 @@ use std::slice;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use acceptance::Refused;
-use fit::{Bodies, Experiment, Free, Interrupt, Kind, Parameter};
+use acceptance::{Refused, solid};
+use fit::{Bodies, Experiment, Fixed, Free, Interrupt, Kind, Parameter};
 use interp::Probe;
 
 use crate::imagined::{Imagined, fit_all};
-use crate::layers::{lens, named, with_reach};
+use crate::layers::{lens, modulus_of, named, thickness_of, with_reach};
 
 #[test]
 fn what_layers_do_not_have_is_named() {
@@ -18,7 +18,7 @@ fn what_layers_do_not_have_is_named() {
     let all = "primer.modulus; primer.thickness; elastomer.modulus; elastomer.thickness";
     let fitted =
         |experiment: &Experiment, free| fit_all(slice::from_ref(experiment), &[Free::new(free)]);
-    let oxide = Parameter::LayerModulus(named("oxide"));
+    let oxide = modulus_of("oxide");
     fitted(&experiment, oxide).refused(&format!("oxide.modulus; no such layer; {all}"));
     fitted(&experiment, Parameter::FilmThickness)
         .refused(&format!("film-thickness; instead of one film; {all}"));
@@ -28,7 +28,7 @@ fn what_layers_do_not_have_is_named() {
         .bodies;
     fitted(&on_film, oxide).refused("oxide.modulus; no stack of layers");
     let mut set = experiment;
-    let thickness = Parameter::LayerThickness(named("oxide"));
+    let thickness = thickness_of("oxide");
     set.set(thickness, 1e-6).refused("oxide; no such layer");
     let unknown = "oxide.poisson".parse::<Parameter>();
     unknown.refused("oxide.poisson; LAYER.modulus");
@@ -43,12 +43,11 @@ fn layers_that_cannot_be_solved_are_named() {
         experiment.set(parameter, value).expect("a number");
         fit_all(&[experiment], &lens.free)
     };
-    let [modulus, thickness] = [Parameter::LayerModulus, Parameter::LayerThickness];
-    with(thickness(named("primer")), -1e-6).refused("layer primer; -1e-6; > 0 and finite");
-    with(modulus(named("primer")), f64::INFINITY).refused("layer primer; inf; must be finite");
-    with(modulus(named("elastomer")), 1e18).refused("layer elastomer; 1e9 times");
+    with(thickness_of("primer"), -1e-6).refused("layer primer; -1e-6; > 0 and finite");
+    with(modulus_of("primer"), f64::INFINITY).refused("layer primer; inf; must be finite");
+    with(modulus_of("elastomer"), 1e18).refused("layer elastomer; 1e9 times");
     // A top layer of 10 nm under contacts of 130 um.
-    with(thickness(named("elastomer")), 1e-8).refused("out of reach; top layer");
+    with(thickness_of("elastomer"), 1e-8).refused("out of reach; top layer");
 }
 
 #[test]
@@ -64,7 +63,7 @@ fn a_cone_on_layers_is_refused() {
 
 #[test]
 fn an_interrupted_fit_is_an_error_and_ends() {
-    let primer = Parameter::LayerModulus(named("primer"));
+    let primer = modulus_of("primer");
     let lens = lens(&[primer, Parameter::WorkOfAdhesion]);
     let experiment = with_reach(lens.measured(&lens.exact(), 1));
     let contacts_until = |last: usize| {
@@ -92,4 +91,23 @@ fn an_interrupted_fit_is_an_error_and_ends() {
         let refused = contacts_until(last) - last;
         assert!((1..2 * all).contains(&refused), "{refused} after {last}");
     }
+}
+
+#[test]
+fn values_of_a_name_are_those_of_all_layers_that_have_it() {
+    let mut experiment = lens(&[Parameter::WorkOfAdhesion]).truth;
+    let Bodies::Layered(layered) = &mut experiment.bodies else {
+        unreachable!("a lens on layers")
+    };
+    let name = named("both");
+    let layers = layered.layers.iter_mut();
+    layers.for_each(|layer| layer.name = Some(name));
+    let ratio = Fixed::NamedPoissonRatio(name);
+    experiment.set(modulus_of("both"), 1e7).expect("physical");
+    experiment.set_fixed(ratio, 0.2).expect("physical");
+    let Bodies::Layered(layered) = &experiment.bodies else {
+        unreachable!("a lens on layers")
+    };
+    let solids = layered.layers.iter().map(|layer| layer.layer.solid);
+    assert_eq!(solids.collect::<Vec<_>>(), [solid(1e7, 0.2); 2]);
 }

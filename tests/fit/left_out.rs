@@ -144,8 +144,7 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
     let noise = 1e-5;
     let mut ended = 0;
     for seed in 0..12 {
-        let mut made = plan.clone();
-        made.measurement = simulate(Table::embedded(), &plan, noise, seed).expect("in the table");
+        let mut made = simulate(Table::embedded(), &plan, noise, seed).expect("in the table");
         made.noise = Some(noise);
         made.work_of_adhesion = 0.04;
         let found = fitted(&made, &LENS, true).expect("sound data");

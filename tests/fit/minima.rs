@@ -195,10 +195,7 @@ fn a_start_in_the_wrong_unit_does_not_decide() {
         work_of_adhesion: 0.04,
         ..Experiment::new(measurement, bodies)
     };
-    let measured = Experiment {
-        measurement: simulate(Table::embedded(), &planned, 2e-6, 3).expect("in the table"),
-        ..planned
-    };
+    let measured = simulate(Table::embedded(), &planned, 2e-6, 3).expect("in the table");
     let work = Free::new(Parameter::WorkOfAdhesion);
     for parameter in [Parameter::SphereModulus, Parameter::FilmModulus] {
         let from = |start: Option<f64>| {
@@ -249,11 +246,7 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
     };
     let free = free_of(&FORCE_CURVE[..3]);
     (0..20).into_par_iter().for_each(|seed| {
-        let measurement = simulate(Table::embedded(), &planned, noise, seed).expect("in the table");
-        let measured = Experiment {
-            measurement,
-            ..planned.clone()
-        };
+        let measured = simulate(Table::embedded(), &planned, noise, seed).expect("in the table");
         let found = fitted(&measured, &free);
         let film = found.estimate(Parameter::FilmModulus).expect("it is free");
         let is_near = (film.value - modulus).abs() < 5.0 * film.standard_error;

@@ -34,10 +34,9 @@ fn cycle(system: System, [from, to]: [f64; 2], count: u32, noise: f64) -> Experi
 fn off_by(plan: &Experiment, seed: u64) -> f64 {
     let noise = plan.noise.expect("planned");
     let measured = Experiment {
-        measurement: simulate(Table::embedded(), plan, noise, seed).expect("in the table"),
         contact_point: 0.0,
         baseline: 0.0,
-        ..plan.clone()
+        ..simulate(Table::embedded(), plan, noise, seed).expect("in the table")
     };
     let found = fit_with(&measured, &free_of(&FORCE_CURVE), |options| {
         options.allow_left_out = true;
@@ -90,7 +89,10 @@ fn points_of_a_slow_detachment_do_not_hold_a_fit() {
             4e-10,
         )
     };
-    let made = |noise, seed| simulate(Table::embedded(), &plan, noise, seed).expect("in the table");
+    let made = |noise, seed| {
+        let made = simulate(Table::embedded(), &plan, noise, seed);
+        made.expect("in the table").measurement
+    };
     let exact = made(1e-16, 0).points.into_iter().enumerate();
     let (last, least) = exact
         .map(|(i, point)| (i, point.ordinate))

@@ -38,7 +38,7 @@ fn simulated_data_are_those_of_direct_solves() {
         let made = simulate(Table::embedded(), &experiment, 0.0, 1).expect("in the table");
         let readings = exact.points.iter().map(|point| point.ordinate.abs());
         let scale = readings.fold(0.0, f64::max);
-        for (point, made) in exact.points.iter().zip(&made.points) {
+        for (point, made) in exact.points.iter().zip(&made.measurement.points) {
             // The points at the very contact point may fall on either side of the jump.
             let at_touch = point.direction == Some(Direction::Approach)
                 && (point.abscissa - experiment.contact_point).abs() < 2e-9;
@@ -51,7 +51,10 @@ fn simulated_data_are_those_of_direct_solves() {
 #[test]
 fn noise_is_normal_and_belongs_to_its_seed() {
     let experiment = imagined()[0].planned();
-    let data = |noise, seed| simulate(Table::embedded(), &experiment, noise, seed).expect("inside");
+    let data = |noise, seed| {
+        let made = simulate(Table::embedded(), &experiment, noise, seed);
+        made.expect("inside").measurement
+    };
     assert_eq!(data(1e-6, 3), data(1e-6, 3));
     assert_ne!(data(1e-6, 3), data(1e-6, 4));
     let exact = data(0.0, 3);
@@ -172,11 +175,8 @@ fn plans_of_curves_that_jump_off_have_the_errors_of_their_fits() {
         let expected = forecast(Table::embedded(), one, &free).expect("sound");
         assert!(expected.undetermined.is_empty());
         let error = |seed: u64| {
-            let measurement = simulate(Table::embedded(), &planned, noise, seed);
-            let measured = Experiment {
-                measurement: measurement.expect("in the table"),
-                ..planned.clone()
-            };
+            let measured = simulate(Table::embedded(), &planned, noise, seed);
+            let measured = measured.expect("in the table");
             fitted(&measured, &free).estimates[0].standard_error
         };
         let mut errors: Vec<f64> = (0..9).map(error).collect();

@@ -12,18 +12,17 @@ use rand_pcg::Pcg64Mcg;
 
 use crate::recovery::{SETS, assert_recovers};
 
-use Parameter::{
-    Baseline, ContactPoint, FilmModulus, RelaxationExponent, RelaxationTime, RelaxedFraction,
-};
+use Parameter::{Baseline, ContactPoint, FilmModulus, Law};
+use contact::LawParameter::{Exponent, RelaxedFraction, Time};
 
 use crate::imagined::{coated, fit_all, fit_with, free_of, measurement, off, text};
 
 /// What a curve tells of a gel that relaxes by a power law, and by a standard linear solid.
-pub const POWER_LAW: [Parameter; 3] = [FilmModulus, RelaxationExponent, ContactPoint];
+pub const POWER_LAW: [Parameter; 3] = [FilmModulus, Law(Exponent), ContactPoint];
 const SOLID: [Parameter; 4] = [
     FilmModulus,
-    RelaxedFraction,
-    RelaxationTime(1),
+    Law(RelaxedFraction),
+    Law(Time(0)),
     ContactPoint,
 ];
 
@@ -75,10 +74,9 @@ pub fn noisy(plan: &Experiment, seed: u64) -> Experiment {
 /// Returns the data with noise of a part of the largest load.
 pub fn with_noise(plan: &Experiment, part: f64, seed: u64) -> Experiment {
     let exact = simulate(Table::embedded(), plan, 0.0, 0).expect("in the table");
-    let loads = exact.points.iter().map(|point| point.ordinate);
+    let loads = exact.measurement.points.iter().map(|point| point.ordinate);
     let noise = part * loads.fold(0.0, f64::max);
-    let mut made = plan.clone();
-    made.measurement = simulate(Table::embedded(), plan, noise, seed).expect("in the table");
+    let mut made = simulate(Table::embedded(), plan, noise, seed).expect("in the table");
     made.noise = Some(noise);
     made
 }
@@ -90,7 +88,7 @@ pub fn measured(plan: &Experiment, seed: u64) -> Experiment {
     if let Some(relaxing) = &mut made.relaxing {
         for parameter in relaxing.parameters() {
             relaxing.law = match parameter {
-                RelaxationExponent => relaxing.law.with(contact::LawParameter::Exponent, 0.33),
+                Law(Exponent) => relaxing.law.with(Exponent, 0.33),
                 _ => relaxing.law.clone(),
             };
         }
@@ -199,7 +197,7 @@ fn a_relaxation_time_that_may_be_unseen_is_doubted() {
     };
     let made = with_noise(&planned(Kind::LoadPenetration, 1e-5, &law, 1.0), 0.1, 1);
     let fit = fit_all(&[made], &free_of(&SOLID)).expect("sound data");
-    let time = fit.estimate(RelaxationTime(1)).expect("free").value;
+    let time = fit.estimate(Law(Time(0))).expect("free").value;
     assert!((0.11..3.0).contains(&time), "{time}");
     assert_names(
         &text(&fit, WarningKind::RelaxationTime),
@@ -218,12 +216,7 @@ fn solids_are_recovered() {
         exponent: 0.5,
         time: 0.1,
     };
-    let free = [
-        FilmModulus,
-        RelaxationExponent,
-        RelaxationTime(1),
-        ContactPoint,
-    ];
+    let free = [FilmModulus, Law(Exponent), Law(Time(0)), ContactPoint];
     let plan = planned(Kind::LoadPenetration, 1e-5, &modified, 1.0);
     // Its time is below two intervals in some sets.
     let expected = [WarningKind::RelaxationTime];
@@ -232,11 +225,11 @@ fn solids_are_recovered() {
 
 #[test]
 fn a_baseline_far_from_zero_is_found_and_contact_is_not_taken_for_it() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint, Baseline];
+    let free = [FilmModulus, Law(Exponent), ContactPoint, Baseline];
     for kind in [Kind::LoadPenetration, Kind::ForceHeight] {
         let plan = planned(kind, 1e-5, &power(), 0.0);
         let exact = simulate(Table::embedded(), &plan, 0.0, 0).expect("in the table");
-        let loads = exact.points.iter().map(|point| point.ordinate);
+        let loads = exact.measurement.points.iter().map(|point| point.ordinate);
         let most = loads.fold(0.0, f64::max);
         for part in [-0.2, 0.2, 1.0] {
             let mut data = measured(&plan, 1);
@@ -265,7 +258,7 @@ fn a_baseline_far_from_zero_is_found_and_contact_is_not_taken_for_it() {
 /// A constant that is free does not matter, whatever the noise.
 #[test]
 fn a_baseline_is_found_below_large_noise() {
-    let free = [FilmModulus, RelaxationExponent, ContactPoint, Baseline];
+    let free = [FilmModulus, Law(Exponent), ContactPoint, Baseline];
     let plan = planned(Kind::ForceHeight, 1e-5, &power(), 0.3);
     for seed in 0..6 {
         let of_level = |level: f64| {

@@ -7,7 +7,8 @@ use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
 use crate::imagined::{coated, fit_all, fitted, free_of, text};
 use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
 
-use Parameter::{FilmModulus, RelaxationExponent, RelaxedFraction};
+use Parameter::{FilmModulus, Law};
+use contact::LawParameter::{Exponent, RelaxedFraction, Time};
 
 /// A gel that relaxes on a base, 60 points in 2 s.
 fn relaxing(law: Relaxation, young: f64, base: f64) -> Experiment {
@@ -29,7 +30,7 @@ fn a_relaxation_time_that_the_points_do_not_see_is_doubted() {
             terms: vec![[0.7, time]],
         };
         let data = relaxing(law, 2e3, f64::INFINITY);
-        let bounds = Free::new(Parameter::RelaxationTime(1)).within(0.5 * time, 2.0 * time);
+        let bounds = Free::new(Law(Time(0))).within(0.5 * time, 2.0 * time);
         let found = fit_all(&[data], &[Free::new(FilmModulus), bounds]);
         let said = text(&found.expect("sound"), WarningKind::RelaxationTime);
         let is_said = said.contains("two intervals between points");
@@ -107,7 +108,7 @@ fn what_cannot_be_fitted_is_refused_with_the_reason() {
             point.abscissa = point.abscissa.abs();
         }
     };
-    with_free(radii, &[FilmModulus, RelaxationExponent]).refused("penetrations; heights");
+    with_free(radii, &[FilmModulus, Law(Exponent)]).refused("penetrations; heights");
     for first in [20, 30] {
         let mut begins = data.clone();
         begins.measurement.points.drain(..first);
@@ -127,5 +128,6 @@ fn what_cannot_be_fitted_is_refused_with_the_reason() {
     };
     with(again).refused("one approach");
     with(|one| one.relaxing = None).refused("relaxation function; give one");
-    with_free(|_| (), &[FilmModulus, RelaxedFraction]).refused("relaxed-fraction; does not have");
+    with_free(|_| (), &[FilmModulus, Law(RelaxedFraction)])
+        .refused("relaxed-fraction; does not have");
 }

@@ -6,7 +6,7 @@ use std::slice;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use contact::Relaxation;
+use contact::{LawParameter, Relaxation};
 use criterion::{Criterion, criterion_group, criterion_main};
 use fit::{
     Bodies, Direction, Experiment, Free, Kind, Measurement, Numbering, Options, Parameter, Point,
@@ -42,11 +42,7 @@ fn measured(experiment: Experiment, kind: Kind, [from, to]: [f64; 2], noise: f64
         noise: Some(noise),
         ..experiment
     };
-    let measurement = simulate(Table::embedded(), &planned, noise, 1).expect("in the table");
-    Experiment {
-        measurement,
-        ..planned
-    }
+    simulate(Table::embedded(), &planned, noise, 1).expect("in the table")
 }
 
 fn nothing() -> Measurement {
@@ -140,15 +136,14 @@ fn gel() -> (Experiment, Vec<Free>) {
     plan.relaxing = law(0.2);
     let noise = 1e-11;
     plan.noise = Some(noise);
-    let measurement = simulate(Table::embedded(), &plan, noise, 1).expect("in the table");
+    let made = simulate(Table::embedded(), &plan, noise, 1).expect("in the table");
     let experiment = Experiment {
-        measurement,
         relaxing: law(0.33),
-        ..plan
+        ..made
     };
     let free = [
         Parameter::FilmModulus,
-        Parameter::RelaxationExponent,
+        Parameter::Law(LawParameter::Exponent),
         Parameter::ContactPoint,
     ];
     (experiment, free.map(Free::new).to_vec())

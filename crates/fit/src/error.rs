@@ -141,33 +141,13 @@ pub enum Error {
          character, and no space at its ends; give the layer another name"
     )]
     LayerName(String),
-    /// A measurement that has no JKR plot.
-    #[error("{experiment} has no JKR plot: {reason}")]
-    NoJkrPlot {
-        /// The name of the measurement.
-        experiment: String,
-        /// What a JKR plot needs.
-        reason: &'static str,
-    },
-    /// A loss tangent beyond the expansion that finds it.
-    #[error(
-        "{experiment}: the loss tangent of the film is {tangent:.3}, and the expansion that finds it \
-         holds up to 1: fit the absolute value of the stiffness without phases, or measure where the \
-         film is less viscous"
-    )]
-    Loss {
-        /// The name of the measurement.
-        experiment: String,
-        /// The loss tangent.
-        tangent: f64,
-    },
-    /// A measurement that cannot be fitted with these bodies and settings.
+    /// A measurement that cannot be used so: fitted with these bodies and settings, or drawn.
     #[error("{experiment}: {reason}")]
     NotFitted {
         /// The name of the measurement.
         experiment: String,
         /// The reason, with the next step.
-        reason: &'static str,
+        reason: Cow<'static, str>,
     },
     /// Points without times, where the bodies relax.
     #[error(
@@ -230,10 +210,15 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error of an experiment that cannot be fitted with its bodies and settings.
-    pub(crate) fn not_fitted(experiment: &Experiment, reason: &'static str) -> Self {
-        let experiment = experiment.measurement.name.clone();
-        Self::NotFitted { experiment, reason }
+    /// The error of an experiment that cannot be used so.
+    pub(crate) fn not_fitted(
+        experiment: &Experiment,
+        reason: impl Into<Cow<'static, str>>,
+    ) -> Self {
+        Self::NotFitted {
+            experiment: experiment.measurement.name.clone(),
+            reason: reason.into(),
+        }
     }
 
     /// The error of a setting whose value is not allowed.

@@ -6,7 +6,7 @@ use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
 use crate::statistics::extremes;
-use crate::{Bodies, Estimate, Experiment, Fit, Kind, Parameter};
+use crate::{Bodies, Estimate, Experiment, Fit, Kind, LayerQuantity, Parameter};
 
 /// The stiffnesses of cantilevers and load cells, N/m.
 pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
@@ -184,11 +184,13 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
     } = *estimate;
     let name = parameter.name();
     let (found, mistake) = match parameter {
-        Parameter::SphereModulus | Parameter::FilmModulus | Parameter::LayerModulus(_) => (
+        Parameter::SphereModulus
+        | Parameter::FilmModulus
+        | Parameter::Layer(_, LayerQuantity::Modulus) => (
             Magnitude::modulus(name, value)?,
             "; mN or uN taken for N, or mm or um for m, give such a result",
         ),
-        Parameter::FilmThickness | Parameter::LayerThickness(_) => {
+        Parameter::FilmThickness | Parameter::Layer(_, LayerQuantity::Thickness) => {
             (Magnitude::length(name, value)?, "")
         }
         Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => {
@@ -204,7 +206,9 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
         match parameter {
             // The thickness of a film that the data do not see goes to any value. Its unit was given
             // with its start, which is checked.
-            Parameter::FilmThickness | Parameter::LayerThickness(_) => undetermined.into(),
+            Parameter::FilmThickness | Parameter::Layer(_, LayerQuantity::Thickness) => {
+                undetermined.into()
+            }
             // Loads or lengths in a wrong unit may leave a modulus undetermined.
             _ => format!("{undetermined}; it {usual}{mistake}"),
         }

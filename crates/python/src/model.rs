@@ -88,7 +88,7 @@ pub fn simulate<'py>(
     let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
     let accepted = accept_magnitudes(slice::from_ref(&experiment), allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;
-    let made = py.detach(|| fit::simulate_experiment(table.get(), &experiment, noise, seed));
+    let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
     let made = made.or_raise(py)?;
     let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
     Ok([

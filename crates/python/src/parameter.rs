@@ -1,6 +1,6 @@
 //! The parameters of fits and what is known of them, by their names in Python.
 
-use fit::{Fixed, Free, Parameter, Scope};
+use fit::{Fixed, Free, LayerQuantity, Parameter, Scope};
 use pyo3::prelude::*;
 
 use crate::error::{Failure, OrRaise as _};
@@ -60,21 +60,14 @@ pub fn fixed(py: Python<'_>, name: &str) -> PyResult<Fixed> {
 /// Returns the parameter of a name in Python. That of a layer has the name of the layer as it is.
 pub fn parameter(name: &str) -> Result<Parameter, fit::Error> {
     let plain = name.replace('_', "-").parse();
-    if matches!(plain, Ok(parameter) if !is_of_layer(parameter)) {
+    if matches!(plain, Ok(parameter) if !matches!(parameter, Parameter::Layer(..))) {
         return plain;
     }
     match name.strip_suffix(".interface_stiffness") {
-        Some(layer) => Ok(Parameter::LayerInterfaceStiffness(layer.parse()?)),
+        Some(layer) => Ok(Parameter::Layer(
+            layer.parse()?,
+            LayerQuantity::InterfaceStiffness,
+        )),
         None => name.parse(),
     }
-}
-
-/// Tells whether a parameter is that of a layer of a stack.
-fn is_of_layer(parameter: Parameter) -> bool {
-    matches!(
-        parameter,
-        Parameter::LayerModulus(_)
-            | Parameter::LayerThickness(_)
-            | Parameter::LayerInterfaceStiffness(_)
-    )
 }

@@ -31,22 +31,6 @@ use fearless_simd::prelude::*;
 use crate::minors::{Minors, scaled, sum};
 use crate::stack::Interface;
 
-/// What joins a layer to what lies below it.
-#[derive(Clone, Copy, Debug)]
-pub enum Joint {
-    /// No displacement across.
-    Bonded,
-    /// No shear stress.
-    Sliding,
-    /// Springs, of stiffnesses over the shear modulus of the layer: wave numbers.
-    Springs {
-        /// `kt/G`; infinity allowed.
-        tangential: f64,
-        /// `kn/G`; infinity allowed.
-        normal: f64,
-    },
-}
-
 /// The `kt/G` below which springs count as sliding where poles are sought. Their poles, at its
 /// root, move nothing that double precision shows.
 const SLIDES: f64 = 1e-30;
@@ -55,23 +39,22 @@ const SLIDES: f64 = 1e-30;
 /// compliance.
 const LEAST: f64 = 1e-100;
 
-impl Joint {
-    /// Takes the `interface` below a layer of shear modulus `shear` (Pa), with `unit` (m) as the
-    /// unit of length.
-    pub fn new(interface: Interface, shear: f64, unit: f64) -> Self {
-        match interface.plain() {
-            Interface::Bonded => Self::Bonded,
-            Interface::Sliding => Self::Sliding,
-            Interface::Springs { tangential, normal } => Self::Springs {
+impl Interface {
+    /// Returns the interface below a layer of shear modulus `shear` (Pa) as the solver takes it: its stiffnesses are
+    /// wave numbers, `kt/G` and `kn/G`, with `unit` (m) as the unit of length.
+    pub(crate) fn over(self, shear: f64, unit: f64) -> Self {
+        match self.plain() {
+            Self::Springs { tangential, normal } => Self::Springs {
                 tangential: tangential / shear * unit,
                 normal: normal / shear * unit,
             },
+            plain => plain,
         }
     }
 
-    /// Returns a wave number to be added to all: positive if the joint carries no shear stress, or
+    /// Returns a wave number to be added to all: positive if the interface carries no shear stress, or
     /// hardly any.
-    pub fn least(self) -> f64 {
+    pub(crate) fn least(self) -> f64 {
         match self {
             Self::Sliding
             | Self::Springs {
@@ -85,7 +68,13 @@ impl Joint {
     /// Carries minors `y` and `z = k dy/dk`, in the unit of the layer, from below the interface to
     /// the lower face of the layer, at wave numbers `k`.
     #[inline(always)]
-    pub fn pass<S: Simd>(self, simd: S, k: S::f64s, y: Minors<S>, z: Minors<S>) -> [Minors<S>; 2] {
+    pub(crate) fn pass<S: Simd>(
+        self,
+        simd: S,
+        k: S::f64s,
+        y: Minors<S>,
+        z: Minors<S>,
+    ) -> [Minors<S>; 2] {
         match self {
             Self::Bonded => [y, z],
             Self::Sliding => {
@@ -114,12 +103,11 @@ impl Joint {
 
     /// Carries minors as power series in the wave number, one coefficient after the other. What
     /// follows is divided by the largest power of the wave number that all minors have.
-    pub fn pass_series<S: Simd>(self, simd: S, y: &mut [Minors<S>]) {
-        let [tangential, normal] = match self {
-            Self::Bonded => return,
-            Self::Sliding => [0.0, f64::INFINITY],
-            Self::Springs { tangential, normal } => [tangential, normal],
-        };
+    pub(crate) fn pass_series<S: Simd>(self, simd: S, y: &mut [Minors<S>]) {
+        if self == Self::Bonded {
+            return;
+        }
+        let [tangential, normal] = self.stiffnesses();
         // The weights of `y` and of `k` times what `v` multiplies: `kt` to 1, without overflow.
         let [w, v] = match tangential {
             ..SLIDES => [0.0, 1.0],

@@ -16,10 +16,9 @@ use fearless_simd::{Level, dispatch};
 use interp::Material;
 
 use crate::excess::{largest_excess, shear};
-use crate::joint::Joint;
 use crate::minors::{Minors, scaled, sum};
 use crate::slab::{Component, Samples, Slab};
-use crate::stack::Stack;
+use crate::stack::{Interface, Stack};
 use crate::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
 
 /// The smallest scale over the estimate of the nearest pole, of a stack that is not bonded: the
@@ -36,7 +35,7 @@ pub struct LayeredCompliance {
     buried: Vec<Slab>,
     /// The top layer, of thickness 1.
     top: Slab,
-    /// The wave number that is added to all ([`Joint::least`]).
+    /// The wave number that is added to all ([`Interface::least`]).
     least: f64,
     smallest_scale: f64,
     largest_excess: f64,
@@ -57,8 +56,13 @@ impl LayeredCompliance {
                 shear(&layer.solid) / shear(&below)
             };
             let thickness = layer.thickness / unit;
-            let joint = Joint::new(layer.interface, shear(&layer.solid), unit);
-            slabs.push(Slab::new(layer.solid.poisson(), thickness, contrast, joint));
+            let interface = layer.interface.over(shear(&layer.solid), unit);
+            slabs.push(Slab::new(
+                layer.solid.poisson(),
+                thickness,
+                contrast,
+                interface,
+            ));
             below = layer.solid;
         }
         let top = slabs.pop().expect("a stack has a layer");
@@ -89,16 +93,19 @@ impl LayeredCompliance {
         Self::with_slabs(
             base,
             Vec::new(),
-            Slab::new(nu1, 1.0, 1.0, Joint::Bonded),
+            Slab::new(nu1, 1.0, 1.0, Interface::Bonded),
             bound,
         )
     }
 
     /// Finds the nearest pole.
     fn with_slabs(base: [f64; 5], buried: Vec<Slab>, top: Slab, largest_excess: f64) -> Self {
-        let least = buried.iter().chain([&top]).map(|slab| slab.joint.least());
+        let least = buried
+            .iter()
+            .chain([&top])
+            .map(|slab| slab.interface.least());
         let least = least.fold(0.0, f64::max);
-        let is_bonded = |slab: &Slab| matches!(slab.joint, Joint::Bonded);
+        let is_bonded = |slab: &Slab| matches!(slab.interface, Interface::Bonded);
         let bonded = buried.iter().all(is_bonded) && is_bonded(&top);
         let share = if bonded { 1.0 } else { OF_POLE };
         let mut compliance = Self {
@@ -187,7 +194,7 @@ impl LayeredCompliance {
         const DEGREE: usize = 8;
         let splat = |value: f64| S::f64s::splat(simd, value);
         let slabs = || self.buried.iter().chain([&self.top]);
-        let lost = slabs().filter(|slab| slab.joint.least() > 0.0).count();
+        let lost = slabs().filter(|slab| slab.interface.least() > 0.0).count();
         let degree = DEGREE + 2 * lost;
         // The coefficients of each minor.
         let mut y = vec![[splat(0.0); 5]; degree + 1];
@@ -197,7 +204,7 @@ impl LayeredCompliance {
             for minors in &mut y {
                 *minors = slab.in_unit::<S>(*minors);
             }
-            slab.joint.pass_series(simd, &mut y);
+            slab.interface.pass_series(simd, &mut y);
             // The exponential series: each term is `k h N/n` times the term before.
             let mut term = y.clone();
             for n in 1..=degree {

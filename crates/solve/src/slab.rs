@@ -65,8 +65,8 @@ use fearless_simd::prelude::*;
 
 use crate::compliance::hyperbolic_rests;
 use crate::exponential::exponential;
-use crate::joint::Joint;
 use crate::minors::{Minors, sum};
+use crate::stack::Interface;
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.
 const SWITCH: f64 = 1.0;
@@ -79,7 +79,7 @@ pub struct Slab {
     /// The shear modulus over that of the body below; 1 on a rigid base, whose minors have no unit.
     contrast: f64,
     /// The interface below.
-    pub joint: Joint,
+    pub interface: Interface,
     /// `(1 - 2 nu)/(2 (1 - nu))`.
     pub b: f64,
     l: f64,
@@ -120,11 +120,11 @@ pub struct Samples<V> {
 
 impl Slab {
     /// Takes the numbers of a layer of Poisson ratio `nu`.
-    pub fn new(nu: f64, thickness: f64, contrast: f64, joint: Joint) -> Self {
+    pub fn new(nu: f64, thickness: f64, contrast: f64, interface: Interface) -> Self {
         Self {
             thickness,
             contrast,
-            joint,
+            interface,
             b: (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)),
             l: nu / (1.0 - nu),
             e: 2.0 / (1.0 - nu),
@@ -149,7 +149,7 @@ impl Slab {
         z: Minors<S>,
     ) -> [Minors<S>; 2] {
         let (y, z) = (self.in_unit::<S>(y), self.in_unit::<S>(z));
-        self.joint.pass(simd, k, y, z)
+        self.interface.pass(simd, k, y, z)
     }
 
     /// Returns `N y`.

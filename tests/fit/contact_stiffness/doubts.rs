@@ -3,14 +3,14 @@
 use std::f64::consts::PI;
 
 use acceptance::{Refused, assert_names, solid};
-use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind, simulate_experiment};
+use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind, simulate};
 use interp::{System, Table};
 
 use super::{at_radii, oxide};
 use crate::imagined::{
     assert_warns, coated, fit_all, fitted, free_of, measurement_at, number_after, text,
 };
-use crate::layers::{layer, on_layers};
+use crate::layers::{layer, modulus_of, on_layers};
 
 /// Contacts of a fifth of the thickness of the top layer and of seven tenths of it.
 fn on_primer(depths: [f64; 2]) -> Experiment {
@@ -22,12 +22,12 @@ fn on_primer(depths: [f64; 2]) -> Experiment {
     let depths = measurement_at(Kind::StiffnessDepth, depths);
     let mut plan = Experiment::new(depths, on_layers(&system, &[primer, top]));
     plan.indentation.hardness = Some(1e10);
-    simulate_experiment(Table::embedded(), &plan, 0.01, 5).expect("a contact")
+    simulate(Table::embedded(), &plan, 0.01, 5).expect("a contact")
 }
 
 #[test]
 fn a_contact_that_is_deep_in_the_top_layer_is_doubted() {
-    let top = Free::new(Parameter::LayerModulus("top".parse().expect("a name")));
+    let top = Free::new(modulus_of("top"));
     let mut made = on_primer([2e-8, 1e-7]);
     made.noise = Some(0.01);
     let depths = made.measurement.points.iter().zip(&made.indentation.loads);
@@ -45,7 +45,7 @@ fn the_depth_of_a_plastic_contact_is_said() {
     let depths = measurement_at(Kind::StiffnessDepth, depths);
     let mut plan = Experiment::new(depths, Bodies::Coated(oxide()));
     plan.indentation.hardness = Some(8e8);
-    let mut made = simulate_experiment(Table::embedded(), &plan, 0.0, 5).expect("a contact");
+    let mut made = simulate(Table::embedded(), &plan, 0.0, 5).expect("a contact");
     made.noise = Some(1e-3);
     let pairs = made.measurement.points.iter().zip(&made.indentation.loads);
     let parts = pairs.map(|(point, load)| 1.0 - 0.75 * load / point.ordinate / point.abscissa);
@@ -70,7 +70,7 @@ fn a_hardness_that_is_found_leaves_no_bounds_by_friction() {
         point.abscissa = PI * 1e10 * point.abscissa.powi(2);
         point.ordinate = 0.0;
     }
-    let mut made = simulate_experiment(Table::embedded(), &exact, 1e-4, 3).expect("a contact");
+    let mut made = simulate(Table::embedded(), &exact, 1e-4, 3).expect("a contact");
     made.noise = Some(1e-4);
     for (free, expected) in [
         (&[Parameter::FilmModulus][..], "is between"),
@@ -124,7 +124,7 @@ fn a_top_layer_that_is_thinned_to_nothing_is_refused() {
     let mut made = on_primer([2e-8, 1.6e-7]);
     made.noise = Some(0.01);
     made.indentation.thinning = 1.0;
-    let top = Free::new(Parameter::LayerModulus("top".parse().expect("a name")));
+    let top = Free::new(modulus_of("top"));
     fit_all(&[made], &[top]).refused("contact depth; something of the thinned film is left");
 }
 
@@ -145,7 +145,7 @@ fn an_error_that_is_too_small_on_one_side_is_told() {
     let free = free_of(&[Parameter::FilmThickness]);
     for plan in [at_radii, at_depths] {
         let fitted_with = |noise: f64| {
-            let made = simulate_experiment(Table::embedded(), &plan, noise, 1);
+            let made = simulate(Table::embedded(), &plan, noise, 1);
             let mut made = made.expect("a contact");
             made.noise = Some(noise);
             fitted(&made, &free)

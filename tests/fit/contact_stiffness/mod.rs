@@ -10,7 +10,7 @@ use acceptance::{Contacts, assert_close, larger, rigid_probe, solid, solved_cont
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Parameter,
-    Point, PointErrors, WarningKind, simulate_experiment,
+    Point, PointErrors, WarningKind, simulate,
 };
 use interp::{Probe, System, Table};
 
@@ -18,7 +18,7 @@ use crate::imagined::{
     assert_silent, assert_warned, assert_warns, fit_all, free_of, half_space, measurement,
     measurement_at,
 };
-use crate::layers::{layer, named, on_layers};
+use crate::layers::{layer, modulus_of, on_layers};
 use crate::recovery::{SETS, assert_recovers};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
@@ -256,7 +256,7 @@ fn stiffness_at_depths_with_a_reference_sample() {
 fn a_stack_of_one_layer_is_a_film() {
     let system = oxide();
     let one = layer("oxide", system.film, system.film_thickness);
-    let name = Parameter::LayerModulus(named("oxide"));
+    let name = modulus_of("oxide");
     for kind in [
         Kind::StiffnessRadius,
         Kind::StiffnessLoad,
@@ -272,7 +272,7 @@ fn a_stack_of_one_layer_is_a_film() {
         plan.indentation.hardness = Some(1e10);
         plan.indentation.thinning = thinning;
         let table = Table::embedded();
-        let made = simulate_experiment(table, &plan, 0.01, 5).expect("a contact");
+        let made = simulate(table, &plan, 0.01, 5).expect("a contact");
         let mut stack = made.clone();
         stack.bodies = on_layers(&system, &[one]);
         let fitted = |experiment: &Experiment, parameter| {
@@ -307,14 +307,14 @@ fn a_thinned_top_layer_is_the_stack_of_that_thickness() {
     let depths = measurement_at(Kind::StiffnessDepth, evenly([2e-8, 2e-7], 6));
     let mut plan = Experiment::new(depths, stack(thickness));
     plan.indentation = known;
-    let made = simulate_experiment(Table::embedded(), &plan, 0.0, 0).expect("a contact");
+    let made = simulate(Table::embedded(), &plan, 0.0, 0).expect("a contact");
     let mut worst: f64 = 0.0;
     for (point, load) in made.measurement.points.iter().zip(&made.indentation.loads) {
         let contact_depth = point.abscissa - 0.75 * load / point.ordinate;
         let a = contact_depth * (24.56 / PI).sqrt();
         let alone = stack(thickness - 0.5 * contact_depth);
         let alone = Experiment::new(measurement_at(Kind::StiffnessRadius, [a]), alone);
-        let direct = simulate_experiment(Table::embedded(), &alone, 0.0, 0).expect("a contact");
+        let direct = simulate(Table::embedded(), &alone, 0.0, 0).expect("a contact");
         let direct = direct.measurement.points[0].ordinate;
         worst = larger(worst, (point.ordinate / direct - 1.0).abs());
     }
@@ -382,7 +382,7 @@ fn loubets_depth_is_found_from_data_made_by_it() {
         area: AreaFunction::new(&[24.5, 300.0, 50.0]).expect("allowed"),
         ..Indentation::NEW
     };
-    let made = simulate_experiment(Table::embedded(), &plan, 0.0, 1).expect("a contact");
+    let made = simulate(Table::embedded(), &plan, 0.0, 1).expect("a contact");
     let free = [Parameter::FilmModulus, Parameter::TipRounding];
     let found = fitted(made, free).expect("sound data");
     assert_close(found.estimates[0].value, 1.7e11, 1e-6);

@@ -7,7 +7,7 @@ use super::Relaxation;
 /// The weight of the first term of a Prony series is what the relaxed fraction and the other weights
 /// leave. The reference time of a power law tells when its modulus is `E_ref`, and is none of its
 /// numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum LawParameter {
     /// The part of the modulus that is left in the end.
     RelaxedFraction,

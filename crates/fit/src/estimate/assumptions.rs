@@ -168,7 +168,7 @@ fn add(
         );
     }
     friction::add(warnings, experiment, contact, a, estimates);
-    for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
+    for parameter in Parameter::WORKS {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;
         };

@@ -29,21 +29,13 @@ pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: 
         return false;
     }
     let [_, unit] = kind.units();
-    // The noise of a contact stiffness is relative.
-    let noise_at = |noise: f64, reading: f64| {
-        if kind.is_stiffness() {
-            noise * reading
-        } else {
-            noise
-        }
-    };
     let last = readings.len() - 1;
     for (which, extreme, next) in [
         ("smallest", readings[0], readings[1]),
         ("largest", readings[last], readings[last - 1]),
     ] {
         let change = change_of_fit(fitted, assigned, extreme);
-        if change > ROUNDED * (extreme - next).abs() + noise_at(local_noise, extreme) {
+        if change > ROUNDED * (extreme - next).abs() + local_noise * kind.scale(extreme) {
             let own = fitted
                 .points
                 .iter()
@@ -67,7 +59,7 @@ pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: 
     // Rounding makes a relative noise that is largest at the smallest readings.
     let squares = fitted.points.iter().map(|point| point.ordinate.powi(-2));
     let usual = (squares.sum::<f64>() / count as f64).powf(-0.5);
-    let noise = noise_at(fitted.noise, usual);
+    let noise = fitted.noise * kind.scale(usual);
     let is_coarse = 2 * readings.len() <= count && (least..most).contains(&noise);
     if is_coarse {
         warnings.add(

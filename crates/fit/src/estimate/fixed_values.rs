@@ -44,19 +44,26 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             let allowed = "of a value that the measurement has: check its name and the bodies";
             return Err(Error::setting(name, f64::NAN, allowed));
         };
-        if !assigned.iter().any(has_effect) {
-            let allowed =
-                "of a value that has an effect on these measurements: leave its error out";
-            return Err(Error::setting(name, first, allowed));
-        }
-        if first.is_infinite() {
-            let allowed =
-                "finite, and this body is rigid: leave its error out, or give the body a modulus";
-            return Err(Error::setting(name, first, allowed));
-        }
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
-        if matches!(quantity, Fixed::Parameter(parameter) if is_free(*parameter)) {
-            let allowed = "of a value that is not free: give a free one a prior instead";
+        let refusals = [
+            (
+                !assigned.iter().any(has_effect),
+                "of a value that has an effect on these measurements: leave its error out",
+            ),
+            (
+                first.is_infinite(),
+                "finite, and this body is rigid: leave its error out, or give the body a modulus",
+            ),
+            (
+                quantity.parameter().is_some_and(is_free),
+                "of a value that is not free: give a free one a prior instead",
+            ),
+            (
+                known[..i].iter().any(|before| before.quantity == *quantity),
+                "given once",
+            ),
+        ];
+        if let Some((_, allowed)) = refusals.into_iter().find(|(is_wrong, _)| *is_wrong) {
             return Err(Error::setting(name, first, allowed));
         }
         let is_scale = match quantity {
@@ -72,10 +79,6 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
                 quantity.unit()
             );
             return Err(Error::setting(name, *error, allowed));
-        }
-        if known[..i].iter().any(|before| before.quantity == *quantity) {
-            let allowed = "given once";
-            return Err(Error::setting(name, first, allowed));
         }
         let other = assigned
             .iter()

@@ -10,7 +10,8 @@ use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
-use crate::{Error, Experiment, Forecast, Free, Loss, Options, Parameter};
+use crate::model::Assignment;
+use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Parameter};
 
 /// Computes the standard errors that a planned experiment would give.
 ///
@@ -44,7 +45,7 @@ pub fn forecast(
     for experiment in experiments {
         experiment.accept_instrument()?;
         experiment.accept_errors()?;
-        let noise = experiment.known_noise()?;
+        experiment.known_noise()?;
         let mut experiment = experiment.clone();
         if is_free(Parameter::WorkOfAdhesionReceding) {
             let work = experiment.work_of_adhesion;
@@ -58,7 +59,7 @@ pub fn forecast(
             return Err(experiment.wrong_setting(parameter, 0.0, allowed));
         }
         let is_unknown = |parameter: &Parameter| {
-            matches!(*parameter, Parameter::LayerInterfaceStiffness(name) if experiment
+            matches!(*parameter, Parameter::Layer(name, LayerQuantity::InterfaceStiffness) if experiment
                 .layer(name)
                 .is_some_and(|layer| layer.interface_stiffness().is_none()))
         };
@@ -78,20 +79,18 @@ pub fn forecast(
         }
         let contact = experiment.bodies.contact(table, None)?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
-        assigned.push(Assigned {
-            experiment,
+        let assignment = Assignment {
             branches,
             order,
             local_noise: None,
-            noise,
-            abscissa_parts: Vec::new(),
-            factors: Vec::new(),
-        });
+        };
+        assigned.push(Assigned::new(experiment, assignment));
     }
     let mut slots = slots(experiments, &free)?;
     for slot in &mut slots {
         let e = slot.experiment.unwrap_or(0);
-        let unit = super::start::unit(&assigned[e], slot.parameter);
+        let own = &assigned[e];
+        let unit = own.experiment.unit(slot.parameter, &own.branches);
         slot.coordinate = slot.coordinate.without_bounds().with_unit(unit);
     }
     let whole = assigned.clone();

@@ -32,12 +32,8 @@ pub(super) fn add(
     estimates: &[Estimate],
 ) {
     let (name, bodies) = (&experiment.measurement.name, &experiment.bodies);
-    let of_top = bodies.top_name().map(Parameter::LayerModulus);
-    let of_modulus = [Some(Parameter::FilmModulus), of_top];
-    let Some(modulus) = estimates
-        .iter()
-        .find(|estimate| of_modulus.contains(&Some(estimate.parameter)))
-    else {
+    let of_top = bodies.modulus_of_top();
+    let Some(modulus) = estimates.iter().find(|one| one.parameter == of_top) else {
         return;
     };
     let nu2 = experiment

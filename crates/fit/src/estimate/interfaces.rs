@@ -9,7 +9,7 @@ use super::doubts::Warnings;
 use super::minima::Minimum;
 use super::profile::with_fixed;
 use super::uncertainty::Uncertainty;
-use crate::{Bodies, Parameter, WarningKind};
+use crate::{Bodies, LayerQuantity, Parameter, WarningKind};
 
 /// The factor by which a stiffness is changed until the layer is as good as bonded, or slides.
 const AS_GOOD_AS: f64 = 1e6;
@@ -35,7 +35,7 @@ pub(super) fn add(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Un
 fn not_seen(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertainty) {
     let problem = &found.problem;
     for (i, slot) in problem.slots.iter().enumerate() {
-        let Parameter::LayerInterfaceStiffness(name) = slot.parameter else {
+        let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = slot.parameter else {
             continue;
         };
         let mut experiments = problem.assigned.iter();
@@ -45,8 +45,8 @@ fn not_seen(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertai
         let (own, value) = (layer.own_stiffness(), problem.value(i));
         // The growth of the sum of squares, the other values being fitted again.
         let growth = |stiffness: f64| {
-            let at = with_fixed(&mut problem.clone(), i, stiffness, PATIENCE)?;
-            Some((at.misfit - problem.misfit()) / uncertainty.growth.powi(2))
+            let misfit = with_fixed(&mut problem.clone(), i, stiffness, PATIENCE)?;
+            Some((misfit - problem.misfit()) / uncertainty.growth.powi(2))
         };
         let open = |stiffness: f64| growth(stiffness).filter(|growth| *growth < RULED_OUT);
         let slides = open(value.min(own) / AS_GOOD_AS);
@@ -78,26 +78,19 @@ fn not_seen(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertai
 fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertainty) {
     let problem = &found.problem;
     // The widest contact feels the interface most.
-    let widest = |e: usize| {
-        let radii = problem.predicted.iter().flat_map(move |all| &all[e].radii);
-        radii.fold(0.0, |most: f64, radius| most.max(*radius))
-    };
     let wide = (0..problem.assigned.len())
         .filter_map(|e| {
             let bodies = &problem.assigned[e].experiment.bodies;
             let (top, _) = layers(bodies)?;
-            Some((e, widest(e) / top.thickness))
+            Some((e, problem.contact_radii(e)?[1] / top.thickness))
         })
         .max_by(|a, b| a.1.total_cmp(&b.1));
     let Some((e, over_top)) = wide.filter(|(_, over_top)| *over_top > 0.0) else {
         return;
     };
     let bodies = &problem.assigned[e].experiment.bodies;
-    let is_modulus = |slot: &usize| match problem.slots[*slot].parameter {
-        Parameter::SphereModulus | Parameter::FilmModulus => true,
-        Parameter::LayerModulus(name) => bodies.top_name() == Some(name),
-        _ => false,
-    };
+    let moduli = [Parameter::SphereModulus, bodies.modulus_of_top()];
+    let is_modulus = |slot: &usize| moduli.contains(&problem.slots[*slot].parameter);
     let slots = problem.slots_of(e);
     for slot in slots.into_iter().filter(is_modulus) {
         let parameter = problem.slots[slot].parameter;

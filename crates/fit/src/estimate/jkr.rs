@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use super::assigned::Assigned;
 use super::problem::LARGEST;
 use crate::statistics::{extremes, median};
-use crate::{Branch, Experiment, Kind};
+use crate::{Branch, Experiment, Kind, Parameter};
 
 /// The most points that a search for a start uses.
 const MOST_POINTS: usize = 40;
@@ -18,13 +18,9 @@ const NEAR_PULL_OFF: [f64; 6] = [0.8, 1.0, 1.2, 1.5, 2.0, 3.0];
 /// that a single spike draws to itself leaves the others far from it.
 const FAR: f64 = 15.0;
 
-/// What the method may change.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Unknown {
-    pub work_of_adhesion: bool,
-    pub level: bool,
-    pub slope: bool,
-    pub contact_point: bool,
+/// Tells whether the level of the reading without a force is one of the parameters that `is`.
+pub(super) fn level_is(is: &dyn Fn(Parameter) -> bool) -> bool {
+    is(Parameter::LoadOffset) || is(Parameter::Baseline)
 }
 
 /// The smallest modulus (Pa) of a homogeneous contact: far below that of any solid.
@@ -48,16 +44,19 @@ pub(crate) struct Homogeneous {
     pub largest: [f64; 3],
 }
 
-/// Fits a homogeneous contact; `None` if it has no positive modulus.
-pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
+/// Fits a homogeneous contact, in which the parameters that are unknown may change; `None` if it has no positive modulus.
+pub(crate) fn homogeneous(
+    assigned: &Assigned,
+    is_unknown: &dyn Fn(Parameter) -> bool,
+) -> Option<Homogeneous> {
     let found = match assigned.experiment.measurement.kind {
-        Kind::LoadRadius => of_loads_at_radii(assigned, unknown),
-        Kind::PenetrationRadius => of_penetrations_at_radii(assigned, unknown),
+        Kind::LoadRadius => of_loads_at_radii(assigned, is_unknown),
+        Kind::PenetrationRadius => of_penetrations_at_radii(assigned, is_unknown),
         Kind::LoadPenetration | Kind::ForceHeight => {
-            let branches = if unknown.work_of_adhesion {
+            let branches = if is_unknown(Parameter::WorkOfAdhesion) {
                 assigned.branches.clone()
             } else {
-                assigned.branches_without_flat_ends(unknown.level)
+                assigned.branches_without_flat_ends(level_is(is_unknown))
             };
             let shown = Assigned {
                 branches,
@@ -69,8 +68,8 @@ pub(crate) fn homogeneous(assigned: &Assigned, unknown: Unknown) -> Option<Homog
                 _ => Branch::Advancing,
             };
             // Under noise a way with few points in contact may tell no modulus.
-            let found = of_loads_at_positions(&shown, unknown, main);
-            found.or_else(|| of_loads_at_positions(&shown, unknown, other))
+            let found = of_loads_at_positions(&shown, is_unknown, main);
+            found.or_else(|| of_loads_at_positions(&shown, is_unknown, other))
         }
         Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => None,
     };
@@ -132,17 +131,20 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
 }
 
 /// Fits `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0`, weighted as in the JKR plot.
-fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
+fn of_loads_at_radii(
+    assigned: &Assigned,
+    is_unknown: &dyn Fn(Parameter) -> bool,
+) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
-    let adhesive = unknown.work_of_adhesion || experiment.work_of_adhesion > 0.0;
+    let adhesive = is_unknown(Parameter::WorkOfAdhesion) || experiment.work_of_adhesion > 0.0;
     let apart = points_of(assigned, Branch::Baseline);
-    let known_level = if apart.is_empty() || !unknown.level {
+    let known_level = if apart.is_empty() || !level_is(is_unknown) {
         experiment.load_offset
     } else {
         median(apart.iter().map(|point| point[1]).collect())
     };
-    let fit_level = unknown.level && apart.is_empty();
+    let fit_level = level_is(is_unknown) && apart.is_empty();
     let fit = |branch: Branch| {
         let points = points_of(assigned, branch);
         let rows = points.iter().map(|[a, load]| {
@@ -187,7 +189,10 @@ fn of_loads_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneou
 }
 
 /// Fits `delta = a^2/R - sqrt(2 pi a w/E*) + c`.
-fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Homogeneous> {
+fn of_penetrations_at_radii(
+    assigned: &Assigned,
+    is_unknown: &dyn Fn(Parameter) -> bool,
+) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
     let fit = |branch: Branch| {
@@ -195,7 +200,7 @@ fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Hom
         let rows = points.iter().map(|[a, penetration]| {
             let mut row = vec![a.sqrt()];
             let mut rest = penetration - a * a / radius;
-            if unknown.contact_point {
+            if is_unknown(Parameter::ContactPoint) {
                 row.push(1.0);
             } else {
                 rest -= experiment.contact_point;
@@ -231,12 +236,12 @@ fn of_penetrations_at_radii(assigned: &Assigned, unknown: Unknown) -> Option<Hom
 /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
 fn of_loads_at_positions(
     assigned: &Assigned,
-    unknown: Unknown,
+    is_unknown: &dyn Fn(Parameter) -> bool,
     branch: Branch,
 ) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
-    let [level, slope] = baseline(assigned, unknown)?;
+    let [level, slope] = baseline(assigned, is_unknown)?;
     let compliance = experiment
         .stiffness
         .filter(|_| experiment.measurement.kind == Kind::ForceHeight)
@@ -264,7 +269,7 @@ fn of_loads_at_positions(
     let most = points.iter().map(|point| point[0]).fold(0.0, f64::max);
     let pull_off = work_of_least(&points);
     let noise = assigned.noise / (1.5 * PI * radius);
-    let candidates: Vec<f64> = if !unknown.work_of_adhesion {
+    let candidates: Vec<f64> = if !is_unknown(Parameter::WorkOfAdhesion) {
         vec![experiment.work_of_adhesion]
     } else if pull_off > 3.0 * noise {
         NEAR_PULL_OFF.iter().map(|part| part * pull_off).collect()
@@ -277,7 +282,7 @@ fn of_loads_at_positions(
     let fit = |work: f64| {
         let rows = points.iter().map(|&[force, position]| {
             let penetration = scaled_penetration(force, work, radius);
-            if unknown.contact_point {
+            if is_unknown(Parameter::ContactPoint) {
                 (vec![penetration, 1.0], position)
             } else {
                 (vec![penetration], position + known)
@@ -315,17 +320,17 @@ fn of_loads_at_positions(
 }
 
 /// Returns level and slope of the baseline, from the points on it if they are not known.
-fn baseline(assigned: &Assigned, unknown: Unknown) -> Option<[f64; 2]> {
+fn baseline(assigned: &Assigned, is_unknown: &dyn Fn(Parameter) -> bool) -> Option<[f64; 2]> {
     let experiment = &assigned.experiment;
     let known = [
         experiment.load_offset + experiment.baseline,
         experiment.baseline_slope,
     ];
     let points = points_of(assigned, Branch::Baseline);
-    if !unknown.level || points.is_empty() {
+    if !level_is(is_unknown) || points.is_empty() {
         return Some(known);
     }
-    if !unknown.slope || points.len() < 3 {
+    if !is_unknown(Parameter::BaselineSlope) || points.len() < 3 {
         let readings = points
             .iter()
             .map(|[x, reading]| reading - known[1] * (x - experiment.contact_point));

@@ -14,7 +14,7 @@ use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
 use super::valley::{Bend, MARGIN, bend, doubtful, other_sides};
-use crate::{Branch, Error, Experiment, Free, Loss, Parameter};
+use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 
 /// The factors by which the start of a modulus, or of a quantity of a layer, is varied.
 const FACTORS: [f64; 2] = [0.05, 20.0];
@@ -34,7 +34,6 @@ const APART: f64 = 3.0;
 /// A minimum, and what is known about the way to it.
 pub(crate) struct Minimum<'a> {
     pub problem: Problem<'a>,
-    pub ending: Ending,
     /// The uncertainty there; `None` where there are no derivatives.
     pub uncertainty: Option<Uncertainty>,
     /// Other minima that the data do not rule out.
@@ -62,40 +61,33 @@ pub(crate) fn minimum<'a>(
     loss: Loss,
 ) -> Result<Minimum<'a>, Error> {
     let few: Vec<Assigned> = data.iter().map(hold_back).map(thin).collect();
-    let from = |free: &[Free], slots: &[Slot], variation| {
-        let mut problem = start::problem(table, &few, (free, slots), loss, variation)?;
+    let evaluations = Rc::default();
+    let from = |slots: &[Slot], variation| {
+        let mut problem = start::problem(table, &few, slots, loss, variation)?;
+        problem.evaluations = Rc::clone(&evaluations);
         problem.weigh()?;
         Ok::<_, Error>(problem)
     };
-    let first = from(free, given, Variation::None);
+    let first = from(given, Variation::None);
     let first = first.map(|problem| problem.minimise(PATIENCE, COARSE));
-    let is_good = |(problem, ending): &(Problem<'_>, Ending)| {
-        *ending == Ending::Converged && !is_bad(problem)
-    };
+    let is_good = |first: &Problem<'_>| first.ending == Ending::Converged && !is_bad(first);
     let is_bad = !first.as_ref().is_ok_and(is_good);
-    let doubtful = first.as_ref().ok().and_then(|(first, _)| {
+    let doubtful = first.as_ref().ok().and_then(|first| {
         let uncertainty = Uncertainty::of(first)?;
         let slot = *doubtful(first, &uncertainty).first()?;
         Some((slot, uncertainty.relative_error(slot)))
     });
     let from_data = without_starts(data, free);
-    let ended_at_zero =
-        |(first, _): &(Problem<'_>, Ending)| !no_adhesion::ended_at_zero(first).is_empty();
+    let ended_at_zero = |first: &Problem<'_>| !no_adhesion::ended_at_zero(first).is_empty();
     let lost_adhesion = first.as_ref().is_ok_and(ended_at_zero);
     let needs_others =
         is_bad || doubtful.is_some() || from_data.is_some() || is_film_free(free) || lost_adhesion;
     let (first, failure) = match first {
-        Ok(first) if !needs_others => {
-            let evaluations = first.0.evaluations;
-            return Ok(best(vec![first], data, evaluations));
-        }
+        Ok(first) if !needs_others => return Ok(best(vec![first], data)),
         Ok(first) => (Some(first), None),
         Err(failure) => (None, Some(failure)),
     };
-    let (free_from_data, slots) = match &from_data {
-        Some((free, slots)) => (&free[..], &slots[..]),
-        None => (free, given),
-    };
+    let slots = from_data.as_deref().unwrap_or(given);
     let mut variations = variations(free, &few, is_bad);
     if from_data.is_some() {
         variations.insert(0, Variation::None);
@@ -106,39 +98,33 @@ pub(crate) fn minimum<'a>(
     // A start where the model has no contact is no start.
     let mut starts: Vec<Problem<'_>> = variations
         .into_iter()
-        .filter_map(|variation| from(free_from_data, slots, variation).ok())
+        .filter_map(|variation| from(slots, variation).ok())
         .collect();
-    let mut ends: Vec<(Problem<'_>, Ending)> = Vec::new();
+    let mut ends: Vec<Problem<'_>> = Vec::new();
     let mut places = Vec::new();
-    let mut evaluations = 0;
-    if let Some((first, ending)) = first {
-        evaluations += first.evaluations;
+    if let Some(first) = first {
         let shared = starts.into_iter().map(|start| start.with_slots_of(&first));
         starts = shared.flatten().collect();
         if let Some((slot, error)) = doubtful {
-            let (found, count) = other_sides(&first, slot, error);
-            evaluations += count;
-            places = found;
+            places = other_sides(&first, slot, error);
         }
-        ends.push((first, ending));
+        ends.push(first);
     }
     starts.extend(places.iter().cloned());
     for mut start in starts {
-        let known = ends.iter().filter(|end| end.1 == Ending::Converged);
-        start.known = known.filter_map(|end| Basin::of(&end.0)).collect();
-        start.evaluations = 0;
-        let (mut end, ending) = start.minimise(FEWER, COARSE);
-        evaluations += end.evaluations;
+        let known = ends.iter().filter(|end| end.ending == Ending::Converged);
+        start.known = known.filter_map(Basin::of).collect();
+        let mut end = start.minimise(FEWER, COARSE);
         end.known = Rc::new([]);
-        if !end.arrived {
-            ends.push((end, ending));
+        if end.ending != Ending::Known {
+            ends.push(end);
         }
     }
     // All points together may have a minimum where few points have none.
-    ends.extend(places.into_iter().map(|place| (place, Ending::Converged)));
+    ends.extend(places);
     match failure.filter(|_| ends.is_empty()) {
         Some(failure) => Err(failure),
-        None => Ok(best(ends, data, evaluations)),
+        None => Ok(best(ends, data)),
     }
 }
 
@@ -181,16 +167,16 @@ const fn rank(parameter: Parameter) -> Option<usize> {
     Some(match parameter {
         Parameter::FilmModulus => 0,
         Parameter::FilmThickness => 1,
-        Parameter::LayerModulus(_) => 2,
-        Parameter::LayerThickness(_) => 3,
-        Parameter::LayerInterfaceStiffness(_) => 4,
+        Parameter::Layer(_, LayerQuantity::Modulus) => 2,
+        Parameter::Layer(_, LayerQuantity::Thickness) => 3,
+        Parameter::Layer(_, LayerQuantity::InterfaceStiffness) => 4,
         Parameter::SphereModulus => 5,
         _ => return None,
     })
 }
 
-/// Returns what is free without the starts given, if any is given.
-fn without_starts(data: &[Assigned], free: &[Free]) -> Option<(Vec<Free>, Vec<Slot>)> {
+/// Returns the slots of what is free without the starts given, if any is given.
+fn without_starts(data: &[Assigned], free: &[Free]) -> Option<Vec<Slot>> {
     if free.iter().all(|one| one.start.is_none()) {
         return None;
     }
@@ -201,36 +187,27 @@ fn without_starts(data: &[Assigned], free: &[Free]) -> Option<(Vec<Free>, Vec<Sl
     let free: Vec<Free> = free.iter().map(without_start).collect();
     let experiments = data.iter().map(|one| one.experiment.clone());
     let experiments: Vec<Experiment> = experiments.collect();
-    let slots = slots(&experiments, &free).ok()?;
-    Some((free, slots))
+    slots(&experiments, &free).ok()
 }
 
 /// Follows the best ends on few points to all points, and compares what comes out.
-fn best<'a>(
-    mut ends: Vec<(Problem<'a>, Ending)>,
-    data: &[Assigned],
-    evaluations: usize,
-) -> Minimum<'a> {
-    let has_converged = |end: &(Problem<'_>, Ending)| end.1 == Ending::Converged;
+fn best<'a>(mut ends: Vec<Problem<'a>>, data: &[Assigned]) -> Minimum<'a> {
+    let has_converged = |end: &Problem<'_>| end.ending == Ending::Converged;
     if ends.iter().any(has_converged) {
         ends.retain(has_converged);
     }
-    ends.sort_by(|one, other| one.0.misfit().total_cmp(&other.0.misfit()));
-    let nearly = farthest(&ends[0].0);
-    let mut evaluations = evaluations;
+    ends.sort_by(|one, other| one.misfit().total_cmp(&other.misfit()));
+    let nearly = farthest(&ends[0]);
     let mut minima: Vec<Minimum<'_>> = Vec::new();
-    for (i, (mut problem, ending)) in ends.into_iter().enumerate() {
+    for (i, problem) in ends.into_iter().enumerate() {
         if i > 0 && problem.misfit() > nearly {
             break;
         }
-        problem.evaluations = 0;
-        let found = Minimum::settled(problem, ending, data);
-        evaluations += found.problem.evaluations;
-        minima.push(found);
+        minima.push(settle(problem, data));
     }
     // One after another, because the points in common differ from pair to pair.
     let is_better = |one: &Minimum<'_>, other: &Minimum<'_>| {
-        let failed = [one, other].map(|minimum| minimum.ending != Ending::Converged);
+        let failed = [one, other].map(|minimum| minimum.problem.ending != Ending::Converged);
         match failed {
             [false, true] => true,
             [true, false] => false,
@@ -251,11 +228,8 @@ fn best<'a>(
         }
     }
     if let Some(uncertainty) = &best.uncertainty {
-        let (found, count) = bend(&best.problem, uncertainty);
-        best.bend = found;
-        evaluations += count;
+        best.bend = bend(&best.problem, uncertainty);
     }
-    best.problem.evaluations = evaluations;
     best
 }
 
@@ -285,12 +259,13 @@ impl<'a> Minimum<'a> {
         self.problem.refused && self.uncertainty.as_ref().is_some_and(is_short)
     }
 
-    /// Follows an end on few points to all points.
-    pub fn settled(problem: Problem<'a>, ending: Ending, data: &[Assigned]) -> Self {
-        let (problem, ending, uncertainty) = settle(problem, ending, data);
+    /// Takes the minimum of a problem, which has failed where there are no derivatives.
+    pub fn new(mut problem: Problem<'a>, uncertainty: Option<Uncertainty>) -> Self {
+        if uncertainty.is_none() {
+            problem.ending = Ending::Failed;
+        }
         Self {
             problem,
-            ending,
             uncertainty,
             rivals: Vec::new(),
             bend: None,
@@ -300,9 +275,7 @@ impl<'a> Minimum<'a> {
     /// Starts again from a place that is lower than this minimum, which becomes a rival of the new
     /// one.
     pub fn replace_by(&mut self, lower: Problem<'a>, data: &[Assigned]) {
-        let lower = Self::settled(lower, Ending::Converged, data);
-        let old = std::mem::replace(self, lower);
-        self.problem.evaluations += old.problem.evaluations;
+        let old = std::mem::replace(self, settle(lower, data));
         self.rivals.extend(rival(self, &old));
     }
 }
@@ -321,7 +294,7 @@ fn rival(best: &Minimum<'_>, other: &Minimum<'_>) -> Option<Rival> {
             (others[slot] - values[slot]).abs() > APART * error
         })
     };
-    let both = best.ending == Ending::Converged && other.ending == Ending::Converged;
+    let both = [best, other].map(|minimum| minimum.problem.ending) == [Ending::Converged; 2];
     let mut known = best.rivals.iter().map(|rival| &rival.values);
     let is_new =
         is_apart_from(&values_of(&best.problem)) && known.all(|rival| is_apart_from(rival));
@@ -355,10 +328,10 @@ fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
         other.abscissa_parts.clone_from(&one.abscissa_parts);
     }
     if one.counting() > counts[0] {
-        one = one.minimise(FEWER, COARSE).0;
+        one = one.minimise(FEWER, COARSE);
     }
     if other.counting() > counts[1] {
-        other = other.minimise(FEWER, COARSE).0;
+        other = other.minimise(FEWER, COARSE);
     }
     let [Some(of_one), Some(of_other)] = [&one, &other].map(squares) else {
         return f64::NAN;

@@ -1,7 +1,7 @@
 //! The least-squares problem, for the crate `levenberg-marquardt`.
 
 use std::borrow::Cow;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -17,7 +17,7 @@ use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
 use crate::model::Predicted;
-use crate::{Bodies, Error, Loss, Parameter};
+use crate::{Bodies, Branch, Error, Loss, Parameter};
 
 /// The residuals at parameters without a contact, such as those outside the table. They are so
 /// large that the method rejects the step.
@@ -37,7 +37,10 @@ pub(crate) struct Problem<'a> {
     /// The predictions, with the derivatives with respect to the slots where the bodies have exact ones;
     /// `None` if there is no contact with these parameters.
     pub predicted: Option<Vec<Predicted>>,
-    pub evaluations: usize,
+    /// How the last minimisation ended.
+    pub ending: Ending,
+    /// The number of evaluations, of all copies of the problem.
+    pub evaluations: Rc<Cell<usize>>,
     /// Whether the last minimisation met parameters without a contact, such as those outside the
     /// table.
     pub refused: bool,
@@ -45,8 +48,6 @@ pub(crate) struct Problem<'a> {
     pub beyond_table: bool,
     /// Where a minimisation stops, because it leads to a minimum that is known.
     pub known: Rc<[Basin]>,
-    /// Whether the last minimisation stopped there.
-    pub arrived: bool,
     /// The contacts made last, and whether they have derivatives.
     contacts: RefCell<Vec<(Bodies, bool, Contact)>>,
 }
@@ -59,6 +60,8 @@ pub(crate) enum Ending {
     OutOfPatience,
     /// The method stopped for another reason.
     Failed,
+    /// It leads to a minimum that is known.
+    Known,
 }
 
 impl<'a> Problem<'a> {
@@ -80,11 +83,11 @@ impl<'a> Problem<'a> {
             loss,
             x,
             predicted: None,
-            evaluations: 0,
+            ending: Ending::Converged,
+            evaluations: Rc::default(),
             refused: false,
             beyond_table: false,
             known: Rc::new([]),
-            arrived: false,
             contacts: RefCell::new(Vec::new()),
         };
         problem.update()?;
@@ -117,7 +120,7 @@ impl<'a> Problem<'a> {
     /// Gives the experiments the present values, and predicts their points.
     pub fn update(&mut self) -> Result<(), Error> {
         self.predicted = None;
-        self.evaluations += 1;
+        self.evaluations.set(self.evaluations.get() + 1);
         for e in 0..self.assigned.len() {
             for slot in self.slots_of(e) {
                 let (parameter, value) = (self.slots[slot].parameter, self.value(slot));
@@ -165,6 +168,13 @@ impl<'a> Problem<'a> {
         let contact_of =
             |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
         experiment.predict_with(&contact_of, branches, order, parameters)
+    }
+
+    /// Returns the fitted ordinate of a point; `None` for one that is left out, and without a contact.
+    pub fn ordinate(&self, e: usize, i: usize) -> Option<f64> {
+        let one = &self.assigned[e];
+        let value = self.predicted.as_ref()?[e].values[i];
+        (one.branches[i] != Branch::LeftOut).then(|| one.experiment.ordinate_of(value))
     }
 
     /// Returns the smallest and the largest fitted contact radius (m) of experiment `e`: infinity and 0
@@ -228,12 +238,6 @@ impl<'a> Problem<'a> {
             largest = changes.fold(largest, f64::max);
         }
         Ok(largest)
-    }
-
-    /// Lists the points that count: experiment and number.
-    pub fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
-        let assigned = self.assigned.iter().enumerate();
-        assigned.flat_map(|(e, assigned)| assigned.counting_points().map(move |i| (e, i)))
     }
 
     /// Returns the rows of the residuals that each experiment has.
@@ -375,11 +379,12 @@ impl<'a> Problem<'a> {
     }
 
     /// Minimises from the present values, until relative changes are below `tolerance`.
-    pub fn minimise(mut self, patience: usize, tolerance: f64) -> (Self, Ending) {
+    pub fn minimise(mut self, patience: usize, tolerance: f64) -> Self {
+        self.ending = Ending::Converged;
         if self.slots.is_empty() {
-            return (self, Ending::Converged);
+            return self;
         }
-        (self.refused, self.beyond_table, self.arrived) = (false, false, false);
+        (self.refused, self.beyond_table) = (false, false);
         // The coordinates are scaled already, by a factor of e or by the range of the data.
         let method = LevenbergMarquardt::new()
             .with_scale_diag(false)
@@ -388,15 +393,16 @@ impl<'a> Problem<'a> {
             .with_xtol(tolerance)
             .with_gtol(0.0)
             .with_patience(patience);
-        let (problem, report) = method.minimize(self);
-        // A fit that rounding has stopped has converged.
-        let ending = match report.termination {
+        let (mut problem, report) = method.minimize(self);
+        problem.ending = match report.termination {
+            _ if problem.ending == Ending::Known => Ending::Known,
+            // A fit that rounding has stopped has converged.
             TerminationReason::NoImprovementPossible(_) => Ending::Converged,
             TerminationReason::LostPatience => Ending::OutOfPatience,
             ref reason if reason.was_successful() => Ending::Converged,
             _ => Ending::Failed,
         };
-        (problem, ending)
+        problem
     }
 }
 
@@ -407,8 +413,10 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
 
     fn set_params(&mut self, x: &DVector<f64>) {
         self.x.copy_from(x);
-        self.arrived |= self.known.iter().any(|basin| basin.holds(x));
-        if self.arrived {
+        if self.known.iter().any(|basin| basin.holds(x)) {
+            self.ending = Ending::Known;
+        }
+        if self.ending == Ending::Known {
             return;
         }
         if let Err(error) = self.update() {
@@ -423,7 +431,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        if self.arrived {
+        if self.ending == Ending::Known {
             return None;
         }
         if let Some((_, residuals)) = self.compressed() {

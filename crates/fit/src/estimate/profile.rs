@@ -52,7 +52,7 @@ impl End {
 }
 
 /// Finds the interval of each value in which the sum of squares, minimised over all other values,
-/// exceeds its minimum by less than `deviations^2`. Returns their ends, and the number of evaluations.
+/// exceeds its minimum by less than `deviations^2`.
 ///
 /// # Errors
 /// The place with the lowest sum of squares, if one is found that is lower than the minimum.
@@ -60,51 +60,39 @@ pub(crate) fn intervals<'a>(
     problem: &Problem<'a>,
     uncertainty: &Uncertainty,
     deviations: f64,
-) -> Result<(Vec<[End; 2]>, usize), Box<Problem<'a>>> {
-    let mut way = Way {
+) -> Result<Vec<[End; 2]>, Box<Problem<'a>>> {
+    let way = Way {
         problem,
         least: problem.misfit(),
         unit: uncertainty.growth,
         deviations,
-        evaluations: 0,
     };
     let mut ends = Vec::new();
     for slot in 0..problem.slots.len() {
         let error = uncertainty.relative_error(slot).min(LARGEST_ERROR);
         ends.push([way.end(slot, -error)?, way.end(slot, error)?]);
     }
-    Ok((ends, way.evaluations))
+    Ok(ends)
 }
 
-/// The minimum over all values but one.
-pub(super) struct Fixed {
-    pub misfit: f64,
-    pub ending: Ending,
-    pub evaluations: usize,
-}
-
-/// Minimises over all values but that of a slot, from the present ones, which it replaces; `None`
-/// where there is no contact.
+/// Minimises over all values but that of a slot, from the present ones, which it replaces. Returns the sum of squares;
+/// `None` where there is no contact.
 pub(super) fn with_fixed(
     current: &mut Problem<'_>,
     slot: usize,
     value: f64,
     patience: usize,
-) -> Option<Fixed> {
-    let fixed = current.with_fixed(slot, value)?;
-    let before = fixed.evaluations;
-    let (fitted, ending) = fixed.minimise(patience, TOLERANCE);
+) -> Option<f64> {
+    let fitted = current.with_fixed(slot, value)?;
+    let fitted = fitted.minimise(patience, TOLERANCE);
     let of_prior = current.slots[slot].prior.map_or(0.0, |prior| {
         let residual = (value - prior.mean) / prior.width;
         weighted(current.loss, residual).0.powi(2)
     });
     current.take_others(slot, &fitted);
     current.x[slot] = current.slots[slot].coordinate.of(value);
-    Some(Fixed {
-        misfit: fitted.misfit() + of_prior,
-        ending,
-        evaluations: fitted.evaluations - before,
-    })
+    current.ending = fitted.ending;
+    Some(fitted.misfit() + of_prior)
 }
 
 /// The way from the minimum to the ends.
@@ -116,7 +104,6 @@ struct Way<'p, 'a> {
     unit: f64,
     /// The standard errors asked for.
     deviations: f64,
-    evaluations: usize,
 }
 
 /// A place on the way: the distance, and how far the sum of squares has grown, as a number of
@@ -129,7 +116,7 @@ struct Place {
 
 impl<'a> Way<'_, 'a> {
     /// Returns one end of an interval. The sign of `error` is that of the side.
-    fn end(&mut self, slot: usize, error: f64) -> Result<End, Box<Problem<'a>>> {
+    fn end(&self, slot: usize, error: f64) -> Result<End, Box<Problem<'a>>> {
         let mut current = self.problem.clone();
         let mut near = Place {
             distance: 0.0,
@@ -170,7 +157,7 @@ impl<'a> Way<'_, 'a> {
     /// of every level, so that intervals are nested even where the sum of squares has a jump. The
     /// fits start from the nearer place, from which the other values change without a jump.
     fn between(
-        &mut self,
+        &self,
         mut nearer: Problem<'a>,
         slot: usize,
         error: f64,
@@ -207,22 +194,22 @@ impl<'a> Way<'_, 'a> {
 
     /// Returns how far the sum of squares has grown at a distance, as a number of standard errors.
     fn grown(
-        &mut self,
+        &self,
         current: &mut Problem<'a>,
         slot: usize,
         distance: f64,
     ) -> Result<Result<f64, End>, Box<Problem<'a>>> {
         let value = self.value(slot, distance);
         // Where the table ends, the data have set no limit.
-        let Some(at) = with_fixed(current, slot, value, PATIENCE) else {
+        let Some(misfit) = with_fixed(current, slot, value, PATIENCE) else {
             return Ok(Err(End::Open(value)));
         };
-        self.evaluations += at.evaluations;
-        if at.ending == Ending::Failed {
+        if current.ending == Ending::Failed {
             return Ok(Err(End::Failed(value)));
         }
-        let growth = (at.misfit - self.least) / self.unit.powi(2);
+        let growth = (misfit - self.least) / self.unit.powi(2);
         if growth < -LOWER * LOWER && current.update().is_ok() {
+            current.ending = Ending::Converged;
             return Err(Box::new(current.clone()));
         }
         Ok(Ok(growth.max(0.0).sqrt()))

@@ -1,10 +1,11 @@
 //! What a fit of bodies that relax tells beside its parameters, and the doubts about it.
 
+use contact::LawParameter;
+
 use super::doubts::Warnings;
 use super::minima::Minimum;
 use super::problem::Problem;
 use super::relaxing_start::accept_zeros;
-use super::slot::Slot;
 use crate::statistics::extremes;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
 
@@ -35,14 +36,8 @@ pub(super) fn of(found: &Minimum<'_>, e: usize) -> Result<Option<FittedRelaxatio
         return Ok(None);
     };
     let program = experiment.program();
-    let is_of = |slot: &&Slot| slot.is_of(e, experiment);
-    let is_free = |free| {
-        problem
-            .slots
-            .iter()
-            .filter(is_of)
-            .any(|slot| slot.parameter == free)
-    };
+    let free = problem.parameters_of(e);
+    let is_free = |one| free.contains(&one);
     accept_zeros(experiment, &program, is_free, found.is_stopped(FAR_SHORT))?;
     let contact = problem.contact(&experiment.bodies, false)?;
     let history = contact.history(&relaxing.law)?;
@@ -88,7 +83,7 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
     for &slot in &problem.slots_of(e) {
         let parameter = problem.slots[slot].parameter;
         let value = problem.value(slot);
-        if !matches!(parameter, Parameter::RelaxationTime(_)) {
+        if !matches!(parameter, Parameter::Law(LawParameter::Time(_))) {
             continue;
         }
         let [least, most] = [INTERVALS * interval, duration];

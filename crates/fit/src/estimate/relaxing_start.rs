@@ -1,9 +1,12 @@
 //! Where the method starts where bodies relax: the elastic contact that describes the approach, and
 //! the best of a few laws with it.
 
+use contact::LawParameter;
+
 use interp::{Probe, Table};
 
 use super::assigned::Assigned;
+use super::start::Starts;
 use crate::model::{Program, noise_of};
 use crate::statistics::{extremes, median};
 use crate::{Bodies, Direction, Error, Experiment, Parameter, Point};
@@ -35,30 +38,20 @@ const BEGIN: f64 = 0.05;
 const FEWEST: usize = 3;
 
 /// Gives an experiment whose bodies relax the level of its baseline, if this is unknown: that of its first points,
-/// because few of them may be before the contact. Returns the start.
-pub(super) fn level(
-    experiment: &mut Experiment,
-    is_unknown: impl Fn(Parameter) -> bool,
-) -> Result<Option<(Parameter, f64)>, Error> {
+/// because few of them may be before the contact.
+pub(super) fn level(starts: &mut Starts<'_>) -> Result<(), Error> {
+    let experiment = &starts.at.experiment;
     let points = &experiment.measurement.points;
     if experiment.relaxing.is_none() || points.len() < FEWEST {
-        return Ok(None);
+        return Ok(());
     }
-    let reading = median(
-        points[..FEWEST]
-            .iter()
-            .map(|point| point.ordinate)
-            .collect(),
-    );
-    let start = if is_unknown(Parameter::Baseline) {
-        (Parameter::Baseline, reading - experiment.load_offset)
-    } else if is_unknown(Parameter::LoadOffset) {
-        (Parameter::LoadOffset, reading - experiment.baseline)
+    let first = points[..FEWEST].iter();
+    let reading = median(first.map(|point| point.ordinate).collect());
+    if (starts.is_unknown)(Parameter::Baseline) {
+        starts.give(Parameter::Baseline, reading - experiment.load_offset)
     } else {
-        return Ok(None);
-    };
-    experiment.replace(start.0, start.1)?;
-    Ok(Some(start))
+        starts.give_unknown(Parameter::LoadOffset, reading - experiment.baseline)
+    }
 }
 
 /// Returns the approach of an experiment whose bodies relax, as that of an elastic contact.
@@ -101,15 +94,15 @@ struct Tried {
 }
 
 /// Gives the experiment the law of those tried that describes the data best, with the modulus
-/// `matched` that goes with it. Returns the starts.
-pub(super) fn starts(
+/// `matched` that goes with it.
+pub(super) fn give(
     table: &Table,
-    experiment: &mut Experiment,
+    starts: &mut Starts<'_>,
     matched: Option<Parameter>,
-    is_unknown: impl Fn(Parameter) -> bool,
-) -> Result<Vec<(Parameter, f64)>, Error> {
+) -> Result<(), Error> {
+    let (experiment, is_unknown) = (&mut starts.at.experiment, starts.is_unknown);
     let Some(relaxing) = &experiment.relaxing else {
-        return Ok(Vec::new());
+        return Ok(());
     };
     let mut parameters = relaxing.parameters();
     if let Some(modulus) = matched
@@ -126,7 +119,7 @@ pub(super) fn starts(
         experiment.replace(modulus, stress)?;
     }
     parameters.retain(|&parameter| is_unknown(parameter));
-    let mut starts: Vec<(Parameter, f64)> = begin(experiment, &is_unknown)?.into_iter().collect();
+    let mut found: Vec<(Parameter, f64)> = begin(experiment, is_unknown)?.into_iter().collect();
     let mut best: Option<Tried> = None;
     let mut attempt = |contact_point: Option<(Parameter, f64)>| {
         for values in candidates(experiment, &parameters) {
@@ -158,25 +151,25 @@ pub(super) fn starts(
         }
     }
     if let Some(best) = best {
-        starts.extend(best.contact_point);
-        starts.extend(parameters.into_iter().zip(best.values));
+        found.extend(best.contact_point);
+        found.extend(parameters.into_iter().zip(best.values));
         if let Some(modulus) = matched
             && let Some(value) = experiment.get(modulus)
         {
-            starts.push((modulus, best.factor * value));
+            found.push((modulus, best.factor * value));
         }
     }
-    for &(parameter, value) in &starts {
-        experiment.replace(parameter, value)?;
+    for (parameter, value) in found {
+        starts.give(parameter, value)?;
     }
-    Ok(starts)
+    Ok(())
 }
 
 /// Refuses data that begin in contact. Returns a contact point at the first point where it is found
 /// a little before.
 fn begin(
     experiment: &Experiment,
-    is_unknown: &impl Fn(Parameter) -> bool,
+    is_unknown: &dyn Fn(Parameter) -> bool,
 ) -> Result<Option<(Parameter, f64)>, Error> {
     let program = experiment.program();
     let (first, largest) = (program.points[0].1, program.points[program.turn].1);
@@ -233,18 +226,18 @@ fn hidden(experiment: &Experiment) -> f64 {
 fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>> {
     let times = &experiment.times;
     let duration = times.last().copied().unwrap_or(1.0) - times.first().copied().unwrap_or(0.0);
-    let is_time = |one: &&Parameter| matches!(one, Parameter::RelaxationTime(_));
+    let is_time = |one: &&Parameter| matches!(one, Parameter::Law(LawParameter::Time(_)));
     let count = parameters.iter().filter(is_time).count();
     let values = |parameter: Parameter| -> Vec<f64> {
         match parameter {
-            Parameter::RelaxationExponent if count > 0 => FEWER.to_vec(),
-            Parameter::RelaxationExponent => EXPONENTS.to_vec(),
-            Parameter::RelaxedFraction => FRACTIONS.to_vec(),
-            Parameter::RelaxationTime(number) if count > 1 => {
-                let part = f64::from(number - 1) / (count - 1) as f64;
+            Parameter::Law(LawParameter::Exponent) if count > 0 => FEWER.to_vec(),
+            Parameter::Law(LawParameter::Exponent) => EXPONENTS.to_vec(),
+            Parameter::Law(LawParameter::RelaxedFraction) => FRACTIONS.to_vec(),
+            Parameter::Law(LawParameter::Time(k)) if count > 1 => {
+                let part = k as f64 / (count - 1) as f64;
                 vec![duration * RANGE[0] * (RANGE[1] / RANGE[0]).powf(part)]
             }
-            Parameter::RelaxationTime(_) => TIMES.map(|part| part * duration).to_vec(),
+            Parameter::Law(LawParameter::Time(_)) => TIMES.map(|part| part * duration).to_vec(),
             // A small part for each of several times: the first has the rest.
             _ => vec![0.35 / count.max(1) as f64],
         }

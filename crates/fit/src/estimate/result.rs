@@ -296,7 +296,7 @@ pub struct Combination {
 
 impl Combination {
     /// Returns the words of several combinations, each once: the same parameters may change in several proportions.
-    pub fn texts(combinations: &[Self]) -> Vec<&str> {
+    pub fn texts<'a>(combinations: impl IntoIterator<Item = &'a Self>) -> Vec<&'a str> {
         let mut texts: Vec<&str> = Vec::new();
         for one in combinations {
             if !texts.contains(&&*one.text) {

@@ -2,6 +2,7 @@
 //! back, and the noise is estimated.
 
 use super::assigned::Assigned;
+use super::minima::Minimum;
 use super::noise::estimate_noise;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
@@ -127,20 +128,17 @@ pub(super) enum Beyond {
     LeftOut,
 }
 
-/// The values on the points that count, how they were found, and their uncertainty.
-type Settled<'a> = (Problem<'a>, Ending, Option<Uncertainty>);
-
-/// Estimates the noise where it is not known, and lets the points count that are not near the end of their branch,
-/// until neither changes. Points beyond the end are left out where the fit does not describe the data with them, or where
-/// the other points contradict them.
-pub(super) fn settle<'a>(problem: Problem<'a>, ending: Ending, data: &[Assigned]) -> Settled<'a> {
-    let (counted, has_beyond) = settle_with(problem.clone(), ending, data, Beyond::Counts);
+/// Follows an end on few points to all points: estimates the noise where it is not known, and lets the points count that
+/// are not near the end of their branch, until neither changes. Points beyond the end are left out where the fit does not
+/// describe the data with them, or where the other points contradict them.
+pub(super) fn settle<'a>(problem: Problem<'a>, data: &[Assigned]) -> Minimum<'a> {
+    let (counted, has_beyond) = settle_with(problem.clone(), data, Beyond::Counts);
     if !has_beyond {
         return counted;
     }
-    let (without, _) = settle_with(problem, ending, data, Beyond::LeftOut);
-    let is_better = is_bad(&counted.0) || contradicts(&without.0, &counted.0);
-    if without.1 == Ending::Converged && is_better {
+    let (without, _) = settle_with(problem, data, Beyond::LeftOut);
+    let is_better = is_bad(&counted.problem) || contradicts(&without.problem, &counted.problem);
+    if without.problem.ending == Ending::Converged && is_better {
         without
     } else {
         counted
@@ -169,16 +167,15 @@ fn contradicts(without: &Problem<'_>, counted: &Problem<'_>) -> bool {
 
 fn settle_with<'a>(
     mut problem: Problem<'a>,
-    mut ending: Ending,
     data: &[Assigned],
     beyond: Beyond,
-) -> (Settled<'a>, bool) {
+) -> (Minimum<'a>, bool) {
     let (mut round, mut has_beyond) = (0, false);
     loop {
         let weights = problem.weigh();
         let uncertainty = Uncertainty::of(&problem);
         let (Some(uncertainty), Ok(weights)) = (uncertainty, weights) else {
-            return ((problem, Ending::Failed, None), has_beyond);
+            return (Minimum::new(problem, None), has_beyond);
         };
         let (uncertainty, noise_changed) = estimate_noise(&mut problem, uncertainty);
         let mut branches_changed = false;
@@ -206,17 +203,17 @@ fn settle_with<'a>(
         round += 1;
         // At a point where the contact changes from pinned to receding the derivatives have a step,
         // at which the method may stop too early.
-        let stalled = uncertainty.short > SHORT && ending == Ending::Converged && round < 3;
+        let stalled = uncertainty.short > SHORT && problem.ending == Ending::Converged && round < 3;
         let weights_changed = weights > WEIGHTS_CHANGE;
         let settled =
             !(branches_changed || weights_changed || noise_changed && noise_matters || stalled);
         if settled || round > ROUNDS {
-            return ((problem, ending, Some(uncertainty)), has_beyond);
+            return (Minimum::new(problem, Some(uncertainty)), has_beyond);
         }
         if problem.update().is_err() {
-            return ((problem, Ending::Failed, None), has_beyond);
+            return (Minimum::new(problem, None), has_beyond);
         }
-        (problem, ending) = problem.minimise(PATIENCE, FINE);
+        problem = problem.minimise(PATIENCE, FINE);
     }
 }
 

@@ -1,6 +1,8 @@
 //! The values to be found, and the coordinates in which the method moves them.
 
-use crate::{Error, Experiment, Free, NamedLayer, Parameter, Prior, Scope};
+use contact::LawParameter;
+
+use crate::{Error, Experiment, Free, LayerQuantity, NamedLayer, Parameter, Prior, Scope};
 
 /// The part of the distance between two bounds by which a start keeps away from them.
 const INSIDE: f64 = 0.02;
@@ -16,6 +18,8 @@ pub(crate) struct Slot {
     pub parameter: Parameter,
     /// The experiment to which it belongs; `None` if all share it.
     pub experiment: Option<usize>,
+    /// Whether the start was given, and is not sought in the data.
+    pub is_given: bool,
     pub prior: Option<Prior>,
     pub coordinate: Coordinate,
 }
@@ -181,7 +185,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
                 Parameter::Hardness => experiments[e].hardness_to_start_from(),
-                Parameter::LayerInterfaceStiffness(name) => {
+                Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => {
                     experiments[e].layer(name).map(NamedLayer::own_stiffness)
                 }
                 _ => None,
@@ -190,6 +194,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
         let slot = |experiment: Option<usize>, start: f64| Slot {
             parameter: one.parameter,
             experiment,
+            is_given: one.start.is_some(),
             prior: one.prior,
             coordinate: Coordinate {
                 positive: one.parameter.is_positive(),
@@ -197,9 +202,10 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 unit: 1.0,
                 bounds: one.bounds.or(match one.parameter {
                     Parameter::FilmPoissonRatio => Some([0.0, 0.5]),
-                    Parameter::RelaxedFraction => Some([0.0, 1.0]),
-                    Parameter::RelaxationExponent => Some(EXPONENTS),
-                    Parameter::LayerInterfaceStiffness(name) => experiments[members[0]]
+                    Parameter::Law(LawParameter::RelaxedFraction) => Some([0.0, 1.0]),
+                    Parameter::Law(LawParameter::Exponent) => Some(EXPONENTS),
+                    Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => experiments
+                        [members[0]]
                         .layer(name)
                         .map(|layer| interface_bounds(layer, start)),
                     _ => None,

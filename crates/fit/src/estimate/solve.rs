@@ -11,8 +11,8 @@ use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
 use crate::statistics::{deviations, student_deviations};
 use crate::{
-    Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, FittedRelaxation, Free,
-    LeftOut, LossAngle, Options, Parameter, WithoutFilm,
+    Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
+    Parameter, WithoutFilm,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
@@ -82,33 +82,19 @@ fn to_the_end(
         left_out::accept(&data, &left_out)?;
     }
     accept_errors(&found)?;
-    let losses = losses(&found.problem)?;
-    let relaxations = (0..experiments.len()).map(|e| relaxing::of(&found, e));
-    let relaxations = relaxations.collect::<Result<Vec<_>, _>>();
-    let relaxations = relaxations.map_err(|error| of_undetermined(error, &found))?;
-    let without_film = options
+    let (without_film, without) = options
         .without_film
-        .then(|| without_film::without_film(table, &found, free, options.loss))
-        .flatten();
-    let mut fit = result(
-        &found,
-        &data,
-        options,
-        (intervals, without_film, left_out, relaxations),
-    );
+        .then(|| without_film::without_film(table, &found, options.loss))
+        .flatten()
+        .unzip();
+    let experiments = left_out.into_iter().enumerate();
+    let experiments =
+        experiments.map(|(e, left_out)| experiment(&found, e, left_out, without.as_ref()));
+    let experiments: Result<Vec<_>, _> = experiments.collect();
+    let experiments = experiments.map_err(|error| of_undetermined(error, &found))?;
+    let fit = result(&found, &data, options, intervals, experiments, without_film);
     fixed_values::accept_changes(&fit.fixed_values)?;
-    for (one, loss) in fit.experiments.iter_mut().zip(losses) {
-        one.loss = loss;
-    }
     Ok(fit)
-}
-
-/// Returns the loss angle of each experiment with phases.
-fn losses(problem: &Problem<'_>) -> Result<Vec<Option<LossAngle>>, Error> {
-    let contact_of =
-        |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
-    let of = |one: &Assigned| one.experiment.loss_angle(&contact_of, &one.branches);
-    problem.assigned.iter().map(of).collect()
 }
 
 /// Finds the intervals asked for. One that leads to a lower minimum starts the fit again from there.
@@ -120,7 +106,7 @@ fn intervals<'a>(
     let level = options.profile_level?;
     for _ in 0..MOST_RESTARTS {
         let uncertainty = found.uncertainty.as_ref()?;
-        if found.ending != Ending::Converged {
+        if found.problem.ending != Ending::Converged {
             return None;
         }
         // An estimated noise has an error of its own, which is large where points are few.
@@ -131,15 +117,12 @@ fn intervals<'a>(
             student_deviations(level, freedom.max(1))
         };
         match profile::intervals(&found.problem, uncertainty, deviations) {
-            Ok((ends, evaluations)) => {
-                found.problem.evaluations += evaluations;
-                return Some(ends);
-            }
+            Ok(ends) => return Some(ends),
             Err(lower) => found.replace_by(*lower, data),
         }
     }
     // Each round has found a lower minimum: this one is none.
-    found.ending = Ending::OutOfPatience;
+    found.problem.ending = Ending::OutOfPatience;
     None
 }
 
@@ -165,7 +148,7 @@ fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
         .filter(is_open)
         .map(|slot| names[slot].as_str())
         .collect();
-    if found.ending != Ending::Converged || open.is_empty() {
+    if found.problem.ending != Ending::Converged || open.is_empty() {
         return Ok(());
     }
     let slots = found.problem.slots.iter();
@@ -210,7 +193,19 @@ pub(crate) fn prepare(
     for experiment in experiments {
         let mut experiment = experiment.clone();
         experiment.accept_instrument()?;
-        accept_numbers(&experiment, free.len())?;
+        if experiment.measurement.points.is_empty() {
+            return Err(Error::TooFewPoints {
+                points: 0,
+                parameters: free.len(),
+            });
+        }
+        experiment.accept_errors()?;
+        for work in Parameter::WORKS {
+            let value = experiment.get(work);
+            if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
+                return Err(experiment.wrong_setting(work, value, ">= 0 and finite"));
+            }
+        }
         if is_free(Parameter::Hardness) && experiment.indentation.hardness.is_none() {
             experiment.indentation.hardness = experiment.hardness_to_start_from();
         }
@@ -220,14 +215,10 @@ pub(crate) fn prepare(
             experiment.work_of_adhesion_receding.get_or_insert(work);
         }
         if experiment.from_deflection && is_free(Parameter::Stiffness) {
-            return Err(Error::NotApplicable {
-                parameter: Parameter::Stiffness,
-                experiment: experiment.measurement.name.clone(),
-                reason: "it turns a deflection into a force: fix it, and state its standard error"
-                    .into(),
-            });
+            let reason = "it turns a deflection into a force: fix it, and state its standard error";
+            return Err(experiment.not_applicable(Parameter::Stiffness, reason));
         }
-        for work in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
+        for work in Parameter::WORKS {
             // The value of a free parameter does not count; with 0 the points near the end of a branch
             // would be read as those of a contact without adhesion.
             if is_free(work)
@@ -241,24 +232,6 @@ pub(crate) fn prepare(
         assigned.push(Assigned::new(experiment, assignment));
     }
     Ok((assigned, slots))
-}
-
-/// Accepts noise and works of adhesion.
-fn accept_numbers(experiment: &Experiment, parameters: usize) -> Result<(), Error> {
-    if experiment.measurement.points.is_empty() {
-        return Err(Error::TooFewPoints {
-            points: 0,
-            parameters,
-        });
-    }
-    experiment.accept_errors()?;
-    for parameter in [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding] {
-        let value = experiment.get(parameter);
-        if let Some(value) = value.filter(|value| !(0.0..f64::INFINITY).contains(value)) {
-            return Err(experiment.wrong_setting(parameter, value, ">= 0 and finite"));
-        }
-    }
-    Ok(())
 }
 
 /// Accepts the options.
@@ -299,21 +272,14 @@ pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
     problem.slots.iter().map(name).collect()
 }
 
-/// What is known beside the minimum: intervals, the fit without the film, the points left out, and
-/// what the relaxations do.
-type Added = (
-    Option<Vec<[profile::End; 2]>>,
-    Option<(WithoutFilm, Vec<Vec<Option<f64>>>)>,
-    Vec<Vec<LeftOut>>,
-    Vec<Option<FittedRelaxation>>,
-);
-
 /// Puts the result together.
 fn result(
     found: &Minimum<'_>,
     data: &[Assigned],
     options: &Options,
-    (intervals, without, left_out, relaxations): Added,
+    intervals: Option<Vec<[profile::End; 2]>>,
+    experiments: Vec<FittedExperiment>,
+    without_film: Option<WithoutFilm>,
 ) -> Fit {
     let problem = &found.problem;
     let uncertainty = found.uncertainty.as_ref();
@@ -330,26 +296,16 @@ fn result(
     let residuals = problem.plain_residuals();
     let chi_squared = residuals.map_or(f64::NAN, |residuals| residuals.norm_squared());
     let (degrees_of_freedom, all_given) = freedom(problem);
-    let (without_film, predictions) = without.unzip();
     let mut fit = Fit {
-        converged: found.ending == Ending::Converged,
-        evaluations: problem.evaluations,
+        converged: found.problem.ending == Ending::Converged,
+        evaluations: problem.evaluations.get(),
         estimates,
         correlation: uncertainty.map_or_else(Vec::new, Uncertainty::correlation),
         fixed_values: Vec::new(),
         chi_squared,
         degrees_of_freedom,
         reduced_chi_squared: all_given.then(|| chi_squared / degrees_of_freedom as f64),
-        experiments: left_out
-            .into_iter()
-            .zip(relaxations)
-            .enumerate()
-            .map(|(e, (left_out, relaxation))| FittedExperiment {
-                left_out,
-                relaxation,
-                ..experiment(problem, e, predictions.as_ref().map(|all| &all[e]))
-            })
-            .collect(),
+        experiments,
         without_film,
         undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
             uncertainty.undetermined(&slot_names(problem))
@@ -365,27 +321,29 @@ fn result(
         fit.fixed_values = fixed_values::effects(problem, uncertainty, known, *all);
         fixed_values::pass_on(&mut fit);
     }
-    fit.warnings = warnings::warnings(&fit, found, data, options);
-    fit.warnings
-        .extend(warnings::intervals(&fit, problem, intervals.as_deref()));
+    fit.warnings = warnings::warnings(&fit, found, data, options, intervals.as_deref());
     fit
 }
 
-/// Returns an experiment as fitted.
+/// Returns an experiment as fitted, with the ordinates that the fit without the film predicts.
 fn experiment(
-    problem: &Problem<'_>,
+    found: &Minimum<'_>,
     e: usize,
-    without_film: Option<&Vec<Option<f64>>>,
-) -> FittedExperiment {
+    left_out: Vec<LeftOut>,
+    without_film: Option<&Problem<'_>>,
+) -> Result<FittedExperiment, Error> {
+    let problem = &found.problem;
+    let contact_of =
+        |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
     let assigned = &problem.assigned[e];
     let predicted = problem.predicted.as_ref().map(|all| &all[e]);
     let measurement = &assigned.experiment.measurement;
     let point = |(i, point): (usize, &crate::Point)| {
         let counts = assigned.branches[i] != Branch::LeftOut;
         let predicted = predicted.filter(|_| counts);
-        let of = &assigned.experiment;
-        let fit = predicted.map(|predicted| of.ordinate_of(predicted.values[i]));
-        let deviation = of.deviation_of_ordinate(i, assigned.deviation(i));
+        let fit = problem.ordinate(e, i);
+        let without_film = without_film.and_then(|all| all.ordinate(e, i));
+        let deviation = assigned.deviation(i) * measurement.kind.scale(point.ordinate);
         let is_pinned = predicted.is_some_and(|predicted| predicted.pinned[i]);
         FittedPoint {
             line: point.line,
@@ -396,7 +354,7 @@ fn experiment(
             contact_radius: predicted
                 .map(|predicted| predicted.radii[i])
                 .filter(|&radius| radius > 0.0),
-            without_film: without_film.and_then(|all| all[i]),
+            without_film: without_film.filter(|value| value.is_finite()),
             branch: if is_pinned {
                 Branch::Pinned
             } else {
@@ -405,14 +363,16 @@ fn experiment(
             outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * deviation),
         }
     };
-    FittedExperiment {
+    Ok(FittedExperiment {
         name: measurement.name.clone(),
         noise: assigned.noise,
         noise_is_estimated: assigned.experiment.usual_noise().is_none(),
         abscissa_noise: assigned.experiment.usual_abscissa_noise(),
         points: measurement.points.iter().enumerate().map(point).collect(),
-        left_out: Vec::new(),
-        loss: None,
-        relaxation: None,
-    }
+        left_out,
+        loss: assigned
+            .experiment
+            .loss_angle(&contact_of, &assigned.branches)?,
+        relaxation: relaxing::of(found, e)?,
+    })
 }

@@ -5,13 +5,12 @@ use interp::Table;
 
 use super::assigned::Assigned;
 use super::indentation;
-use super::jkr::{Homogeneous, Unknown, homogeneous, radius_of};
+use super::jkr::{Homogeneous, homogeneous, level_is, radius_of};
 use super::no_adhesion;
 use super::problem::Problem;
 use super::relaxing_start;
 use super::slot::Slot;
-use crate::statistics::extremes;
-use crate::{Bodies, Branch, Error, Experiment, Free, Kind, Loss, Parameter, Point};
+use crate::{Bodies, Error, Experiment, Free, Kind, LayerQuantity, Loss, Parameter};
 
 /// The most steps of the search for a modulus.
 const MOST_STEPS: usize = 12;
@@ -44,20 +43,39 @@ pub(crate) enum Variation {
     Adhesion(f64),
 }
 
+/// An experiment that takes the starts that the data show.
+pub(super) struct Starts<'a> {
+    pub at: Assigned,
+    pub is_unknown: &'a dyn Fn(Parameter) -> bool,
+    /// The parameters that have taken one.
+    pub given: Vec<Parameter>,
+}
+
+impl Starts<'_> {
+    /// Gives a parameter its start.
+    pub fn give(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
+        self.given.push(parameter);
+        Ok(self.at.experiment.replace(parameter, value)?)
+    }
+
+    /// Gives a parameter its start if it is unknown.
+    pub fn give_unknown(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
+        if (self.is_unknown)(parameter) {
+            self.give(parameter, value)?;
+        }
+        Ok(())
+    }
+}
+
 /// Gives the slots the starts that the data show, and returns the problem there.
 pub(crate) fn problem<'a>(
     table: &'a Table,
     assigned: &[Assigned],
-    (free, slots): (&[Free], &[Slot]),
+    slots: &[Slot],
     loss: Loss,
     variation: Variation,
 ) -> Result<Problem<'a>, Error> {
     let mut slots = slots.to_vec();
-    let given: Vec<Parameter> = free
-        .iter()
-        .filter(|one| one.start.is_some())
-        .map(|one| one.parameter)
-        .collect();
     let mut started = vec![false; slots.len()];
     for (e, one) in assigned.iter().enumerate() {
         let own: Vec<(Parameter, usize)> = (0..slots.len())
@@ -71,12 +89,9 @@ pub(crate) fn problem<'a>(
                 .replace(parameter, coordinate.value(coordinate.first()))?;
         }
         let is_own = |parameter: Parameter| own.iter().any(|one| one.0 == parameter);
-        let is_unknown = |parameter: Parameter| is_own(parameter) && !given.contains(&parameter);
-        let unknown = Unknown {
-            work_of_adhesion: is_unknown(Parameter::WorkOfAdhesion),
-            level: is_unknown(Parameter::LoadOffset) || is_unknown(Parameter::Baseline),
-            slope: is_unknown(Parameter::BaselineSlope),
-            contact_point: is_unknown(Parameter::ContactPoint),
+        let is_unknown = |parameter: Parameter| {
+            own.iter()
+                .any(|&(one, slot)| one == parameter && !slots[slot].is_given)
         };
         let multiplied = match variation {
             Variation::Times(parameter, factor) if is_own(parameter) => Some((parameter, factor)),
@@ -90,13 +105,18 @@ pub(crate) fn problem<'a>(
         {
             at.experiment.replace(parameter, factor * value)?;
         }
-        let level = relaxing_start::level(&mut at.experiment, is_unknown)?;
+        let mut starts = Starts {
+            at,
+            is_unknown: &is_unknown,
+            given: Vec::new(),
+        };
+        relaxing_start::level(&mut starts)?;
         let is_stiffness = one.experiment.measurement.kind.is_stiffness();
         let found = if is_stiffness {
             None
         } else {
-            let elastic = relaxing_start::elastic(&at, unknown.level)?;
-            homogeneous(elastic.as_ref().unwrap_or(&at), unknown)
+            let elastic = relaxing_start::elastic(&starts.at, level_is(&is_unknown))?;
+            homogeneous(elastic.as_ref().unwrap_or(&starts.at), &is_unknown)
         };
         let needs_size = matches!(variation, Variation::Thickness(_));
         let is_needed = needs_size || own.iter().any(|&(own, _)| is_unknown(own));
@@ -108,57 +128,50 @@ pub(crate) fn problem<'a>(
         if let Variation::Thickness(part) = variation {
             let largest = match &found {
                 Some(found) => found.largest[0],
-                None => at.experiment.largest_radius(),
+                None => starts.at.experiment.largest_radius(),
             };
-            at.experiment
-                .replace(Parameter::FilmThickness, part * largest)?;
+            let experiment = &mut starts.at.experiment;
+            experiment.replace(Parameter::FilmThickness, part * largest)?;
         }
         let largest = found.as_ref().map(|found| found.largest[0]);
         let is_found = is_stiffness || found.is_some();
-        let mut starts = match found {
-            Some(found) => starts(table, &mut at, found, matched, is_unknown)?,
-            None if is_stiffness => indentation::starts(table, &mut at, matched, is_unknown)?,
+        match found {
+            Some(found) => give_homogeneous(table, &mut starts, found, matched)?,
+            None if is_stiffness => indentation::give(table, &mut starts, matched)?,
             // Each has a start that was given.
-            None => Vec::new(),
-        };
-        if let Some(level) = level.filter(|_| !is_found) {
-            starts.push(level);
+            None => {}
         }
-        starts.extend(relaxing_start::starts(
-            table,
-            &mut at.experiment,
-            matched,
-            is_unknown,
-        )?);
-        if !is_found && is_needed && starts.is_empty() {
+        relaxing_start::give(table, &mut starts, matched)?;
+        if !is_found && is_needed && starts.given.is_empty() {
             return Err(Error::not_fitted(&one.experiment, NO_START));
         }
         if let Some((parameter, factor)) = multiplied
-            && let Some(value) = at.experiment.get(parameter)
+            && let Some(value) = starts.at.experiment.get(parameter)
         {
             let factor = if before.is_some() { 1.0 } else { factor };
-            starts.push((parameter, factor * value));
+            starts.give(parameter, factor * value)?;
         }
-        if matches!(variation, Variation::Thickness(_))
-            && let Some(thickness) = at.experiment.get(Parameter::FilmThickness)
-        {
-            starts.push((Parameter::FilmThickness, thickness));
+        if needs_size {
+            starts.given.push(Parameter::FilmThickness);
         }
         if let Variation::Adhesion(part) = variation
             && let Some(a) = largest
             && one.experiment.measurement.kind != Kind::PenetrationRadius
         {
-            let contact = at.experiment.bodies.contact(table, None)?;
+            let contact = starts.at.experiment.bodies.contact(table, None)?;
             let work = no_adhesion::work_of_part(&one.experiment, &contact, a, part)?;
-            starts.push((Parameter::WorkOfAdhesion, work));
-            starts.push((Parameter::WorkOfAdhesionReceding, work));
+            starts.give(Parameter::WorkOfAdhesion, work)?;
+            starts.give(Parameter::WorkOfAdhesionReceding, work)?;
         }
+        let Starts { at, given, .. } = starts;
         for &(parameter, slot) in &own {
-            let coordinate = slots[slot].coordinate.with_unit(unit(one, parameter));
-            // The last start of a parameter counts.
-            let start = starts.iter().rev().find(|start| start.0 == parameter);
-            slots[slot].coordinate = match start.filter(|_| !started[slot]) {
-                Some(&(_, value)) => {
+            let coordinate = slots[slot]
+                .coordinate
+                .with_unit(one.experiment.unit(parameter, &one.branches));
+            let is_new = given.contains(&parameter) && !started[slot];
+            let start = at.experiment.get(parameter).filter(|_| is_new);
+            slots[slot].coordinate = match start {
+                Some(value) => {
                     started[slot] = true;
                     coordinate.starting_from(value)
                 }
@@ -197,10 +210,9 @@ pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: 
         Parameter::FilmPoissonRatio
         | Parameter::FilmThickness
         | Parameter::Stiffness
-        | Parameter::LayerModulus(_)
-        | Parameter::LayerThickness(_) => false,
+        | Parameter::Layer(_, LayerQuantity::Modulus | LayerQuantity::Thickness) => false,
         // Without springs, the start is as stiff as the layer.
-        Parameter::LayerInterfaceStiffness(_) => true,
+        Parameter::Layer(..) => true,
         _ => is_unknown(parameter),
     }
 }
@@ -214,73 +226,41 @@ fn names(assigned: &[Assigned]) -> String {
     names.join(", ")
 }
 
-/// Returns the size of a change that matters, for a parameter that may be negative.
-pub(super) fn unit(assigned: &Assigned, parameter: Parameter) -> f64 {
-    let measurement = &assigned.experiment.measurement;
-    let range = |value: fn(&Point) -> f64, contact: bool| {
-        let values = measurement
-            .points
-            .iter()
-            .zip(&assigned.branches)
-            .filter(|(_, branch)| !contact || **branch != Branch::Baseline)
-            .map(|(point, _)| value(point));
-        let [least, most] = extremes(values);
-        if most > least { most - least } else { 1.0 }
-    };
-    let loads = range(|point| point.ordinate, false);
-    match parameter {
-        Parameter::LoadOffset | Parameter::Baseline => loads,
-        Parameter::BaselineSlope => loads / range(|point| point.abscissa, false),
-        Parameter::ContactPoint if measurement.kind == Kind::PenetrationRadius => loads,
-        Parameter::ContactPoint | Parameter::TipRounding => range(|point| point.abscissa, true),
-        Parameter::FrameCompliance => 1.0 / loads,
-        _ => 1.0,
-    }
-}
-
-/// Lists the starts that the data show, and gives them to the experiment.
-fn starts(
+/// Gives the starts that a homogeneous contact shows.
+fn give_homogeneous(
     table: &Table,
-    at: &mut Assigned,
+    starts: &mut Starts<'_>,
     found: Homogeneous,
     matched: Option<Parameter>,
-    is_unknown: impl Fn(Parameter) -> bool,
-) -> Result<Vec<(Parameter, f64)>, Error> {
+) -> Result<(), Error> {
     use Parameter::{
         Baseline, BaselineSlope, ContactPoint, LoadOffset, WorkOfAdhesion, WorkOfAdhesionReceding,
     };
-    let sphere_radius = radius_of(at);
-    let experiment = &mut at.experiment;
+    let sphere_radius = radius_of(&starts.at);
     let [radius, load, _] = found.largest;
     // Penetrations against radii tell the work of adhesion over the modulus only.
     let (scale, least) = match found.modulus {
         Some(_) => (1.0, load.abs() / sphere_radius),
         None => (
-            compound(experiment, table)?,
+            compound(&starts.at.experiment, table)?,
             radius * radius / sphere_radius,
         ),
     };
     let work = |work: f64| scale * work.max(SMALLEST_WORK * least);
-    let mut starts = Vec::new();
-    let mut give = |experiment: &mut Experiment, parameter: Parameter, value: f64| {
-        if is_unknown(parameter) {
-            starts.push((parameter, value));
-            experiment.replace(parameter, value)?;
-        }
-        Ok::<_, Error>(())
-    };
-    give(experiment, LoadOffset, found.level - experiment.baseline)?;
-    give(experiment, Baseline, found.level - experiment.load_offset)?;
-    give(experiment, BaselineSlope, found.slope)?;
-    give(experiment, ContactPoint, found.contact_point)?;
-    give(experiment, WorkOfAdhesion, work(found.work_of_adhesion))?;
+    let level = found.level;
+    starts.give_unknown(LoadOffset, level - starts.at.experiment.baseline)?;
+    starts.give_unknown(Baseline, level - starts.at.experiment.load_offset)?;
+    starts.give_unknown(BaselineSlope, found.slope)?;
+    starts.give_unknown(ContactPoint, found.contact_point)?;
+    starts.give_unknown(WorkOfAdhesion, work(found.work_of_adhesion))?;
     let receding = found.receding.unwrap_or(found.work_of_adhesion);
-    give(experiment, WorkOfAdhesionReceding, work(receding))?;
+    starts.give_unknown(WorkOfAdhesionReceding, work(receding))?;
     if let Some((parameter, compound)) = matched.zip(found.modulus) {
+        let experiment = &starts.at.experiment;
         let value = matching_modulus(table, experiment, parameter, compound, found.largest);
-        give(experiment, parameter, value)?;
+        starts.give(parameter, value)?;
     }
-    Ok(starts)
+    Ok(())
 }
 
 /// Returns the compound modulus of sphere and film, or of sphere and half-space.
@@ -334,11 +314,14 @@ fn matching_modulus(
         };
         Some(predicted - load)
     };
-    let mut u = first.ln();
-    let Some(mut value) = excess(u) else {
-        return first;
-    };
-    // The load grows with each modulus.
+    root_of_modulus(first.ln(), excess).unwrap_or(first)
+}
+
+/// Returns the modulus at which an excess that grows with its logarithm is 0, sought from the logarithm `u` on; `None`
+/// where the excess is not known there. Where none is found, it is the last one before the excess no longer depends on the
+/// modulus, or is not known.
+pub(super) fn root_of_modulus(mut u: f64, excess: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    let mut value = excess(u)?;
     let up = value < 0.0;
     let mut step = if up { 1.0 } else { -1.0 };
     let mut bracket = None;
@@ -355,7 +338,7 @@ fn matching_modulus(
         step *= 1.5;
     }
     let Some((mut one, mut other)) = bracket else {
-        return u.exp();
+        return Some(u.exp());
     };
     for _ in 0..MOST_STEPS {
         if (one[0] - other[0]).abs() < ACCURACY {
@@ -370,5 +353,6 @@ fn matching_modulus(
             other = [u, value];
         }
     }
-    (one[0] + one[1] / (one[1] - other[1]) * (other[0] - one[0])).exp()
+    let u = one[0] + one[1] / (one[1] - other[1]) * (other[0] - one[0]);
+    Some(u.exp())
 }

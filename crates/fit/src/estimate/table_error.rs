@@ -18,17 +18,14 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
     }
     for (fitted, assigned) in fit.experiments.iter().zip(&problem.assigned) {
         let experiment = &assigned.experiment;
-        let zero = if experiment.measurement.kind.names()[1] == "penetration" {
-            experiment.contact_point
-        } else {
-            experiment.load_offset + experiment.baseline
-        };
         let in_contact = fitted
             .points
             .iter()
             .filter(|point| point.contact_radius.is_some());
-        let ratios =
-            in_contact.filter_map(|point| Some((point.fit? - zero).abs() / point.deviation));
+        let ratios = in_contact.filter_map(|point| {
+            let load = point.fit? - experiment.baseline_at(point.abscissa);
+            Some(load.abs() / point.deviation)
+        });
         let deviations = error * ratios.fold(0.0, f64::max);
         if matches!(experiment.bodies, Bodies::Coated(_)) && deviations > LARGE {
             warnings.add(

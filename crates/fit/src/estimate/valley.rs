@@ -63,14 +63,8 @@ pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<
 
 /// Follows the valley of a value on both sides: the value moves away, and all others follow it.
 /// Returns the place on each side from which the sum of squares falls again, or else the lowest one
-/// beyond [`TESTED`] standard errors, if chance could explain its sum of squares; and the number of
-/// evaluations.
-pub(super) fn other_sides<'a>(
-    problem: &Problem<'a>,
-    slot: usize,
-    error: f64,
-) -> (Vec<Problem<'a>>, usize) {
-    let mut evaluations = 0;
+/// beyond [`TESTED`] standard errors, if chance could explain its sum of squares.
+pub(super) fn other_sides<'a>(problem: &Problem<'a>, slot: usize, error: f64) -> Vec<Problem<'a>> {
     let (start, least) = (problem.value(slot), problem.misfit());
     let mut found = Vec::new();
     for side in [-1.0, 1.0] {
@@ -79,40 +73,38 @@ pub(super) fn other_sides<'a>(
         let (mut distance, mut step) = (STEP, STEP);
         while distance < FARTHEST {
             let value = start * (side * distance).exp();
-            let Some(at) = with_fixed(&mut current, slot, value, PATIENCE) else {
+            let Some(misfit) = with_fixed(&mut current, slot, value, PATIENCE) else {
                 break;
             };
-            evaluations += at.evaluations;
-            let falls = at.misfit < FALLS * last;
-            let is_lowest = lowest
-                .as_ref()
-                .is_none_or(|(misfit, _)| at.misfit < *misfit);
-            if falls || (distance > TESTED * error && is_lowest && at.misfit < least + MARGIN) {
-                lowest = Some((at.misfit, current.clone()));
+            let falls = misfit < FALLS * last;
+            let is_lowest = lowest.as_ref().is_none_or(|(before, _)| misfit < *before);
+            if falls || (distance > TESTED * error && is_lowest && misfit < least + MARGIN) {
+                lowest = Some((misfit, current.clone()));
             }
             if falls {
                 break;
             }
-            last = at.misfit;
+            last = misfit;
             step = (GROWTH * step).min(LARGEST_STEP);
             distance += step;
         }
         if let Some((_, mut place)) = lowest
             && place.update().is_ok()
         {
+            place.ending = Ending::Converged;
             found.push(place);
         }
     }
-    (found, evaluations)
+    found
 }
 
 /// Finds a value whose standard error says too little: at [`TESTED`] of them, with the best other
 /// values, the ordinates differ from those of the fit by too little. It takes few of the points.
-pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> (Option<Bend>, usize) {
-    let (mut evaluations, mut worst) = (0, None::<Bend>);
+pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Option<Bend> {
+    let mut worst = None::<Bend>;
     let slots = doubtful(problem, uncertainty);
     if slots.is_empty() {
-        return (None, 0);
+        return None;
     }
     let exact = exact(problem);
     let part = exact.counting() as f64 / problem.counting() as f64;
@@ -124,12 +116,11 @@ pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> (Option<
         for side in [-1.0, 1.0] {
             let mut current = exact.clone();
             let value = problem.value(slot) * (side * TESTED * error).exp();
-            let at = with_fixed(&mut current, slot, value, PATIENCE);
-            let Some(at) = at.filter(|at| at.ending != Ending::Failed) else {
+            let misfit = with_fixed(&mut current, slot, value, PATIENCE);
+            let Some(misfit) = misfit.filter(|_| current.ending != Ending::Failed) else {
                 continue;
             };
-            evaluations += at.evaluations;
-            let growth = at.misfit / part / uncertainty.growth.powi(2);
+            let growth = misfit / part / uncertainty.growth.powi(2);
             if growth < worst.map_or(LEAST_GROWTH, |worst| worst.growth) {
                 worst = Some(Bend {
                     slot,
@@ -139,7 +130,7 @@ pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> (Option<
             }
         }
     }
-    (worst, evaluations)
+    worst
 }
 
 /// Returns the problem on few points, with the ordinates and the priors that the fit predicts.

@@ -68,29 +68,13 @@ pub(super) fn add(
         let is_wanted = |parameter: &Parameter| {
             !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
         };
-        let mut parameters: Vec<Parameter> = [
-            Parameter::LoadOffset,
-            Parameter::ContactPoint,
-            Parameter::Baseline,
-            Parameter::BaselineSlope,
-        ]
-        .into_iter()
-        .filter(is_wanted)
-        .collect();
-        let has_one_work = !fitted.contains(&Parameter::WorkOfAdhesionReceding);
-        if has_one_work {
-            parameters.push(Parameter::WorkOfAdhesion);
-        }
-        let Some(columns) = Columns::new(problem, e, parameters) else {
-            continue;
-        };
         let mut level_named = false;
-        for &parameter in &columns.parameters {
+        for parameter in Parameter::ZEROS.into_iter().filter(is_wanted) {
             let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
-            if parameter == Parameter::WorkOfAdhesion || (is_level && level_named) {
+            if is_level && level_named {
                 continue;
             }
-            let Some(column) = columns.of(parameter, |_| true) else {
+            let Some(column) = column(problem, e, parameter, |_| true) else {
                 continue;
             };
             let Some(gain) = score.gain(&column) else {
@@ -135,8 +119,8 @@ pub(super) fn add(
                 }
             }
         }
-        if has_one_work {
-            mixed(warnings, problem, e, (&score, &columns), residuals);
+        if !fitted.contains(&Parameter::WorkOfAdhesionReceding) {
+            mixed(warnings, problem, e, &score, residuals);
         }
     }
 }
@@ -217,8 +201,11 @@ fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) 
                     .why_without_effect(*zero)
                     .is_none()
             })?;
-        let column = Columns::new(problem, e, vec![zero])?.of(zero, |_| true)?;
-        Some(score.gain(&column)?.chi_squared)
+        Some(
+            score
+                .gain(&column(problem, e, zero, |_| true)?)?
+                .chi_squared,
+        )
     };
     let zeros: f64 = (0..problem.assigned.len()).filter_map(of_zeros).sum();
     let left = |explained: f64| (score.residuals.norm_squared() - explained).max(0.0);
@@ -230,7 +217,7 @@ fn mixed(
     warnings: &mut Warnings,
     problem: &Problem<'_>,
     e: usize,
-    (score, columns): (&Score<'_>, &Columns<'_>),
+    score: &Score<'_>,
     residuals: &DVector<f64>,
 ) {
     // Bodies that relax have a loop without adhesion.
@@ -268,7 +255,7 @@ fn mixed(
     );
     if has_both
         && assigned.experiment.work_of_adhesion > 0.0
-        && let Some(column) = columns.of(Parameter::WorkOfAdhesion, unloads)
+        && let Some(column) = column(problem, e, Parameter::WorkOfAdhesion, unloads)
         && let Some(gain) = score.gain(&column).filter(Gain::is_significant)
     {
         warnings.add(
@@ -297,44 +284,25 @@ fn mixed(
     }
 }
 
-/// The derivatives of the residuals with respect to parameters of one experiment.
-struct Columns<'a> {
-    problem: &'a Problem<'a>,
-    experiment: usize,
-    parameters: Vec<Parameter>,
-    /// Point after point.
-    derivatives: Vec<f64>,
-}
-
-impl<'a> Columns<'a> {
-    fn new(problem: &'a Problem<'a>, e: usize, parameters: Vec<Parameter>) -> Option<Self> {
-        let predicted = problem.predict(e, Some(&parameters)).ok()?;
-        Some(Self {
-            problem,
-            experiment: e,
-            parameters,
-            derivatives: predicted.derivatives,
-        })
+/// Returns the derivatives of the residuals with respect to a parameter of experiment `e` at the points chosen, and 0
+/// elsewhere.
+fn column(
+    problem: &Problem<'_>,
+    e: usize,
+    parameter: Parameter,
+    chosen: impl Fn(usize) -> bool,
+) -> Option<DVector<f64>> {
+    let derivatives = problem.predict(e, Some(&[parameter])).ok()?.derivatives;
+    let own = &problem.assigned[e];
+    let rows = problem.rows_of_experiments()[e].clone();
+    let mut column = DVector::zeros(problem.residual_count());
+    for (row, i) in rows.zip(own.counting_points()).filter(|(_, i)| chosen(*i)) {
+        column[row] = derivatives[i] / own.deviation(i);
     }
-
-    /// Returns the derivatives with respect to a parameter at the points chosen, and 0 elsewhere.
-    fn of(&self, parameter: Parameter, chosen: impl Fn(usize) -> bool) -> Option<DVector<f64>> {
-        let width = self.parameters.len();
-        let k = self.parameters.iter().position(|own| *own == parameter)?;
-        let own = &self.problem.assigned[self.experiment];
-        let values = self.problem.rows().map(|(e, i)| {
-            if e == self.experiment && chosen(i) {
-                self.derivatives[i * width + k] / own.deviation(i)
-            } else {
-                0.0
-            }
-        });
-        let slots = self.problem.slots.iter();
-        let priors = slots.filter(|slot| slot.prior.is_some()).map(|_| 0.0);
-        let values: Vec<f64> = values.chain(priors).collect();
-        let all_finite = values.iter().all(|value| value.is_finite());
-        all_finite.then(|| DVector::from_vec(values))
-    }
+    column
+        .iter()
+        .all(|value| value.is_finite())
+        .then_some(column)
 }
 
 /// What a further parameter would gain.

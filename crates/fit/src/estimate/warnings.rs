@@ -1,5 +1,6 @@
 //! The doubts about a result.
 
+use contact::LawParameter;
 use contact::magnitude::LARGEST_WORK;
 
 use super::assigned::Assigned;
@@ -17,7 +18,11 @@ use super::{
     table_error, wanted,
 };
 use crate::magnitude::{self, STIFFNESSES};
-use crate::{Estimate, Fit, LeftOutReason, Loss, Options, Parameter, Warning, WarningKind};
+use crate::statistics::extremes;
+use crate::{
+    Combination, Estimate, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter, Warning,
+    WarningKind,
+};
 
 /// The distance of a number from the end of what is possible at which it is there.
 const NEAR_END: f64 = 1e-3;
@@ -30,6 +35,7 @@ pub(super) fn warnings(
     found: &Minimum<'_>,
     data: &[Assigned],
     options: &Options,
+    intervals: Option<&[[End; 2]]>,
 ) -> Vec<Warning> {
     let mut warnings = Warnings::default();
     let problem = &found.problem;
@@ -43,9 +49,10 @@ pub(super) fn warnings(
     for estimate in &fit.estimates {
         implausible(&mut warnings, estimate);
     }
+    let mut at_zero = Vec::new();
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem, &names);
-        let at_zero = no_adhesion::add(&mut warnings, problem, &names);
+        at_zero = no_adhesion::add(&mut warnings, problem, &names);
         if found.is_stopped(SHORT) && !stopped && at_zero.is_empty() {
             end_of_table(&mut warnings, problem, uncertainty.short);
         }
@@ -74,6 +81,10 @@ pub(super) fn warnings(
     }
     if fit.converged {
         indentation::add(&mut warnings, fit, problem);
+    }
+    for (i, ends) in intervals.into_iter().flatten().enumerate() {
+        let may_be_zero = at_zero.contains(&i);
+        open_ends(&mut warnings, problem, (i, &names[i]), ends, may_be_zero);
     }
     warnings.into_list()
 }
@@ -111,46 +122,40 @@ pub(super) fn after_number(parameter: Parameter) -> String {
     }
 }
 
-/// Says why an interval has no end on a side, or two.
-pub(super) fn intervals(
-    fit: &Fit,
+/// Says why the interval of a slot has no end on a side, or two. One that `may_be_zero` begins at 0.
+fn open_ends(
+    warnings: &mut Warnings,
     problem: &Problem<'_>,
-    ends: Option<&[[End; 2]]>,
-) -> Vec<Warning> {
-    let mut warnings = Warnings::default();
-    let (names, at_zero) = (slot_names(problem), no_adhesion::ended_at_zero(problem));
-    let estimates = fit.estimates.iter().zip(&names).enumerate();
-    for ((i, (estimate, name)), ends) in estimates.zip(ends.into_iter().flatten()) {
-        let unit = after_number(estimate.parameter);
-        for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
-            let why = match end {
-                End::At(_) => continue,
-                // It begins at 0.
-                End::Open(_) if side == "lower" && at_zero.contains(&i) => continue,
-                End::Open(value) => format!(
-                    "the data do not rule out {value:.3e}{unit}, the farthest value that was \
-                     looked at"
-                ),
-                End::Failed(value) => {
-                    format!("at {value:.3e}{unit} the other parameters have no fit")
-                }
-            };
-            warnings.add(
-                WarningKind::OpenInterval,
-                format!(
-                    "the interval of {name} has no {side} end: {why}; fix a parameter, or \
-                     give it a prior"
-                ),
-            );
-        }
+    (slot, name): (usize, &str),
+    ends: &[End; 2],
+    may_be_zero: bool,
+) {
+    let unit = after_number(problem.slots[slot].parameter);
+    for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
+        let why = match end {
+            End::At(_) => continue,
+            End::Open(_) if side == "lower" && may_be_zero => continue,
+            End::Open(value) => format!(
+                "the data do not rule out {value:.3e}{unit}, the farthest value that was looked at"
+            ),
+            End::Failed(value) => {
+                format!("at {value:.3e}{unit} the other parameters have no fit")
+            }
+        };
+        warnings.add(
+            WarningKind::OpenInterval,
+            format!(
+                "the interval of {name} has no {side} end: {why}; fix a parameter, or \
+                 give it a prior"
+            ),
+        );
     }
-    warnings.into_list()
 }
 
 /// Doubts about the way to the minimum.
 fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[String]) {
-    if found.ending != Ending::Converged {
-        let how = match found.ending {
+    if found.problem.ending != Ending::Converged {
+        let how = match found.problem.ending {
             Ending::OutOfPatience => "was still moving",
             _ => "stopped where the model has no contact or no derivatives",
         };
@@ -236,7 +241,7 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
             let unit = after_number(slot.parameter);
             let [least, most] = match slot.parameter {
                 Parameter::FilmPoissonRatio => [-1.0, 0.5],
-                Parameter::RelaxedFraction => [0.0, 1.0],
+                Parameter::Law(LawParameter::RelaxedFraction) => [0.0, 1.0],
                 _ => [f64::NEG_INFINITY, f64::INFINITY],
             };
             // A true value at the end of what is possible is found there in every second measurement.
@@ -275,8 +280,7 @@ fn undetermined(
             Parameter::FrameCompliance => "one over the range of the stiffnesses",
             // These are numbers between 0 and 1.
             Parameter::FilmPoissonRatio
-            | Parameter::RelaxedFraction
-            | Parameter::RelaxationExponent => "1",
+            | Parameter::Law(LawParameter::RelaxedFraction | LawParameter::Exponent) => "1",
             _ => "the range of the data",
         };
         let size = if error < 100.0 {
@@ -295,46 +299,32 @@ fn undetermined(
         );
         let is_other = matches!(
             parameter,
-            Parameter::SphereModulus | Parameter::LayerInterfaceStiffness(_)
+            Parameter::SphereModulus | Parameter::Layer(_, LayerQuantity::InterfaceStiffness)
         );
         if parameter.is_of_bodies() && !is_other {
             film_not_seen(warnings, problem, parameter);
         }
     }
-    for (i, combination) in fit.undetermined.iter().enumerate() {
-        let is_new = fit.undetermined[..i]
-            .iter()
-            .all(|before| before.text != combination.text);
-        if combination.weights.len() > 1 && is_new {
-            warnings.add(
-                WarningKind::Undetermined,
-                format!(
-                    "the data do not determine {} apart from one another: fix one of them or give \
-                     a prior",
-                    combination.text
-                ),
-            );
-        }
+    let combinations = fit.undetermined.iter();
+    for text in Combination::texts(combinations.filter(|one| one.weights.len() > 1)) {
+        warnings.add(
+            WarningKind::Undetermined,
+            format!(
+                "the data do not determine {text} apart from one another: fix one of them or give a prior"
+            ),
+        );
     }
 }
 
 /// Says how large the contacts are beside a film that the data do not tell.
 fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Parameter) {
-    let predicted = problem.predicted.iter().flatten();
-    let ratios = problem
-        .assigned
-        .iter()
-        .zip(predicted)
-        .flat_map(|(assigned, predicted)| {
-            let thickness = assigned.experiment.bodies.thickness();
-            let radii = predicted.radii.iter().filter(|&&radius| radius > 0.0);
-            thickness
-                .into_iter()
-                .flat_map(move |thickness| radii.clone().map(move |radius| radius / thickness))
-        });
-    let [least, most] = ratios.fold([f64::INFINITY, 0.0], |[l, m]: [f64; 2], x| {
-        [l.min(x), m.max(x)]
-    });
+    let of_experiment = |e: usize| {
+        let thickness = problem.assigned[e].experiment.bodies.thickness()?;
+        let radii = problem.contact_radii(e)?;
+        (radii[1] > 0.0).then(|| radii.map(|radius| radius / thickness))
+    };
+    let ratios = (0..problem.assigned.len()).filter_map(of_experiment);
+    let [least, most] = extremes(ratios.flatten());
     if most > 0.0 {
         warnings.add(
             WarningKind::FilmNotSeen,

@@ -7,8 +7,7 @@ use super::problem::{Ending, Problem};
 use super::slot::Slot;
 use super::start::{self, Variation};
 use super::uncertainty::{Uncertainty, estimates};
-use crate::model::of_law;
-use crate::{Bodies, Branch, Free, Loss, ModulusBias, Parameter, WithoutFilm};
+use crate::{Bodies, Loss, ModulusBias, Parameter, WithoutFilm};
 
 /// The most evaluations over the number of parameters + 1.
 const PATIENCE: usize = 40;
@@ -17,23 +16,19 @@ const PATIENCE: usize = 40;
 const TOLERANCE: f64 = 1e-6;
 const COARSER: f64 = 1e-4;
 
-/// Fits the half-space that remains without the film. Returns the ordinates that it predicts, too, of each
-/// point of each experiment that counts; `None` where there is no film, where nothing
-/// is left to be fitted, or where the half-space has no fit.
-pub(crate) fn without_film(
-    table: &Table,
+/// Fits the half-space that remains without the film; `None` where there is no film, where nothing is left to be
+/// fitted, or where the half-space has no fit.
+pub(crate) fn without_film<'a>(
+    table: &'a Table,
     with_film: &Minimum<'_>,
-    free: &[Free],
     loss: Loss,
-) -> Option<(WithoutFilm, Vec<Vec<Option<f64>>>)> {
-    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
+) -> Option<(WithoutFilm, Problem<'a>)> {
     let problem = &with_film.problem;
-    let moduli = [Parameter::SphereModulus, Parameter::FilmModulus];
-    let experiments = problem.assigned.iter().map(|one| &one.experiment);
-    let of_tops = experiments.filter_map(|one| one.bodies.top_name());
-    let modulus = moduli
-        .into_iter()
-        .chain(of_tops.map(Parameter::LayerModulus))
+    let is_free = |parameter| problem.slots.iter().any(|one| one.parameter == parameter);
+    let tops = problem.assigned.iter();
+    let tops = tops.map(|one| one.experiment.bodies.modulus_of_top());
+    let modulus = std::iter::once(Parameter::SphereModulus)
+        .chain(tops)
         .find(|&parameter| is_free(parameter));
     // The modulus of the film, or of the top layer, is then that of the half-space.
     let of_film = modulus.filter(|&parameter| parameter != Parameter::SphereModulus);
@@ -58,11 +53,6 @@ pub(crate) fn without_film(
             || parameter == Parameter::SphereModulus
             || !parameter.is_of_bodies()
     };
-    let law = |parameter: Parameter| {
-        let mut slots = problem.slots.iter();
-        let slot = slots.position(|slot| slot.parameter == parameter)?;
-        of_law(parameter).map(|_| problem.value(slot))
-    };
     let renamed = |parameter: Parameter| {
         if Some(parameter) == of_film {
             Parameter::FilmModulus
@@ -70,19 +60,8 @@ pub(crate) fn without_film(
             parameter
         }
     };
-    let free: Vec<Free> = free
-        .iter()
-        .filter(|one| kept(one.parameter))
-        // Bounds and priors are those of the film; the start follows from the data, but that of a
-        // relaxation function from the one with the film.
-        .map(|one| Free {
-            bounds: None,
-            prior: None,
-            start: law(one.parameter),
-            parameter: renamed(one.parameter),
-            ..*one
-        })
-        .collect();
+    // Bounds and priors are those of the film; the start follows from the data, but that of a
+    // relaxation function from the one with the film.
     let slots: Vec<_> = problem
         .slots
         .iter()
@@ -90,17 +69,18 @@ pub(crate) fn without_film(
         .filter(|(_, slot)| kept(slot.parameter))
         .map(|(i, slot)| Slot {
             parameter: renamed(slot.parameter),
+            is_given: matches!(slot.parameter, Parameter::Law(_)),
             ..slot.without_limits(problem.value(i))
         })
         .collect();
     if slots.is_empty() {
         return None;
     }
-    let started = start::problem(table, &assigned, (&free, &slots), loss, Variation::None).ok()?;
+    let started = start::problem(table, &assigned, &slots, loss, Variation::None).ok()?;
     let relaxing = assigned.iter().any(|one| one.experiment.relaxing.is_some());
     let tolerance = if relaxing { COARSER } else { TOLERANCE };
-    let (fitted, ending) = started.minimise(PATIENCE, tolerance);
-    if ending == Ending::Failed {
+    let fitted = started.minimise(PATIENCE, tolerance);
+    if fitted.ending == Ending::Failed {
         return None;
     }
     let uncertainty = Uncertainty::of(&fitted);
@@ -130,23 +110,5 @@ pub(crate) fn without_film(
         chi_squared,
         modulus,
     };
-    Some((result, predictions(&fitted)))
-}
-
-/// Returns the ordinates at the points that count.
-fn predictions(fitted: &Problem<'_>) -> Vec<Vec<Option<f64>>> {
-    let of_experiment = |e: usize| {
-        let counts = |branch: &Branch| *branch != Branch::LeftOut;
-        let values = fitted.predicted.as_ref().map(|all| &all[e].values);
-        let branches = fitted.assigned[e].branches.iter().enumerate();
-        branches
-            .map(|(i, branch)| {
-                values
-                    .filter(|_| counts(branch))
-                    .map(|values| fitted.assigned[e].experiment.ordinate_of(values[i]))
-                    .filter(|value| value.is_finite())
-            })
-            .collect()
-    };
-    (0..fitted.assigned.len()).map(of_experiment).collect()
+    Some((result, fitted))
 }

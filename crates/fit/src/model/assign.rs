@@ -49,12 +49,15 @@ impl Experiment {
         let key = |i: &usize| sense * points[*i].abscissa;
         let mut order: Vec<usize> = (0..points.len()).collect();
         order.sort_by(|i, j| key(j).total_cmp(&key(i)));
+        let noise_in = |numbers: &[usize]| {
+            let compared: Vec<f64> = numbers.iter().map(|&i| self.compared(i)).collect();
+            noise_of(&compared)
+        };
         if self.relaxing.is_some() {
-            let ordinates: Vec<f64> = points.iter().map(|point| point.ordinate).collect();
             return Ok(Assignment {
                 branches: self.branches_in_time(),
                 order,
-                local_noise: noise_of(&ordinates),
+                local_noise: noise_in(&(0..points.len()).collect::<Vec<_>>()),
             });
         }
         let own_branch = |i: usize| match points[i].direction {
@@ -62,44 +65,24 @@ impl Experiment {
             _ => Branch::Advancing,
         };
         let mut branches: Vec<Branch> = (0..points.len()).map(own_branch).collect();
-        let mut local_noise = None;
+        let mut local_noise = noise_in(&order);
         match self.measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius => {
                 let receding = Parameter::WorkOfAdhesionReceding;
                 let hysteretic = is_free(receding) || self.get(receding).is_some();
                 self.assign_radii(hysteretic, &mut branches);
-                local_noise = noise_of(
-                    &order
-                        .iter()
-                        .map(|&i| points[i].ordinate)
-                        .collect::<Vec<_>>(),
-                );
             }
             Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => {
                 branches.fill(Branch::Advancing);
-                let compared: Vec<f64> = order.iter().map(|&i| self.compared(i)).collect();
-                local_noise = noise_of(&compared);
             }
             Kind::LoadPenetration | Kind::ForceHeight => {
                 let segments = self.segments();
-                let noises: Vec<f64> = segments
-                    .iter()
-                    .filter_map(|segment| {
-                        noise_of(
-                            &segment
-                                .iter()
-                                .map(|&i| points[i].ordinate)
-                                .collect::<Vec<_>>(),
-                        )
-                    })
-                    .collect();
-                if !noises.is_empty() {
-                    local_noise = Some(noises.iter().sum::<f64>() / noises.len() as f64);
-                }
+                let noises: Vec<f64> = segments.iter().filter_map(|one| noise_in(one)).collect();
+                let mean = noises.iter().sum::<f64>() / noises.len() as f64;
+                local_noise = (!noises.is_empty()).then_some(mean);
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
-                let works = [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding];
                 let adheres = |work| is_free(work) || self.get(work).is_some_and(|w| w > 0.0);
-                if works.into_iter().any(adheres) {
+                if Parameter::WORKS.into_iter().any(adheres) {
                     let level = is_free(Parameter::LoadOffset) || is_free(Parameter::Baseline);
                     let slope = is_free(Parameter::BaselineSlope);
                     let baseline = self.known_baseline(noise, level || slope);
@@ -163,26 +146,22 @@ impl Experiment {
         let points = &measurement.points;
         let at_radii = measurement.kind.at_radii();
         let [abscissa, ordinate] = measurement.kind.names();
+        let end_of_exact_sphere = self.bodies.end_of_exact_sphere();
         self.accept_abscissae()?;
         for point in points {
             self.accept_number(point.line, ordinate, point.ordinate)?;
-            if at_radii && point.abscissa < 0.0 {
-                let allowed = "0 (no contact) or positive";
-                return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
-            }
-            if at_radii && point.abscissa >= self.bodies.largest_radius() {
-                let allowed = "below the radius of the sphere: check the units of both";
-                return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
-            }
-            if at_radii
-                && self
-                    .bodies
-                    .end_of_exact_sphere()
-                    .is_some_and(|end| point.abscissa >= end)
-            {
-                let allowed = "below 0.55 R, up to which the exact sphere is solved on a film: leave out the points of wider \
-                               contacts";
-                return Err(self.refused(point.line, abscissa, point.abscissa, allowed));
+            let radius = point.abscissa;
+            let allowed = if radius < 0.0 {
+                "0 (no contact) or positive"
+            } else if radius >= self.bodies.largest_radius() {
+                "below the radius of the sphere: check the units of both"
+            } else if end_of_exact_sphere.is_some_and(|end| radius >= end) {
+                "below 0.55 R, up to which the exact sphere is solved on a film: leave out the points of wider contacts"
+            } else {
+                continue;
+            };
+            if at_radii {
+                return Err(self.refused(point.line, abscissa, radius, allowed));
             }
         }
         let constant = |value: fn(&Point) -> f64| {

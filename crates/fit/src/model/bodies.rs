@@ -1,10 +1,12 @@
 //! Probe, film and substrate of an experiment, and their contact.
 
-use contact::{Contact, Input, Validity};
+use std::convert::Infallible;
+
+use contact::{Contact, Input, Validity, root};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use solve::stack::{Interface, Stack};
 
-use super::{LayerName, Layered, Parameter};
+use super::{LayerName, LayerQuantity, Layered, NamedLayer, Parameter};
 use crate::Error;
 
 /// The bodies in contact.
@@ -90,8 +92,6 @@ impl Bodies {
     /// contact of the radius and the penetration of this probe. `size` is the contact radius or,
     /// if it is `at_penetration`, the penetration. It gives starts of fits only.
     pub(crate) fn paraboloid(&self, size: f64, at_penetration: bool) -> f64 {
-        /// A radius is found to rounding after as many bisections of the range of its logarithm.
-        const STEPS: usize = 60;
         match self.probe() {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => return *radius,
             // Its load grows like the penetration, that of a paraboloid like the power 3/2: they
@@ -113,17 +113,11 @@ impl Bodies {
             return penetration(size).map_or(f64::NAN, |penetration| size * size / penetration);
         }
         let most = self.largest_radius().min(1e2);
-        let [mut low, mut high] = [1e-15_f64.ln(), most.ln()];
-        for _ in 0..STEPS {
-            let middle = 0.5 * (low + high);
-            // A radius below a flat end has no penetration.
-            if penetration(middle.exp()).is_none_or(|found| found < size) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high.exp().powi(2) / size
+        // A radius below a flat end has no penetration, and one at the end of a profile no contact.
+        let excess = |u: f64| penetration(u.exp()).map_or(-size, |found| found - size);
+        let excess = |u: f64| Ok::<_, Infallible>(excess(u));
+        let Ok(u) = root(excess, 1e-15_f64.ln(), (most * (1.0 - 1e-12)).ln());
+        u.exp().powi(2) / size
     }
 
     /// Returns the film, the solid of a half-space, or the top layer.
@@ -165,8 +159,8 @@ impl Bodies {
 
     /// Returns the modulus of the film, or of the top layer if it has a name.
     pub fn modulus_of_top(&self) -> Parameter {
-        self.top_name()
-            .map_or(Parameter::FilmModulus, Parameter::LayerModulus)
+        let of_layer = |name| Parameter::Layer(name, LayerQuantity::Modulus);
+        self.top_name().map_or(Parameter::FilmModulus, of_layer)
     }
 
     /// Returns the modulus of the film or of the sphere that makes a `compound` one with the reduced
@@ -192,22 +186,37 @@ impl Bodies {
     /// Returns these bodies with another value of one of their parameters. Other parameters change
     /// nothing.
     pub(crate) fn with(mut self, parameter: Parameter, value: f64) -> Result<Self, interp::Error> {
-        let (sphere_modulus, film) = match &mut self {
+        let (sphere_modulus, film, thickness) = match &mut self {
+            Self::Coated(system) => (
+                &mut system.sphere_modulus,
+                Some(&mut system.film),
+                Some(&mut system.film_thickness),
+            ),
+            Self::HalfSpace(bare) => (&mut bare.sphere_modulus, Some(&mut bare.solid), None),
             Self::Layered(layered) => {
-                layered.set(parameter, value)?;
-                return Ok(self);
+                if let Parameter::Layer(name, what) = parameter {
+                    let all = layered.layers.iter_mut();
+                    all.filter(|layer| layer.name == Some(name))
+                        .try_for_each(|layer| layer.set(what, value))?;
+                }
+                let (film, thickness) = match &mut layered.layers[..] {
+                    [NamedLayer { name: None, layer }] => {
+                        (Some(&mut layer.solid), Some(&mut layer.thickness))
+                    }
+                    _ => (None, None),
+                };
+                (&mut layered.sphere_modulus, film, thickness)
             }
-            Self::Coated(system) if parameter == Parameter::FilmThickness => {
-                system.film_thickness = value;
-                return Ok(self);
-            }
-            Self::Coated(system) => (&mut system.sphere_modulus, &mut system.film),
-            Self::HalfSpace(half_space) => (&mut half_space.sphere_modulus, &mut half_space.solid),
         };
-        match parameter {
-            Parameter::SphereModulus => *sphere_modulus = value,
-            Parameter::FilmModulus => *film = Elastic::new(value, film.poisson())?,
-            Parameter::FilmPoissonRatio => *film = Elastic::new(film.young(), value)?,
+        match (parameter, film, thickness) {
+            (Parameter::SphereModulus, ..) => *sphere_modulus = value,
+            (Parameter::FilmModulus, Some(film), _) => {
+                *film = Elastic::new(value, film.poisson())?;
+            }
+            (Parameter::FilmPoissonRatio, Some(film), _) => {
+                *film = Elastic::new(film.young(), value)?;
+            }
+            (Parameter::FilmThickness, _, Some(thickness)) => *thickness = value,
             _ => {}
         }
         Ok(self)

@@ -9,7 +9,7 @@
 use contact::Contact;
 
 use super::predicted::{BranchEnd, Predicted};
-use super::{Bodies, Branch, Experiment, Parameter};
+use super::{Bodies, Branch, Experiment, Kind, Measurement, Parameter, Point};
 use crate::Error;
 use crate::statistics::extremes;
 
@@ -122,7 +122,7 @@ impl Experiment {
             };
             [-step, step].map(|step| value * step.exp())
         } else {
-            let step = STEP * self.range_of(parameter);
+            let step = STEP * self.unit(parameter, &[]);
             if parameter == Parameter::FilmPoissonRatio {
                 // An incompressible film has no larger ratio.
                 [value - step, (value + step).min(0.5)]
@@ -142,21 +142,25 @@ impl Experiment {
         Ok(before.into_iter().zip(after).map(difference).collect())
     }
 
-    /// Returns the size of changes of a zero of the instrument: the range of the abscissae, of the
-    /// ordinates, or their ratio.
-    fn range_of(&self, parameter: Parameter) -> f64 {
-        let points = &self.measurement.points;
-        let range = |[least, most]: [f64; 2]| if most > least { most - least } else { 1.0 };
-        let abscissae = range(extremes(points.iter().map(|point| point.abscissa)));
-        let ordinates = range(extremes(points.iter().map(|point| point.ordinate)));
+    /// Returns the size of a change that matters, for a parameter that may be negative. A contact point is looked for
+    /// among the points that are not on the baseline.
+    pub(crate) fn unit(&self, parameter: Parameter, branches: &[Branch]) -> f64 {
+        let Measurement { kind, points, .. } = &self.measurement;
+        let range = |value: fn(&Point) -> f64, contact: bool| {
+            let is_off = |i: usize| branches.get(i) == Some(&Branch::Baseline);
+            let points = points.iter().enumerate();
+            let points = points.filter(|&(i, _)| !(contact && is_off(i)));
+            let [least, most] = extremes(points.map(|(_, point)| value(point)));
+            if most > least { most - least } else { 1.0 }
+        };
+        let ordinates = range(|point| point.ordinate, false);
         match parameter {
-            Parameter::ContactPoint | Parameter::TipRounding => abscissae,
-            Parameter::BaselineSlope => ordinates / abscissae,
-            Parameter::FilmPoissonRatio
-            | Parameter::RelaxedFraction
-            | Parameter::RelaxationExponent => 1.0,
+            Parameter::LoadOffset | Parameter::Baseline => ordinates,
+            Parameter::BaselineSlope => ordinates / range(|point| point.abscissa, false),
+            Parameter::ContactPoint if *kind == Kind::PenetrationRadius => ordinates,
+            Parameter::ContactPoint | Parameter::TipRounding => range(|point| point.abscissa, true),
             Parameter::FrameCompliance => 1.0 / ordinates,
-            _ => ordinates,
+            _ => 1.0,
         }
     }
 }

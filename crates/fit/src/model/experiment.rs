@@ -86,23 +86,17 @@ impl Experiment {
     /// a film, a layer that is not there, a stiffness that is not given, a receding work of
     /// adhesion that is not its own.
     pub fn get(&self, parameter: Parameter) -> Option<f64> {
-        use Parameter::{FilmModulus, FilmPoissonRatio, FilmThickness};
         if let Bodies::Layered(layered) = &self.bodies
             && layered.film().is_none()
-            && matches!(parameter, FilmModulus | FilmPoissonRatio | FilmThickness)
+            && parameter.is_of_film()
         {
             return None;
         }
         Some(match parameter {
             Parameter::SphereModulus => self.bodies.sphere_modulus(),
-            Parameter::LayerModulus(name) => self.layer(name)?.layer.solid.young(),
-            Parameter::LayerThickness(name) => self.layer(name)?.layer.thickness,
-            Parameter::LayerInterfaceStiffness(name) => {
-                return self.layer(name)?.interface_stiffness();
-            }
-            FilmModulus => self.bodies.film().young(),
-            FilmPoissonRatio => self.bodies.film().poisson(),
-            FilmThickness => self.bodies.top_thickness()?,
+            Parameter::FilmModulus => self.bodies.film().young(),
+            Parameter::FilmPoissonRatio => self.bodies.film().poisson(),
+            Parameter::FilmThickness => self.bodies.top_thickness()?,
             Parameter::WorkOfAdhesion => self.work_of_adhesion,
             Parameter::WorkOfAdhesionReceding => return self.work_of_adhesion_receding,
             Parameter::LoadOffset => self.load_offset,
@@ -113,10 +107,8 @@ impl Experiment {
             Parameter::Hardness => return self.indentation.hardness,
             Parameter::TipRounding => self.indentation.tip_rounding,
             Parameter::FrameCompliance => self.indentation.frame_compliance,
-            Parameter::RelaxedFraction
-            | Parameter::RelaxationExponent
-            | Parameter::RelaxationTime(_)
-            | Parameter::RelaxationWeight(_) => return self.relaxing.as_ref()?.get(parameter),
+            Parameter::Layer(name, what) => return self.layer(name)?.get(what),
+            Parameter::Law(own) => return self.relaxing.as_ref()?.law.parameter(own),
         })
     }
 
@@ -183,12 +175,9 @@ impl Experiment {
             Parameter::Hardness => self.indentation.hardness = Some(value),
             Parameter::TipRounding => self.indentation.tip_rounding = value,
             Parameter::FrameCompliance => self.indentation.frame_compliance = value,
-            Parameter::RelaxedFraction
-            | Parameter::RelaxationExponent
-            | Parameter::RelaxationTime(_)
-            | Parameter::RelaxationWeight(_) => {
+            Parameter::Law(own) => {
                 if let Some(relaxing) = &mut self.relaxing {
-                    relaxing.set(parameter, value);
+                    relaxing.law = relaxing.law.with(own, value);
                 }
             }
             _ => self.bodies = self.bodies.clone().with(parameter, value)?,
@@ -212,34 +201,26 @@ impl Experiment {
 
     /// Returns why these bodies do not have a parameter, if they do not have it.
     fn why_not_there(&self, parameter: Parameter) -> Option<Cow<'static, str>> {
-        use Parameter::{
-            FilmModulus, FilmPoissonRatio, FilmThickness, LayerInterfaceStiffness, LayerModulus,
-            LayerThickness,
-        };
         if let Some(reason) = self.why_not_relaxing(parameter) {
             return Some(reason.into());
         }
         match (&self.bodies, parameter) {
-            (Bodies::HalfSpace(_), FilmThickness) => Some("a half-space has no thickness".into()),
-            (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness)
-                if layered.film().is_some() =>
-            {
-                None
+            (Bodies::HalfSpace(_), Parameter::FilmThickness) => {
+                Some("a half-space has no thickness".into())
             }
             (Bodies::Layered(layered), Parameter::WorkOfAdhesionReceding) => {
                 layered.solver.why_not_receding().map(Into::into)
             }
-            (Bodies::Layered(layered), FilmModulus | FilmPoissonRatio | FilmThickness) => {
+            (Bodies::Layered(layered), parameter)
+                if parameter.is_of_film() && layered.film().is_none() =>
+            {
                 Some(format!("it has layers instead of one film; {}", layered.names()).into())
             }
-            (
-                Bodies::Layered(layered),
-                LayerModulus(name) | LayerThickness(name) | LayerInterfaceStiffness(name),
-            ) => {
+            (Bodies::Layered(layered), Parameter::Layer(name, _)) => {
                 let is_there = layered.layer(name).is_some();
                 (!is_there).then(|| format!("there is no such layer; {}", layered.names()).into())
             }
-            (_, LayerModulus(_) | LayerThickness(_) | LayerInterfaceStiffness(_)) => Some(
+            (_, Parameter::Layer(..)) => Some(
                 "it has no stack of layers; give one, or free the parameters of the film".into(),
             ),
             _ => None,
@@ -286,9 +267,7 @@ impl Experiment {
             Parameter::Stiffness if kind != Kind::ForceHeight => {
                 "no height of a cantilever is measured"
             }
-            Parameter::LayerModulus(_)
-            | Parameter::LayerThickness(_)
-            | Parameter::LayerInterfaceStiffness(_) => {
+            Parameter::Layer(..) => {
                 let Bodies::Layered(layered) = &self.bodies else {
                     return None;
                 };
@@ -302,12 +281,7 @@ impl Experiment {
     /// Accepts the zeros of the instrument, and the stiffness of the cantilever where one is
     /// needed.
     pub(crate) fn accept_instrument(&self) -> Result<(), Error> {
-        for parameter in [
-            Parameter::LoadOffset,
-            Parameter::ContactPoint,
-            Parameter::Baseline,
-            Parameter::BaselineSlope,
-        ] {
+        for parameter in Parameter::ZEROS {
             let value = self.get(parameter).unwrap_or(0.0);
             if !(-1e100..=1e100).contains(&value) {
                 let allowed = "finite, and at most 1e100: check the unit";

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use interp::{Elastic, Probe};
 
-use super::{Bodies, Experiment, LayerName, NamedLayer, Parameter, Reach};
+use super::{Bodies, Experiment, LayerName, LayerQuantity, NamedLayer, Parameter, Reach, Relaxing};
 use crate::Error;
 use units::Dimension;
 
@@ -19,11 +19,9 @@ pub enum Fixed {
     SubstrateModulus,
     /// The Poisson ratio of the substrate, or of the base of a stack.
     SubstratePoissonRatio,
-    /// Young's modulus of a layer of a stack without a name, by its number from 1, from the base up.
-    LayerModulus(usize),
-    /// The thickness of such a layer, m.
-    LayerThickness(usize),
-    /// The Poisson ratio of a layer, by its number.
+    /// A number of a layer of a stack without a name, by its number from 1, from the base up.
+    Layer(usize, LayerQuantity),
+    /// The Poisson ratio of such a layer.
     LayerPoissonRatio(usize),
     /// The Poisson ratio of a layer with a name.
     NamedPoissonRatio(LayerName),
@@ -42,8 +40,9 @@ impl Fixed {
     pub const fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Parameter(parameter) => parameter.dimension(),
-            Self::SphereRadius | Self::LayerThickness(_) => Some(Dimension::Length),
-            Self::SubstrateModulus | Self::LayerModulus(_) => Some(Dimension::Modulus),
+            Self::SphereRadius => Some(Dimension::Length),
+            Self::SubstrateModulus => Some(Dimension::Modulus),
+            Self::Layer(_, what) => Some(what.dimension()),
             Self::SubstratePoissonRatio
             | Self::LayerPoissonRatio(_)
             | Self::NamedPoissonRatio(_) => None,
@@ -57,8 +56,7 @@ impl Fixed {
             Self::SphereRadius => "sphere-radius".into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
             Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
-            Self::LayerModulus(number) => format!("layer-{number}.modulus").into(),
-            Self::LayerThickness(number) => format!("layer-{number}.thickness").into(),
+            Self::Layer(number, what) => format!("layer-{number}.{}", what.name()).into(),
             Self::LayerPoissonRatio(number) => format!("layer-{number}.poisson-ratio").into(),
             Self::NamedPoissonRatio(layer) => format!("{layer}.poisson-ratio").into(),
         }
@@ -83,12 +81,8 @@ impl Fixed {
         let of_layer = || {
             let (number, what) = name.strip_prefix("layer-")?.split_once('.')?;
             let number = number.parse().ok().filter(|&number| number > 0)?;
-            match what {
-                "modulus" => Some(Self::LayerModulus(number)),
-                "thickness" => Some(Self::LayerThickness(number)),
-                "poisson-ratio" => Some(Self::LayerPoissonRatio(number)),
-                _ => None,
-            }
+            let ratio = (what == "poisson-ratio").then_some(Self::LayerPoissonRatio(number));
+            ratio.or_else(|| Some(Self::Layer(number, LayerQuantity::of_name(what)?)))
         };
         let of_named_layer = || {
             let layer = name.strip_suffix(".poisson-ratio")?.parse().ok()?;
@@ -123,9 +117,8 @@ impl Fixed {
 }
 
 impl Experiment {
-    /// Lists the positive values and Poisson ratios that matter to a fit of the parameters `free`
-    /// and that it takes as given.
-    pub(crate) fn fixed(&self, free: &[Parameter]) -> Vec<Fixed> {
+    /// Lists the values that a fit may take as given: those of the bodies, and the parameters.
+    pub(crate) fn quantities(&self) -> Vec<Fixed> {
         let mut all = vec![
             Fixed::SphereRadius,
             Fixed::SubstrateModulus,
@@ -140,24 +133,32 @@ impl Experiment {
                 match layer.name {
                     Some(name) => all.push(Fixed::NamedPoissonRatio(name)),
                     None => all.extend([
-                        Fixed::LayerModulus(i + 1),
-                        Fixed::LayerThickness(i + 1),
+                        Fixed::Layer(i + 1, LayerQuantity::Modulus),
+                        Fixed::Layer(i + 1, LayerQuantity::Thickness),
                         Fixed::LayerPoissonRatio(i + 1),
                     ]),
                 }
             }
         }
+        let of_law = self.relaxing.iter().flat_map(Relaxing::parameters);
+        parameters.extend(of_law.filter(|one| !Parameter::ALL.contains(one)));
+        all.extend(parameters.into_iter().map(Fixed::Parameter));
+        all
+    }
+
+    /// Lists the positive values and Poisson ratios that matter to a fit of the parameters `free`
+    /// and that it takes as given.
+    pub(crate) fn fixed(&self, free: &[Parameter]) -> Vec<Fixed> {
         // The layers of a table are those of its file.
         let in_table = matches!(
             &self.bodies,
             Bodies::Layered(layered) if layered.solver.why_layers_are_fixed().is_some()
         );
-        parameters.retain(|parameter| !free.contains(parameter));
-        all.extend(parameters.into_iter().map(Fixed::Parameter));
         let matters = |one: &Fixed| {
             let is_kind = match one {
                 Fixed::Parameter(parameter) => {
                     (parameter.is_positive() || one.is_poisson_ratio())
+                        && !free.contains(parameter)
                         && self.why_without_effect(*parameter).is_none()
                 }
                 Fixed::SphereRadius => self.has_shape(false),
@@ -169,6 +170,7 @@ impl Experiment {
                     .value_of(*one)
                     .is_some_and(|value| value.is_finite() && is_usual(value))
         };
+        let mut all = self.quantities();
         all.retain(matters);
         all
     }
@@ -191,8 +193,7 @@ impl Experiment {
             Fixed::SphereRadius => self.bodies.probe().radius(),
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
-            Fixed::LayerModulus(number) => Some(layer(number)?.layer.solid.young()),
-            Fixed::LayerThickness(number) => Some(layer(number)?.layer.thickness),
+            Fixed::Layer(number, what) => layer(number)?.get(what),
             Fixed::LayerPoissonRatio(number) => poisson(layer(number)?.layer.solid),
             Fixed::NamedPoissonRatio(name) => poisson(self.layer(name)?.layer.solid),
         }
@@ -213,7 +214,7 @@ impl Experiment {
             (Fixed::SphereRadius, None) => {
                 return wrong("left out: the probe has no radius");
             }
-            (Fixed::SphereRadius | Fixed::LayerThickness(_), Some(_))
+            (Fixed::SphereRadius | Fixed::Layer(_, LayerQuantity::Thickness), Some(_))
                 if value.is_nan() || value <= 0.0 =>
             {
                 return wrong("above 0");
@@ -240,14 +241,13 @@ impl Experiment {
         let solid = match one {
             Fixed::Parameter(parameter) => return self.replace(parameter, value),
             Fixed::NamedPoissonRatio(name) => {
-                let Bodies::Layered(layered) = &self.bodies else {
-                    return Ok(());
-                };
-                let mut layers = layered.layers.iter();
-                return match layers.position(|layer| layer.name == Some(name)) {
-                    Some(i) => self.replace_fixed(Fixed::LayerPoissonRatio(i + 1), value),
-                    None => Ok(()),
-                };
+                if let Bodies::Layered(layered) = &mut self.bodies {
+                    let layers = layered.layers.iter_mut();
+                    for NamedLayer { layer, .. } in layers.filter(|one| one.name == Some(name)) {
+                        layer.solid = Elastic::new(layer.solid.young(), value)?;
+                    }
+                }
+                return Ok(());
             }
             Fixed::SphereRadius => {
                 if let Probe::Paraboloid { radius }
@@ -265,21 +265,17 @@ impl Experiment {
                 Bodies::Layered(layered) => &mut layered.base,
                 Bodies::HalfSpace(_) => return Ok(()),
             },
-            Fixed::LayerModulus(number)
-            | Fixed::LayerThickness(number)
-            | Fixed::LayerPoissonRatio(number) => {
+            Fixed::Layer(number, _) | Fixed::LayerPoissonRatio(number) => {
                 let Bodies::Layered(layered) = &mut self.bodies else {
                     return Ok(());
                 };
-                let Some(NamedLayer { layer, .. }) = layered.layers.get_mut(number.wrapping_sub(1))
-                else {
+                let Some(named) = layered.layers.get_mut(number.wrapping_sub(1)) else {
                     return Ok(());
                 };
-                if matches!(one, Fixed::LayerThickness(_)) {
-                    layer.thickness = value;
-                    return Ok(());
+                if let Fixed::Layer(_, what) = one {
+                    return Ok(named.set(what, value)?);
                 }
-                &mut layer.solid
+                &mut named.layer.solid
             }
         };
         *solid = if one.is_poisson_ratio() {
@@ -288,29 +284,5 @@ impl Experiment {
             Elastic::new(value, solid.poisson())?
         };
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn identifiers_keep_the_names_of_layers() {
-        for (name, identifier) in [
-            ("work-of-adhesion", "work_of_adhesion"),
-            ("relaxation-time.2", "relaxation_time.2"),
-            ("top-coat.modulus", "top-coat.modulus"),
-            (
-                "top_coat.interface-stiffness",
-                "top_coat.interface_stiffness",
-            ),
-            ("top-coat.poisson-ratio", "top-coat.poisson_ratio"),
-            ("layer-2.poisson-ratio", "layer_2.poisson_ratio"),
-            ("sphere-radius", "sphere_radius"),
-        ] {
-            let found = Fixed::parse(name).map(Fixed::identifier);
-            assert_eq!(found.as_deref(), Some(identifier), "{name}");
-        }
     }
 }

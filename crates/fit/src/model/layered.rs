@@ -7,7 +7,7 @@ use arrayvec::ArrayString;
 use interp::{Elastic, Probe, System};
 use solve::stack::{Interface, Layer, Stack};
 
-use super::{Interrupt, Kind, Measurement, Parameter, Solver};
+use super::{Interrupt, Kind, LayerQuantity, Measurement, Parameter, Solver};
 use crate::Error;
 use crate::statistics::extremes;
 
@@ -95,6 +95,34 @@ impl NamedLayer {
         }]
     }
 
+    /// Returns the value of a parameter; `None` of an interface that is bonded or slides.
+    pub(crate) fn get(&self, what: LayerQuantity) -> Option<f64> {
+        match what {
+            LayerQuantity::Modulus => Some(self.layer.solid.young()),
+            LayerQuantity::Thickness => Some(self.layer.thickness),
+            LayerQuantity::InterfaceStiffness => self.interface_stiffness(),
+        }
+    }
+
+    /// Replaces the value of a parameter.
+    pub(super) fn set(&mut self, what: LayerQuantity, value: f64) -> Result<(), interp::Error> {
+        let Layer {
+            solid,
+            thickness,
+            interface,
+        } = &mut self.layer;
+        match what {
+            LayerQuantity::Modulus => *solid = Elastic::new(value, solid.poisson())?,
+            LayerQuantity::Thickness => *thickness = value,
+            LayerQuantity::InterfaceStiffness => {
+                let [_, normal] = interface.stiffnesses();
+                let tangential = value;
+                *interface = Interface::Springs { tangential, normal };
+            }
+        }
+        Ok(())
+    }
+
     /// Returns the tangential stiffness (Pa/m) of the springs below; `None` where there are none: the
     /// layer is bonded or slides.
     pub(crate) fn interface_stiffness(&self) -> Option<f64> {
@@ -151,7 +179,7 @@ impl Reach {
 }
 
 /// A probe on a stack of layers on a base.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Layered {
     /// The shape of the probe: [`Probe::Paraboloid`] or [`Probe::FlatPunch`].
     pub probe: Probe,
@@ -167,17 +195,6 @@ pub struct Layered {
     pub solver: Solver,
     /// Whether somebody no longer waits for the contacts.
     pub interrupt: Interrupt,
-}
-
-impl PartialEq for Layered {
-    /// Compares the bodies and how their contacts are made, not who waits for them.
-    fn eq(&self, other: &Self) -> bool {
-        let numbers = |of: &Self| (of.sphere_modulus, of.base, of.reach);
-        numbers(self) == numbers(other)
-            && self.probe == other.probe
-            && self.layers == other.layers
-            && self.solver == other.solver
-    }
 }
 
 impl Layered {
@@ -222,13 +239,7 @@ impl Layered {
     pub fn parameters(&self) -> Vec<Parameter> {
         let names = self.layers.iter().filter_map(|named| named.name);
         names
-            .flat_map(|name| {
-                [
-                    Parameter::LayerModulus(name),
-                    Parameter::LayerThickness(name),
-                    Parameter::LayerInterfaceStiffness(name),
-                ]
-            })
+            .flat_map(|name| LayerQuantity::ALL.map(|what| Parameter::Layer(name, what)))
             .collect()
     }
 
@@ -255,44 +266,6 @@ impl Layered {
     pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
         self.layers.iter().find(|named| named.name == Some(name))
     }
-
-    /// Replaces the value of a parameter of the bodies. Other parameters change nothing.
-    pub(crate) fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), interp::Error> {
-        let of = |name: LayerName| move |named: &&mut NamedLayer| named.name == Some(name);
-        if self.film().is_some() {
-            let film = &mut self.layers[0].layer;
-            match parameter {
-                Parameter::FilmModulus => film.solid = Elastic::new(value, film.solid.poisson())?,
-                Parameter::FilmPoissonRatio => {
-                    film.solid = Elastic::new(film.solid.young(), value)?
-                }
-                Parameter::FilmThickness => film.thickness = value,
-                _ => {}
-            }
-        }
-        match parameter {
-            Parameter::SphereModulus => self.sphere_modulus = value,
-            Parameter::LayerModulus(name) => {
-                for NamedLayer { layer, .. } in self.layers.iter_mut().filter(of(name)) {
-                    layer.solid = Elastic::new(value, layer.solid.poisson())?;
-                }
-            }
-            Parameter::LayerThickness(name) => {
-                for NamedLayer { layer, .. } in self.layers.iter_mut().filter(of(name)) {
-                    layer.thickness = value;
-                }
-            }
-            Parameter::LayerInterfaceStiffness(name) => {
-                for NamedLayer { layer, .. } in self.layers.iter_mut().filter(of(name)) {
-                    let [_, normal] = layer.interface.stiffnesses();
-                    let tangential = value;
-                    layer.interface = Interface::Springs { tangential, normal };
-                }
-            }
-            _ => {}
-        }
-        Ok(())
-    }
 }
 
 #[cfg(test)]
@@ -309,11 +282,8 @@ mod tests {
         for name in ["oxide", "silicon dioxide", "Al2O3 (ALD).1", &long[1..]] {
             let layer: LayerName = name.parse().expect("a name");
             assert_eq!(layer.as_str(), name);
-            for parameter in [
-                Parameter::LayerModulus(layer),
-                Parameter::LayerThickness(layer),
-                Parameter::LayerInterfaceStiffness(layer),
-            ] {
+            for what in LayerQuantity::ALL {
+                let parameter = Parameter::Layer(layer, what);
                 assert_eq!(
                     parameter.name().parse::<Parameter>().expect("its name"),
                     parameter

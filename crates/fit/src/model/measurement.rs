@@ -51,6 +51,12 @@ impl Kind {
         }
     }
 
+    /// Returns the change of an `ordinate` over that of the number that a fit compares: a stiffness is compared by its
+    /// logarithm.
+    pub(crate) const fn scale(self, ordinate: f64) -> f64 {
+        if self.is_stiffness() { ordinate } else { 1.0 }
+    }
+
     /// Tells whether a contact stiffness is measured.
     pub const fn is_stiffness(self) -> bool {
         matches!(

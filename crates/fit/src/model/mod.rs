@@ -48,11 +48,10 @@ pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_C
 pub use interrupt::Interrupt;
 pub use layered::{LayerName, Layered, NamedLayer, Reach};
 pub use measurement::{Direction, Kind, Measurement, Numbering, Point};
-pub use parameter::Parameter;
+pub use parameter::{LayerQuantity, Parameter};
 pub(crate) use predicted::Predicted;
 pub use prediction::Prediction;
 pub(crate) use program::Program;
 pub use relaxing::Relaxing;
-pub(crate) use relaxing::of_law;
-pub use simulate::{simulate, simulate_experiment};
+pub use simulate::simulate;
 pub use solver::Solver;

@@ -4,17 +4,42 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use contact::LawParameter;
+
 use super::LayerName;
 use crate::Error;
 use units::Dimension;
 
-/// The ends of the names of the parameters of a layer.
-const MODULUS: &str = ".modulus";
-const THICKNESS: &str = ".thickness";
-const INTERFACE: &str = ".interface-stiffness";
-/// The names of relaxation times and their weights, before a point and the number.
+/// The names of relaxation times and their weights; those of further ones end with a point and the number.
 const TIME: &str = "relaxation-time";
 const WEIGHT: &str = "relaxation-weight";
+/// Whether the logarithm of a parameter is fitted.
+const POSITIVE: bool = true;
+const ANY_SIGN: bool = false;
+
+named! {
+    /// A number of a layer that can be fitted.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+    pub enum LayerQuantity {
+        /// Young's modulus, Pa.
+        Modulus = "modulus",
+        /// The thickness, m.
+        Thickness = "thickness",
+        /// The tangential stiffness of the interface below the layer, Pa/m.
+        InterfaceStiffness = "interface-stiffness",
+    }
+}
+
+impl LayerQuantity {
+    /// Returns the dimension.
+    pub(super) const fn dimension(self) -> Dimension {
+        match self {
+            Self::Modulus => Dimension::Modulus,
+            Self::Thickness => Dimension::Length,
+            Self::InterfaceStiffness => Dimension::ModulusPerLength,
+        }
+    }
+}
 
 /// A number that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -48,21 +73,10 @@ pub enum Parameter {
     TipRounding,
     /// The compliance `Cf` of the frame of an indenter, m/N.
     FrameCompliance,
-    /// Young's modulus of a layer of a stack, Pa.
-    LayerModulus(LayerName),
-    /// The thickness of a layer of a stack, m.
-    LayerThickness(LayerName),
-    /// The tangential stiffness of the interface below a layer of a stack, Pa/m.
-    LayerInterfaceStiffness(LayerName),
-    /// The part of the modulus that is left in the end, where the bodies relax.
-    RelaxedFraction,
-    /// The exponent of a relaxation function.
-    RelaxationExponent,
-    /// A relaxation time, s, by its number from 1.
-    RelaxationTime(u8),
-    /// The weight of a relaxation time, by its number from 2. That of the first one is what the
-    /// relaxed fraction and the other weights leave.
-    RelaxationWeight(u8),
+    /// A number of the layers of a stack that have this name.
+    Layer(LayerName, LayerQuantity),
+    /// A number of the function by which bodies relax.
+    Law(LawParameter),
 }
 
 impl Parameter {
@@ -82,49 +96,70 @@ impl Parameter {
         Self::Hardness,
         Self::TipRounding,
         Self::FrameCompliance,
-        Self::RelaxedFraction,
-        Self::RelaxationExponent,
-        Self::RelaxationTime(1),
+        Self::Law(LawParameter::RelaxedFraction),
+        Self::Law(LawParameter::Exponent),
+        Self::Law(LawParameter::Time(0)),
     ];
+
+    /// The zeros of the instrument.
+    pub(crate) const ZEROS: [Self; 4] = [
+        Self::LoadOffset,
+        Self::ContactPoint,
+        Self::Baseline,
+        Self::BaselineSlope,
+    ];
+
+    /// The works of adhesion.
+    pub(crate) const WORKS: [Self; 2] = [Self::WorkOfAdhesion, Self::WorkOfAdhesionReceding];
+
+    /// Returns the name, without that of a layer and the number of a relaxation time; the dimension, if there is one;
+    /// and whether the parameter is positive.
+    const fn facts(self) -> (&'static str, Option<Dimension>, bool) {
+        use Dimension::{Compliance, Force, ForcePerLength, Length, Modulus, Time};
+        match self {
+            Self::SphereModulus => ("sphere-modulus", Some(Modulus), POSITIVE),
+            Self::FilmModulus => ("film-modulus", Some(Modulus), POSITIVE),
+            Self::FilmPoissonRatio => ("film-poisson-ratio", None, ANY_SIGN),
+            Self::FilmThickness => ("film-thickness", Some(Length), POSITIVE),
+            Self::WorkOfAdhesion => ("work-of-adhesion", Some(ForcePerLength), POSITIVE),
+            Self::WorkOfAdhesionReceding => {
+                ("work-of-adhesion-receding", Some(ForcePerLength), POSITIVE)
+            }
+            Self::LoadOffset => ("load-offset", Some(Force), ANY_SIGN),
+            Self::ContactPoint => ("contact-point", Some(Length), ANY_SIGN),
+            Self::Baseline => ("baseline", Some(Force), ANY_SIGN),
+            Self::BaselineSlope => ("baseline-slope", Some(ForcePerLength), ANY_SIGN),
+            Self::Stiffness => ("stiffness", Some(ForcePerLength), POSITIVE),
+            Self::Hardness => ("hardness", Some(Modulus), POSITIVE),
+            Self::TipRounding => ("tip-rounding", Some(Length), ANY_SIGN),
+            Self::FrameCompliance => ("frame-compliance", Some(Compliance), ANY_SIGN),
+            Self::Layer(_, what) => (what.name(), Some(what.dimension()), POSITIVE),
+            Self::Law(LawParameter::RelaxedFraction) => ("relaxed-fraction", None, ANY_SIGN),
+            Self::Law(LawParameter::Exponent) => ("relaxation-exponent", None, ANY_SIGN),
+            Self::Law(LawParameter::Time(_)) => (TIME, Some(Time), POSITIVE),
+            Self::Law(LawParameter::Weight(_)) => (WEIGHT, None, POSITIVE),
+        }
+    }
 
     /// Returns the name, as on the command line: that of a layer begins with the name of the layer,
     /// `oxide.modulus`, `oxide.thickness` or `oxide.interface-stiffness`; that of a further relaxation
     /// time ends with its number, `relaxation-time.2`.
     pub fn name(self) -> Cow<'static, str> {
-        Cow::Borrowed(match self {
-            Self::SphereModulus => "sphere-modulus",
-            Self::FilmModulus => "film-modulus",
-            Self::FilmPoissonRatio => "film-poisson-ratio",
-            Self::FilmThickness => "film-thickness",
-            Self::WorkOfAdhesion => "work-of-adhesion",
-            Self::WorkOfAdhesionReceding => "work-of-adhesion-receding",
-            Self::LoadOffset => "load-offset",
-            Self::ContactPoint => "contact-point",
-            Self::Baseline => "baseline",
-            Self::BaselineSlope => "baseline-slope",
-            Self::Stiffness => "stiffness",
-            Self::Hardness => "hardness",
-            Self::TipRounding => "tip-rounding",
-            Self::FrameCompliance => "frame-compliance",
-            Self::LayerModulus(layer) => return format!("{layer}{MODULUS}").into(),
-            Self::LayerThickness(layer) => return format!("{layer}{THICKNESS}").into(),
-            Self::LayerInterfaceStiffness(layer) => return format!("{layer}{INTERFACE}").into(),
-            Self::RelaxedFraction => "relaxed-fraction",
-            Self::RelaxationExponent => "relaxation-exponent",
-            Self::RelaxationTime(1) => TIME,
-            Self::RelaxationTime(number) => return format!("{TIME}.{number}").into(),
-            Self::RelaxationWeight(number) => return format!("{WEIGHT}.{number}").into(),
-        })
+        let (name, ..) = self.facts();
+        match self {
+            Self::Layer(layer, _) => format!("{layer}.{name}").into(),
+            Self::Law(LawParameter::Time(k @ 1..) | LawParameter::Weight(k)) => {
+                format!("{name}.{}", k + 1).into()
+            }
+            _ => name.into(),
+        }
     }
 
     /// Returns the name with underscores, as JSON objects and Python have it, `work_of_adhesion`. The name of a
     /// layer stays as it is: `top-coat.interface_stiffness`.
     pub fn identifier(self) -> String {
         match self {
-            Self::LayerModulus(_) | Self::LayerThickness(_) => self.name().into_owned(),
-            Self::LayerInterfaceStiffness(layer) => {
-                format!("{layer}{}", INTERFACE.replace('-', "_"))
-            }
+            Self::Layer(layer, what) => format!("{layer}.{}", what.name().replace('-', "_")),
             _ => self.name().replace('-', "_"),
         }
     }
@@ -148,27 +183,7 @@ impl Parameter {
 
     /// Returns the dimension; `None` for a number without one.
     pub const fn dimension(self) -> Option<Dimension> {
-        Some(match self {
-            Self::SphereModulus | Self::FilmModulus | Self::Hardness | Self::LayerModulus(_) => {
-                Dimension::Modulus
-            }
-            Self::FilmPoissonRatio
-            | Self::RelaxedFraction
-            | Self::RelaxationExponent
-            | Self::RelaxationWeight(_) => return None,
-            Self::RelaxationTime(_) => Dimension::Time,
-            Self::FilmThickness
-            | Self::LayerThickness(_)
-            | Self::ContactPoint
-            | Self::TipRounding => Dimension::Length,
-            Self::FrameCompliance => Dimension::Compliance,
-            Self::LayerInterfaceStiffness(_) => Dimension::ModulusPerLength,
-            Self::LoadOffset | Self::Baseline => Dimension::Force,
-            Self::WorkOfAdhesion
-            | Self::WorkOfAdhesionReceding
-            | Self::BaselineSlope
-            | Self::Stiffness => Dimension::ForcePerLength,
-        })
+        self.facts().1
     }
 
     /// Whether it is a work of adhesion.
@@ -176,38 +191,23 @@ impl Parameter {
         matches!(self, Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding)
     }
 
-    /// Tells whether the parameter is positive. Then its logarithm is fitted.
-    pub const fn is_positive(self) -> bool {
+    /// Whether it is a number of the film.
+    pub(crate) const fn is_of_film(self) -> bool {
         matches!(
             self,
-            Self::SphereModulus
-                | Self::FilmModulus
-                | Self::FilmThickness
-                | Self::WorkOfAdhesion
-                | Self::WorkOfAdhesionReceding
-                | Self::Stiffness
-                | Self::Hardness
-                | Self::LayerModulus(_)
-                | Self::LayerThickness(_)
-                | Self::LayerInterfaceStiffness(_)
-                | Self::RelaxationTime(_)
-                | Self::RelaxationWeight(_)
+            Self::FilmModulus | Self::FilmPoissonRatio | Self::FilmThickness
         )
+    }
+
+    /// Tells whether the parameter is positive. Then its logarithm is fitted.
+    pub const fn is_positive(self) -> bool {
+        self.facts().2
     }
 
     /// Tells whether the parameter belongs to the bodies, so that another value needs another
     /// contact.
     pub const fn is_of_bodies(self) -> bool {
-        matches!(
-            self,
-            Self::SphereModulus
-                | Self::FilmModulus
-                | Self::FilmPoissonRatio
-                | Self::FilmThickness
-                | Self::LayerModulus(_)
-                | Self::LayerThickness(_)
-                | Self::LayerInterfaceStiffness(_)
-        )
+        self.is_of_film() || matches!(self, Self::SphereModulus | Self::Layer(..))
     }
 }
 
@@ -221,22 +221,21 @@ impl FromStr for Parameter {
     type Err = Error;
 
     fn from_str(name: &str) -> Result<Self, Error> {
-        let found = Self::ALL
-            .into_iter()
-            .find(|parameter| parameter.name() == name);
-        let layer = |suffix: &str| name.strip_suffix(suffix)?.parse().ok();
-        let of_time = || {
-            let number = |prefix| name.strip_prefix(prefix)?.strip_prefix('.')?.parse().ok();
-            let time = number(TIME).filter(|&number| number > 0);
-            let weight = number(WEIGHT).filter(|&number| number > 1);
-            let time = time.map(Self::RelaxationTime);
-            time.or(weight.map(Self::RelaxationWeight))
+        let numbered = || {
+            let (first, last) = name.rsplit_once('.')?;
+            if let Some(what) = LayerQuantity::of_name(last) {
+                return first.parse().ok().map(|layer| Self::Layer(layer, what));
+            }
+            match (first, last.parse::<usize>().ok()?.checked_sub(1)?) {
+                (TIME, k) => Some(Self::Law(LawParameter::Time(k))),
+                (WEIGHT, k @ 1..) => Some(Self::Law(LawParameter::Weight(k))),
+                _ => None,
+            }
         };
-        found
-            .or_else(of_time)
-            .or_else(|| layer(MODULUS).map(Self::LayerModulus))
-            .or_else(|| layer(THICKNESS).map(Self::LayerThickness))
-            .or_else(|| layer(INTERFACE).map(Self::LayerInterfaceStiffness))
+        Self::ALL
+            .into_iter()
+            .find(|parameter| parameter.name() == name)
+            .or_else(numbered)
             .ok_or_else(|| Error::UnknownParameter(name.to_owned()))
     }
 }

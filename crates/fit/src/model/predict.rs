@@ -119,39 +119,26 @@ impl Experiment {
     ) -> Result<(), contact::Error> {
         let points = &self.measurement.points;
         let w = self.work_of(branch);
-        let of_branch = order.iter().filter(|&&i| branches[i] == branch);
-        let mut within: Vec<usize> = of_branch.copied().collect();
-        if within.is_empty() {
+        let of_branch = order.iter().copied();
+        let of_branch: Vec<usize> = of_branch.filter(|&i| branches[i] == branch).collect();
+        if of_branch.is_empty() {
             return Ok(());
         }
         let control = self.control();
         let equilibria = contact.equilibria(w, control)?;
         let imposed_at = |i: usize| self.imposed(points[i].abscissa);
-        let mut beyond = Vec::new();
-        let end = if w > 0.0 {
-            Some(equilibria.pull_off()?)
-        } else {
-            None
-        };
+        let end = (w > 0.0).then(|| equilibria.pull_off()).transpose()?;
         let least = end.map_or(0.0, |end| control.imposed(end.load, end.penetration));
-        within.retain(|&i| {
-            let inside = imposed_at(i) > least;
-            if !inside && end.is_some() {
-                beyond.push(i);
-            }
-            inside
-        });
+        let is_within = |&i: &usize| imposed_at(i) > least;
+        let (within, beyond): (Vec<usize>, Vec<usize>) = of_branch.into_iter().partition(is_within);
         // On approach, the contact that grows from the first touch; below the contact point the
         // same contact as on retract.
-        let split = within
-            .iter()
-            .position(|&i| points[i].direction != Some(Direction::Approach) || imposed_at(i) < 0.0)
-            .filter(|_| branch == Branch::Advancing)
-            .unwrap_or(if branch == Branch::Advancing {
-                within.len()
-            } else {
-                0
-            });
+        let loads = |&i: &usize| {
+            branch == Branch::Advancing
+                && points[i].direction == Some(Direction::Approach)
+                && imposed_at(i) >= 0.0
+        };
+        let split = within.iter().take_while(|i| loads(i)).count();
         let (loading, unloading) = within.split_at(split);
         for (indices, course) in [
             (loading, contact::Branch::Loading),

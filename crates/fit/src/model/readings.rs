@@ -55,20 +55,11 @@ impl Experiment {
 
     /// Returns the input of the contact on a branch that a parameter is.
     pub(super) fn input_on(&self, parameter: Parameter, branch: Branch) -> Option<Input> {
-        if self.is_work_of(parameter, branch) {
-            Some(Input::WorkOfAdhesion)
-        } else {
-            self.bodies.input(parameter)
-        }
-    }
-
-    /// Tells whether a parameter is the work of adhesion of a branch.
-    pub(super) fn is_work_of(&self, parameter: Parameter, branch: Branch) -> bool {
         let receding = branch == Branch::Receding && self.work_of_adhesion_receding.is_some();
         match parameter {
-            Parameter::WorkOfAdhesion => !receding,
-            Parameter::WorkOfAdhesionReceding => receding,
-            _ => false,
+            Parameter::WorkOfAdhesion if !receding => Some(Input::WorkOfAdhesion),
+            Parameter::WorkOfAdhesionReceding if receding => Some(Input::WorkOfAdhesion),
+            _ => self.bodies.input(parameter),
         }
     }
 

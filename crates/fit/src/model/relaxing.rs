@@ -36,47 +36,9 @@ impl Relaxing {
 
     /// Lists the numbers of the law as parameters.
     pub fn parameters(&self) -> Vec<Parameter> {
-        self.law
-            .parameters()
-            .into_iter()
-            .map(parameter_of)
-            .collect()
+        let own = self.law.parameters().into_iter();
+        own.map(Parameter::Law).collect()
     }
-
-    /// Returns a number of the law.
-    pub(crate) fn get(&self, parameter: Parameter) -> Option<f64> {
-        self.law.parameter(of_law(parameter)?)
-    }
-
-    /// Replaces a number of the law, which is checked when it is used.
-    pub(crate) fn set(&mut self, parameter: Parameter, value: f64) {
-        if let Some(own) = of_law(parameter) {
-            self.law = self.law.with(own, value);
-        }
-    }
-}
-
-/// Returns the parameter that a number of a law is.
-fn parameter_of(own: LawParameter) -> Parameter {
-    let number = |k: usize| u8::try_from(k + 1).unwrap_or(u8::MAX);
-    match own {
-        LawParameter::RelaxedFraction => Parameter::RelaxedFraction,
-        LawParameter::Exponent => Parameter::RelaxationExponent,
-        LawParameter::Time(k) => Parameter::RelaxationTime(number(k)),
-        LawParameter::Weight(k) => Parameter::RelaxationWeight(number(k)),
-    }
-}
-
-/// Returns the number of a law that a parameter is.
-pub(crate) fn of_law(parameter: Parameter) -> Option<LawParameter> {
-    let index = |number: u8| usize::from(number).wrapping_sub(1);
-    Some(match parameter {
-        Parameter::RelaxedFraction => LawParameter::RelaxedFraction,
-        Parameter::RelaxationExponent => LawParameter::Exponent,
-        Parameter::RelaxationTime(number) => LawParameter::Time(index(number)),
-        Parameter::RelaxationWeight(number) => LawParameter::Weight(index(number)),
-        _ => return None,
-    })
 }
 
 /// The part of their range by which abscissae that are one cycle do not go back and forth.
@@ -91,9 +53,9 @@ impl Experiment {
     /// Returns why a parameter of the law, or of the adhesion, is not one of this experiment.
     pub(super) fn why_not_relaxing(&self, parameter: Parameter) -> Option<&'static str> {
         let adhesive = parameter.is_work_of_adhesion();
-        match (&self.relaxing, of_law(parameter)) {
-            (None, Some(_)) => Some("no relaxation function is given; give one"),
-            (Some(relaxing), Some(own)) if relaxing.law.parameter(own).is_none() => Some(
+        match (&self.relaxing, parameter) {
+            (None, Parameter::Law(_)) => Some("no relaxation function is given; give one"),
+            (Some(relaxing), Parameter::Law(own)) if relaxing.law.parameter(own).is_none() => Some(
                 "its relaxation function does not have this number, or it follows from the others",
             ),
             (Some(_), _) if adhesive => Some(
@@ -288,7 +250,9 @@ impl Experiment {
         let program = self.program();
         let (mut inputs, mut law): (Vec<Input>, Vec<LawParameter>) = (Vec::new(), Vec::new());
         for &parameter in columns {
-            law.extend(of_law(parameter));
+            if let Parameter::Law(own) = parameter {
+                law.push(own);
+            }
             inputs.extend(self.bodies.input(parameter).filter(|_| exact));
         }
         let asked = parameters.is_some().then_some(HistoryInputs {
@@ -326,7 +290,7 @@ impl Experiment {
         let taken = |parameter: Parameter| match parameter {
             Parameter::ContactPoint => (Some(0), -sense),
             Parameter::Stiffness => (Some(1), 1.0),
-            _ if of_law(parameter).is_some() => (next(&mut of_laws), 1.0),
+            Parameter::Law(_) => (next(&mut of_laws), 1.0),
             _ if exact && self.bodies.input(parameter).is_some() => (next(&mut of_inputs), 1.0),
             _ => (None, 1.0),
         };

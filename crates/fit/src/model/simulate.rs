@@ -6,10 +6,11 @@ use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Bodies, Branch, Direction, Experiment, Measurement, Parameter, Point};
+use super::{Bodies, Branch, Direction, Experiment, Parameter, Point};
 use crate::Error;
 
-/// Makes the measurement that the values of an experiment would give.
+/// Makes the experiment that the values of an experiment would give: its measurement, the loads of depths, which
+/// follow from the hardness, and the phases of a loss tangent.
 ///
 /// The points of `experiment` say where to measure: their abscissae and directions; their ordinates
 /// are not used. On approach the contact forms at the contact point. On retract, and without a
@@ -17,31 +18,16 @@ use crate::Error;
 /// work of adhesion is the larger one; the turn is at the largest imposed value. Points at contact
 /// radii are always in contact (a radius of 0 is none). `noise` is the standard deviation of the
 /// normal noise that is added to each ordinate; one `seed` always gives one measurement. Of a contact
-/// stiffness it is relative, 0.01 is 1 %, and its logarithm is normal; [`simulate_experiment`] also
-/// makes the loads of depths and the phases.
-///
-/// # Errors
-/// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
-/// negative or not finite, a zero of the instrument that is not finite, a missing stiffness, or a
-/// contact stiffness where there is no contact;
-/// [`Error::Contact`] outside the table.
-pub fn simulate(
-    table: &Table,
-    experiment: &Experiment,
-    noise: f64,
-    seed: u64,
-) -> Result<Measurement, Error> {
-    Ok(simulate_experiment(table, experiment, noise, seed)?.measurement)
-}
-
-/// Makes the experiment that the values of an experiment would give: the measurement of [`simulate`],
-/// the loads of depths, which follow from the hardness, and the phases of a loss tangent. A phase has
+/// stiffness it is relative, 0.01 is 1 %, and its logarithm is normal. A phase has
 /// the noise of a stiffness, in rad: both parts of a complex stiffness are as noisy.
 ///
 /// # Errors
-/// As [`simulate`], and [`Error::Setting`] for numbers of the indentation that a fit does not accept, for depths
-/// without a hardness and for a loss tangent outside 0 to 1.
-pub fn simulate_experiment(
+/// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
+/// negative or not finite, a zero of the instrument that is not finite, a missing stiffness, a
+/// contact stiffness where there is no contact, numbers of the indentation that a fit does not accept, depths
+/// without a hardness, and a loss tangent outside 0 to 1;
+/// [`Error::Contact`] outside the table.
+pub fn simulate(
     table: &Table,
     experiment: &Experiment,
     noise: f64,

@@ -104,16 +104,18 @@ pub enum Solver {
 
 impl PartialEq for Solver {
     fn eq(&self, other: &Self) -> bool {
-        let ratios = |of: &Self| match of {
-            Self::Stick {
-                sphere_poisson_ratio,
-                advancing,
-            } => Some([*sphere_poisson_ratio, *advancing]),
-            Self::Direct | Self::Table { .. } => None,
-        };
         match (self, other) {
             (Self::Direct, Self::Direct) => true,
-            (Self::Stick { .. }, Self::Stick { .. }) => ratios(self) == ratios(other),
+            (
+                Self::Stick {
+                    sphere_poisson_ratio,
+                    advancing,
+                },
+                Self::Stick {
+                    sphere_poisson_ratio: of,
+                    advancing: other,
+                },
+            ) => (sphere_poisson_ratio, advancing) == (of, other),
             (
                 Self::Table { stack, table },
                 Self::Table {

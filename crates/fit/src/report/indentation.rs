@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
-use crate::{AreaFunction, ContactDepth, Experiment, Fit, FittedExperiment, Kind, Parameter};
+use crate::statistics::extremes;
+use crate::{
+    AreaFunction, ContactDepth, Experiment, Fit, FittedExperiment, Kind, LayerQuantity, Parameter,
+};
 
 /// Returns what is known of the indenter.
 pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
@@ -59,12 +62,12 @@ pub(super) fn lines(fit: &Fit, experiments: &[Experiment]) -> Vec<String> {
 /// Returns the smallest and the largest contact radius of the points of an experiment over the
 /// thickness of its film or top layer; `None` on a half-space, or where no point is in contact.
 pub fn a_over_t(fit: &Fit, fitted: &FittedExperiment, experiment: &Experiment) -> Option<[f64; 2]> {
-    let top = experiment.bodies.top_name();
-    let free = top.map_or(Parameter::FilmThickness, Parameter::LayerThickness);
+    let free = match experiment.bodies.top_name() {
+        Some(top) => Parameter::Layer(top, LayerQuantity::Thickness),
+        None => Parameter::FilmThickness,
+    };
     let found = fit.estimate(free).map(|one| one.value);
     let thickness = found.or(experiment.bodies.top_thickness())?;
-    let radii = fitted.points.iter().filter_map(|one| one.contact_radius);
-    let radii = radii.filter(|radius| *radius > 0.0);
-    let [least, most] = radii.fold([f64::INFINITY, 0.0_f64], |[l, m], a| [l.min(a), m.max(a)]);
+    let [least, most] = extremes(fitted.points.iter().filter_map(|one| one.contact_radius));
     (most > 0.0).then(|| [least, most].map(|radius| radius / thickness))
 }

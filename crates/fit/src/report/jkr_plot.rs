@@ -25,7 +25,7 @@ pub struct JkrPlotPoint {
 /// measured; `None` for a point without a contact. `experiment` is this experiment.
 ///
 /// # Errors
-/// [`Error::NoJkrPlot`] unless loads were measured at contact radii, under a probe with a radius of
+/// [`Error::NotFitted`] unless loads were measured at contact radii, under a probe with a radius of
 /// curvature at its tip.
 ///
 /// # Panics
@@ -35,21 +35,18 @@ pub fn jkr_plot(
     experiment: &Experiment,
     number: usize,
 ) -> Result<Vec<Option<JkrPlotPoint>>, Error> {
-    let none = |reason| Error::NoJkrPlot {
-        experiment: experiment.measurement.name.clone(),
-        reason,
-    };
+    let none = |reason: &'static str| Err(Error::not_fitted(experiment, reason));
     if experiment.measurement.kind != Kind::LoadRadius {
-        return Err(none("it needs loads that were measured at contact radii"));
+        return none("it has no JKR plot: it needs loads that were measured at contact radii");
     }
     let (Probe::Paraboloid { radius }
     | Probe::Sphere { radius }
     | Probe::RoundedCone { radius, .. }) = *experiment.bodies.probe()
     else {
-        return Err(none(
-            "it needs a probe with a radius of curvature at its tip: a paraboloid, a sphere or a \
+        return none(
+            "it has no JKR plot: it needs a probe with a radius of curvature at its tip: a paraboloid, a sphere or a \
              rounded cone",
-        ));
+        );
     };
     let offset = |estimates: &[Estimate]| {
         let own = |one: &&Estimate| {

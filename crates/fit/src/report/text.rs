@@ -10,8 +10,8 @@ use super::{fixed_values, indentation, relaxing};
 use crate::data::{Marks, Notes, Source};
 use crate::estimate::left_out_text;
 use crate::{
-    Bodies, Combination, Direction, Estimate, Experiment, Fit, Forecast, Measurement, ModulusBias,
-    NamedLayer, Parameter, Point, Warning,
+    Bodies, Combination, Direction, Estimate, Experiment, Fit, Fixed, Forecast, LayerQuantity,
+    Measurement, ModulusBias, NamedLayer, Parameter, Point, Warning,
 };
 
 /// The width of the names of parameters.
@@ -193,8 +193,7 @@ fn fixed_of_all(fit: &Fit, experiments: &[Experiment]) -> Vec<(Cow<'static, str>
         if rows.iter().any(|row| row.0 == *name) {
             continue;
         }
-        let is_zero =
-            ["load-offset", "contact-point", "baseline", "baseline-slope"].contains(&&**name);
+        let is_zero = Parameter::ZEROS.iter().any(|zero| zero.name() == *name);
         let texts: Vec<&str> = all
             .iter()
             .filter_map(|rows| {
@@ -253,68 +252,48 @@ fn fixed(fit: &Fit, experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
     // Where elasticity does not tell the contact radius, the probe and the adhesion do not matter.
     let has_hardness = fit.estimate(Parameter::Hardness).is_some();
     let has_shape = experiment.has_shape(has_hardness);
-    if let Some(radius) = probe.radius().filter(|_| has_shape) {
-        rows.push(("sphere-radius".into(), text(radius, "m")));
-    }
-    let young = |value: f64| format!("{}, Young's modulus", text(value, "Pa"));
-    if let Some(substrate) = experiment.bodies.base() {
-        let mut modulus = young(substrate.young());
-        if matches!(experiment.bodies, Bodies::Coated(_)) {
-            modulus += " E0";
+    let is_listed = |one: Fixed, value: f64| match one {
+        Fixed::SphereRadius => has_shape,
+        Fixed::Parameter(parameter) => {
+            fit.estimate(parameter).is_none()
+                && (value != 0.0 || parameter.is_positive())
+                && (experiment.relaxing.is_none() || parameter != Parameter::WorkOfAdhesion)
+                && (!kind.is_stiffness() || experiment.why_without_effect(parameter).is_none())
+                && (has_shape || parameter != Parameter::WorkOfAdhesion)
         }
-        rows.push(("substrate-modulus".into(), modulus));
-        if substrate.young() < f64::INFINITY {
-            let ratio = text(substrate.poisson(), "1");
-            rows.push(("substrate-poisson-ratio".into(), ratio));
-        }
-    }
-    let mut parameters = Parameter::ALL.to_vec();
+        _ => true,
+    };
+    let row = |one: Fixed| {
+        let value = experiment
+            .value_of(one)
+            .filter(|&value| is_listed(one, value))?;
+        let label = match one {
+            Fixed::SubstrateModulus if matches!(experiment.bodies, Bodies::Coated(_)) => {
+                ", Young's modulus E0"
+            }
+            Fixed::SubstrateModulus | Fixed::Layer(_, LayerQuantity::Modulus) => {
+                ", Young's modulus"
+            }
+            Fixed::Parameter(parameter) => which_modulus(parameter),
+            _ => "",
+        };
+        Some((one.name(), format!("{}{label}", text(value, one.unit()))))
+    };
+    let quantities = experiment.quantities().into_iter();
+    let (parameters, of_bodies): (Vec<Fixed>, Vec<Fixed>) =
+        quantities.partition(|one| one.parameter().is_some());
+    rows.extend(of_bodies.into_iter().filter_map(row));
     if let Bodies::Layered(layered) = &experiment.bodies {
         for (i, named) in layered.layers.iter().enumerate() {
-            let layer = &named.layer;
-            let poisson = text(layer.solid.poisson(), "1");
-            match named.name {
-                Some(name) => rows.push((format!("{name}.poisson-ratio").into(), poisson)),
-                // The parameters of a film are listed with all others.
-                None if layered.film().is_some() => {}
-                None => rows.extend([
-                    (
-                        format!("layer-{}.modulus", i + 1).into(),
-                        young(layer.solid.young()),
-                    ),
-                    (
-                        format!("layer-{}.thickness", i + 1).into(),
-                        text(layer.thickness, "m"),
-                    ),
-                    (format!("layer-{}.poisson-ratio", i + 1).into(), poisson),
-                ]),
-            }
             if let Some(interface) = interface(named, |stiffness| text(stiffness, "Pa/m")) {
                 let name = named.name.map(|name| name.to_string());
                 let name = name.unwrap_or_else(|| format!("layer-{}", i + 1));
                 rows.push((format!("{name}.interface").into(), interface));
             }
         }
-        parameters.extend(layered.parameters());
     }
     rows.extend(relaxing::fixed(experiment));
-    if let Some(relaxing) = &experiment.relaxing {
-        let own = relaxing.parameters();
-        parameters.extend(own.into_iter().filter(|one| !Parameter::ALL.contains(one)));
-    }
-    for parameter in parameters {
-        if let Some(value) = experiment.get(parameter)
-            && fit.estimate(parameter).is_none()
-            && (value != 0.0 || parameter.is_positive())
-            && (experiment.relaxing.is_none() || parameter != Parameter::WorkOfAdhesion)
-            && (!kind.is_stiffness() || experiment.why_without_effect(parameter).is_none())
-            && (has_shape || parameter != Parameter::WorkOfAdhesion)
-        {
-            let label = which_modulus(parameter);
-            let value = format!("{}{label}", text(value, parameter.unit()));
-            rows.push((parameter.name(), value));
-        }
-    }
+    rows.extend(parameters.into_iter().filter_map(row));
     if kind.is_stiffness() {
         rows.extend(indentation::fixed(experiment));
     }
@@ -345,7 +324,7 @@ const fn which_modulus(parameter: Parameter) -> &'static str {
     match parameter {
         Parameter::SphereModulus => ", reduced modulus E2*",
         Parameter::FilmModulus => ", Young's modulus E1",
-        Parameter::LayerModulus(_) => ", Young's modulus",
+        Parameter::Layer(_, LayerQuantity::Modulus) => ", Young's modulus",
         _ => "",
     }
 }

@@ -7,7 +7,7 @@ use ::fit::data::{Role, roles};
 use ::fit::report::{self, UnitOf};
 use ::fit::{
     Combination, Direction, Experiment, Forecast, Kind, Measurement, Numbering, Point, forecast,
-    simulate_experiment,
+    simulate,
 };
 use anyhow::{Context, bail, ensure};
 use clap::builder::TypedValueParser;
@@ -283,13 +283,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.free.is_empty(),
         "--free, --bounds, --prior, --own and --shared are for --expect; add it"
     );
-    let made = simulate_experiment(&table, &experiments[0], noise, arguments.seed)
+    let made = simulate(&table, &experiments[0], noise, arguments.seed)
         .map_err(|error| doubted(error, &[], &[]))?;
     let text = csv(&made)?;
     arguments.known.name_example(&experiments[0]);
     output.write(&text)?;
     if range_of_ordinates(&made) < WITHIN * noise {
-        let exact = simulate_experiment(&table, &experiments[0], 0.0, arguments.seed)
+        let exact = simulate(&table, &experiments[0], 0.0, arguments.seed)
             .map_err(|error| doubted(error, &[], &[]))?;
         note_large_noise(&exact, noise);
     }

@@ -3,5 +3,5 @@
 mod start;
 mod warnings;
 
-pub(super) use start::starts;
+pub(super) use start::give;
 pub(super) use warnings::add;

@@ -3,7 +3,9 @@
 use crate::estimate::doubts::Warnings;
 use crate::estimate::problem::{Ending, Problem};
 use crate::statistics::median;
-use crate::{ContactDepth, Estimate, Fit, Indentation, Kind, Parameter, WarningKind};
+use crate::{
+    ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, Parameter, WarningKind,
+};
 
 /// The most evaluations of the fit with the other contact depth, over the number of parameters + 1,
 /// and the relative changes at which it ends.
@@ -88,14 +90,14 @@ fn other_depth(fit: &Fit, problem: &Problem<'_>) -> Option<(ContactDepth, Vec<(E
         }
     }
     other.update().ok()?;
-    let (other, ending) = other.minimise(PATIENCE, TOLERANCE);
-    if ending != Ending::Converged {
+    let other = other.minimise(PATIENCE, TOLERANCE);
+    if other.ending != Ending::Converged {
         return None;
     }
     let is_modulus = |parameter: Parameter| {
         matches!(
             parameter,
-            Parameter::FilmModulus | Parameter::LayerModulus(_)
+            Parameter::FilmModulus | Parameter::Layer(_, LayerQuantity::Modulus)
         )
     };
     let estimates = fit.estimates.iter().enumerate();

@@ -2,7 +2,6 @@
 
 use std::f64::consts::PI;
 
-use super::Indentation;
 use super::radius::Place;
 use crate::model::Layered;
 use crate::statistics::median;
@@ -83,27 +82,14 @@ impl Experiment {
         if !self.measurement.kind.is_stiffness() {
             return;
         }
-        let points = 0..self.measurement.points.len();
-        let places = points.filter_map(|i| self.measured_place(i));
-        let radii = places
-            .map(|place| place.radius)
-            .filter(|radius| radius.is_finite())
-            .fold(0.0, f64::max);
-        let depths = self.measurement.points.iter().map(|point| point.abscissa);
-        let deepest = depths.fold(0.0, f64::max);
-        let widest = match self.measurement.kind {
-            Kind::StiffnessLoad if self.indentation.hardness.is_none() => {
-                self.elastic_radius(deepest)
-            }
+        let mut widest = self.largest_radius();
+        if self.measurement.kind == Kind::StiffnessDepth {
             // Before the stiffness is there, no contact depth is larger than the depth.
-            Kind::StiffnessDepth => {
-                let Indentation {
-                    area, tip_rounding, ..
-                } = &self.indentation;
-                radii.max(area.radius(1.2 * (deepest + tip_rounding.max(0.0))))
-            }
-            _ => radii,
-        };
+            let depths = self.measurement.points.iter().map(|point| point.abscissa);
+            let deepest =
+                1.2 * (depths.fold(0.0, f64::max) + self.indentation.tip_rounding.max(0.0));
+            widest = widest.max(self.indentation.area.radius(deepest));
+        }
         let Bodies::Layered(layered) = &mut self.bodies else {
             return;
         };

@@ -9,7 +9,7 @@
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::model::predicted::Predicted;
-use crate::{Branch, Error, Experiment, Parameter};
+use crate::{Branch, Error, Experiment};
 
 /// The step of `ln E1` by which the derivatives of `ln S` are found, from five moduli.
 const STEP: f64 = 0.25;
@@ -78,16 +78,17 @@ impl Series {
 }
 
 impl Experiment {
-    /// Returns the modulus that is complex, that of the film, the half-space or the top layer, with
-    /// its absolute value (Pa).
-    fn complex_modulus(&self) -> Result<(Parameter, f64), Error> {
+    /// Returns the experiment at the moduli of the series: of the film, the half-space or the top layer.
+    fn at_moduli(&self) -> Result<[Self; 5], Error> {
         let parameter = self.bodies.modulus_of_top();
         let reason = "phases are those of the top layer of the stack, which has no name: name it";
         let modulus = self.get(parameter);
-        Ok((
-            parameter,
-            modulus.ok_or_else(|| Error::not_fitted(self, reason))?,
-        ))
+        let modulus = modulus.ok_or_else(|| Error::not_fitted(self, reason))?;
+        let mut moved = std::array::from_fn(|_| self.clone());
+        for (k, moved) in moved.iter_mut().enumerate() {
+            moved.replace(parameter, modulus * ((k as f64 - 2.0) * STEP).exp())?;
+        }
+        Ok(moved)
     }
 
     /// Returns the series of each point that counts; `None` of the others.
@@ -96,11 +97,8 @@ impl Experiment {
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
     ) -> Result<Vec<Option<Series>>, Error> {
-        let (parameter, modulus) = self.complex_modulus()?;
         let mut logarithms = vec![[f64::NAN; 5]; branches.len()];
-        for k in 0..5 {
-            let mut moved = self.clone();
-            moved.replace(parameter, modulus * ((k as f64 - 2.0) * STEP).exp())?;
+        for (k, moved) in self.at_moduli()?.into_iter().enumerate() {
             let sample = moved.sample(contact_of, branches)?;
             for (i, logarithms) in logarithms.iter_mut().enumerate() {
                 if branches[i] != Branch::LeftOut {
@@ -125,13 +123,8 @@ impl Experiment {
         if self.indentation.loss_tangent == 0.0 {
             return Ok(vec![Sample::new(&self.bodies, contact_of, most)?]);
         }
-        let (parameter, modulus) = self.complex_modulus()?;
-        let at = |k: usize| {
-            let mut moved = self.clone();
-            moved.replace(parameter, modulus * ((k as f64 - 2.0) * STEP).exp())?;
-            Sample::new(&moved.bodies, contact_of, most)
-        };
-        (0..5).map(at).collect()
+        let of = |moved: &Self| Sample::new(&moved.bodies, contact_of, most);
+        self.at_moduli()?.iter().map(of).collect()
     }
 
     /// Returns the storage part (N/m) of the stiffness that is read at a contact radius (m), where the
@@ -247,7 +240,7 @@ impl Experiment {
     /// the complex one; `None` where no phase is measured.
     ///
     /// # Errors
-    /// [`Error::Loss`] for a loss tangent above 1.01 by more than two standard errors, or above 1.1, where
+    /// [`Error::NotFitted`] for a loss tangent above 1.01 by more than two standard errors, or above 1.1, where
     /// the expansion is not within 1 %.
     pub(crate) fn loss_angle(
         &self,
@@ -266,9 +259,10 @@ impl Experiment {
         {
             return Ok(Some(found));
         }
-        Err(Error::Loss {
-            experiment: self.measurement.name.clone(),
-            tangent,
-        })
+        let reason = format!(
+            "the loss tangent of the film is {tangent:.3}, and the expansion that finds it holds up to 1: fit the \
+             absolute value of the stiffness without phases, or measure where the film is less viscous"
+        );
+        Err(Error::not_fitted(self, reason))
     }
 }

@@ -6,7 +6,7 @@
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::model::predicted::Predicted;
-use crate::{Branch, Error, Experiment, Kind, PointErrors};
+use crate::{Branch, Error, Experiment, Kind};
 
 /// The change of the logarithm of a stiffness by which the part of its noise that is in the contact
 /// depth is found.
@@ -36,22 +36,8 @@ impl Experiment {
     /// Returns the standard deviation of the number of a point that a fit compares, where the point
     /// has one of its own.
     pub(crate) fn own_deviation(&self, i: usize) -> Option<f64> {
-        let PointErrors { ordinate, .. } = &self.errors;
-        let own = *ordinate.get(i)?;
-        Some(if self.measurement.kind.is_stiffness() {
-            own / self.measurement.points[i].ordinate
-        } else {
-            own
-        })
-    }
-
-    /// Returns the deviation of an ordinate from that of the number that a fit compares.
-    pub(crate) fn deviation_of_ordinate(&self, i: usize, compared: f64) -> f64 {
-        if self.measurement.kind.is_stiffness() {
-            compared * self.measurement.points[i].ordinate
-        } else {
-            compared
-        }
+        let reading = self.measurement.points[i].ordinate;
+        Some(self.errors.ordinate.get(i)? / self.measurement.kind.scale(reading))
     }
 
     /// Predicts the logarithms of the stiffness (N/m) that is read at all points that are not left

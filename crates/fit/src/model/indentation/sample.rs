@@ -14,13 +14,12 @@ use crate::{Bodies, Layered};
 const THICKNESSES: usize = 6;
 
 /// A sample, with its contacts.
-pub(super) enum Sample {
-    /// One contact for all points.
-    One(Contact),
-    /// A film of the thickness (m). The quantities of one film depend on `a/t` alone.
-    Film(Contact, f64),
-    /// Stacks whose top layer is thinner by the depths (m), Chebyshev's points of the first kind.
-    Stacks(Vec<(f64, Contact)>),
+pub(super) struct Sample {
+    /// The thickness (m) of a film, whose quantities depend on `a/t` alone; infinite of other bodies.
+    thickness: f64,
+    /// One contact, or those of stacks whose top layer is thinner by the depths (m), Chebyshev's points of the first
+    /// kind.
+    contacts: Vec<(f64, Contact)>,
 }
 
 impl Sample {
@@ -30,16 +29,12 @@ impl Sample {
         contact_of: &ContactOf<'_>,
         most: f64,
     ) -> Result<Self, crate::Error> {
-        if most.is_nan() || most <= 0.0 {
-            return Ok(Self::One(contact_of(bodies, None)?));
-        }
-        Ok(match bodies {
-            Bodies::HalfSpace(_) => Self::One(contact_of(bodies, None)?),
-            Bodies::Coated(system) => Self::Film(contact_of(bodies, None)?, system.film_thickness),
-            Bodies::Layered(layered) if layered.layers.is_empty() => {
-                Self::One(contact_of(bodies, None)?)
-            }
-            Bodies::Layered(layered) => {
+        let (thickness, contacts) = match bodies {
+            Bodies::Coated(system) => (
+                system.film_thickness,
+                vec![(0.0, contact_of(bodies, None)?)],
+            ),
+            Bodies::Layered(layered) if most > 0.0 && !layered.layers.is_empty() => {
                 let place = |k: usize| {
                     let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
                     0.5 * most * (1.0 - angle.cos())
@@ -49,49 +44,46 @@ impl Sample {
                     let contact = contact_of(&Bodies::Layered(thinned(layered, by)), None)?;
                     Ok::<_, crate::Error>((by, contact))
                 });
-                Self::Stacks(stacks.collect::<Result<_, _>>()?)
+                (f64::INFINITY, stacks.collect::<Result<_, _>>()?)
             }
+            _ => (f64::INFINITY, vec![(0.0, contact_of(bodies, None)?)]),
+        };
+        Ok(Self {
+            thickness,
+            contacts,
         })
     }
 
     /// Returns the contact of the sample that is not thinned.
     pub fn contact(&self) -> &Contact {
-        match self {
-            Self::One(contact) | Self::Film(contact, _) => contact,
-            Self::Stacks(stacks) => &stacks[0].1,
-        }
+        &self.contacts[0].1
     }
 
     /// Returns the stiffness `S = 2 a E2* Eeq` (N/m) at contact radius `a` (m), where the film is
     /// thinner by a depth (m); NaN where nothing of it is left.
     pub fn stiffness(&self, a: f64, thinner: f64) -> Result<f64, Error> {
-        match self {
-            Self::One(contact) => contact.stiffness(a),
-            Self::Film(contact, thickness) => {
-                let part = 1.0 - thinner / thickness;
-                if part > 0.0 {
-                    Ok(part * contact.stiffness(a / part)?)
-                } else {
-                    Ok(f64::NAN)
-                }
-            }
-            Self::Stacks(stacks) => {
-                // The barycentric formula, with the weights of Chebyshev's points.
-                let (mut above, mut below) = (0.0, 0.0);
-                for (k, (by, contact)) in stacks.iter().enumerate() {
-                    let value = contact.stiffness(a)?.ln();
-                    if thinner == *by {
-                        return Ok(value.exp());
-                    }
-                    let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
-                    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-                    let weight = sign * angle.sin() / (thinner - by);
-                    above += weight * value;
-                    below += weight;
-                }
-                Ok((above / below).exp())
-            }
+        if let [(_, contact)] = &self.contacts[..] {
+            let part = 1.0 - thinner / self.thickness;
+            return if part > 0.0 {
+                Ok(part * contact.stiffness(a / part)?)
+            } else {
+                Ok(f64::NAN)
+            };
         }
+        // The barycentric formula, with the weights of Chebyshev's points.
+        let (mut above, mut below) = (0.0, 0.0);
+        for (k, (by, contact)) in self.contacts.iter().enumerate() {
+            let value = contact.stiffness(a)?.ln();
+            if thinner == *by {
+                return Ok(value.exp());
+            }
+            let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let weight = sign * angle.sin() / (thinner - by);
+            above += weight * value;
+            below += weight;
+        }
+        Ok((above / below).exp())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use ::fit::{Experiment, Fixed, Kind, Measurement, Parameter, Relaxing};
 use anyhow::{bail, ensure};
-use contact::Relaxation;
+use contact::{LawParameter, Relaxation};
 
 use super::setting::Values;
 use crate::cli::quantity::{number, time};
@@ -125,21 +125,22 @@ impl RelaxingArguments {
             self.relaxation == Some(Law::Power) || self.reference_time.is_none(),
             "--reference-time is that of --relaxation power-law: leave it out"
         );
-        let exponent = [Parameter::RelaxationExponent]
+        let exponent = [LawParameter::Exponent]
             .into_iter()
             .zip(self.relaxation_exponent);
-        let fraction = [Parameter::RelaxedFraction]
+        let fraction = [LawParameter::RelaxedFraction]
             .into_iter()
             .zip(self.relaxed_fraction);
-        let times = (1..)
-            .map(Parameter::RelaxationTime)
+        let times = (0..)
+            .map(LawParameter::Time)
             .zip(self.relaxation_time.clone());
-        let weights = (2..)
-            .map(Parameter::RelaxationWeight)
+        let weights = (1..)
+            .map(LawParameter::Weight)
             .zip(self.relaxation_weight.clone());
         let given = exponent.chain(fraction).chain(times).chain(weights);
         let own = self.any().map(|relaxing| relaxing.parameters());
-        let one = |(parameter, value): (Parameter, f64)| {
+        let one = |(number, value): (LawParameter, f64)| {
+            let parameter = Parameter::Law(number);
             if let Some(own) = own.as_ref().filter(|own| !own.contains(&parameter)) {
                 // A flag takes all times, or all weights.
                 let name = parameter.name();
@@ -196,7 +197,7 @@ impl RelaxingArguments {
                 .any(|own| own.quantity.parameter() == Some(*parameter))
                 || free.contains(parameter)
                 || (self.relaxation == Some(Law::ModifiedPower)
-                    && *parameter == Parameter::RelaxedFraction)
+                    && *parameter == Parameter::Law(LawParameter::RelaxedFraction))
         };
         let mut own = experiment
             .relaxing
@@ -223,7 +224,7 @@ pub fn usual(experiments: &[Experiment], modulus: Parameter) -> Option<Vec<Param
     let mut free = vec![modulus];
     free.extend(relaxing.parameters());
     if matches!(relaxing.law, Relaxation::ModifiedPowerLaw { .. }) {
-        free.retain(|&parameter| parameter != Parameter::RelaxedFraction);
+        free.retain(|&parameter| parameter != Parameter::Law(LawParameter::RelaxedFraction));
     }
     free.push(Parameter::ContactPoint);
     let heights = |one: &Experiment| one.measurement.kind == Kind::ForceHeight;

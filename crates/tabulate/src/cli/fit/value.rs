@@ -1,14 +1,18 @@
 //! The values of the bodies as a fit takes them, and what it asks where one is missing.
 
-use ::fit::{Fixed, LayerName, Parameter};
+use ::fit::{Fixed, LayerName, LayerQuantity, Parameter};
 
 use crate::cli::system::Value;
 
 /// Returns the value of a fit that one of the bodies is. A film with an interface is the `layer`.
 pub const fn fixed(value: Value, layer: Option<LayerName>) -> Fixed {
     match (value, layer) {
-        (Value::FilmThickness, Some(name)) => Fixed::Parameter(Parameter::LayerThickness(name)),
-        (Value::FilmModulus, Some(name)) => Fixed::Parameter(Parameter::LayerModulus(name)),
+        (Value::FilmThickness, Some(name)) => {
+            Fixed::Parameter(Parameter::Layer(name, LayerQuantity::Thickness))
+        }
+        (Value::FilmModulus, Some(name)) => {
+            Fixed::Parameter(Parameter::Layer(name, LayerQuantity::Modulus))
+        }
         (Value::FilmPoissonRatio, Some(name)) => Fixed::NamedPoissonRatio(name),
         _ => of_film(value),
     }
@@ -70,7 +74,9 @@ pub fn questions(
             _ if guessed(value) => {
                 ". It is free, and the fit starts from it: a guess will do".into()
             }
-            Some(modulus @ (Parameter::FilmModulus | Parameter::LayerModulus(_))) => {
+            Some(
+                modulus @ (Parameter::FilmModulus | Parameter::Layer(_, LayerQuantity::Modulus)),
+            ) => {
                 format!(". If the data are to tell it, name {modulus} in --free")
             }
             _ => String::new(),
