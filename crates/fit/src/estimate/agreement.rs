@@ -121,7 +121,7 @@ fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, f
     let experiment = &assigned.experiment;
     let [abscissa, ordinate] = experiment.measurement.kind.names();
     let is_known = experiment.usual_noise().is_some();
-    let (too_large, remedy) = match (is_known, assigned.abscissa_parts.is_empty()) {
+    let (too_large, remedy) = match (is_known, assigned.abscissa_errors.is_empty()) {
         // An estimated noise is what the residuals make of it.
         (false, true) => return,
         (true, true) => (

@@ -1,7 +1,7 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
 use super::search::range;
-use crate::model::Assignment;
+use crate::model::{AbscissaError, Assignment};
 use crate::{Branch, Experiment};
 
 /// An experiment with the branches of its points.
@@ -15,9 +15,8 @@ pub(crate) struct Assigned {
     pub local_noise: Option<f64>,
     /// The standard deviation of an ordinate, known or estimated so far.
     pub noise: f64,
-    /// What errors of the abscissae add to the deviation of each ordinate; empty where they are
-    /// exact.
-    pub abscissa_parts: Vec<f64>,
+    /// What the errors of the abscissae do; empty where they are exact.
+    pub abscissa_errors: Vec<AbscissaError>,
     /// The factors of the deviations of ordinates that also tell the contact depth; empty are 1.
     pub factors: Vec<f64>,
 }
@@ -37,7 +36,7 @@ impl Assigned {
             branches,
             order,
             local_noise,
-            abscissa_parts: Vec::new(),
+            abscissa_errors: Vec::new(),
             factors: Vec::new(),
         }
     }
@@ -64,8 +63,8 @@ impl Assigned {
     /// Returns the standard deviation of the residual of a point, with what the error of the abscissa adds.
     pub fn deviation(&self, i: usize) -> f64 {
         let own = self.own_deviation(i);
-        match self.abscissa_parts.get(i) {
-            Some(part) => own.hypot(*part),
+        match self.abscissa_errors.get(i) {
+            Some(error) => own.hypot(error.part),
             None => own,
         }
     }

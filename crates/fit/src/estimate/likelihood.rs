@@ -61,9 +61,9 @@ impl Likelihood {
         for own in &mut assigned {
             let (of, branches) = (&own.experiment, &own.branches);
             let noise = |i| own.own_deviation(i);
-            let parts = of.abscissa_parts(&contact_of, branches, &own.order, noise)?;
+            let errors = of.abscissa_errors(&contact_of, branches, &own.order, noise)?;
             let factors = of.noise_factors(&contact_of, branches)?;
-            (own.abscissa_parts, own.factors) = (parts, factors);
+            (own.abscissa_errors, own.factors) = (errors, factors);
         }
         let of_experiment = |(e, own): (usize, &Assigned)| {
             let is_of = |&s: &usize| slots[s].is_of(e, &own.experiment);

@@ -325,7 +325,9 @@ fn excess(one: &Minimum<'_>, other: &Minimum<'_>) -> f64 {
     }
     for (other, one) in other.assigned.iter_mut().zip(&one.assigned) {
         other.noise = one.noise;
-        other.abscissa_parts.clone_from(&one.abscissa_parts);
+        for (other, one) in other.abscissa_errors.iter_mut().zip(&one.abscissa_errors) {
+            other.part = one.part;
+        }
     }
     if one.counting() > counts[0] {
         one = one.minimise(FEWER, COARSE);

@@ -57,7 +57,7 @@ pub(super) fn estimate_noise(
         let sizes = own.iter().zip(&before);
         let sizes: Vec<f64> = sizes.map(|(r, deviation)| (r * deviation).abs()).collect();
         let least = LEAST * range(&assigned.experiment);
-        let noise = if assigned.abscissa_parts.is_empty() {
+        let noise = if assigned.abscissa_errors.is_empty() {
             let alone = Alone::new(assigned, problem.loss, own.as_slice(), leverages);
             alone.with(of_files.iter().filter(|one| alone.agrees(one)))
         } else {
@@ -135,7 +135,7 @@ fn of_files(problem: &Problem<'_>, residuals: &[f64], leverages: &[f64]) -> Vec<
     let mut all = Vec::new();
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         let is_known = assigned.experiment.usual_noise().is_some();
-        if !is_known && !rows.is_empty() && assigned.abscissa_parts.is_empty() {
+        if !is_known && !rows.is_empty() && assigned.abscissa_errors.is_empty() {
             let alone = Alone::new(
                 assigned,
                 problem.loss,
@@ -233,7 +233,7 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, uncertainty: &
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         let leverages = &uncertainty.leverages[rows];
         let experiment = &assigned.experiment;
-        if experiment.usual_noise().is_some() || assigned.abscissa_parts.is_empty() {
+        if experiment.usual_noise().is_some() || assigned.abscissa_errors.is_empty() {
             continue;
         }
         let told = told(assigned, leverages);

@@ -153,7 +153,9 @@ impl<'a> Problem<'a> {
         slots.map(|slot| self.slots[slot].parameter).collect()
     }
 
-    /// Predicts the points of an experiment, with derivatives if asked for.
+    /// Predicts the points of an experiment, with derivatives if asked for. Radii with errors are predicted where they most
+    /// likely lie, and from there along the tangent to where they were read: at the radius read, slopes and derivatives
+    /// would go with its error.
     pub fn predict(
         &self,
         experiment: usize,
@@ -163,11 +165,23 @@ impl<'a> Problem<'a> {
             experiment,
             branches,
             order,
+            abscissa_errors: errors,
             ..
         } = &self.assigned[experiment];
         let contact_of =
             |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
-        experiment.predict_with(&contact_of, branches, order, parameters)
+        if errors.is_empty() || !experiment.measurement.kind.at_radii() {
+            return experiment.predict_with(&contact_of, branches, order, parameters);
+        }
+        let mut moved = experiment.clone();
+        for (point, error) in moved.measurement.points.iter_mut().zip(errors) {
+            point.abscissa += error.way;
+        }
+        let mut predicted = moved.predict_with(&contact_of, branches, order, parameters)?;
+        for (value, error) in predicted.values.iter_mut().zip(errors) {
+            *value -= error.slope * error.way;
+        }
+        Ok(predicted)
     }
 
     /// Returns the fitted ordinate of a point; `None` for one that is left out, and without a contact.
@@ -210,32 +224,36 @@ impl<'a> Problem<'a> {
         Ok(contact)
     }
 
-    /// Weighs errors of the abscissae by the slopes of the present model. Returns the largest
+    /// Takes the errors of the abscissae by the slopes of the present model. Returns the largest
     /// relative change of the deviation of a point that counts.
     pub fn weigh(&mut self) -> Result<f64, Error> {
-        let mut largest = 0.0_f64;
+        let (mut largest, mut moved) = (0.0_f64, false);
         for e in 0..self.assigned.len() {
             let own = &self.assigned[e];
+            moved |= own.experiment.measurement.kind.at_radii()
+                && own.experiment.usual_abscissa_noise() > 0.0;
             let contact_of =
                 |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
-            let parts =
+            let noise = |i| own.own_deviation(i);
+            let errors =
                 own.experiment
-                    .abscissa_parts(&contact_of, &own.branches, &own.order, |i| {
-                        own.own_deviation(i)
-                    })?;
+                    .abscissa_errors(&contact_of, &own.branches, &own.order, noise)?;
             let factors = own.experiment.noise_factors(&contact_of, &own.branches)?;
-            if parts.is_empty() && factors.is_empty() {
+            if errors.is_empty() && factors.is_empty() {
                 continue;
             }
             let deviations = |own: &Assigned| -> Vec<f64> {
                 own.counting_points().map(|i| own.deviation(i)).collect()
             };
             let before = deviations(own);
-            self.assigned[e].abscissa_parts = parts;
+            self.assigned[e].abscissa_errors = errors;
             self.assigned[e].factors = factors;
             let after = deviations(&self.assigned[e]);
             let changes = before.iter().zip(&after).map(|(b, a)| (a / b - 1.0).abs());
             largest = changes.fold(largest, f64::max);
+        }
+        if moved {
+            self.update()?;
         }
         Ok(largest)
     }

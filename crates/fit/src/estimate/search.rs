@@ -195,7 +195,7 @@ fn settle_with<'a>(
                 branches_changed = true;
             }
         }
-        let is_inexact = |assigned: &Assigned| !assigned.abscissa_parts.is_empty();
+        let is_inexact = |assigned: &Assigned| !assigned.abscissa_errors.is_empty();
         let noise_matters = problem.assigned.len() > 1
             || problem.assigned.iter().any(is_inexact)
             || problem.loss != Loss::Squares

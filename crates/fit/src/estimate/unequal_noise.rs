@@ -27,7 +27,7 @@ pub(super) fn add(
     leverages: &[f64],
 ) -> bool {
     let (experiment, radii) = (&assigned.experiment, &predicted.radii);
-    if experiment.usual_noise().is_some() || !assigned.abscissa_parts.is_empty() {
+    if experiment.usual_noise().is_some() || !assigned.abscissa_errors.is_empty() {
         return false;
     }
     let part = |in_contact: bool| -> Vec<[f64; 2]> {

@@ -18,6 +18,17 @@ const STEP: f64 = 1.732_050_807_568_877_2;
 /// The largest distance, in standard deviations of the abscissa, at which a point is taken to lie from where it was read.
 const FARTHEST: f64 = 3.0;
 
+/// What the error of an abscissa does to a point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct AbscissaError {
+    /// What it adds to the standard deviation of the ordinate.
+    pub part: f64,
+    /// How far from its abscissa the point most likely lies, m.
+    pub way: f64,
+    /// The slope of the model there.
+    pub slope: f64,
+}
+
 /// Standard deviations that differ from point to point, in the order of the points. An empty list
 /// leaves those of the [`Experiment`].
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -91,9 +102,8 @@ impl Experiment {
         Ok(())
     }
 
-    /// Returns what the errors of the abscissae add to the standard deviation of each ordinate, the root
-    /// mean square of the change of the model; an empty list where the abscissae are exact. Of a straight
-    /// line it is `|dy/dx| sigma_x`, and of a parabola it is exact, too. `noise` returns the standard deviation of an
+    /// Returns what the error of the abscissa does to each point; an empty list where the abscissae are exact. The part of
+    /// the standard deviation is the root mean square of the change of the model: of a straight line it is `|dy/dx| sigma_x`, and of a parabola it is exact, too. `noise` returns the standard deviation of an
     /// ordinate without it.
     ///
     /// The points are moved, and their branches kept. With the slope `b` and half the curvature `c` at the abscissa `x`,
@@ -102,13 +112,13 @@ impl Experiment {
     /// ```text
     /// d = r b sigma_x^2/(sigma_y^2 + b^2 sigma_x^2)        part^2 = sigma_x^2 ((b + 2 c d)^2 + 3 c^2 sigma_x^2)
     /// ```
-    pub(crate) fn abscissa_parts(
+    pub(crate) fn abscissa_errors(
         &self,
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
         order: &[usize],
         noise: impl Fn(usize) -> f64,
-    ) -> Result<Vec<f64>, Error> {
+    ) -> Result<Vec<AbscissaError>, Error> {
         if self.abscissa_noise == 0.0 && self.errors.abscissa.is_empty() {
             return Ok(Vec::new());
         }
@@ -145,12 +155,12 @@ impl Experiment {
             (Ok(one), Err(_)) | (Err(_), Ok(one)) => [one.values.clone(), one.values],
             (Err(error), Err(_)) => return Err(error),
         };
-        let part = |i: usize| {
+        let error = |i: usize| {
             let neighbour = order.get(1).filter(|_| Some(i) == turn);
             let k = neighbour.copied().unwrap_or(i);
             let width = step(k);
             if width == 0.0 {
-                return 0.0;
+                return AbscissaError::default();
             }
             let [above, below] = sides.each_ref().map(|side| side[k] - here[k]);
             let [odd, even] = [0.5 * (above - below), 0.5 * (above + below)];
@@ -159,8 +169,13 @@ impl Experiment {
             // There is none without a reading, and without noise and slope.
             let way = if way.is_nan() { 0.0 } else { way };
             let way = way.clamp(-FARTHEST, FARTHEST) * deviation(k) / width;
-            (odd + 2.0 * even * way).hypot(even) / width * deviation(i)
+            let change = odd + 2.0 * even * way;
+            AbscissaError {
+                part: change.hypot(even) / width * deviation(i),
+                way: way * width,
+                slope: change / width,
+            }
         };
-        Ok((0..points.len()).map(part).collect())
+        Ok((0..points.len()).map(error).collect())
     }
 }
