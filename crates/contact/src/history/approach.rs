@@ -1,7 +1,21 @@
-//! The steps of a measured history up to the turn.
+//! The steps up to the turn of a penetration, or of the position of a spring, that grows, may be held, and falls: Lee
+//! and Radok's and Ting's integrals on any elastic contact.
+//!
+//! ```text
+//! advancing, held:  F = int_0^t phi(t-t') dF_el(delta(t'))          a = a_el(delta)
+//! receding:         D(t1, t) = int_t1^t phi(t-t') d delta(t') = -d(a1),   a1 = a_el(delta(t1))
+//!                   F = int_0^t1 phi(t-t') dF_el(delta(t')) - S(a1) d(a1)
+//! ```
+//!
+//! `d` is the flat-punch penetration of the adhesion, 0 without one. The contact rests at its largest
+//! radius while `D` is above `-d`, with `D` in place of `-d` in the load.
+//!
+//! Both integrals are sums of exponentials, with one memory for each at every point of the
+//! approach. A step of the approach lies on one piece of the elastic curve, whose load is a cubic
+//! polynomial of the penetration, and so of the time: its integral has a closed form.
 
-use super::moments::slopes;
-use super::one_turn::Step;
+use super::exponentials::Exponentials;
+use super::moments::{moments, slopes};
 use super::setting::Setting;
 use super::{HistoryError, Phase, TimedContact};
 use crate::{Derivatives, State};
@@ -45,6 +59,34 @@ pub(super) struct Approach<'a> {
     step: Step,
 }
 
+/// Steps whose lengths differ by less, relatively, are of one length: the rounding of times.
+const SAME: f64 = 1e-11;
+
+/// The factors of one length of a step.
+pub(super) struct Step {
+    h: f64,
+    pub factors: Vec<(f64, [f64; 3])>,
+}
+
+impl Step {
+    pub fn new() -> Self {
+        Self {
+            h: 0.0,
+            factors: Vec::new(),
+        }
+    }
+
+    /// Changes the length of the step if it differs by more than rounding.
+    pub fn set(&mut self, h: f64, law: &Exponentials) {
+        if (h - self.h).abs() > SAME * h {
+            self.h = h;
+            self.factors.clear();
+            self.factors
+                .extend(law.rates.iter().map(|rate| moments(rate * h)));
+        }
+    }
+}
+
 /// The most steps of Newton's method for a spring, and the change of the penetration, in parts of the step, at
 /// which the next one would be below rounding.
 const NEWTON: usize = 60;
@@ -71,11 +113,7 @@ impl<'a> Approach<'a> {
         };
         let mut own = Self {
             setting,
-            passed: vec![Passed {
-                time: first.time,
-                penetration: first.value,
-                ..Passed::default()
-            }],
+            passed: Vec::with_capacity(places),
             loads: zeros(m),
             lengths: zeros(m),
             totals: zeros(width),
@@ -85,6 +123,8 @@ impl<'a> Approach<'a> {
             touch: 0,
             step: Step::new(),
         };
+        // A flat end has a stiffness at the first touch.
+        own.passed.push(own.at(first.time, first.value));
         if width > 0 {
             own.moved.resize(width, 0.0);
             own.moved[0] = 1.0;
@@ -137,8 +177,9 @@ impl<'a> Approach<'a> {
                 .zip(sums)
                 .map(|(slope, sum)| slope * sum)
                 .sum();
+            let speed = rise / h;
             let at_once =
-                law.impulse * to.stiffness * rise / h + law.second_impulse * slopes[1] / (h * h);
+                (law.impulse * to.stiffness - law.second_impulse * to.bend * speed) * speed;
             law.constant * to.load + before + last + at_once
         };
         let mean = law.constant + sums[0] + law.impulse / h;

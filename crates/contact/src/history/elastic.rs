@@ -48,9 +48,6 @@ const FINER: f64 = 0.1;
 const BEND: f64 = 0.1;
 /// The smallest largest load (N) that is followed: the loads of smaller contacts do not underflow.
 const SMALLEST_LOAD: f64 = 1e-200;
-/// The error of radius and penetration of contacts smaller than those of the curve over those of the contact, at most: a curve
-/// of a film that begins at a/t = 0.5 gives 0.13.
-const BELOW: f64 = 0.3;
 /// The most halvings of a piece.
 const DEPTH: u32 = 40;
 /// The error in the middle of a piece over the largest one, at least.
@@ -261,7 +258,7 @@ fn radius_on([begin, end]: &[Node; 2], inverted: bool, penetration: f64) -> f64 
 }
 
 /// Returns the elastic state at a contact radius (m).
-fn node(contact: &Contact, radius: f64) -> Result<Node, HistoryError> {
+pub(super) fn node(contact: &Contact, radius: f64) -> Result<Node, HistoryError> {
     contact.mechanics().check_radius(radius)?;
     let (state, slopes) = contact.adhesionless_and_slopes(radius)?;
     Ok(Node {
@@ -280,11 +277,20 @@ pub(super) fn radius_of(
     value: f64,
     quantity: impl Fn(&Node) -> f64,
 ) -> Result<f64, HistoryError> {
-    let [from, to] = contact.search_range()?;
-    if quantity(&node(contact, to)?) < value {
+    let range = contact.search_range()?;
+    if quantity(&node(contact, range[1])?) < value {
         return Err(contact.outside(name, value).into());
     }
-    // Where the contact without a film would have this value, or anywhere.
+    radius_within(contact, range, value, quantity)
+}
+
+/// Returns the radius (m) between two others at which a quantity has a value.
+pub(super) fn radius_within(
+    contact: &Contact,
+    [from, to]: [f64; 2],
+    value: f64,
+    quantity: impl Fn(&Node) -> f64,
+) -> Result<f64, HistoryError> {
     let f = |u: f64| {
         Ok::<_, HistoryError>(quantity(&node(contact, u.exp().clamp(from, to))?) / value - 1.0)
     };
@@ -314,7 +320,7 @@ pub(super) fn radius_on_spring(
 ///
 /// # Errors
 /// [`Error::OutsideRadii`] if the end is narrower than the contacts of the curve.
-fn has_flat_end(contact: &Contact) -> Result<bool, HistoryError> {
+pub(super) fn has_flat_end(contact: &Contact) -> Result<bool, HistoryError> {
     let flat = contact.has_flat_end();
     if flat && !contact.begins_at_flat_end() {
         return Err(contact.outside("penetration", 0.0).into());
@@ -372,45 +378,8 @@ fn smaller(first: &Node, x: f64) -> Node {
     }
 }
 
-/// The elastic contact under loads up to a largest one.
-pub(super) struct ElasticLoads<'a> {
-    contact: &'a Contact,
-    smallest: Node,
-    largest: Node,
-}
-
-impl<'a> ElasticLoads<'a> {
-    /// # Errors
-    /// [`Error::OutsideRadii`](crate::Error::OutsideRadii) for a largest load (N) that needs a larger contact than the curve has.
-    pub fn up_to(contact: &'a Contact, most: f64) -> Result<Self, HistoryError> {
-        has_flat_end(contact)?;
-        let radius = radius_of(contact, "load", most, |node| node.load)?;
-        let [least, _] = contact.search_range()?;
-        Ok(Self {
-            contact,
-            smallest: node(contact, least)?,
-            largest: node(contact, radius)?,
-        })
-    }
-
-    /// Returns radius and penetration (m) under a load (N), whose contact is not smaller than the radius `above` (m), and
-    /// their error in parts of those of the largest load, where the contact is smaller than those of the curve.
-    pub fn state(&self, load: f64, above: f64) -> Result<[f64; 3], HistoryError> {
-        let Self {
-            smallest, largest, ..
-        } = self;
-        if load < smallest.load {
-            let power = 1.0 + smallest.slope * smallest.radius / smallest.penetration;
-            let found = smaller(smallest, (load / smallest.load).powf(1.0 / power));
-            let error = BELOW * found.radius / largest.radius;
-            return Ok([found.radius, found.penetration, error]);
-        }
-        let (from, to) = (above.max(smallest.radius), largest.radius);
-        let f = |u: f64| {
-            let at = node(self.contact, u.exp().clamp(from, to))?;
-            Ok::<_, HistoryError>(at.load / load - 1.0)
-        };
-        let radius = root(f, from.ln(), to.ln())?.exp().clamp(from, to);
-        Ok([radius, node(self.contact, radius)?.penetration, 0.0])
-    }
+/// Returns the elastic state under a load (N) smaller than that of the smallest contact of a curve.
+pub(super) fn smaller_under(first: &Node, load: f64) -> Node {
+    let power = 1.0 + first.slope * first.radius / first.penetration;
+    smaller(first, (load / first.load).powf(1.0 / power))
 }

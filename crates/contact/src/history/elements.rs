@@ -16,8 +16,7 @@
 use super::elastic::Node;
 use super::exponentials::Exponentials;
 use super::memory::{Memory, Step};
-use super::program::Program;
-use super::recovery::Recovery;
+use super::program::Instant;
 use super::{HistoryError, Phase, TimedContact};
 use crate::{Control, State};
 
@@ -39,18 +38,16 @@ pub(super) const LONGEST: f64 = 0.02;
 
 impl Elements<'_> {
     /// Follows the program in steps of at most [`LONGEST`] times the duration, each divided into
-    /// `refined` parts. Returns the states at the times asked for and the largest contact radius.
+    /// `refined` parts. Returns the states at the instants and the largest contact radius.
     pub fn follow(
         &self,
-        program: &Program,
-        asked: &[f64],
+        instants: &[Instant],
         refined: usize,
     ) -> Result<(Vec<TimedContact>, f64), HistoryError> {
-        let all = program.with(asked);
-        let recovery = Recovery::new(self.law);
+        let recovery = self.law.creep();
         let k = self.nodes.len();
         let slots = self.law.len().max(recovery.rates.len());
-        let mut now = self.at_rest(all[0].time, all[0].value);
+        let mut now = instants[0].apart(self.control);
         let mut memory = Memory {
             penetration: now.state.penetration,
             touching: 0,
@@ -62,20 +59,15 @@ impl Elements<'_> {
             separation: vec![0.0; k],
             sums: vec![0.0; k],
         };
-        let mut wanted = asked.iter().copied().peekable();
-        let mut states: Vec<TimedContact> = Vec::with_capacity(asked.len());
+        let mut states = Vec::with_capacity(instants.len());
+        states.push(now);
         let mut largest: f64 = 0.0;
-        while wanted.next_if_eq(&now.time).is_some() {
-            states.push(now);
-        }
-        for pair in all.windows(2) {
+        let duration = instants[instants.len() - 1].time - now.time;
+        for pair in instants.windows(2) {
             let (from, at) = (&pair[0], &pair[1]);
             let whole = at.time - from.time;
             // A whole number of steps is one in other units, too.
-            let parts = (whole / (LONGEST * program.duration()) - 1e-9)
-                .ceil()
-                .max(1.0) as usize
-                * refined;
+            let parts = (whole / (LONGEST * duration) - 1e-9).ceil().max(1.0) as usize * refined;
             let step = Step::new(self.law, &recovery, whole / parts as f64);
             for part in 1..=parts {
                 let x = part as f64 / parts as f64;
@@ -96,21 +88,9 @@ impl Elements<'_> {
                     () => Phase::Resting,
                 };
             }
-            while wanted.next_if_eq(&at.time).is_some() {
-                states.push(now);
-            }
+            states.push(now);
         }
         Ok((states, largest))
-    }
-
-    /// Returns the state before the first touch.
-    fn at_rest(&self, time: f64, value: f64) -> TimedContact {
-        let penetration = if matches!(self.control, Control::Load) {
-            0.0
-        } else {
-            value
-        };
-        TimedContact::separated(time, penetration)
     }
 
     /// Takes a step to a time.
@@ -267,6 +247,7 @@ impl Elements<'_> {
 mod tests {
     use super::*;
     use crate::history::elastic::evenly;
+    use crate::history::program::Program;
     use crate::{Contact, Relaxation};
     use interp::{Elastic, HalfSpace, Probe};
 
@@ -283,7 +264,7 @@ mod tests {
             relaxed: 0.3,
             terms: vec![[0.7, 0.6]],
         };
-        let times: Vec<f64> = (1..30).map(|i| 0.1 * f64::from(i)).collect();
+        let times: Vec<f64> = (0..=30).map(|i| 0.1 * f64::from(i)).collect();
         let programs = [
             (
                 Control::Displacement,
@@ -300,6 +281,7 @@ mod tests {
             let largest =
                 |of: fn(&State) -> f64| exact.iter().map(|at| of(&at.state)).fold(0.0, f64::max);
             let program = Program::new(control.name(), &points, &times).expect("a program");
+            let instants = program.with(&times);
             let sum = Exponentials::new(&law, [0.1, 3.0], 1e-10);
             let errors = [1, 2, 4, 8].map(|refined| {
                 let most = 1.1 * largest(|state| state.contact_radius);
@@ -309,9 +291,7 @@ mod tests {
                     law: &sum,
                     control,
                 };
-                let (states, _) = elements
-                    .follow(&program, &times, refined)
-                    .expect("a course");
+                let (states, _) = elements.follow(&instants, refined).expect("a course");
                 let error = |of: fn(&State) -> f64| {
                     let pairs = states.iter().zip(&exact);
                     pairs

@@ -232,12 +232,11 @@ impl<'a> History<'a> {
             all.extend(program.between());
             all.sort_by(f64::total_cmp);
         }
-        let all: Vec<f64> = program.with(&all).iter().map(|at| at.time).collect();
         let run = Run {
             history: self,
             control,
             program: &program,
-            times: &all,
+            instants: &program.with(&all),
             asked: &asked,
             tolerance,
         };

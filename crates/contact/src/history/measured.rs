@@ -1,7 +1,7 @@
 //! A measured penetration, or position of a spring, that grows, may be held, and falls: the loads and
 //! their derivatives, in fixed steps.
 //!
-//! The equations are those of `one_turn`. With the total derivatives `A = dF_el/dp` at a fixed place of
+//! The equations are those of `approach`. With the total derivatives `A = dF_el/dp` at a fixed place of
 //! the program, and `delta_p` of the penetration, that of the load is
 //!
 //! ```text
@@ -146,6 +146,7 @@ impl History<'_> {
             variations,
             inputs: inputs.contact,
             compliance,
+            adhesion: None,
             width,
         };
         follow(&setting, &steps.places(&program), &mut found)
@@ -180,7 +181,7 @@ impl History<'_> {
 }
 
 /// Takes the steps.
-fn follow(
+pub(super) fn follow(
     setting: &Setting<'_>,
     places: &[Place],
     found: &mut MeasuredHistory,

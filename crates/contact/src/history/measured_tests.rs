@@ -1,6 +1,6 @@
 //! Measured histories against those with many digits, and their derivatives against differences.
 
-use interp::{Elastic, Probe, System, Table};
+use interp::{Elastic, HalfSpace, Probe, System, Table};
 
 use super::{HistoryInputs, Relaxation, TimedContact};
 use crate::{Contact, Control, HistoryError, Input};
@@ -111,6 +111,33 @@ fn loads_agree_with_those_of_many_digits() {
             error < estimate + exact.error + REST,
             "{error:.1e}, {estimate:.1e}"
         );
+    }
+}
+
+/// A flat end has its whole stiffness at the first touch: the load after the first step, in parts of itself, tells.
+#[test]
+fn a_flat_end_that_begins_at_the_surface() {
+    let contact = Contact::half_space(&HalfSpace {
+        probe: Probe::FlatEndedCone {
+            radius: 1e-6,
+            half_angle: 1.2,
+        },
+        sphere_modulus: f64::INFINITY,
+        solid: Elastic::new(1e3, 0.5).expect("a solid"),
+    });
+    let contact = contact.expect("a contact");
+    let program = [(0.0, 0.0), (1e-5, 1e-11), (1.0, 1e-6), (2.0, 1e-6)];
+    for law in laws() {
+        let history = contact.history(&law).expect("a law");
+        let exact = history.run(Control::Displacement, &program, Some(1e-10));
+        let exact = exact.expect("a course").states;
+        let own = history.measured(Control::Displacement, &program, None);
+        let own = own.expect("measured").states;
+        for (exact, own) in exact.iter().zip(&own).skip(1) {
+            let error = own.state.load / exact.state.load - 1.0;
+            println!("{law:?} {}: {error:.1e}", exact.time);
+            assert!(error.abs() < 1e-6, "{law:?} {}: {error:.1e}", exact.time);
+        }
     }
 }
 

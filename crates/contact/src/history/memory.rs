@@ -4,9 +4,8 @@
 //! stays outside recovers, both exactly. Of the others the moment of touch or release is found.
 
 use super::elements::Elements;
-use super::exponentials::Exponentials;
+use super::exponentials::{Creep, Exponentials};
 use super::moments::mean;
-use super::recovery::Recovery;
 
 /// The elements at one time. The first ones are in contact.
 pub(super) struct Memory {
@@ -33,7 +32,7 @@ pub(super) struct Memory {
 
 /// A step of the time.
 pub(super) struct Step<'a> {
-    pub recovery: &'a Recovery,
+    pub recovery: &'a Creep,
     /// The length, s.
     pub length: f64,
     /// For each rate of the law the decay, and its mean, over the step.
@@ -45,7 +44,7 @@ pub(super) struct Step<'a> {
 }
 
 impl<'a> Step<'a> {
-    pub fn new(law: &Exponentials, recovery: &'a Recovery, length: f64) -> Self {
+    pub fn new(law: &Exponentials, recovery: &'a Creep, length: f64) -> Self {
         Self {
             recovery,
             length,
@@ -204,8 +203,8 @@ impl Elements<'_> {
             (part, after(part))
         };
         let recovery = step.recovery;
-        let amplitudes = recovery.amplitudes(self.law, psi, &memories);
-        let mut end = if recovery.complete {
+        let amplitudes = recovery.released(self.law, psi, &memories);
+        let mut end = if self.law.constant > 0.0 {
             0.0
         } else {
             psi - amplitudes.iter().sum::<f64>()

@@ -3,11 +3,12 @@
 //! Lee and Radok's and Ting's reduction of the half-space is exact on films of any thickness, and so
 //! is any number of turning points: the contact is arithmetic on the elastic curve. `relaxation`
 //! holds the laws, `exponentials` writes them as sums of exponentials, `elastic` is the elastic
-//! curve, `program` what is imposed. `one_turn` (with `retract` and its `adhesion`) and `growing_load` have many digits,
-//! `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses among them and refines. `density` and `variation` hold the
-//! exponentials of a law and their derivatives with respect to the numbers of `law_parameter`; with
-//! them `measured`, at the places of `steps`, by `approach` and `return_steps`, which share a `setting`, follows measured points and
-//! differentiates their loads. `unlike` bounds the error by bodies that do not relax. `moments` has functions for them.
+//! curve, `program` what is imposed. `approach` and `return_steps` (with `adhesion`), which share a `setting`, and
+//! `growing_load` have many digits, `elements` serves any history (with `memory`, `recovery` and `rim`), `run` chooses
+//! among them and refines. `density` and `variation` hold the exponentials of a law and their derivatives with respect
+//! to the numbers of `law_parameter`; with them `measured` follows measured points by `approach` and `return_steps`, at
+//! the places of `steps`, and differentiates their loads. `unlike` bounds the error by bodies that do not relax.
+//! `moments` has functions for them.
 
 mod adhesion;
 mod approach;
@@ -24,11 +25,9 @@ mod measured;
 mod measured_tests;
 mod memory;
 mod moments;
-mod one_turn;
 mod program;
 mod recovery;
 mod relaxation;
-mod retract;
 mod return_steps;
 mod rim;
 mod run;

@@ -2,7 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use super::HistoryError;
+use super::{HistoryError, TimedContact};
+use crate::Control;
 
 /// The durations that are followed, s: their inverse squares do not overflow.
 const DURATIONS: RangeInclusive<f64> = 1e-50..=1e50;
@@ -144,6 +145,14 @@ impl Program {
 pub(super) struct Instant {
     pub time: f64,
     pub value: f64,
+}
+
+impl Instant {
+    /// Returns the surfaces at a distance, under the value that is imposed.
+    pub fn apart(&self, control: Control) -> TimedContact {
+        let is_load = control == Control::Load;
+        TimedContact::separated(self.time, if is_load { 0.0 } else { self.value })
+    }
 }
 
 #[cfg(test)]

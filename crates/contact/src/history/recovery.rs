@@ -2,41 +2,23 @@
 
 use super::exponentials::{Creep, Exponentials};
 
-/// How an element moves outside the contact, where `N = 0`: `psi` is a constant and a sum of exponentials, whose
-/// rates are those of the creep compliance.
-pub(super) struct Recovery {
-    pub rates: Vec<f64>,
-    /// For each of these rates the slope of the transform of the law at its zero there.
-    slopes: Vec<f64>,
-    /// Whether the constant is 0.
-    pub complete: bool,
-}
-
-impl Recovery {
-    pub fn new(law: &Exponentials) -> Self {
-        let Creep {
-            amplitudes, rates, ..
-        } = law.creep();
-        let slopes = amplitudes.iter().zip(&rates);
-        Self {
-            slopes: slopes
-                .map(|(amplitude, rate)| 1.0 / (amplitude * rate))
-                .collect(),
-            complete: law.constant > 0.0,
-            rates,
-        }
-    }
-
+/// An element outside the contact, where `N = 0`: `psi` is a constant and a sum of exponentials, whose rates are those
+/// of the creep compliance.
+impl Creep {
     /// Returns the amplitudes of an element that is released with `psi` and its memories.
-    pub fn amplitudes(&self, law: &Exponentials, psi: f64, memories: &[f64]) -> Vec<f64> {
-        let amplitude = |(rate, slope): (&f64, &f64)| {
+    pub fn released(&self, law: &Exponentials, psi: f64, memories: &[f64]) -> Vec<f64> {
+        let amplitude = |(rate, compliance): (&f64, &f64)| {
             let terms = law.weights.iter().zip(&law.rates).zip(memories);
             let sum: f64 = terms
                 .map(|((weight, own), memory)| weight * (psi - memory) / (own - rate))
                 .sum();
-            (sum + law.impulse * psi) / slope
+            (sum + law.impulse * psi) * compliance * rate
         };
-        self.rates.iter().zip(&self.slopes).map(amplitude).collect()
+        self.rates
+            .iter()
+            .zip(&self.amplitudes)
+            .map(amplitude)
+            .collect()
     }
 
     /// Returns the memories of an element with some amplitudes.
@@ -67,7 +49,7 @@ mod tests {
                 second_impulse: 0.0,
                 error: 0.0,
             };
-            let recovery = Recovery::new(&law);
+            let recovery = law.creep();
             // Two memories are any, and the third such that nothing acts on the element.
             let (psi, mut memories) = (1.0, vec![0.5, -0.3, 0.0]);
             let terms = law.weights.iter().zip(&memories);
@@ -75,12 +57,12 @@ mod tests {
             if impulse == 0.0 {
                 memories[2] = -acting / law.weights[2];
             }
-            let amplitudes = recovery.amplitudes(&law, psi, &memories);
+            let amplitudes = recovery.released(&law, psi, &memories);
             for (a, b) in recovery.memories(&law, &amplitudes).iter().zip(&memories) {
                 assert!((a - b).abs() < 1e-12, "{constant} {impulse}: {a} {b}");
             }
             let sum: f64 = amplitudes.iter().sum();
-            assert!(!recovery.complete || (sum - psi).abs() < 1e-12, "{sum}");
+            assert!(constant == 0.0 || (sum - psi).abs() < 1e-12, "{sum}");
         }
     }
 }

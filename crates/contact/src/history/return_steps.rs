@@ -1,16 +1,18 @@
-//! The steps of a measured history after the turn.
+//! The steps after the turn: the time `t1` at which the approach had the present radius, and the load.
 
-use super::approach::{Approach, Passed, Place};
+use super::approach::{Approach, Passed, Place, Step};
 use super::elastic::hermite;
 use super::moments::moments;
-use super::one_turn::Step;
 use super::{HistoryError, Phase, TimedContact};
 use crate::State;
 
 /// The part of the approach by which its time of the present radius may rise.
 const ROUNDING: f64 = 1e-9;
-/// The change of that time, in parts of a step, over which the load is linear to rounding.
+/// The change of that time, in parts of its step and of the time since, over which the load is linear to rounding. A
+/// modulus that is singular at 0 changes much within a short time.
 const LINEAR: f64 = 1e-6;
+/// The same with adhesion, whose change with that time is not known exactly.
+const CONVERGED: f64 = 1e-13;
 /// The most steps of Newton's method; halvings of the interval are among them.
 const NEWTON: usize = 80;
 
@@ -24,6 +26,8 @@ pub(super) struct Return<'a> {
     moved: Vec<f64>,
     of_moved: Vec<f64>,
     step: Step,
+    /// The last point of the approach, where the line rests.
+    grown: usize,
     /// The line was at this point of the approach, or between it and the one before.
     bracket: usize,
     /// The time at which the approach had the last radius.
@@ -51,6 +55,8 @@ struct Line {
     /// The derivatives of the excess and of the load with respect to that time.
     slope: f64,
     load_slope: f64,
+    /// What is left of the integral over the penetration since that time.
+    since: f64,
 }
 
 impl<'a> Return<'a> {
@@ -70,6 +76,7 @@ impl<'a> Return<'a> {
             moved: tail(&approach.moved, width),
             of_moved: tail(&approach.of_moved, width * m),
             step: Step::new(),
+            grown: bracket,
             bracket,
             last: time,
             separated: penetration <= 0.0,
@@ -104,14 +111,26 @@ impl<'a> Return<'a> {
             None => (TimedContact::separated(now.time, now.value), None),
             Some((low, t1, line)) => {
                 let passed = self.passed_at(low, t1);
+                let contact_radius = setting.curve.radius(passed.penetration);
+                // The slope of the elastic curve has fewer digits than its stiffness.
+                let pulled = match setting.adhesion {
+                    Some(adhesion) => adhesion.contact.stiffness(contact_radius)? * line.since,
+                    None => 0.0,
+                };
                 let state = State {
-                    contact_radius: setting.curve.radius(passed.penetration),
-                    load: line.load,
+                    contact_radius,
+                    load: line.load + pulled,
                     penetration: line.penetration,
                 };
+                let rests =
+                    self.bracket == self.grown && t1 == self.approach.passed[self.grown].time;
                 let contact = TimedContact {
                     time: now.time,
-                    phase: Phase::Receding,
+                    phase: if rests {
+                        Phase::Resting
+                    } else {
+                        Phase::Receding
+                    },
                     state,
                 };
                 (contact, Some((low, t1, passed)))
@@ -164,10 +183,18 @@ impl<'a> Return<'a> {
         let grows = HistoryError::GrowsAgain { time: now.time };
         let slack = ROUNDING * self.approach.setting.curve.last().penetration;
         if self.separated {
-            let comes_back = self.at_point(now, touch).excess < -slack;
+            let comes_back = self.at_point(now, touch)?.excess < -slack;
             return if comes_back { Err(grows) } else { Ok(None) };
         }
-        let mut above = self.at_point(now, self.bracket);
+        let mut above = self.at_point(now, self.bracket)?;
+        let adheres = self.approach.setting.adhesion.is_some();
+        if adheres && self.bracket == self.grown && above.excess <= 0.0 {
+            let line = Line {
+                penetration: now.value,
+                ..above
+            };
+            return Ok(Some((self.grown - 1, passed[self.grown].time, line)));
+        }
         if above.excess < -slack {
             return Err(grows);
         }
@@ -176,8 +203,8 @@ impl<'a> Return<'a> {
         while low > touch {
             low -= 1;
             if passed[low].penetration < passed[low + 1].penetration {
-                let at = self.at_point(now, low);
-                if at.excess < 0.0 {
+                let at = self.at_point(now, low)?;
+                if at.excess <= 0.0 {
                     below = Some(at);
                     break;
                 }
@@ -193,7 +220,7 @@ impl<'a> Return<'a> {
         let speed = (passed[low + 1].penetration - passed[low].penetration) / (t2 - t0);
         let slopes = [&below, &above].map(|at| at.slope * speed * (t2 - t0));
         let mut t = t0 + (t2 - t0) * root_between([below.excess, above.excess.max(0.0)], slopes);
-        let mut line = self.full(now, low, t);
+        let mut line = self.full(now, low, t)?;
         for _ in 0..NEWTON {
             *if line.excess < 0.0 {
                 &mut low_t
@@ -208,13 +235,19 @@ impl<'a> Return<'a> {
                 0.5 * (low_t + high_t)
             };
             let change = next - t;
+            let close = if adheres {
+                CONVERGED * (t2 - t0)
+            } else {
+                LINEAR * (t2 - t0).min(now.time - t)
+            };
             t = next;
-            if change.abs() <= LINEAR * (t2 - t0) {
+            let rounding = 4.0 * f64::EPSILON * t.abs();
+            if change.abs() <= close.max(rounding) || high_t - low_t <= rounding {
                 line.load += line.load_slope * change;
                 line.penetration = now.value - self.approach.setting.compliance * line.load;
                 break;
             }
-            line = self.full(now, low, t);
+            line = self.full(now, low, t)?;
         }
         if t > self.last + ROUNDING * (passed[passed.len() - 1].time - passed[touch].time) {
             return Err(grows);
@@ -240,7 +273,7 @@ impl<'a> Return<'a> {
     }
 
     /// Returns the contact if the line is where it was at a point of the approach.
-    fn at_point(&self, now: &Now, point: usize) -> Line {
+    fn at_point(&self, now: &Now, point: usize) -> Result<Line, HistoryError> {
         let setting = self.approach.setting;
         let law = &setting.law;
         let m = law.len();
@@ -250,7 +283,7 @@ impl<'a> Return<'a> {
             &self.approach.lengths[point * m..][..m],
             &self.approach.loads[point * m..][..m],
         );
-        let spring = setting.compliance > 0.0;
+        let asks_load = setting.compliance > 0.0 || setting.adhesion.is_some();
         let (mut length, mut load) = (
             law.constant * passed.penetration,
             law.constant * passed.load,
@@ -259,16 +292,16 @@ impl<'a> Return<'a> {
         for (k, (e, _)) in law.after(lag).enumerate() {
             modulus += e;
             length += e * lengths[k];
-            if spring {
+            if asks_load {
                 load += e * loads[k];
             }
         }
         // Its slope is that of a speed of 1 m/s.
-        self.with(now, length, load, [modulus, passed.stiffness])
+        self.with(now, [length, load], [modulus, 1.0], &passed)
     }
 
     /// Returns the contact if the line is where it was at a time after the point `low`.
-    fn full(&self, now: &Now, low: usize, t1: f64) -> Line {
+    fn full(&self, now: &Now, low: usize, t1: f64) -> Result<Line, HistoryError> {
         let setting = self.approach.setting;
         let law = &setting.law;
         let m = law.len();
@@ -290,23 +323,38 @@ impl<'a> Return<'a> {
             let memory = e * self.approach.loads[low * m + k];
             load += own * (memory + slopes[0] * i0 + slopes[1] * i1 + slopes[2] * i2);
         }
-        self.with(now, length, load, [modulus * speed, passed.stiffness])
+        self.with(now, [length, load], [modulus, speed], &passed)
     }
 
-    /// Returns the contact from the integrals up to the time of the line: the present penetration is
-    /// that at which the integral from there on vanishes. `by_time` is its derivative, and `stiffness`
-    /// the elastic one there.
-    fn with(&self, now: &Now, length: f64, load: f64, [by_time, stiffness]: [f64; 2]) -> Line {
+    /// Returns the contact from the integrals over the penetration and the load up to the time of the line, where the
+    /// elastic contact was `passed`: the present penetration is that at which the integral from there on is that of the
+    /// adhesion. Its derivative is that of the relaxed `modulus` and the `speed` there.
+    fn with(
+        &self,
+        now: &Now,
+        [length, load]: [f64; 2],
+        [modulus, speed]: [f64; 2],
+        passed: &Passed,
+    ) -> Result<Line, HistoryError> {
         let setting = self.approach.setting;
         let stays = setting.law.constant * self.penetration + now.stays;
-        let penetration = self.penetration + (length - stays) / now.mean;
-        Line {
+        let lowered = match setting.adhesion {
+            Some(adhesion) => adhesion.lowers(setting.curve.radius(passed.penetration))?,
+            None => 0.0,
+        };
+        let penetration = self.penetration + (length - stays - lowered) / now.mean;
+        let by_time = modulus * speed;
+        // The adhesion changes slowly with the radius, like its root.
+        let of_adhesion = 0.25 * lowered * speed / passed.penetration.max(f64::MIN_POSITIVE);
+        Ok(Line {
             penetration,
             load,
             excess: penetration + setting.compliance * load - now.value,
-            slope: by_time * (1.0 / now.mean + setting.compliance * stiffness),
-            load_slope: by_time * stiffness,
-        }
+            slope: by_time * (1.0 / now.mean + setting.compliance * passed.stiffness)
+                - of_adhesion / now.mean,
+            load_slope: by_time * passed.stiffness,
+            since: stays - length + now.mean * (now.value - self.penetration),
+        })
     }
 
     /// Writes the derivatives of the load, and returns those of the penetration.
@@ -387,11 +435,11 @@ impl<'a> Return<'a> {
     }
 }
 
-/// Returns about where in `[0, 1]` a function is 0 that rises from a negative value to one that is
-/// not, from the values and the slopes at the ends.
+/// Returns about where in `[0, 1]` a function is 0 that rises from a value of at most 0 to one of at least 0, from the
+/// values and the slopes at the ends.
 fn root_between([below, above]: [f64; 2], [s0, s1]: [f64; 2]) -> f64 {
     // The inverse function has the inverse slopes.
-    let width = above - below;
+    let width = (above - below).max(f64::MIN_POSITIVE);
     let part = -below / width;
     let guess = hermite([0.0, 1.0], [width / s0, width / s1], part);
     if (0.0..=1.0).contains(&guess) {

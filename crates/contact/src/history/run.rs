@@ -1,11 +1,14 @@
 //! The choice of the method, and its refinement until two refinements agree.
 
 use super::adhesion::Adhesion;
+use super::approach::Place;
 use super::elastic::{self, ElasticCurve, Node};
 use super::elements::{Elements, LONGEST};
 use super::exponentials::Exponentials;
-use super::program::Program;
-use super::{History, HistoryError, TimedContact, growing_load, one_turn};
+use super::measured::{MeasuredHistory, follow};
+use super::program::{Instant, Program};
+use super::setting::Setting;
+use super::{History, HistoryError, TimedContact, growing_load};
 use crate::{Control, State};
 
 /// The tolerances where none is given: of the integrals, and of elements.
@@ -46,8 +49,8 @@ pub(super) struct Run<'a> {
     pub history: &'a History<'a>,
     pub control: Control,
     pub program: &'a Program,
-    /// The times of the points of the program and of those asked for.
-    pub times: &'a [f64],
+    /// The program at its points and at all times asked for, and the latter.
+    pub instants: &'a [Instant],
     pub asked: &'a [f64],
     pub tolerance: Option<f64>,
 }
@@ -58,15 +61,8 @@ impl Run<'_> {
         let contact = self.history.contact;
         let largest = self.program.largest();
         if largest <= 0.0 {
-            let at = |&time: &f64| {
-                let penetration = if self.control == Control::Load {
-                    0.0
-                } else {
-                    self.value_at(time)
-                };
-                TimedContact::separated(time, penetration)
-            };
-            return Ok((self.times.iter().map(at).collect(), 0.0));
+            let apart = self.instants.iter().map(|at| at.apart(self.control));
+            return Ok((apart.collect(), 0.0));
         }
         match self.control {
             Control::Displacement => match self.integrals(|run| self.one_turn(run))? {
@@ -114,7 +110,7 @@ impl Run<'_> {
                 return Ok(None);
             };
             if let Some(coarse) = &coarse {
-                error = SAFETY * difference(&states, coarse, self.times) + hidden + ROUNDING;
+                error = SAFETY * difference(&states, coarse, None) + hidden + ROUNDING;
                 let is_last = run + 1 == RUNS && self.tolerance.is_none();
                 if error <= self.digits() || is_last && error <= COARSEST {
                     return Ok(Some((states, error)));
@@ -138,13 +134,33 @@ impl Run<'_> {
         let finer = tolerance * FINER.powi(run as i32);
         let law = Exponentials::of_steps(relaxation, self.scales(), finer);
         let deepest = self.program.largest();
-        let curve = ElasticCurve::to_penetration(contact, deepest, tolerance, run)?;
-        let receding = self.history.receding;
-        let adhesion = receding.map(|work| Adhesion { contact, work });
-        let found = one_turn::follow(&curve, &law, self.program, self.times, adhesion)?;
-        let Some(states) = found else {
+        let instants = self.instants;
+        let falls = |pair: &[Instant]| pair[1].value < pair[0].value;
+        let turn = instants.windows(2).position(falls);
+        let rises = |pair: &[Instant]| pair[1].value > pair[0].value;
+        if turn.is_some_and(|turn| instants[turn..].windows(2).any(rises)) {
             return Ok(None);
+        }
+        let setting = Setting {
+            contact,
+            curve: ElasticCurve::to_penetration(contact, deepest, tolerance, run)?,
+            law,
+            variations: Vec::new(),
+            inputs: &[],
+            compliance: 0.0,
+            adhesion: self.history.receding.map(|work| Adhesion { contact, work }),
+            width: 0,
         };
+        let mut found = MeasuredHistory {
+            states: Vec::with_capacity(instants.len()),
+            derivatives: Vec::new(),
+        };
+        match follow(&setting, &places(&setting.curve, instants), &mut found) {
+            Err(HistoryError::GrowsAgain { .. }) => return Ok(None),
+            followed => followed?,
+        }
+        let (law, states) = (&setting.law, found.states);
+        let curve = &setting.curve;
         let loads = states.iter().map(|at| at.state.load.abs());
         let largest = loads.fold(f64::MIN_POSITIVE, f64::max);
         // The modulus has been higher when the load of the smallest contacts arose.
@@ -156,9 +172,8 @@ impl Run<'_> {
     /// Follows a load that grows or is held.
     fn growing_load(&self, run: u32) -> Result<States, HistoryError> {
         let law = self.exponentials(PART * self.digits() * FINER.powi(run as i32));
-        let loads = growing_load::elastic_loads(&law.creep(), self.program, self.times);
-        let (states, error) =
-            growing_load::states(self.history.contact, &loads, self.program, self.times)?;
+        let loads = growing_load::elastic_loads(&law.creep(), self.instants);
+        let (states, error) = growing_load::states(self.history.contact, &loads, self.instants)?;
         Ok((states, error + law.error))
     }
 
@@ -168,15 +183,6 @@ impl Run<'_> {
         let largest = self.program.largest();
         let turn = values.iter().position(|&value| value == largest);
         times[turn.expect("it is one of the values")] - times[0]
-    }
-
-    fn value_at(&self, time: f64) -> f64 {
-        let end = self
-            .program
-            .times
-            .partition_point(|&t| t < time)
-            .clamp(1, self.program.times.len() - 1);
-        self.program.on_segment(end, time)
     }
 
     fn refuse_adhesion(&self, reason: &'static str) -> Result<(), HistoryError> {
@@ -198,9 +204,8 @@ impl Run<'_> {
 
     /// Returns the shortest step and the duration, s.
     fn scales(&self) -> [f64; 2] {
-        let all = self.program.with(self.times);
-        let shortest = all
-            .windows(2)
+        let pairs = self.instants.windows(2);
+        let shortest = pairs
             .map(|pair| pair[1].time - pair[0].time)
             .fold(f64::INFINITY, f64::min);
         [shortest, self.program.duration()]
@@ -215,7 +220,7 @@ impl Run<'_> {
         let mut earlier: Option<Vec<TimedContact>> = None;
         let mut extrapolated: Option<Vec<TimedContact>> = None;
         let [mut reached, mut change] = [f64::INFINITY; 2];
-        let instants = self.program.with(self.times).len() as f64;
+        let instants = self.instants.len() as f64;
         for level in 0..REFINEMENTS {
             let refined = 1 << level;
             let elements = ELEMENTS * refined;
@@ -235,7 +240,7 @@ impl Run<'_> {
                 control: self.control,
             };
             let (states, grown) = loop {
-                match own.follow(self.program, self.times, parts) {
+                match own.follow(self.instants, parts) {
                     // An element that touches and is released within one step may look like a ring.
                     Err(HistoryError::NotOneDisc { .. }) if parts < MOST_PARTS => parts *= 4,
                     found => break found?,
@@ -251,7 +256,7 @@ impl Run<'_> {
                 .as_ref()
                 .map(|earlier| extrapolate(earlier, &states));
             if let (Some(better), Some(coarser)) = (&better, &extrapolated) {
-                change = difference(better, coarser, self.asked);
+                change = difference(better, coarser, Some(self.asked));
             }
             let likely = if before.is_finite() {
                 change.max(CHANCE * before)
@@ -270,6 +275,38 @@ impl Run<'_> {
             _ => Err(unreached(tolerance, reached / (1.0 - PART))),
         }
     }
+}
+
+/// Returns the instants as places, with those between them at which a rising penetration passes from one piece of the
+/// elastic curve to the next one: on a piece the load is a cubic polynomial of the penetration.
+fn places(curve: &ElasticCurve, instants: &[Instant]) -> Vec<Place> {
+    /// The part of a step next to its ends in which the passage does not matter.
+    const CLOSE: f64 = 1e-6;
+    let mut before = instants[0].time;
+    let place = |time, value, point| Place { time, value, point };
+    let mut places = vec![place(instants[0].time, instants[0].value, Some(0))];
+    for (pair, point) in instants.windows(2).zip(1..) {
+        let (from, to) = (&pair[0], &pair[1]);
+        let first = curve
+            .nodes
+            .partition_point(|node| node.penetration <= from.value);
+        let past = curve
+            .nodes
+            .partition_point(|node| node.penetration < to.value);
+        for node in &curve.nodes[first..past.max(first)] {
+            let part = (node.penetration - from.value) / (to.value - from.value);
+            let time = from.time + (to.time - from.time) * part;
+            let matters = (CLOSE..1.0 - CLOSE).contains(&part) || node.penetration == 0.0;
+            // Times may not resolve a sudden step.
+            if matters && time > before && time < to.time {
+                places.push(place(time, node.penetration, None));
+                before = time;
+            }
+        }
+        before = to.time;
+        places.push(place(to.time, to.value, Some(point)));
+    }
+    places
 }
 
 /// Returns the error of a tolerance that is not reached, and one that would be. Printed with two digits it is not rounded
@@ -301,14 +338,15 @@ fn extrapolate(coarse: &[TimedContact], fine: &[TimedContact]) -> Vec<TimedConta
     pairs.map(of).collect()
 }
 
-/// Returns the largest difference of loads, radii and penetrations at some times, each in parts of the largest one at
-/// all; infinity where one of them is not finite.
-fn difference(a: &[TimedContact], b: &[TimedContact], times: &[f64]) -> f64 {
+/// Returns the largest difference of loads, radii and penetrations at some times or at all, each in parts of the largest
+/// one at all; infinity where one of them is not finite.
+fn difference(a: &[TimedContact], b: &[TimedContact], times: Option<&[f64]>) -> f64 {
     let of = |of: fn(&State) -> f64| {
         let largest = a.iter().map(|at| of(&at.state).abs()).fold(0.0, f64::max);
         let pairs = a.iter().zip(b);
         let counts = |(at, _): &(&TimedContact, _)| {
-            times.get(times.partition_point(|&time| time < at.time)) == Some(&at.time)
+            let next = |times: &[f64]| times.partition_point(|&time| time < at.time);
+            times.is_none_or(|times| times.get(next(times)) == Some(&at.time))
         };
         let changes = pairs.filter(counts).map(|(a, b)| {
             let change = (of(&a.state) - of(&b.state)).abs();
@@ -345,11 +383,14 @@ mod tests {
                 ..TimedContact::separated(0.0, 0.0)
             })
         };
-        assert_eq!(difference(&of([1.0, 4.0]), &of([2.0, 4.0]), &[0.0]), 0.25);
-        assert_eq!(difference(&of([1.0, 4.0]), &of([2.0, 4.0]), &[]), 0.0);
+        assert_eq!(
+            difference(&of([1.0, 4.0]), &of([2.0, 4.0]), Some(&[0.0])),
+            0.25
+        );
+        assert_eq!(difference(&of([1.0, 4.0]), &of([2.0, 4.0]), Some(&[])), 0.0);
         for bad in [f64::NAN, f64::INFINITY] {
             for (a, b) in [([bad, 1.0], [1.0, 1.0]), ([1.0, 1.0], [bad, 2.0])] {
-                let change = difference(&of(a), &of(b), &[0.0]);
+                let change = difference(&of(a), &of(b), Some(&[0.0]));
                 assert_eq!(change, f64::INFINITY, "{a:?} {b:?}");
             }
         }

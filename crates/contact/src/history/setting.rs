@@ -1,8 +1,8 @@
 //! What all steps of a measured history need.
 
+use super::adhesion::Adhesion;
 use super::elastic::ElasticCurve;
 use super::exponentials::Exponentials;
-use super::variation::Variation;
 use crate::{Contact, Input};
 
 /// What all steps need.
@@ -10,10 +10,13 @@ pub(super) struct Setting<'a> {
     pub contact: &'a Contact,
     pub curve: ElasticCurve,
     pub law: Exponentials,
-    pub variations: Vec<Variation>,
+    /// Its derivatives, of the same rates.
+    pub variations: Vec<Exponentials>,
     pub inputs: &'a [Input],
     /// The compliance of the spring, m/N; 0 without one.
     pub compliance: f64,
+    /// What adhesion adds to a contact that recedes, without a spring and derivatives.
+    pub adhesion: Option<Adhesion<'a>>,
     /// The number of derivatives; 0 if none are asked for.
     pub width: usize,
 }

@@ -10,15 +10,6 @@ use super::density::Density;
 use super::exponentials::Exponentials;
 use super::{LawParameter, Relaxation};
 
-/// The derivative of a law with respect to one of its numbers.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Variation {
-    pub constant: f64,
-    pub weights: Vec<f64>,
-    pub impulse: f64,
-    pub second_impulse: f64,
-}
-
 /// The part of a rate by which the two exponentials differ from it.
 const APART: f64 = 1e-4;
 /// The step of an exponent, over its distance to 0 and 1, and of the logarithm of a time.
@@ -31,7 +22,7 @@ pub(super) fn with_derivatives(
     times: [f64; 2],
     tolerance: f64,
     parameters: &[LawParameter],
-) -> (Exponentials, Vec<Variation>) {
+) -> (Exponentials, Vec<Exponentials>) {
     match law {
         Relaxation::Prony { terms, .. } => of_terms(law, terms, parameters),
         _ => of_density(law, times, tolerance, parameters),
@@ -42,7 +33,7 @@ fn of_terms(
     law: &Relaxation,
     terms: &[[f64; 2]],
     parameters: &[LawParameter],
-) -> (Exponentials, Vec<Variation>) {
+) -> (Exponentials, Vec<Exponentials>) {
     let sum = Exponentials::new(law, [1.0, 1.0], 1.0);
     let mut rates = sum.rates.clone();
     let sides = |time: f64| [(1.0 - APART) / time, (1.0 + APART) / time];
@@ -58,9 +49,10 @@ fn of_terms(
         weights[place(1.0 / time)] += weight;
     }
     let variation = |parameter: &LawParameter| {
-        let mut own = Variation {
+        let mut own = Exponentials {
             weights: vec![0.0; rates.len()],
-            ..Variation::default()
+            rates: rates.clone(),
+            ..Exponentials::default()
         };
         let first = place(1.0 / terms[0][1]);
         match *parameter {
@@ -98,7 +90,7 @@ fn of_density(
     times: [f64; 2],
     tolerance: f64,
     parameters: &[LawParameter],
-) -> (Exponentials, Vec<Variation>) {
+) -> (Exponentials, Vec<Exponentials>) {
     let density = |law: &Relaxation| Density::of(law).expect("it is no sum of terms");
     let own = density(law);
     let grid = own.absolute_grid(times, tolerance);
@@ -116,11 +108,13 @@ fn of_density(
         let [below, above] = [at(value - step), at(value + step)];
         let slope = |below: f64, above: f64| (above - below) / (2.0 * step);
         let weights = below.weights.iter().zip(&above.weights);
-        Variation {
+        Exponentials {
             constant: slope(below.constant, above.constant),
             weights: weights.map(|(b, a)| slope(*b, *a)).collect(),
+            rates: sum.rates.clone(),
             impulse: slope(below.impulse, above.impulse),
             second_impulse: slope(below.second_impulse, above.second_impulse),
+            error: 0.0,
         }
     };
     let variations = parameters.iter().map(variation).collect();
@@ -130,11 +124,6 @@ fn of_density(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn value(law: &Exponentials, own: &Variation, t: f64) -> f64 {
-        let terms = own.weights.iter().zip(&law.rates);
-        own.constant + terms.map(|(w, rate)| w * (-rate * t).exp()).sum::<f64>()
-    }
 
     /// Against the derivatives of the closed forms.
     #[test]
@@ -188,9 +177,9 @@ mod tests {
             ),
         ];
         for (law, parameter, exact) in cases {
-            let (sum, own) = with_derivatives(law, [1e-3, 10.0], 1e-10, &[parameter]);
+            let (_, own) = with_derivatives(law, [1e-3, 10.0], 1e-10, &[parameter]);
             for t in [1e-3, 0.02, 0.7, 10.0] {
-                let error = value(&sum, &own[0], t) - exact(t);
+                let error = own[0].value(t) - exact(t);
                 assert!(error.abs() < 1e-7, "{law:?} {parameter:?} {t}: {error:.1e}");
             }
         }
