@@ -9,7 +9,7 @@ use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, LENS, assert_warned, fit_all, measurement_at, off,
+    self, Course, FORCE_CURVE, Imagined, LENS, assert_warned, fit_all, measurement_at, off,
 };
 use crate::recovery::assert_recovers;
 
@@ -302,7 +302,7 @@ fn contacts_are_made_as_far_as_the_data_need_them() {
 
 #[test]
 fn a_punch_on_one_layer_has_the_loads_on_the_film() {
-    let mut film = crate::imagined::gel();
+    let mut film = imagined::gel();
     film.probe = Probe::FlatPunch { radius: 8e-6 };
     let gel = layer("gel", film.film, film.film_thickness);
     let predicted = |bodies: Bodies| {
@@ -317,6 +317,16 @@ fn a_punch_on_one_layer_has_the_loads_on_the_film() {
         // The table that the film is looked up in has an error of 7e-7.
         assert!(film > 0.0 && error < 2e-6, "{film:e} {layer:e}");
     }
+}
+
+/// Two moduli that stand for one another: the valley bends within the standard errors.
+#[test]
+fn an_error_that_is_too_small_on_one_side_is_told_on_layers() {
+    let moduli = ["primer", "elastomer"].map(modulus_of);
+    let lens = lens(&[moduli[0], moduli[1], Parameter::WorkOfAdhesion]);
+    let found = imagined::fitted(&with_reach(lens.measured(&lens.exact(), 5)), &lens.free);
+    println!("{:?} {:?}", found.estimates, found.warnings);
+    assert_warned(&found, WarningKind::NonlinearError);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use super::search::{COARSE, PATIENCE, hold_back, is_bad, settle, thin};
 use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
-use super::valley::{Bend, MARGIN, bend, doubtful, other_sides};
+use super::valley::{Bend, MARGIN, bend, doubtful, is_costly, other_sides};
 use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 
 /// The factors by which the start of a modulus, or of a quantity of a layer, is varied.
@@ -72,7 +72,8 @@ pub(crate) fn minimum<'a>(
     let first = first.map(|problem| problem.minimise(PATIENCE, COARSE));
     let is_good = |first: &Problem<'_>| first.ending == Ending::Converged && !is_bad(first);
     let is_bad = !first.as_ref().is_ok_and(is_good);
-    let doubtful = first.as_ref().ok().and_then(|first| {
+    let cheap = first.as_ref().ok().filter(|first| !is_costly(first));
+    let doubtful = cheap.and_then(|first| {
         let uncertainty = Uncertainty::of(first)?;
         let slot = *doubtful(first, &uncertainty).first()?;
         Some((slot, uncertainty.relative_error(slot)))

@@ -5,7 +5,7 @@ use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use crate::{Bodies, Kind, Prior};
+use crate::{Kind, Prior};
 
 /// The most by which the sum of squares on few points may exceed the smallest one at a start that
 /// is followed to all points.
@@ -43,12 +43,11 @@ pub(crate) struct Bend {
     pub growth: f64,
 }
 
-/// Lists the positive values with large errors, that of the largest error first. On a stack of
-/// layers each step would need further solves, and where bodies relax a start has been chosen among
-/// several laws; none is listed.
+/// Lists the positive values with large errors, that of the largest error first. Where bodies relax a start has been
+/// chosen among several laws; none is listed.
 pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<usize> {
-    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-    if !experiments.all(|one| Bodies::has_derivatives(&one.bodies) && one.relaxing.is_none()) {
+    let mut experiments = problem.assigned.iter();
+    if experiments.any(|one| one.experiment.relaxing.is_some()) {
         return Vec::new();
     }
     let is_positive = |slot: &usize| problem.slots[*slot].parameter.is_positive();
@@ -59,6 +58,12 @@ pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<
         .collect();
     slots.sort_by(|&one, &other| error(other).total_cmp(&error(one)));
     slots
+}
+
+/// Tells whether each step needs further solves, as on a stack of layers.
+pub(super) fn is_costly(problem: &Problem<'_>) -> bool {
+    let mut experiments = problem.assigned.iter();
+    experiments.any(|one| !one.experiment.bodies.has_derivatives())
 }
 
 /// Follows the valley of a value on both sides: the value moves away, and all others follow it.
