@@ -10,6 +10,7 @@ use cost::approximations::{
 };
 use interp::Quantities;
 use solve::Compliance;
+use solve::SurfaceCompliance;
 
 const MATERIALS: [[f64; 4]; 5] = [
     [1.75, 0.5, 1e5, 0.25],

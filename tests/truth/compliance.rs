@@ -3,6 +3,7 @@
 
 use acceptance::{Data, larger};
 use solve::Compliance;
+use solve::SurfaceCompliance;
 
 /// Largest relative error of `x`. Measured: 2.0 rounding units.
 const X: f64 = 6.0 * f64::EPSILON;

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 use acceptance::{Contacts, larger, material, relative_error, relative_errors, solved};
 use interp::{Material, Quantities};
 use solve::Compliance;
+use solve::SurfaceCompliance;
 
 use crate::domain::in_units_of_the_film;
 

@@ -22,7 +22,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Accum, Mat, Par};
 use interp::{Material, Quantities};
 
-use solve::{Compliance, GaussLegendre, PanelWeights, Panels};
+use solve::{Compliance, GaussLegendre, PanelWeights, Panels, SurfaceCompliance};
 
 /// Gauss-Legendre abscissae and weights on `[0, 1]`, with the edge as one more abscissa. They serve
 /// every contact.
@@ -129,10 +129,10 @@ fn symbol(scale: f64, compliance: &Compliance, panels: &Panels) -> Vec<f64> {
     let rule = panels.rule;
     let panel = |ends: &[f64]| {
         let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-        let value = move |(u, w): (&f64, &f64)| {
-            FRAC_2_PI * scale * half * w * compliance.sample(middle + half * u).excess
-        };
-        rule.abscissae.iter().zip(&rule.weights).map(value)
+        let q: Vec<f64> = rule.abscissae.iter().map(|u| middle + half * u).collect();
+        let value = move |(w, excess): (&f64, f64)| FRAC_2_PI * scale * half * w * excess;
+        let excesses = compliance.sample_all(&q).excess;
+        rule.weights.iter().zip(excesses).map(value)
     };
     panels.edges.windows(2).flat_map(panel).collect()
 }

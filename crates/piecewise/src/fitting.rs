@@ -257,34 +257,6 @@ mod tests {
 
     use super::*;
 
-    /// Curves of noise on sixty decades need the shortest pieces. To compare all of them would take
-    /// seconds.
-    #[test]
-    fn noise_takes_no_more_than_is_allowed() {
-        const CURVES: usize = 125;
-        let range = [1e-30, 1e30];
-        let nodes: Vec<f64> = (0..4000)
-            .map(|i| (range[0] * 10_f64.powf(60.0 * f64::from(i) / 3999.0)).ln())
-            .collect();
-        let basis = Basis::of_table(&nodes);
-        let calls = Cell::new(0);
-        let curve = |i: usize| -> Vec<f64> {
-            calls.set(calls.get() + 1);
-            let noise = |k: usize| 0.1 * (k as f64 * (1.0 + i as f64)).sin();
-            (0..nodes.len() * 4).map(noise).collect()
-        };
-        let fitting = Fitting {
-            range,
-            curves: CURVES,
-            error: 1e-12,
-        };
-        let resampler = Resampler::fitting(&basis, &[0, 1, 2, 3], &fitting, curve);
-        let pieces = resampler.grid().count();
-        println!("{} curves, {pieces} pieces", calls.get());
-        assert!(pieces > 12_000);
-        assert!(calls.get() * pieces <= Allowance::PIECES);
-    }
-
     /// Each curve needs short pieces in another octave.
     #[test]
     fn each_curve_is_made_a_few_times_at_most() {

@@ -42,11 +42,6 @@ impl From<HistoryError> for Failure {
         let of = Self::new("InputError", &error);
         match error {
             HistoryError::Contact(error) => error.into(),
-            HistoryError::Law {
-                name,
-                value,
-                allowed,
-            } => of.about(name, value).allowed(allowed),
             HistoryError::Time { value } => of.about("time", value),
             HistoryError::Frequency { value } => of.about("omega", value),
             HistoryError::Tolerance { value } => of.about("tolerance", value).range(1e-10, 1e-2),

@@ -182,8 +182,7 @@ impl Shared {
                 && !has_closed_form(&symbol, self.tolerance)
             {
                 let operator = operator.get_or_insert_with(|| assemble(abscissae, bessel));
-                if let Some(solved) = operator.solve_to(symbol.under_sphere(), &[], self.tolerance)
-                {
+                if let Some(solved) = operator.solve_to(&symbol, &[], self.tolerance) {
                     return Ok(solved.quantities);
                 }
             }

@@ -31,9 +31,7 @@ use interp::Material;
 use num_complex::{Complex64, ComplexFloat};
 
 use crate::exponential::exponential;
-use crate::surface::{
-    AllSamples, Sample, SurfaceCompliance, VectorCompliance, sample_all, sample_one,
-};
+use crate::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
 
 /// A real or complex wave number: `f64` or [`Complex64`].
 pub trait WaveNumber:
@@ -98,12 +96,6 @@ impl Compliance {
         let [[numerator, denominator], _] =
             self.exponential_fraction(q, exponential(simd, q * -2.0));
         thin.select(n / d, numerator / denominator + 1.0)
-    }
-
-    /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
-    /// rounding units of `max(X, 1)`.
-    pub fn sample(&self, q: f64) -> Sample {
-        sample_one(self, q)
     }
 
     /// Returns `X - 1` and `q X'` at several `q` by the series, for `q <= 1`.
@@ -273,17 +265,13 @@ impl VectorCompliance for Compliance {
 impl SurfaceCompliance for Compliance {
     /// No zero and no pole of a film is nearer to the real axis than 53 degrees: the
     /// ellipse of convergence of a panel `[c, 4c]` is 2.5.
-    fn points(tolerance: f64, oscillates: bool) -> usize {
+    fn points(&self, tolerance: f64, oscillates: bool) -> usize {
         match tolerance {
             _ if oscillates => 32,
             1e-6.. => 16,
             3e-11.. => 20,
             _ => 24,
         }
-    }
-
-    fn sample(&self, q: f64) -> Sample {
-        self.sample(q)
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {

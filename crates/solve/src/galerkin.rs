@@ -66,7 +66,7 @@ pub fn solve<C: SurfaceCompliance>(
         let abscissae = Abscissae::new(x, count, panels.clone());
         let bessel = abscissae.bessel_values();
         let operator = Operator::for_one_sphere(compliance, &abscissae, &bessel);
-        let Some(solved) = operator.solve(symbol.under_sphere(), exponents) else {
+        let Some(solved) = operator.solve(symbol, exponents) else {
             // Too few modes, or too much rounding.
             if count >= ample {
                 return Estimate::FAILED;

@@ -241,7 +241,7 @@ impl SurfaceCompliance for LayeredCompliance {
     /// layer has them at 30 degrees. With poles at 26 degrees, the ellipse of convergence of a
     /// panel `[c, 4c]` is 1.8: 16, 20, 24 and 32 points leave `1.8^{-32}`, `1.8^{-40}`,
     /// `1.8^{-48}` and `1.8^{-64}`.
-    fn points(tolerance: f64, oscillates: bool) -> usize {
+    fn points(&self, tolerance: f64, oscillates: bool) -> usize {
         match tolerance {
             _ if oscillates => 32,
             1e-6.. => 16,

@@ -44,7 +44,7 @@ use crate::estimate::larger;
 use crate::power_law::{PowerLaw, coefficients};
 use crate::slope::{Slope, dot};
 use crate::surface::{AllSamples, SurfaceCompliance};
-use crate::symbol::Sphere;
+use crate::symbol::Symbol;
 
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);
@@ -158,18 +158,28 @@ impl<'a> Operator<'a> {
 
     /// Solves the contact of one sphere, as [`Operator::solve`], if its estimated error is at most
     /// `tolerance`.
-    pub fn solve_to(&self, sphere: Sphere, exponents: &[f64], tolerance: f64) -> Option<Solved> {
-        self.solve(sphere, exponents)
+    pub fn solve_to<C: SurfaceCompliance>(
+        &self,
+        symbol: &Symbol<C>,
+        exponents: &[f64],
+        tolerance: f64,
+    ) -> Option<Solved> {
+        self.solve(symbol, exponents)
             .filter(|solved| solved.error() <= tolerance)
     }
 
     /// Solves the contact of one sphere with the film and substrate of this operator, and of the
-    /// probes `c r^n` with the `exponents` n.
+    /// probes `c r^n` with the `exponents` n. Of the `symbol` it takes the share of the film and the
+    /// modulus.
     ///
     /// Returns `None` where the matrix is not positive definite, by rounding, or `Gamma^2` is not
     /// positive, by too few modes.
-    pub fn solve(&self, sphere: Sphere, exponents: &[f64]) -> Option<Solved> {
-        let Sphere { film, modulus: es } = sphere;
+    pub fn solve<C: SurfaceCompliance>(
+        &self,
+        symbol: &Symbol<C>,
+        exponents: &[f64],
+    ) -> Option<Solved> {
+        let (film, es) = (symbol.film(), symbol.modulus());
         let n = self.kernel.nrows() - 1;
         let mut factor = Mat::zeros(n, n);
         for j in 0..n {

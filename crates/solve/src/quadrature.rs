@@ -47,7 +47,8 @@ impl GaussLegendre {
             let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
             let mut slope = 0.0;
             for _ in 0..6 {
-                let (value, previous) = legendre(n, x);
+                let mut last = legendre(x).skip(n - 1);
+                let [previous, value] = [(); 2].map(|()| last.next().expect("they are endless"));
                 slope = n as f64 * (previous - x * value) / (1.0 - x * x);
                 x -= value / slope;
             }
@@ -59,9 +60,10 @@ impl GaussLegendre {
             (rule.weights[i], rule.weights[n - 1 - i]) = (weight, weight);
         }
         let factors = |(&x, &w): (&f64, &f64)| {
+            let values: Vec<f64> = legendre(x).take(n).collect();
             std::array::from_fn(|k| {
                 let degree = (n + k).saturating_sub(8);
-                (degree as f64 + 0.5) * w * legendre(degree, x).0
+                (degree as f64 + 0.5) * w * values[degree]
             })
         };
         let points = rule.abscissae.iter().zip(&rule.weights);
@@ -70,17 +72,14 @@ impl GaussLegendre {
     }
 }
 
-/// Returns `P_n(x)` and `P_{n-1}(x)`.
-pub fn legendre(n: usize, x: f64) -> (f64, f64) {
-    let (mut previous, mut value) = (0.0, 1.0);
-    for k in 0..n {
-        let k = k as f64;
-        (previous, value) = (
-            value,
-            ((2.0 * k + 1.0) * x * value - k * previous) / (k + 1.0),
-        );
-    }
-    (value, previous)
+/// Returns the values `P_0(x)`, `P_1(x)` and so on of Legendre's polynomials.
+pub fn legendre(x: f64) -> impl Iterator<Item = f64> {
+    let next = move |(l, before, now): (f64, f64, f64)| {
+        let next = ((2.0 * l + 1.0) * x * now - l * before) / (l + 1.0);
+        (l + 1.0, now, next)
+    };
+    std::iter::successors(Some((0.0, 0.0, 1.0)), move |values| Some(next(*values)))
+        .map(|(_, _, value)| value)
 }
 
 /// What `X - 1` and `q X'` are integrated with.
@@ -124,13 +123,13 @@ impl Panels {
         weights: PanelWeights,
         tolerance: f64,
     ) -> Self {
-        let smallest_scale = compliances
-            .into_iter()
-            .map(C::smallest_scale)
-            .fold(1.0, f64::min);
-        // Many points a panel are economical where oscillation limits the panels, few where poles
-        // and decay do.
-        let points = C::points(tolerance, x > 5.0);
+        let (mut smallest_scale, mut points) = (1.0_f64, 0);
+        for compliance in compliances {
+            smallest_scale = smallest_scale.min(compliance.smallest_scale());
+            // Many points a panel are economical where oscillation limits the panels, few where
+            // poles and decay do.
+            points = points.max(compliance.points(tolerance, x > 5.0));
+        }
         let rule = RULES
             .iter()
             .find(|rule| rule.abscissae.len() == points)

@@ -64,8 +64,8 @@ impl SampledCompliance {
 }
 
 impl SurfaceCompliance for SampledCompliance {
-    fn points(tolerance: f64, oscillates: bool) -> usize {
-        LayeredCompliance::points(tolerance, oscillates)
+    fn points(&self, tolerance: f64, oscillates: bool) -> usize {
+        self.whole.points(tolerance, oscillates)
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {

@@ -1,7 +1,7 @@
 //! A stack of layers under a sphere: solves it as a film where it is one, by Galerkin's method
 //! otherwise.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use interp::{Curve, Material, Normalisation, Quantities};
 
@@ -81,7 +81,7 @@ pub fn solve_stack_under_spheres(
     solve_one: &(dyn Fn(usize) -> Result<Quantities, Error> + Sync),
 ) -> Result<Vec<Quantities>, Error> {
     let layers = Layers::new(stack, a_over_t, usize::MAX)?;
-    let (Form::Layers(compliance), 2..) = (&layers.form, sphere_moduli.len()) else {
+    let (Some(compliance), 2..) = (&layers.compliance, sphere_moduli.len()) else {
         return try_map(0..sphere_moduli.len(), solve_one);
     };
     let x = a_over_t * layers.thickness_over_top;
@@ -92,12 +92,12 @@ pub fn solve_stack_under_spheres(
     };
     try_map(0..sphere_moduli.len(), |i| {
         let contact = layers.under(sphere_moduli[i])?;
-        let symbol = Symbol::with_compliance(compliance, &contact.of_top);
+        let symbol = Symbol::with_compliance(compliance.clone(), &contact.of_top);
         if has_closed_form(&symbol, tolerance) {
             return solve_one(i);
         }
         let operator = operator.get_or_init(assemble);
-        match operator.solve_to(symbol.under_sphere(), &[], tolerance) {
+        match operator.solve_to(&symbol, &[], tolerance) {
             Some(solved) => Ok(contact.at_surface(solved.quantities)),
             None => solve_one(i),
         }
@@ -159,17 +159,8 @@ struct Layers<'a> {
     merged: Stack,
     /// The thickness of the stack over that of the top layer.
     thickness_over_top: f64,
-    form: Form,
-}
-
-/// What a stack turns out to be.
-enum Form {
-    /// One film, bonded to the base.
-    Film,
-    /// Several layers.
-    Layers(LayeredCompliance),
-    /// Many layers, sampled.
-    Sampled(SampledCompliance),
+    /// The compliance of the layers, sampled if they are many; none for one film, bonded to the base.
+    compliance: Option<Arc<dyn SurfaceCompliance>>,
 }
 
 impl<'a> Layers<'a> {
@@ -180,21 +171,19 @@ impl<'a> Layers<'a> {
         Error::check("a_over_t", a_over_t, A_OVER_T)?;
         check_reach(stack, a_over_t)?;
         let merged = stack.merged().of_top_layer();
-        let form = if merged.is_film() {
-            Form::Film
-        } else {
+        let compliance = (!merged.is_film()).then(|| -> Arc<dyn SurfaceCompliance> {
             let compliance = LayeredCompliance::new(&merged);
             if merged.layers().len() >= sampled_from {
-                Form::Sampled(SampledCompliance::new(compliance))
+                Arc::new(SampledCompliance::new(compliance))
             } else {
-                Form::Layers(compliance)
+                Arc::new(compliance)
             }
-        };
+        });
         Ok(Self {
             stack,
             thickness_over_top: stack.thickness() / merged.top().thickness,
             merged,
-            form,
+            compliance,
         })
     }
 
@@ -240,13 +229,12 @@ impl StackContact<'_> {
         Error::check("tolerance", tolerance, TOLERANCE)?;
         let x = a_over_t * self.layers.thickness_over_top;
         let of_top = &self.of_top;
-        let solved = match &self.layers.form {
-            Form::Film => match solve_power_laws(x, of_top, exponents, tolerance) {
+        let solved = match &self.layers.compliance {
+            None => match solve_power_laws(x, of_top, exponents, tolerance) {
                 Err(Error::NotConverged { reached, .. }) => Err(reached),
                 solution => Ok(solution?),
             },
-            Form::Layers(layers) => layered(x, layers, of_top, exponents, tolerance),
-            Form::Sampled(layers) => layered(x, layers, of_top, exponents, tolerance),
+            Some(layers) => layered(x, layers, of_top, exponents, tolerance),
         };
         let (mut solution, mut power_laws) = solved.map_err(|reached| Error::NotConverged {
             a_over_t,
@@ -270,14 +258,14 @@ impl StackContact<'_> {
 
 /// Solves several layers at `x`, the contact radius over the thickness of the top layer. The error
 /// is the estimated error that is reached, where that is more than `tolerance`.
-fn layered<C: SurfaceCompliance>(
+fn layered(
     x: f64,
-    compliance: C,
+    compliance: &Arc<dyn SurfaceCompliance>,
     of_top: &Material,
     exponents: &[f64],
     tolerance: f64,
 ) -> Result<(Solution, Vec<PowerLaw>), f64> {
-    let symbol = &Symbol::with_compliance(compliance, of_top);
+    let symbol = &Symbol::with_compliance(compliance.clone(), of_top);
     let (method, estimate) = if has_closed_form(symbol, tolerance) {
         (Method::ClosedForm, closed_form(symbol, exponents))
     } else {

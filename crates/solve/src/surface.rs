@@ -8,6 +8,9 @@
 //! [`SampledCompliance`](crate::sampled::SampledCompliance) of it) answer the same
 //! questions.
 
+use std::fmt::Debug;
+use std::sync::Arc;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
@@ -46,14 +49,12 @@ impl AllSamples {
 }
 
 /// The surface compliance `X(q)` of a coated half-space, without the sphere.
-pub trait SurfaceCompliance {
+pub trait SurfaceCompliance: Debug + Send + Sync {
     /// Returns the number of points on a panel `[c, 4c]`, 16, 20, 24 or 32, with which Gauss's rule
     /// integrates `X` to a relative `tolerance` in spite of its poles. `oscillates` tells that
     /// panels are short beside their wave numbers for another reason, so that many points a panel
     /// are economical.
-    fn points(tolerance: f64, oscillates: bool) -> usize
-    where
-        Self: Sized;
+    fn points(&self, tolerance: f64, oscillates: bool) -> usize;
 
     /// Returns `X(q) - 1` and `q X'(q)` for a finite `q >= 0`, with an absolute error of a few
     /// rounding units of `max(X, 1)`.
@@ -76,21 +77,22 @@ pub trait SurfaceCompliance {
     fn largest_excess(&self) -> f64;
 }
 
-impl<C: SurfaceCompliance> SurfaceCompliance for &C {
-    fn points(tolerance: f64, oscillates: bool) -> usize {
-        C::points(tolerance, oscillates)
+/// Whatever the sphere touches, a film or a stack.
+impl SurfaceCompliance for Arc<dyn SurfaceCompliance> {
+    fn points(&self, tolerance: f64, oscillates: bool) -> usize {
+        (**self).points(tolerance, oscillates)
     }
 
     fn sample_all(&self, q: &[f64]) -> AllSamples {
-        C::sample_all(self, q)
+        (**self).sample_all(q)
     }
 
     fn smallest_scale(&self) -> f64 {
-        C::smallest_scale(self)
+        (**self).smallest_scale()
     }
 
     fn largest_excess(&self) -> f64 {
-        C::largest_excess(self)
+        (**self).largest_excess()
     }
 }
 
@@ -98,20 +100,6 @@ impl<C: SurfaceCompliance> SurfaceCompliance for &C {
 pub trait VectorCompliance {
     /// Returns `X - 1` and `q X'` at several finite `q >= 0`.
     fn samples<S: Simd>(&self, simd: S, q: S::f64s) -> [S::f64s; 2];
-}
-
-/// Returns the sample at one wave number.
-pub fn sample_one(compliance: &impl VectorCompliance, q: f64) -> Sample {
-    dispatch!(Level::new(), simd => at(simd, compliance, q))
-}
-
-#[inline(always)]
-fn at<S: Simd>(simd: S, compliance: &impl VectorCompliance, q: f64) -> Sample {
-    let [excess, slope] = compliance.samples(simd, S::f64s::splat(simd, q));
-    Sample {
-        excess: excess[0],
-        slope: slope[0],
-    }
 }
 
 /// Returns the samples at all wave numbers, in their order.

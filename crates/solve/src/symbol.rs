@@ -38,15 +38,6 @@ pub struct Symbol<C = Compliance> {
     nearest_zero: OnceLock<Option<Zero>>,
 }
 
-/// What the contact depends on beside the surface that the sphere touches.
-#[derive(Clone, Copy, Debug)]
-pub struct Sphere {
-    /// The share of the film in the compliance at short waves, `es/E1*`.
-    pub film: f64,
-    /// The compound modulus `es`.
-    pub modulus: f64,
-}
-
 impl<C: SurfaceCompliance> Symbol<C> {
     /// Returns the symbol of `material`, the compliance of whose film and substrate is known. Of a
     /// stack of layers, `material` holds the top layer and the base.
@@ -86,14 +77,6 @@ impl<C: SurfaceCompliance> Symbol<C> {
     /// Returns the compound modulus `es`.
     pub fn modulus(&self) -> f64 {
         self.modulus
-    }
-
-    /// Returns what a contact depends on beside film and substrate.
-    pub fn under_sphere(&self) -> Sphere {
-        Sphere {
-            film: self.film,
-            modulus: self.modulus,
-        }
     }
 }
 

@@ -6,16 +6,6 @@ use crate::Error;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HistoryError {
-    /// A parameter that no relaxation function has.
-    #[error("{name} = {value:?} cannot be used: it must be {allowed}")]
-    Law {
-        /// The name of the parameter.
-        name: &'static str,
-        /// Its value.
-        value: f64,
-        /// The values allowed, in words.
-        allowed: &'static str,
-    },
     /// A time that is negative or not finite.
     #[error("time = {value:?} s cannot be used: it must be >= 0 and finite")]
     Time {

@@ -66,15 +66,10 @@ impl Relaxation {
     /// Accepts a law with possible parameters.
     ///
     /// # Errors
-    /// [`HistoryError::Law`] names the parameter, its value and the values allowed.
+    /// [`interp::Error::InvalidArgument`](interp::Error::InvalidArgument) names the parameter, its value and the values allowed.
     pub fn check(&self) -> Result<(), HistoryError> {
         let unless = |holds: bool, name: &'static str, value: f64, allowed: &'static str| {
-            let error = HistoryError::Law {
-                name,
-                value,
-                allowed,
-            };
-            if holds { Ok(()) } else { Err(error) }
+            interp::Error::argument(holds, name, value, allowed).map_err(HistoryError::from)
         };
         let positive = |name, value: f64| {
             unless(

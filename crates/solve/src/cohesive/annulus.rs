@@ -203,13 +203,12 @@ impl Annulus {
     /// Returns the Legendre coefficients of `sqrt(c^2 - s^2)` and of its inverse over the contact.
     fn roots_over_contact(&self) -> [[f64; 2]; TERMS] {
         static BASIS: Lazy<Vec<[f64; TERMS]>> = Lazy::new(|| {
-            let value = |n: usize, rho| ((4 * n + 1) as f64).sqrt() * legendre(2 * n, rho).0;
-            let half = |t: &f64| 0.5 * (1.0 + t);
-            rule(64)
-                .abscissae
-                .iter()
-                .map(|t| std::array::from_fn(|n| value(n, half(t))))
-                .collect()
+            let values = |t: &f64| {
+                let mut even = legendre(0.5 * (1.0 + t)).step_by(2);
+                let mut value = || even.next().expect("they are endless");
+                std::array::from_fn(|n| ((4 * n + 1) as f64).sqrt() * value())
+            };
+            rule(64).abscissae.iter().map(values).collect()
         });
         let rule = rule(64);
         let mut coefficients = [[0.0; 2]; TERMS];

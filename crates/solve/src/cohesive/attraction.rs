@@ -1,13 +1,15 @@
 //! The bodies and the attraction between them, in the units of the solve.
 
+use std::sync::Arc;
+
 use interp::{Normalisation, Probe, System};
 
 use crate::Error;
 use crate::cohesive::CohesiveState;
-use crate::cohesive::surface::Surface;
 use crate::compliance::Compliance;
 use crate::layered::LayeredCompliance;
 use crate::stack::Stack;
+use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
 
 /// The radii, over the thickness of the top layer, of contacts and of annuli that are solved.
@@ -22,7 +24,7 @@ const SHORTEST: f64 = 1e-100;
 /// A sphere on a coated substrate with an attraction of finite range.
 #[derive(Clone, Debug)]
 pub struct Cohesive {
-    pub(super) symbol: Symbol<Surface>,
+    pub(super) symbol: Symbol<Arc<dyn SurfaceCompliance>>,
     pub(super) sphere_radius: f64,
     /// The thickness of the top layer, m: the unit of length.
     pub(super) thickness: f64,
@@ -44,8 +46,8 @@ impl Cohesive {
     /// As [`System::material`]; [`Error::Domain`] unless `w` is positive and `z0` is at least 1e-100 m, and for a
     /// range that is not below the radius of the sphere; [`Error::OnlyParaboloid`] for another probe.
     pub fn new(system: &System, work_of_adhesion: f64, range: f64) -> Result<Self, Error> {
-        let surface = Surface::Film(Compliance::new(&system.material()?));
-        Self::of_surface(surface, system, work_of_adhesion, range)
+        let film = Compliance::new(&system.material()?);
+        Self::of_surface(Arc::new(film), system, work_of_adhesion, range)
     }
 
     /// Takes a stack of layers under a sphere of the radius `sphere_radius` (m) and the reduced
@@ -65,17 +67,16 @@ impl Cohesive {
             film_thickness: merged.top().thickness,
             ..merged.system(sphere_radius, sphere_modulus)
         };
-        let surface = if merged.is_film() {
-            Surface::Film(Compliance::new(&system.material()?))
-        } else {
-            Surface::Layers(LayeredCompliance::new(&merged))
-        };
-        Self::of_surface(surface, &system, work_of_adhesion, range)
+        if merged.is_film() {
+            return Self::new(&system, work_of_adhesion, range);
+        }
+        let layers = LayeredCompliance::new(&merged);
+        Self::of_surface(Arc::new(layers), &system, work_of_adhesion, range)
     }
 
     /// Takes the surface of a system whose film is the top layer.
     fn of_surface(
-        surface: Surface,
+        surface: Arc<dyn SurfaceCompliance>,
         system: &System,
         work_of_adhesion: f64,
         range: f64,

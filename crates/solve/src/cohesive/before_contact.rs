@@ -10,18 +10,19 @@
 //! begins where the gap in the middle, `u(0) - delta`, is 0.
 
 use std::f64::consts::{FRAC_2_PI, PI};
+use std::sync::Arc;
 
 use contact::{Control, root};
 
 use crate::Error;
 use crate::cohesive::search::{self, Point};
-use crate::cohesive::surface::Surface;
 use crate::cohesive::{Cohesive, CohesiveState};
 use crate::quadrature::{PanelWeights, Panels};
+use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
 
 /// Returns `-u/tau` in the middle and at the edge of a disc of radius `c`.
-fn rise(c: f64, symbol: &Symbol<Surface>) -> [f64; 2] {
+fn rise(c: f64, symbol: &Symbol<Arc<dyn SurfaceCompliance>>) -> [f64; 2] {
     let es = symbol.modulus();
     let mut rise = [c / es, FRAC_2_PI * c / es];
     if symbol.contrast() == 0.0 {
@@ -38,7 +39,7 @@ fn rise(c: f64, symbol: &Symbol<Surface>) -> [f64; 2] {
         let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
         let abscissae = panels.rule.abscissae.iter().map(|t| middle + half * t);
         let abscissae: Vec<f64> = abscissae.collect();
-        let excesses = symbol.compliance().excesses(&abscissae);
+        let excesses = symbol.compliance().sample_all(&abscissae).excess;
         for ((q, w), excess) in abscissae.iter().zip(&panels.rule.weights).zip(excesses) {
             let term = symbol.film() / es * c * half * w * excess * libm::j1(q * c) / q;
             rise[0] += term;

@@ -8,6 +8,8 @@ use crate::bessel::LANES;
 use crate::cohesive::annulus::{Annulus, rule};
 use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::waves::{Group, cosine_sum};
+use crate::slope::dot;
+use crate::stick::integration::interpolation;
 
 /// A solution at one contact radius, in the units of
 /// [`fixed_radius`](crate::cohesive::fixed_radius).
@@ -91,10 +93,10 @@ impl Solution<'_> {
                 wave / self.modulus - self.part.penetration + s * s * self.curvature
             })
             .collect();
-        let weights = barycentric_weights(count);
+        let factors = barycentric_factors(count);
         let phi = |s: f64| {
             let height = ((c - s) * (c + s)).max(0.0).sqrt();
-            barycentric(&nodes, &weights, &rest, s) - self.traction * height / self.modulus
+            dot(&interpolation(&nodes, &factors, s), &rest) - self.traction * height / self.modulus
         };
         radii
             .iter()
@@ -123,27 +125,12 @@ fn abel(a: f64, r: f64, kink: f64, phi: impl Fn(f64) -> f64) -> f64 {
     piece(bend, start, 1.0) + piece(bend, 0.0, -1.0)
 }
 
-/// Returns the weights of [`barycentric`] for Chebyshev nodes of the first kind.
-fn barycentric_weights(count: usize) -> Vec<f64> {
+/// Returns the factors of [`interpolation`] for Chebyshev nodes of the first kind.
+fn barycentric_factors(count: usize) -> Vec<f64> {
     let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
     (0..count)
         .map(|i| sign(i) * (PI * (i as f64 + 0.5) / count as f64).sin())
         .collect()
-}
-
-/// Returns the value at `s` of the polynomial through `values` at `nodes`, by the barycentric
-/// formula (Berrut and Trefethen, SIAM Review 46, 501, 2004).
-fn barycentric(nodes: &[f64], weights: &[f64], values: &[f64], s: f64) -> f64 {
-    let (mut numerator, mut denominator) = (0.0, 0.0);
-    for ((node, weight), value) in nodes.iter().zip(weights).zip(values) {
-        if s == *node {
-            return *value;
-        }
-        let weight = weight / (s - node);
-        numerator += weight * value;
-        denominator += weight;
-    }
-    numerator / denominator
 }
 
 /// Returns `f'(rho)/rho` of a sum of even Legendre functions `sqrt(4n+1) P_2n`.

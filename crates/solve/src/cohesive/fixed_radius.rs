@@ -24,16 +24,18 @@
 //! with `theta` the transform of the displacement and `G` that of `g` over `[0, c]`. `phi` vanishes at
 //! `a`: the equation there is subtracted analytically, so that nothing cancels for a thin annulus.
 
+use std::sync::Arc;
+
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
 use crate::abscissae::Abscissae;
 use crate::cohesive::annulus::{Annulus, TERMS};
-use crate::cohesive::surface::Surface;
-use crate::cohesive::waves::product;
 use crate::operator::add_products;
 use crate::power_law::coefficients;
 use crate::quadrature::{PanelWeights, Panels};
+use crate::slope::dot;
+use crate::surface::SurfaceCompliance;
 use crate::symbol::Symbol;
 use crate::{estimate::larger, galerkin};
 
@@ -43,7 +45,7 @@ const ACCURACY: f64 = 1e-14;
 /// A contact of fixed radius.
 pub struct FixedRadius<'a> {
     radius: f64,
-    symbol: &'a Symbol<Surface>,
+    symbol: &'a Symbol<Arc<dyn SurfaceCompliance>>,
     factor: Llt<f64>,
     /// `g1` and `g2` as Legendre coefficients.
     fields: [Vec<f64>; 2],
@@ -105,7 +107,7 @@ impl Part {
 impl<'a> FixedRadius<'a> {
     /// Prepares the contact of a radius. `None` where rounding keeps the matrix from being positive
     /// definite.
-    pub fn new(radius: f64, symbol: &'a Symbol<Surface>) -> Option<Self> {
+    pub fn new(radius: f64, symbol: &'a Symbol<Arc<dyn SurfaceCompliance>>) -> Option<Self> {
         let modes = if symbol.contrast() == 0.0 {
             2
         } else {
@@ -114,7 +116,7 @@ impl<'a> FixedRadius<'a> {
         let abscissae = abscissae(radius, radius, modes, symbol);
         let mut matrix = Mat::zeros(modes, modes);
         if let Some(abscissae) = &abscissae {
-            let excesses = symbol.compliance().excesses(&abscissae.q);
+            let excesses = symbol.compliance().sample_all(&abscissae.q).excess;
             for block in abscissae.bessel_values().blocks() {
                 let range = block.range();
                 let weights: Vec<f64> = excesses[range.clone()]
@@ -156,7 +158,7 @@ impl<'a> FixedRadius<'a> {
 
         let weighted: Vec<f64> = waves.weights.iter().zip(&h).map(|(w, h)| w * h).collect();
         let right: Vec<f64> = (0..self.fields[0].len())
-            .map(|n| product(&waves.bessel[n * rows..(n + 1) * rows], &weighted))
+            .map(|n| dot(&waves.bessel[n * rows..(n + 1) * rows], &weighted))
             .collect();
         let traction = solved(&self.factor, &right);
         let transform = waves.transform(radius, &traction);
@@ -196,7 +198,7 @@ impl<'a> FixedRadius<'a> {
         let outside = [0.0, -annulus.area()];
         let parts = [0, 1].map(|i| {
             let (field, spectrum) = (field(i), spectrum(i));
-            let waves = product(&spectrum, &p);
+            let waves = dot(&spectrum, &p);
             Part {
                 penetration: penetrations[i],
                 load: 2.0 * (radius * field[0] + outside[i]),
@@ -239,7 +241,7 @@ impl Waves {
                     bessel[n * rows + block.first..][..block.rows].copy_from_slice(column);
                 }
             }
-            let excesses = symbol.compliance().excesses(&abscissae.q);
+            let excesses = symbol.compliance().sample_all(&abscissae.q).excess;
             weights = excesses
                 .iter()
                 .zip(&abscissae.weights)
@@ -285,7 +287,12 @@ impl Waves {
 }
 
 /// Returns the abscissae of a contact for annuli up to `reach`; none where `X = 1`.
-fn abscissae(radius: f64, reach: f64, modes: usize, symbol: &Symbol<Surface>) -> Option<Abscissae> {
+fn abscissae(
+    radius: f64,
+    reach: f64,
+    modes: usize,
+    symbol: &Symbol<Arc<dyn SurfaceCompliance>>,
+) -> Option<Abscissae> {
     let contrast = symbol.contrast();
     (contrast > 0.0).then(|| {
         let accuracy = ACCURACY / larger(contrast, 1.0);

@@ -48,7 +48,6 @@ mod jkr;
 mod pull_off;
 mod search;
 mod states;
-mod surface;
 mod waves;
 
 pub use attraction::{Cohesive, REACH, SMALLEST};

@@ -66,18 +66,6 @@ pub fn bessel(z: &Group) -> [Group; 2] {
     [first, second]
 }
 
-/// Returns the sum of the products of the members of two lists, which have a multiple of [`LANES`]
-/// members.
-pub fn product(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for l in 0..LANES {
-            sums[l] += a[l] * b[l];
-        }
-    }
-    sums.iter().sum()
-}
-
 /// Returns `sum_k weights[k] cos(q[k] s)`; the lists have a multiple of [`LANES`] members.
 pub fn cosine_sum(weights: &[f64], q: &[f64], s: f64) -> f64 {
     let mut sums = [0.0; LANES];

@@ -12,7 +12,7 @@
 
 use faer::{Mat, Par};
 
-use crate::quadrature::GaussLegendre;
+use crate::quadrature::{GaussLegendre, legendre};
 
 /// Polynomials through values at Gauss's points of an interval from 0 to a little beyond the last point.
 #[derive(Clone, Debug)]
@@ -61,18 +61,7 @@ impl Points {
 
     /// Returns the weights with which the values at the points give the polynomial at `tau`.
     pub fn interpolation(&self, tau: f64) -> Vec<f64> {
-        if let Some(j) = self.at.iter().position(|at| *at == tau) {
-            return (0..self.at.len()).map(|i| f64::from(i == j)).collect();
-        }
-        let mut weights: Vec<f64> = self
-            .at
-            .iter()
-            .zip(&self.factors)
-            .map(|(at, factor)| factor / (tau - at))
-            .collect();
-        let sum: f64 = weights.iter().sum();
-        weights.iter_mut().for_each(|weight| *weight /= sum);
-        weights
+        interpolation(&self.at, &self.factors, tau)
     }
 
     /// Returns, in column `i`, the weights with which the values at the points give
@@ -103,14 +92,19 @@ impl Points {
     }
 }
 
-/// Returns the values `P_0(x)`, `P_1(x)` and so on of Legendre's polynomials.
-fn legendre(x: f64) -> impl Iterator<Item = f64> {
-    let next = move |(l, before, now): (f64, f64, f64)| {
-        let next = ((2.0 * l + 1.0) * x * now - l * before) / (l + 1.0);
-        (l + 1.0, now, next)
-    };
-    std::iter::successors(Some((0.0, 0.0, 1.0)), move |values| Some(next(*values)))
-        .map(|(_, _, value)| value)
+/// Returns the weights with which values at `nodes` give the polynomial through them at a place, by the barycentric
+/// formula with the `factors` of the nodes (Berrut and Trefethen, SIAM Review 46, 501, 2004).
+pub fn interpolation(nodes: &[f64], factors: &[f64], place: f64) -> Vec<f64> {
+    if let Some(j) = nodes.iter().position(|node| *node == place) {
+        return (0..nodes.len()).map(|i| f64::from(i == j)).collect();
+    }
+    let terms = nodes.iter().zip(factors);
+    let mut weights: Vec<f64> = terms
+        .map(|(node, factor)| factor / (place - node))
+        .collect();
+    let sum: f64 = weights.iter().sum();
+    weights.iter_mut().for_each(|weight| *weight /= sum);
+    weights
 }
 
 #[cfg(test)]

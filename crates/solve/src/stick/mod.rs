@@ -42,7 +42,7 @@ mod coulomb;
 mod curve;
 mod field;
 mod growth;
-mod integration;
+pub(crate) mod integration;
 mod lattice;
 mod sticking;
 mod transforms;
