@@ -30,6 +30,16 @@ fn cycle(system: System, [from, to]: [f64; 2], count: u32, noise: f64) -> Experi
     }
 }
 
+/// Plans a cycle of a small sphere on a film of 1 MPa and 1 um, with a work of adhesion of 5 mJ/m^2.
+fn on_a_thin_film(noise: f64) -> Experiment {
+    let system = system(3e-6, solid(1e6, 0.5), 1e-6);
+    Experiment {
+        work_of_adhesion: 5e-3,
+        stiffness: Some(0.5),
+        ..cycle(system, [300e-9, -100e-9], 150, noise)
+    }
+}
+
 /// Returns how many standard errors a work of adhesion is off that is found from data of a plan.
 fn off_by(plan: &Experiment, seed: u64) -> f64 {
     let noise = plan.noise.expect("planned");
@@ -79,16 +89,7 @@ fn points_beyond_the_end_of_a_fit_hold_it() {
 /// all values by many standard errors, the more points of baseline there are.
 #[test]
 fn points_of_a_slow_detachment_do_not_hold_a_fit() {
-    let plan = Experiment {
-        work_of_adhesion: 5e-3,
-        stiffness: Some(0.5),
-        ..cycle(
-            system(3e-6, solid(1e6, 0.5), 1e-6),
-            [300e-9, -100e-9],
-            150,
-            4e-10,
-        )
-    };
+    let plan = on_a_thin_film(4e-10);
     let made = |noise, seed| {
         let made = simulate(Table::embedded(), &plan, noise, seed);
         made.expect("in the table").measurement
@@ -124,16 +125,7 @@ fn points_of_a_slow_detachment_do_not_hold_a_fit() {
 /// A retract of many points beside an approach of few, under noise: the approach alone may tell no modulus.
 #[test]
 fn a_start_is_found_where_the_approach_is_short() {
-    let plan = Experiment {
-        work_of_adhesion: 5e-3,
-        stiffness: Some(0.5),
-        ..cycle(
-            system(3e-6, solid(1e6, 0.5), 1e-6),
-            [300e-9, -100e-9],
-            150,
-            4e-9,
-        )
-    };
+    let plan = on_a_thin_film(4e-9);
     let squares = (0..20).map(|seed| off_by(&plan, seed).powi(2)).sum::<f64>() / 20.0;
     println!("mean square of errors in standard errors {squares:.2}");
     assert!(squares < 4.0, "{squares}");
