@@ -2,34 +2,78 @@
 
 use std::fmt::Debug;
 
-use acceptance::{assert_names, solid};
-use contact::Error;
-use contact::{Contact, Control};
-use interp::{HalfSpace, Probe, Quantity};
+use acceptance::{assert_names, paper_system, solid};
+use contact::{Contact, Control, Error};
+use interp::{Elastic, HalfSpace, Mechanics, Probe, Quantity, Table};
 
-use crate::contact::{bare, half_space};
+use crate::contact::{bare, coated, half_space};
 
 /// Asserts that a number is refused as unphysical, by name, value and allowed range.
 #[track_caller]
-fn named<T: Debug>(result: Result<T, Error>, name: &str, value: f64) {
-    match result {
-        Err(error @ Error::Table(interp::Error::Unphysical { allowed, .. })) => {
+fn named<T: Debug>(result: Result<T, impl Into<Error>>, expected: &str, given: f64) {
+    match result.map_err(Into::into) {
+        Err(
+            error @ Error::Table(interp::Error::Unphysical {
+                name,
+                value,
+                allowed,
+            }),
+        ) => {
+            assert_eq!((name, value.to_bits()), (expected, given.to_bits()));
             let value = format!("{value:?}");
             assert_names(&error.to_string(), &[name, &value, allowed])
         }
-        other => panic!("{name} = {value}: {other:?}"),
+        other => panic!("{expected} = {given}: {other:?}"),
+    }
+}
+
+#[test]
+fn an_unphysical_solid_or_system_is_named() {
+    const NOT_POSITIVE: [f64; 4] = [0.0, -1.0, f64::NAN, f64::NEG_INFINITY];
+    for young in NOT_POSITIVE {
+        named(Elastic::new(young, 0.3), "Young's modulus", young);
+    }
+    for poisson in [-1.0, 0.5000000000000001, f64::INFINITY, f64::NAN] {
+        named(Elastic::new(1e6, poisson), "Poisson ratio", poisson);
+    }
+    let changed = |name: &str, value: f64| {
+        let mut system = paper_system(1e-6);
+        match name {
+            "sphere_radius" => system.probe = Probe::Paraboloid { radius: value },
+            "film_thickness" => system.film_thickness = value,
+            "sphere_modulus" => system.sphere_modulus = value,
+            _ => system.film = solid(value, 0.3),
+        }
+        named(system.material(), name, value);
+        named(Mechanics::new(&system), name, value);
+        named(Contact::in_table(Table::embedded(), &system), name, value);
+    };
+    for name in ["sphere_radius", "film_thickness", "sphere_modulus"] {
+        for value in NOT_POSITIVE {
+            changed(name, value);
+        }
+    }
+    for name in ["sphere_radius", "film_thickness", "film modulus"] {
+        changed(name, f64::INFINITY);
     }
 }
 
 #[test]
 fn numbers_out_of_bounds_are_named() {
-    let contact = half_space();
-    for a in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        named(contact.load(a, 0.04), "contact radius", a);
-        named(contact.load_and_penetration(a, 0.04), "contact radius", a);
-        named(contact.validity(a), "contact radius", a);
-        named(contact.stiffness(a), "contact radius", a);
+    for contact in [half_space(), coated(1e-6)] {
+        for a in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            named(contact.load(a, 0.04), "contact radius", a);
+            named(contact.load_and_penetration(a, 0.04), "contact radius", a);
+            named(contact.validity(a), "contact radius", a);
+            named(contact.stiffness(a), "contact radius", a);
+        }
+        assert!(contact.load(1e-6, 0.0).expect("no adhesion") > 0.0);
+        for w in [-1e-300, -1.0, f64::NEG_INFINITY, f64::INFINITY, f64::NAN] {
+            named(contact.load(1e-6, w), "work of adhesion", w);
+            named(contact.load_and_penetration(1e-6, w), "work of adhesion", w);
+        }
     }
+    let contact = half_space();
     // A load that overflows.
     let planet = Contact::half_space(&HalfSpace {
         probe: Probe::Paraboloid { radius: 1e300 },
