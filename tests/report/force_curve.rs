@@ -1,11 +1,11 @@
 //! The force curve of a page: compared with `tabulate curve` and with the library.
 
-use acceptance::{assert_names, low_rank, shipped, table, workdir};
+use acceptance::{assert_names, low_rank, shipped, table};
 use interp::Table;
 use serde_json::Value;
 
 use crate::setting::settings;
-use crate::shown::{assert_load, assert_shows, number, sliders};
+use crate::shown::{assert_load, assert_shows, number};
 use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, embedded_universal};
 
 /// A rigid sphere with adhesion, without `delta0`: enough for load against contact radius.
@@ -21,16 +21,8 @@ const NO_PENETRATION: &str = "
 
 #[test]
 fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
-    let (workdir, table) = (
-        workdir!(),
-        Table::read(embedded_universal()).expect("the embedded table"),
-    );
-    workdir.write(
-        "universal.bin",
-        std::fs::read(embedded_universal()).expect("the embedded table"),
-    );
-    let settings = settings(
-        "
+    let table = Table::read(embedded_universal()).expect("the embedded table");
+    let settings = "
         paraboloid 1e-6 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04 # the paper
         paraboloid 1e-5 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.04
         paraboloid 1e-4 1e5   0.499 7e10   0.25 1e-3 2e6  0.04
@@ -45,33 +37,27 @@ fn a_page_of_the_embedded_table_shows_what_the_program_prints() {
         sphere     1e-8 3.5e6 0.5   2e11   0.25 1e-3 2e6  0.4  # high powers of the smallest a/R are 0
         flat-punch 1e-6 3.5e6 0.5   2e11   0.25 1e-5 2e6  0.04
         paraboloid 1e-3 5e6   0     2e6    0.25 1e-2 1e6  5    # all parameters matter
-        ",
-    );
-    assert_shows(&workdir, "universal.bin", &table, &settings);
+        ";
+    let names = "film_thickness film_modulus film_poisson_ratio substrate_modulus \
+                 substrate_poisson_ratio sphere_modulus sphere_radius work_of_adhesion";
+    assert_shows(&table, settings, names);
 }
 
 #[test]
 fn a_page_with_all_axes_shows_what_the_program_prints() {
-    let (workdir, table) = (workdir!(), table(FOUR_AXES));
-    workdir.write("table.bin", table.to_packed().expect("packed"));
-    let settings = settings(
-        "
+    let settings = "
         paraboloid 1e-6 3.5e6 0.5 1e9 0.2 1e-3 2e6 0.04
         paraboloid 1e-8 3.5e6 0.5 1e9 0.2 1e-3 2e6 0.04 # pull-off beyond the table's a/t
         sphere     1e-6 3.5e6 0.5 1e9 0.2 1e-5 2e6 0.04 # four quantities that the table holds
         sphere     1e-6 3.5e6 0.5 1e9 0.2 1e-5 2e6 0    # without adhesion the curve ends at 0.1 R
         flat-punch 1e-6 3.5e6 0.5 1e9 0.2 1e-5 2e6 0.04
         paraboloid 1e-3 4e6   0.3 4e7 0.2 1e-2 2e6 5    # all parameters matter
-        ",
-    );
-    let Some(seen) = assert_shows(&workdir, "table.bin", &table, &settings) else {
+        ";
+    let names = "film_thickness film_modulus film_poisson_ratio substrate_modulus sphere_modulus \
+                 sphere_radius work_of_adhesion";
+    let Some(seen) = assert_shows(&table(FOUR_AXES), settings, names) else {
         return;
     };
-    assert_eq!(
-        sliders(&seen).join(" "),
-        "film_thickness film_modulus film_poisson_ratio substrate_modulus sphere_modulus \
-         sphere_radius work_of_adhesion"
-    );
     let beyond = &seen["looks"][1];
     assert_names(
         beyond["messages"].as_str().expect("text"),
@@ -83,12 +69,10 @@ fn a_page_with_all_axes_shows_what_the_program_prints() {
 #[test]
 fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
     // In low-rank form, which is in the page unchanged.
-    let (workdir, table) = (workdir!(), low_rank(&table(GAMMA_ALONE), 1e-6));
+    let table = low_rank(&table(GAMMA_ALONE), 1e-6);
     let tiles = table.low_rank().map(<[_]>::len);
     assert_eq!(tiles, Some(5), "the settings are in several tiles");
-    workdir.write("gamma.bin", table.to_packed().expect("packed"));
-    let settings = settings(
-        "
+    let settings = "
         paraboloid 1e-5 1e6  0.49 7e10 0.22 1e-3 7e10 0.04 # a soft film on glass under glass
         paraboloid 1e-4 1e6  0.49 7e10 0.22 1e-3 2e6  0.04 # a soft sphere, and a thicker film
         paraboloid 1e-5 1e6  0.49 7e10 0.22 1e-3 inf  0.04
@@ -97,70 +81,40 @@ fn a_page_of_gamma_alone_shows_every_kind_of_contact() {
         paraboloid 1e-5 1e6  0.5  inf  0.3  1e-2 inf  0
         paraboloid 1e-5 1e10 0.4  1e7  0.3  1e-3 inf  0.04
         paraboloid 1e-5 1e9  0.35 2e7  0.3  1e-3 1e9  0.06 # stiffer than the substrate: all parameters matter
-        ",
-    );
-    let Some(seen) = assert_shows(&workdir, "gamma.bin", &table, &settings) else {
-        return;
-    };
-    assert_eq!(
-        sliders(&seen).join(" "),
-        "film_thickness film_modulus film_poisson_ratio substrate_modulus substrate_poisson_ratio \
-         sphere_modulus sphere_radius work_of_adhesion"
-    );
+        ";
+    let names = "film_thickness film_modulus film_poisson_ratio substrate_modulus \
+                 substrate_poisson_ratio sphere_modulus sphere_radius work_of_adhesion";
+    assert_shows(&table, settings, names);
 }
 
 #[test]
 fn a_page_of_the_papers_table_shows_what_the_program_prints() {
-    let (workdir, path) = (workdir!(), shipped("paper.h5"));
-    let settings = settings(
-        "
+    let table = Table::open(shipped("paper.h5")).expect("the shipped table");
+    let settings = "
         paraboloid 1e-6 3.5e6 0.5 2e11 0.25 1e-3 2e6 0.04
         paraboloid 1e-4 3.5e6 0.5 2e11 0.25 1e-3 2e6 0.04
         paraboloid 1e-6 1e8   0.5 2e11 0.25 1e-2 2e6 0.4
-        ",
-    );
-    let table = Table::open(&path).expect("the shipped table");
-    let Some(seen) = assert_shows(
-        &workdir,
-        path.to_str().expect("a path in UTF-8"),
-        &table,
-        &settings,
-    ) else {
-        return;
-    };
-    assert_eq!(
-        sliders(&seen).join(" "),
-        "film_thickness film_modulus sphere_modulus sphere_radius work_of_adhesion"
-    );
+        ";
+    let names = "film_thickness film_modulus sphere_modulus sphere_radius work_of_adhesion";
+    assert_shows(&table, settings, names);
 }
 
 #[test]
 fn a_rigid_sphere_without_adhesion_has_no_sliders_for_either() {
-    let (workdir, table) = (workdir!(), table(RIGID_SPHERE));
-    workdir.write("rigid.bin", table.to_packed().expect("packed"));
-    let settings = settings(
-        "
+    let settings = "
         paraboloid 1e-6 5e8 0.2 1e9 0.25 1e-3 inf 0
         paraboloid 3e-5 1e6 0.4 3e6 0.25 1e-3 inf 0
-        ",
-    );
-    let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &settings) else {
-        return;
-    };
-    assert_eq!(
-        sliders(&seen).join(" "),
-        "film_thickness film_modulus film_poisson_ratio substrate_modulus sphere_radius"
-    );
+        ";
+    let names = "film_thickness film_modulus film_poisson_ratio substrate_modulus sphere_radius";
+    assert_shows(&table(RIGID_SPHERE), settings, names);
 }
 
 #[test]
 fn without_penetration_there_is_load_against_contact_radius() {
-    let (workdir, table) = (workdir!(), table(NO_PENETRATION));
-    workdir.write("rigid.bin", table.to_packed().expect("packed"));
-    let [setting] = settings("paraboloid 1e-5 1e6 0.4 inf 0.25 1e-3 inf 0.04")[..] else {
-        unreachable!("one line")
-    };
-    let Some(seen) = assert_shows(&workdir, "rigid.bin", &table, &[setting]) else {
+    const LINE: &str = "paraboloid 1e-5 1e6 0.4 inf 0.25 1e-3 inf 0.04";
+    let (table, setting) = (table(NO_PENETRATION), settings(LINE)[0]);
+    let names = "film_thickness film_modulus sphere_radius work_of_adhesion";
+    let Some(seen) = assert_shows(&table, LINE, names) else {
         return;
     };
     // `tabulate curve` prints penetrations.

@@ -1,28 +1,31 @@
 //! Wrong inputs of a page: in its address, and typed into its fields.
 
-use acceptance::{assert_names, table};
+use acceptance::{assert_names, rows, table};
 use interp::Probe;
 use serde_json::{Value, json};
 use tabulate::large_contact::LARGE_CONTACT;
 use tabulate::report::report;
 
 use crate::browser::{browse, choose, fill};
+use crate::shown::look_at;
 use crate::{FOUR_AXES, GAMMA_ALONE, RIGID_SPHERE, SPHERE};
 
 fn page(scene: &str) -> String {
     report(&table(scene), &[], &SPHERE).expect("a report")
 }
 
-/// Asserts that each address of a page has its message and no curve, or a curve if that is empty.
-fn assert_messages(scene: &str, cases: &[(&str, &str)]) {
-    let addresses: Vec<String> = cases.iter().map(|(address, _)| (*address).into()).collect();
+/// Asserts that each address of a page, the first cell of a table, has its message and no curve, or
+/// a curve if that is `-`.
+fn assert_messages(scene: &str, cases: &str) {
+    let cases = rows(cases);
+    let addresses: Vec<String> = cases.iter().map(|[address, _]| (*address).into()).collect();
     let Some(seen) = browse(&page(scene), &addresses) else {
         return;
     };
-    for ((address, message), look) in cases.iter().zip(seen["looks"].as_array().expect("looks")) {
+    for ([address, message], look) in cases.iter().zip(seen["looks"].as_array().expect("looks")) {
         let messages = look["messages"].as_str().expect("text");
-        assert_eq!(look["hidden"], !message.is_empty(), "{address}: {messages}");
-        if !message.is_empty() {
+        assert_eq!(look["hidden"], *message != "-", "{address}: {messages}");
+        if *message != "-" {
             assert_eq!(messages, *message, "{address}");
         }
     }
@@ -30,47 +33,20 @@ fn assert_messages(scene: &str, cases: &[(&str, &str)]) {
 
 #[test]
 fn outside_the_box_there_is_a_message_and_no_curve() {
-    let cases = [
-        (
-            "substrate_modulus=2e11",
-            "E₀/E₂* is 100000; the table holds 10 to 1000. \
-             Change the substrate modulus or the sphere reduced modulus.",
-        ),
-        (
-            "film_modulus=1e3",
-            "E₁/E₂* is 0.0005; the table holds 0.3 to 3. \
-             Change the film modulus or the sphere reduced modulus.",
-        ),
-        (
-            "film_poisson_ratio=0.51",
-            "ν₁ is 0.51; the table holds 0.3 to 0.5. Change the film Poisson ratio.",
-        ),
-        (
-            "film_thickness=-1",
-            "The film thickness must be a number above 0.",
-        ),
-        (
-            "work_of_adhesion=much",
-            "The work of adhesion must be a number that is 0 or larger.",
-        ),
-        (
-            "film_thickness=1e-3&sphere_radius=1e-7",
-            "A contact of 10.00 µm, where the table’s a/t begins, is not smaller than the sphere. \
-             Change the sphere radius or the film thickness.",
-        ),
-        (
-            "film_colour=3",
-            "The address sets “film_colour”, which is not a setting of this table.",
-        ),
-        (
-            "sphere_modulus=1e400",
-            "The sphere reduced modulus must be a number above 0.",
-        ),
-        // It comes back.
-        ("sphere_radius=1e-3", ""),
-        ("sphere_modulus=2e+6", ""),
-    ];
-    assert_messages(FOUR_AXES, &cases);
+    // After the wrong ones, it comes back.
+    let cases = "
+        substrate_modulus=2e11 | E₀/E₂* is 100000; the table holds 10 to 1000. Change the substrate modulus or the sphere reduced modulus.
+        film_modulus=1e3 | E₁/E₂* is 0.0005; the table holds 0.3 to 3. Change the film modulus or the sphere reduced modulus.
+        film_poisson_ratio=0.51 | ν₁ is 0.51; the table holds 0.3 to 0.5. Change the film Poisson ratio.
+        film_thickness=-1 | The film thickness must be a number above 0.
+        work_of_adhesion=much | The work of adhesion must be a number that is 0 or larger.
+        film_thickness=1e-3&sphere_radius=1e-7 | A contact of 10.00 µm, where the table’s a/t begins, is not smaller than the sphere. Change the sphere radius or the film thickness.
+        film_colour=3 | The address sets “film_colour”, which is not a setting of this table.
+        sphere_modulus=1e400 | The sphere reduced modulus must be a number above 0.
+        sphere_radius=1e-3 | -
+        sphere_modulus=2e+6 | -
+    ";
+    assert_messages(FOUR_AXES, cases);
 }
 
 #[test]
@@ -99,11 +75,10 @@ fn a_contact_radius_that_is_not_small_compared_with_the_spheres_is_noted() {
 
 #[test]
 fn a_curve_that_begins_where_the_table_does_says_so() {
-    let address = "film_thickness=1e-2&sphere_radius=2e-3&work_of_adhesion=1e-3".to_owned();
-    let Some(seen) = browse(&page(FOUR_AXES), &[address]) else {
+    let address = "film_thickness=1e-2&sphere_radius=2e-3&work_of_adhesion=1e-3";
+    let Some(look) = look_at(&table(FOUR_AXES), &SPHERE, address) else {
         return;
     };
-    let look = &seen["looks"][0];
     assert_eq!(look["states"]["zero-load"]["load"], Value::Null);
     assert_names(
         look["messages"].as_str().expect("text"),
@@ -113,89 +88,72 @@ fn a_curve_that_begins_where_the_table_does_says_so() {
 
 #[test]
 fn a_wrong_field_is_marked_as_invalid_with_its_message_until_it_is_mended() {
-    // The field, the text typed into it, and the fields that are wrong then. An entry of `true`
-    // stands for the first message, `false` for the second.
-    let first = &[("film_thickness", true)][..];
-    let both = &[("film_thickness", true), ("sphere_radius", false)][..];
-    let stiffened = &[("substrate_modulus", true), ("sphere_modulus", true)][..];
+    // The field, the text typed into it, and the fields that are wrong then, each with the number of
+    // its message.
     let entries = [
-        (("film_thickness", "thin"), first),
-        (("film_thickness", ""), first),
-        (("sphere_radius", "-1"), both),
-        (("sphere_radius", "1000"), first),
-        (("film_thickness", "1"), &[]),
+        ("film_thickness", "thin", "film_thickness:0"),
+        ("film_thickness", "", "film_thickness:0"),
+        ("sphere_radius", "-1", "film_thickness:0 sphere_radius:1"),
+        ("sphere_radius", "1000", "film_thickness:0"),
+        ("film_thickness", "1", ""),
         // The two moduli whose ratio is outside the table.
-        (("substrate_modulus", "200000"), stiffened),
-        (("substrate_modulus", "2000"), &[]),
         (
-            ("film_poisson_ratio", "0.6"),
-            &[("film_poisson_ratio", true)],
+            "substrate_modulus",
+            "200000",
+            "substrate_modulus:0 sphere_modulus:0",
         ),
-        (("film_poisson_ratio", "0,5"), &[]),
+        ("substrate_modulus", "2000", ""),
+        ("film_poisson_ratio", "0.6", "film_poisson_ratio:0"),
+        ("film_poisson_ratio", "0,5", ""),
         // A thousand or one.
-        (("film_thickness", " 1,000 "), first),
-        (("film_thickness", "1,000e3"), first),
-        (("film_thickness", "0x1"), first),
-        (("film_thickness", "1,0"), &[]),
+        ("film_thickness", " 1,000 ", "film_thickness:0"),
+        ("film_thickness", "1,000e3", "film_thickness:0"),
+        ("film_thickness", "0x1", "film_thickness:0"),
+        ("film_thickness", "1,0", ""),
     ];
-    let typed = entries.map(|(entry, _)| entry);
+    let typed = entries.map(|(field, text, _)| (field, text));
     let Some(seen) = fill(&page(FOUR_AXES), &typed) else {
         return;
     };
-    for ((entry, wrong), look) in entries.iter().zip(seen.as_array().expect("looks")) {
-        assert_eq!(look["hidden"], !wrong.is_empty(), "{entry:?}");
-        let messages: Vec<&str> = look["messages"].as_str().expect("text").lines().collect();
-        let messages: Vec<&str> = messages
-            .into_iter()
-            .filter(|text| !text.is_empty())
-            .collect();
-        let twofold = entry.1.contains("1,000");
+    for ((entry, text, wrong), look) in entries.iter().zip(seen.as_array().expect("looks")) {
+        assert_eq!(look["hidden"], !wrong.is_empty(), "{entry}, {text:?}");
+        let messages = look["messages"].as_str().expect("text").lines();
+        let messages: Vec<&str> = messages.filter(|text| !text.is_empty()).collect();
+        let twofold = text.contains("1,000");
         let advice = messages.iter().any(|text| text.contains(" Write 1000"));
         assert_eq!(advice, twofold, "{messages:?}");
         let fields = look["fields"].as_object().expect("fields");
         assert_eq!(fields.len(), 7);
         for (field, state) in fields {
-            let expected = match wrong.iter().find(|(name, _)| name == field) {
-                Some((_, first)) => {
-                    json!({ "invalid": "true", "text": messages[usize::from(!first)] })
-                }
+            let number = |wrong: &str| -> Option<usize> {
+                wrong
+                    .strip_prefix(field.as_str())?
+                    .strip_prefix(':')?
+                    .parse()
+                    .ok()
+            };
+            let expected = match wrong.split(' ').find_map(number) {
+                Some(number) => json!({ "invalid": "true", "text": messages[number] }),
                 None => json!({ "invalid": "false", "text": "" }),
             };
-            assert_eq!(*state, expected, "{field} after {entry:?}");
+            assert_eq!(*state, expected, "{field} after {entry}, {text:?}");
         }
     }
 }
 
 #[test]
 fn rigid_bodies_and_free_poisson_ratios_have_messages_of_their_own() {
-    let stiff =
-        "film_modulus=1e8&substrate_modulus=1e7&sphere_modulus=inf&substrate_poisson_ratio=";
-    let equivalent = "ν₁ of the equivalent film is 0.0833333; the table holds 0.3 to 0.5. \
-                      Change the film Poisson ratio or the substrate Poisson ratio.";
-    let cases = [
-        ("film_modulus=1e6&sphere_modulus=rigid", ""),
-        ("film_modulus=1e6&substrate_modulus=∞", ""),
-        (
-            "sphere_modulus=-inf",
-            "The sphere reduced modulus must be a number above 0, or “rigid”.",
-        ),
-        (
-            "film_modulus=rigid",
-            "The film modulus must be a number above 0.",
-        ),
-        (
-            "film_poisson_ratio=0.6",
-            "The film Poisson ratio must be a number from 0 to 0.5.",
-        ),
-        (
-            "film_modulus=4e12&film_poisson_ratio=0.45",
-            "E₁*/E∞* is 2507860; the table holds 0 to 1000000. \
-             Change the film modulus or the substrate modulus or the sphere reduced modulus.",
-        ),
-        (&format!("{stiff}0.5"), equivalent),
-        (&format!("{stiff}0.3"), ""),
-    ];
-    assert_messages(GAMMA_ALONE, &cases);
+    let cases = "
+        film_modulus=1e6&sphere_modulus=rigid | -
+        film_modulus=1e6&substrate_modulus=∞ | -
+        sphere_modulus=-inf | The sphere reduced modulus must be a number above 0, or “rigid”.
+        film_modulus=rigid | The film modulus must be a number above 0.
+        film_poisson_ratio=0.6 | The film Poisson ratio must be a number from 0 to 0.5.
+        film_modulus=4e12&film_poisson_ratio=0.45 | E₁*/E∞* is 2507860; the table holds 0 to 1000000. Change the film modulus or the substrate modulus or the sphere reduced modulus.
+        film_modulus=1e8&substrate_modulus=1e7&sphere_modulus=inf&substrate_poisson_ratio=0.5 | ν₁ of the equivalent film is 0.0833333; the table holds 0.3 to 0.5. Change the film Poisson ratio or the substrate Poisson ratio.
+        film_modulus=1e8&substrate_modulus=1e7&sphere_modulus=inf&substrate_poisson_ratio=0.3 | -
+    ";
+    assert_messages(GAMMA_ALONE, cases);
 }
 
 #[test]

@@ -2,15 +2,14 @@
 
 use std::collections::HashMap;
 
-use acceptance::{Data, Workdir, ends};
-use contact::Error;
-use contact::{Contact, Control};
-use interp::{Parameter, Quantity, Table};
+use acceptance::{Data, ends, workdir};
+use contact::{Contact, Control, Error};
+use interp::{Parameter, Probe, Quantity, Table};
 use serde_json::Value;
 use tabulate::report::report;
 
 use crate::browser::browse;
-use crate::setting::Setting;
+use crate::setting::settings;
 use crate::{DIFFERENCE, PICTURE, SPHERE};
 
 pub fn number(value: &Value) -> f64 {
@@ -18,6 +17,12 @@ pub fn number(value: &Value) -> f64 {
         .as_str()
         .and_then(|text| text.parse().ok())
         .unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+/// Returns what a report, which opens with a `probe`, shows at an address; none without Chromium.
+pub fn look_at(table: &Table, probe: &Probe, address: &str) -> Option<Value> {
+    let page = report(table, &[], probe).expect("a report");
+    Some(browse(&page, &[address.to_owned()])?["looks"][0].clone())
 }
 
 /// Asserts that the `load` of a page at radius `a` agrees with the library. The difference is
@@ -53,13 +58,11 @@ fn assert_punch(contact: &Contact, csv: &Data, printed: &Data, what: &str) {
 }
 
 /// Asserts that the page of a table agrees with `tabulate curve` and with `interp` at each of the
-/// settings. Returns the content of the page; none without Chromium.
-pub fn assert_shows(
-    workdir: &Workdir,
-    name: &str,
-    table: &Table,
-    settings: &[Setting],
-) -> Option<Value> {
+/// settings, which are lines, and has the sliders. Returns the content of the page; none without
+/// Chromium.
+pub fn assert_shows(table: &Table, lines: &'static str, names: &str) -> Option<Value> {
+    let (workdir, settings) = (workdir!(), settings(lines));
+    workdir.write("table.bin", table.to_packed().expect("packed"));
     let page = report(table, &[], &SPHERE).expect("a report");
     let addresses: Vec<String> = settings
         .iter()
@@ -77,7 +80,7 @@ pub fn assert_shows(
         // The command in the page prints the curve of the page's CSV file.
         let command = look["command"].as_str().expect("a command");
         let words = command.split(' ').skip(1);
-        let words = words.map(|word| if word == "TABLE" { name } else { word });
+        let words = words.map(|word| if word == "TABLE" { "table.bin" } else { word });
         let arguments = words.collect::<Vec<_>>().join(" ");
         let csv = Data::parse("the page's", look["csv"].as_str().expect("CSV"));
         assert_eq!(
@@ -187,7 +190,11 @@ pub fn assert_shows(
     } else {
         2
     };
-    for slider in seen["sliders"].as_array().expect("sliders") {
+    let sliders = seen["sliders"].as_array().expect("sliders");
+    let ids = sliders.iter().map(|slider| slider["id"].as_str());
+    let ids: Option<Vec<&str>> = ids.collect();
+    assert_eq!(ids.expect("names").join(" "), names);
+    for slider in sliders {
         let moved: Vec<bool> = slider["moved"]
             .as_array()
             .expect("flags")
@@ -228,14 +235,4 @@ pub fn assert_shows(
         pairs(&last)
     );
     Some(seen)
-}
-
-/// Returns the names of the sliders of the present probe.
-pub fn sliders(seen: &Value) -> Vec<&str> {
-    seen["sliders"]
-        .as_array()
-        .expect("sliders")
-        .iter()
-        .map(|slider| slider["id"].as_str().expect("a name"))
-        .collect()
 }

@@ -4,7 +4,8 @@ use acceptance::{assert_names, table};
 use interp::{Probe, Table};
 use tabulate::report::report;
 
-use crate::browser::{browse, crowded};
+use crate::browser::crowded;
+use crate::shown::look_at;
 use crate::{FOUR_AXES, SPHERE, embedded_universal};
 
 #[test]
@@ -41,14 +42,12 @@ fn no_text_of_a_chart_meets_another_on_any_page() {
 /// The table ends at this film's a/t before the sphere is as wide as at zero load.
 #[test]
 fn the_numbers_of_the_command_are_without_rounding_errors() {
-    let page = report(&table(FOUR_AXES), &[], &SPHERE).expect("a report");
-    let address = "film_thickness=5e-7".to_owned();
-    let Some(seen) = browse(&page, &[address]) else {
+    let Some(look) = look_at(&table(FOUR_AXES), &SPHERE, "film_thickness=5e-7") else {
         return;
     };
     // As numbers, 1e2 * 5e-7 is another number.
     assert_ne!(1e2 * 5e-7, 5e-5);
-    let command = seen["looks"][0]["command"].as_str().expect("a command");
+    let command = look["command"].as_str().expect("a command");
     assert_names(command, &["--film-thickness 5e-7 ", "--to 0.00005 "]);
     for word in command.split(' ') {
         let digits = word.chars().filter(char::is_ascii_digit).count();
@@ -71,24 +70,20 @@ fn a_page_opens_on_a_system_whose_curve_reaches_zero_load() {
         (all, 1e-3),
     ] {
         let probe = Probe::Paraboloid { radius };
-        let page = report(&table, &[], &probe).expect("a report");
-        let Some(seen) = browse(&page, &[String::new()]) else {
+        let Some(look) = look_at(&table, &probe, "") else {
             return;
         };
-        let look = &seen["looks"][0];
-        let rest = &look["states"]["zero-load"];
-        assert_eq!(rest["load"], "0", "{look}");
+        assert_eq!(look["states"]["zero-load"]["load"], "0", "{look}");
     }
 }
 
 #[test]
 fn a_rigid_body_is_nothing_that_the_command_must_allow() {
     let table = Table::read(embedded_universal()).expect("the embedded table");
-    let page = report(&table, &[], &SPHERE).expect("a report");
-    let Some(seen) = browse(&page, &["sphere_modulus=inf".to_owned()]) else {
+    let Some(look) = look_at(&table, &SPHERE, "sphere_modulus=inf") else {
         return;
     };
-    let command = seen["looks"][0]["command"].as_str().expect("a command");
+    let command = look["command"].as_str().expect("a command");
     assert_names(command, &["--sphere-modulus inf"]);
     assert!(!command.contains("--allow"), "{command}");
 }
