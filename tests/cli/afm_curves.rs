@@ -4,12 +4,11 @@
 //! No radius of a sphere and no sample is known, so that the moduli mean nothing: the curves test
 //! that files are read, and that each is fitted or refused with a reason.
 
-use std::collections::BTreeMap;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use acceptance::{Workdir, workdir};
+use acceptance::{Case, Data, Workdir, workdir};
 use fit::data::{Format, read};
 use serde_json::Value;
 
@@ -42,17 +41,16 @@ impl Row {
         )
     }
 
-    fn parse(line: &str) -> Self {
-        let cells: Vec<&str> = line.splitn(5, ',').collect();
-        let [curve, outcome, modulus, work, text] = cells[..] else {
-            panic!("{line:?} has five columns");
-        };
-        let values = modulus.parse().ok().zip(work.parse().ok());
+    fn recorded(case: &Case<'_>) -> Self {
+        let value = |name: &str| case.text(name).parse().ok();
+        let values = value("film_modulus").zip(value("work_of_adhesion"));
+        let [curve, outcome, text] =
+            ["curve", "outcome", "text"].map(|name| case.text(name).into());
         Self {
-            curve: curve.into(),
-            outcome: outcome.into(),
+            curve,
+            outcome,
             values: values.map(|(modulus, work)| [modulus, work]),
-            text: text.into(),
+            text,
         }
     }
 
@@ -193,17 +191,11 @@ fn every_curve_is_fitted_or_refused_with_a_reason() {
     for row in &rows {
         println!("{}", row.csv());
     }
-    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let recorded = std::fs::read_to_string(tests.join("data/afm_curves.csv")).expect("text");
-    let mut lines = recorded.lines().filter(|line| !line.starts_with('#'));
-    assert_eq!(lines.next(), Some(HEADER));
-    let recorded: BTreeMap<String, Row> = lines
-        .map(Row::parse)
-        .map(|row| (row.curve.clone(), row))
-        .collect();
+    let recorded = Data::read("afm_curves");
+    assert_eq!(recorded.columns().join(","), HEADER);
+    let recorded: Vec<Row> = recorded.cases().map(|case| Row::recorded(&case)).collect();
     assert_eq!(rows.len(), recorded.len(), "the number of curves");
-    for row in rows {
-        let before = &recorded[&row.curve];
+    for (row, before) in rows.iter().zip(&recorded) {
         assert!(row.agrees(before), "{row:?} was {before:?}");
     }
 }

@@ -4,8 +4,8 @@ use std::io::pipe;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use acceptance::{arguments, assert_names, shipped, workdir};
-use interp::{Quantity, Table};
+use acceptance::{arguments, assert_names, forged, shipped, workdir};
+use interp::Table;
 
 /// Runs the program in a folder. The readers of standard output and, if `both`, of standard error
 /// are closed before it starts.
@@ -65,12 +65,7 @@ fn a_closed_reader_is_no_failure_of_any_command() {
 fn work_that_fails_ends_with_1_whoever_reads() {
     let workdir = workdir!();
     let sound = Table::read(shipped("paper.bin")).expect("a sound table");
-    let values = Quantity::ALL.map(|quantity| {
-        let values = sound.values(quantity)?;
-        Some(values.iter().map(|value| 1.001 * value).collect())
-    });
-    let wrong =
-        Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
+    let wrong = forged(&sound, |_, _, value| 1.001 * value, |_| ()).expect("sound values");
     workdir.write("wrong.bin", wrong.to_packed().expect("small"));
     for (args, status) in [
         ("check wrong.bin --points 20", 1),

@@ -1,7 +1,6 @@
 //! Imagined experiments. Their data are made by direct solves, along contact radii: neither the
 //! table nor a search for equilibria takes part.
 
-use std::f64::consts::PI;
 use std::path::Path;
 use std::slice;
 
@@ -270,14 +269,13 @@ impl Imagined {
         }
     }
 
-    /// Returns load and penetration as functions of contact radius and work of adhesion.
-    fn contact(&self) -> Box<dyn Fn(f64, f64) -> (f64, f64)> {
-        match self.truth.bodies.clone() {
+    /// Returns the contact of the bodies, by direct solves or in closed form.
+    fn contact(&self) -> Contact {
+        match &self.truth.bodies {
             Bodies::Coated(system) => {
                 let [from, to] = self.radii.map(|radius| radius / system.film_thickness);
                 // The integrals of a cone reach beyond the contact.
-                let contact = solved_contact(&system, [0.3 * from, 1.5 * to], 1e-9);
-                Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
+                solved_contact(system, [0.3 * from, 1.5 * to], 1e-9)
             }
             Bodies::Layered(layered) => {
                 let stack = layered.stack().expect("physical");
@@ -285,26 +283,10 @@ impl Imagined {
                 let modulus = layered.sphere_modulus;
                 let curve = solve::stack_curve(&stack, modulus, [0.3 * from, 1.1 * to], 1e-10);
                 let radius = layered.probe.radius().expect("a paraboloid");
-                let contact =
-                    Contact::new(&stack.system(radius, modulus), curve.expect("within reach"))
-                        .expect("its own curve");
-                Box::new(move |a, w| contact.load_and_penetration(a, w).expect("in range"))
+                let system = stack.system(radius, modulus);
+                Contact::new(&system, curve.expect("within reach")).expect("its own curve")
             }
-            // The equations of Johnson, Kendall and Roberts (1971).
-            Bodies::HalfSpace(HalfSpace {
-                probe,
-                sphere_modulus,
-                solid,
-            }) => {
-                let sphere_radius = probe.radius().expect("a paraboloid");
-                let modulus = 1.0 / (1.0 / sphere_modulus + 1.0 / solid.reduced());
-                Box::new(move |a, w| {
-                    let load = 4.0 * modulus * a.powi(3) / (3.0 * sphere_radius)
-                        - (8.0 * PI * w * modulus * a.powi(3)).sqrt();
-                    let penetration = a * a / sphere_radius - (2.0 * PI * w * a / modulus).sqrt();
-                    (load, penetration)
-                })
-            }
+            Bodies::HalfSpace(half_space) => Contact::half_space(half_space).expect("physical"),
         }
     }
 
@@ -313,6 +295,7 @@ impl Imagined {
         let truth = &self.truth;
         let kind = truth.measurement.kind;
         let contact = self.contact();
+        let contact = |a, w| contact.load_and_penetration(a, w).expect("in range");
         let advancing = truth.work_of_adhesion;
         let receding = truth.work_of_adhesion_receding.unwrap_or(advancing);
         let stiffness = truth.stiffness.unwrap_or(f64::INFINITY);

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::solid;
+use acceptance::{solid, solved_contact};
+use contact::{Contact, Control};
 use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point, WarningKind};
 use interp::{HalfSpace, Probe, Profile, System};
-use solve::{PowerLaw, solve_power_laws};
 
 use crate::imagined::{Imagined, fitted, measurement};
 use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
@@ -23,81 +23,6 @@ const FARTHEST: f64 = 4.0;
 /// Load (N) and penetration (m).
 type State = [f64; 2];
 
-/// The quantities at one contact radius `a`, by a direct solve, and the shape `c r^n` there.
-struct Solved {
-    a: f64,
-    /// `E2*`, Pa.
-    unit: f64,
-    es: f64,
-    eeq: f64,
-    gamma: f64,
-    paraboloid: PowerLaw,
-    powers: Vec<PowerLaw>,
-}
-
-impl Solved {
-    fn new(system: &System, a: f64, exponents: &[f64]) -> Self {
-        let material = system.material().expect("physical");
-        let x = a / system.film_thickness;
-        let (solution, powers) =
-            solve_power_laws(x, &material, exponents, 1e-9).expect("a moderate contact");
-        let quantities = solution.quantities;
-        Self {
-            a,
-            unit: system.sphere_modulus,
-            es: material.sphere_film_modulus(),
-            eeq: quantities.eeq,
-            gamma: quantities.gamma,
-            paraboloid: PowerLaw {
-                exponent: 2.0,
-                pi: quantities.pi0,
-                delta: quantities.delta0,
-            },
-            powers,
-        }
-    }
-
-    /// Load and penetration without adhesion if `b` of the shape is `b` at the contact's edge.
-    fn pressed(&self, law: PowerLaw, b: f64) -> State {
-        [0.5 * b * self.a * self.unit * law.pi, b * law.delta]
-    }
-
-    /// Adds adhesion, eqs. 5 to 8.
-    fn adhering(&self, [load, penetration]: State) -> State {
-        let edge = (0.5 * PI * self.a * ADHESION * self.es * self.unit).sqrt();
-        let pulled = 2.0 * edge / (self.unit * self.gamma);
-        [
-            load - 2.0 * self.a * self.unit * self.eeq * pulled,
-            penetration - pulled,
-        ]
-    }
-}
-
-/// `b` of the sphere is the sum of `a^2k/((2k-1) R^(2k-1))`; the last term stands for the others.
-fn sphere(system: &System, radius: f64, a: f64) -> State {
-    let exponents: Vec<f64> = (2..=8).map(|k| f64::from(2 * k)).collect();
-    let solved = Solved::new(system, a, &exponents);
-    let ratio = a / radius;
-    let mut rest = a * ratio.atanh();
-    let mut sum = [0.0; 2];
-    let laws = [solved.paraboloid].into_iter().chain(solved.powers.clone());
-    for law in laws {
-        let n = law.exponent;
-        let own = a * ratio.powf(n - 1.0) / (n - 1.0);
-        let b = if n == 16.0 { rest } else { own };
-        rest -= own;
-        let [load, penetration] = solved.pressed(law, b);
-        sum = [sum[0] + load, sum[1] + penetration];
-    }
-    solved.adhering(sum)
-}
-
-fn cone(system: &System, half_angle: f64, a: f64) -> State {
-    let solved = Solved::new(system, a, &[1.0]);
-    let b = 0.5 * PI * a / half_angle.tan();
-    solved.adhering(solved.pressed(solved.powers[0], b))
-}
-
 /// Makes a measurement of exact states.
 fn measured(states: impl Iterator<Item = State>) -> Measurement {
     let point = |(i, [load, penetration]): (u64, State)| Point {
@@ -108,6 +33,12 @@ fn measured(states: impl Iterator<Item = State>) -> Measurement {
     };
     let points = (1..).zip(states).map(point);
     measurement(Kind::LoadPenetration, points.collect())
+}
+
+/// Makes a measurement of the exact states of a contact at the radii of a range, from the largest on.
+fn at_radii(contact: &Contact, [from, to]: [f64; 2]) -> Measurement {
+    let state = |a| contact.load_and_penetration(a, ADHESION).expect("in range");
+    measured(parts().map(|part| state(from + (to - from) * part).into()))
 }
 
 /// The system of the paper with a film of 10 um, under another probe.
@@ -177,7 +108,7 @@ fn a_sphere_on_a_film_whose_contact_is_not_small() {
     let radius = 2e-5;
     let system = on_film(Probe::Sphere { radius });
     // a/R from 0.2 to 0.5.
-    let exact = measured(parts().map(|part| sphere(&system, radius, 4e-6 + 6e-6 * part)));
+    let exact = at_radii(&solved_contact(&system, [0.02, 1.5], 1e-9), [4e-6, 10e-6]);
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
     let wrong = Probe::Paraboloid { radius };
     let off = recover("sphere", Bodies::Coated(system), &exact, &free, 1..9, wrong);
@@ -188,7 +119,7 @@ fn a_sphere_on_a_film_whose_contact_is_not_small() {
 fn a_cone_on_a_film() {
     let half_angle = 1.2;
     let system = on_film(Probe::Cone { half_angle });
-    let exact = measured(parts().map(|part| cone(&system, half_angle, 1e-6 + 9e-6 * part)));
+    let exact = at_radii(&solved_contact(&system, [0.03, 1.5], 1e-9), [1e-6, 10e-6]);
     let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
     let wrong = Probe::Cone {
         half_angle: half_angle + 0.02,
@@ -201,12 +132,14 @@ fn a_cone_on_a_film() {
 fn a_flat_punch_on_a_film() {
     let radius = 1e-5;
     let system = on_film(Probe::FlatPunch { radius });
-    let solved = Solved::new(&system, radius, &[]);
+    let contact = solved_contact(&system, [0.5, 2.0], 1e-9);
     // From a penetration of 1 um to the separation.
-    let [load, apart] = solved.adhering([0.0; 2]);
+    let stiffness = contact.stiffness(radius).expect("in range");
+    let apart = contact.pull_off(ADHESION, Control::Load);
+    let apart = apart.expect("in range").penetration;
     let exact = measured(parts().map(|part| {
         let penetration = part * 1e-6 + (1.0 - part) * 0.99 * apart;
-        [load / apart * penetration, penetration]
+        [stiffness * penetration, penetration]
     }));
     let wrong = Probe::FlatPunch {
         radius: 0.95 * radius,

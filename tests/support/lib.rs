@@ -30,7 +30,7 @@ pub use material::{
 pub use printed::{assert_estimate, estimate, json, kinds, number, value};
 pub use refusals::{Refused, Words, assert_cases, assert_names, rows};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
-pub use tables::{BOX, RIGID_SPHERE, ends, low_rank, shipped, table, write_hdf5};
+pub use tables::{BOX, RIGID_SPHERE, ends, forged, low_rank, shipped, table, write_hdf5};
 pub use workdir::{Run, Workdir, arguments, nothing_starts, start};
 
 /// Returns `count + 1` numbers from `from` to `to`, evenly spaced in the logarithm.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 
-use interp::{Parameter, Table};
+use interp::{Description, Error, Parameter, Quantity, Table};
 use tabulate::table::{Plan, Scene, certify, sweep, write};
 
 use crate::nothing_starts;
@@ -51,6 +51,25 @@ fn make(scene: &str) -> Table {
         certify(&table, 400, 1, &|_| {}).expect("the tests' scenes are within reach"),
     );
     table
+}
+
+/// Returns a table of other values, which `value` makes of the quantity, the index and the value, and
+/// of another description.
+///
+/// # Errors
+/// As [`Table::new`].
+pub fn forged(
+    sound: &Table,
+    value: impl Fn(Quantity, usize, f64) -> f64,
+    change: impl FnOnce(&mut Description),
+) -> Result<Table, Error> {
+    let values = Quantity::ALL.map(|quantity| {
+        let held = sound.values(quantity)?.iter().enumerate();
+        Some(held.map(|(i, &held)| value(quantity, i, held)).collect())
+    });
+    let mut description = sound.description().clone();
+    change(&mut description);
+    Table::new(description, sound.axes(), values)
 }
 
 /// Writes a table as HDF5. No program starts meanwhile: it would keep the file locked until it ends.

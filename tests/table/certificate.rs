@@ -1,6 +1,6 @@
 //! The certificate of a table, the largest error at sampled points: its points and its numbers.
 
-use acceptance::{larger, table};
+use acceptance::{forged, larger, table};
 use interp::{Parameter, Quantity, Table};
 use tabulate::table::{Sample, certificate, measure, sample};
 
@@ -131,17 +131,14 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
 fn the_identities_are_broken_by_as_much_as_the_values_are() {
     let sound = table(TWO_AXES);
     let scaled = |scaled: Quantity| {
-        let factor = |quantity| if quantity == scaled { 1.01 } else { 1.0 };
-        let values = Quantity::ALL.map(|q| {
-            Some(
-                sound
-                    .values(q)?
-                    .iter()
-                    .map(|value| factor(q) * value)
-                    .collect(),
-            )
-        });
-        Table::new(sound.description().clone(), sound.axes(), values).expect("sound values")
+        let value = |quantity, _, value| {
+            if quantity == scaled {
+                1.01 * value
+            } else {
+                value
+            }
+        };
+        forged(&sound, value, |_| ()).expect("sound values")
     };
     let broken = |table: &Table| {
         certificate(&measured(table, 200, 4), 4)

@@ -2,10 +2,10 @@
 //! form of the file, and lookups of films are refused.
 
 use acceptance::{
-    Refused, Workdir, assert_cases, assert_names, estimate, larger, layer, material,
+    Refused, Workdir, assert_cases, assert_names, estimate, forged, larger, layer, material,
     relative_error, solid, stack, table, with_interfaces, workdir,
 };
-use interp::{Error, Parameter, Quantity, Table};
+use interp::{Description, Error, Parameter, Quantity, Table};
 use solve::stack::{Interface, Stack};
 use solve::{solve_stack, stack_curve};
 use tabulate::table::{Scene, StackTable, certify};
@@ -212,10 +212,8 @@ fn a_scene_that_is_not_that_of_the_axes_is_refused() {
         (STACK, "nu1 = 0.5\ne0_over_e2 = 1", "no [stack]"),
         ("title", "name", "name"),
     ] {
-        let mut description = dense.description().clone();
-        description.scene = description.scene.replace(from, to);
-        let values = Quantity::ALL.map(|quantity| dense.values(quantity).map(<[f64]>::to_vec));
-        let forged = Table::new(description, dense.axes(), values).expect("sound axes");
+        let change = |sound: &mut Description| sound.scene = sound.scene.replace(from, to);
+        let forged = forged(&dense, |_, _, value| value, change).expect("sound axes");
         let message = StackTable::new(&forged).expect_err("refused").to_string();
         assert_names(&message, &["malformed", part]);
     }
@@ -246,13 +244,8 @@ fn axes_of_several_stacks_are_refused() {
 fn the_certificate_finds_wrong_values_and_other_layers() {
     let dense = table(&scene());
     let certified = |factor: f64, primer: &str| {
-        let mut description = dense.description().clone();
-        description.scene = description.scene.replace("5e5", primer);
-        let values = Quantity::ALL.map(|quantity| {
-            let values = dense.values(quantity)?;
-            Some(values.iter().map(|value| factor * value).collect())
-        });
-        let forged = Table::new(description, dense.axes(), values).expect("sound axes");
+        let change = |sound: &mut Description| sound.scene = sound.scene.replace("5e5", primer);
+        let forged = forged(&dense, |_, _, value| factor * value, change).expect("sound axes");
         certify(&forged, 200, 3, &|_| {})
             .expect("in reach")
             .max_error

@@ -6,10 +6,10 @@ use std::thread;
 use std::time::{Duration, SystemTime};
 
 use acceptance::{
-    Contacts, TRUTH, all_bits, error_at, larger, material, shipped, solved, table, workdir,
-    write_hdf5,
+    Contacts, Refused, TRUTH, all_bits, error_at, forged, larger, material, shipped, solved, table,
+    workdir, write_hdf5,
 };
-use interp::{Error, Parameter, Quantities, Quantity, Table};
+use interp::{Description, Error, Parameter, Quantities, Quantity, Table};
 use tabulate::table::certify;
 use tabulate::table::solve_tolerance;
 
@@ -305,15 +305,14 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
         (0.03, usize::MAX, Some("its median error is")),
         (2.0, 1, Some("its error is")),
     ] {
-        let values = Quantity::ALL.map(|q| {
-            let mut values = sound.values(q)?.to_vec();
-            for value in values.iter_mut().take(count) {
-                *value *= 1.0 + off * tolerance;
+        let value = |_, i, value| {
+            if i < count {
+                value * (1.0 + off * tolerance)
+            } else {
+                value
             }
-            Some(values)
-        });
-        let table =
-            Table::new(sound.description().clone(), sound.axes(), values).expect("sound values");
+        };
+        let table = forged(&sound, value, |_| ()).expect("sound values");
         write_hdf5(&table, &workdir.path("table.h5"));
         std::fs::write(workdir.path("table.bin"), table.to_packed().expect("small"))
             .expect("written");
@@ -334,48 +333,37 @@ fn check_notices_a_table_that_is_not_as_accurate_as_it_says() {
 }
 
 #[test]
-fn a_certificate_whose_errors_are_out_of_order_is_malformed() {
-    let sound = &*FOUR_AXES;
-    let certificate = sound.description().certificate;
-    let (most, few) = (2.0 * certificate.max_error, 2.0 * certificate.p999_error);
-    for (p999_error, median_error) in [
-        (most, certificate.median_error),
-        (certificate.p999_error, few),
-    ] {
-        let values = Quantity::ALL.map(|quantity| sound.values(quantity).map(<[f64]>::to_vec));
-        let description = interp::Description {
-            certificate: interp::Certificate {
-                p999_error,
-                median_error,
-                ..certificate
-            },
-            ..sound.description().clone()
-        };
-        let found = Table::new(description, sound.axes(), values);
-        assert!(
-            matches!(found, Err(Error::Malformed(_))),
-            "{p999_error} {median_error}"
+fn a_tolerance_or_a_certificate_without_sense_is_malformed() {
+    let refused = |change: fn(&mut Description, f64), number: f64, words: &str| {
+        let forged = forged(
+            &FOUR_AXES,
+            |_, _, value| value,
+            |sound| change(sound, number),
+        );
+        assert!(matches!(forged, Err(Error::Malformed(_))), "{forged:?}");
+        forged.refused(words);
+    };
+    for tolerance in [0.0, -1e-6, 1.5, f64::NAN, f64::INFINITY] {
+        let words = format!("its tolerance is {tolerance:?}");
+        refused(
+            |sound, tolerance| sound.tolerance = tolerance,
+            tolerance,
+            &words,
         );
     }
-}
-
-#[test]
-fn a_table_without_a_sensible_tolerance_is_malformed() {
-    let sound = &*FOUR_AXES;
-    for tolerance in [0.0, -1e-6, 1.5, f64::NAN, f64::INFINITY] {
-        let values = Quantity::ALL.map(|quantity| sound.values(quantity).map(<[f64]>::to_vec));
-        let description = interp::Description {
-            tolerance,
-            ..sound.description().clone()
-        };
-        match Table::new(description, sound.axes(), values) {
-            Err(Error::Malformed(what)) => assert!(
-                what.contains(&format!("tolerance is {tolerance:?}")),
-                "{what}"
-            ),
-            other => panic!("{tolerance}: {other:?}"),
-        }
-    }
+    let certificate = FOUR_AXES.description().certificate;
+    let [most, few] = [certificate.max_error, certificate.p999_error].map(|error| 2.0 * error);
+    let words = "its certificate has; median_error <= p999_error <= max_error";
+    refused(
+        |sound, most| sound.certificate.p999_error = most,
+        most,
+        words,
+    );
+    refused(
+        |sound, few| sound.certificate.median_error = few,
+        few,
+        words,
+    );
 }
 
 #[test]

@@ -23,7 +23,7 @@ pub mod work_precision;
 #[cfg(test)]
 mod tests {
     use std::fs;
-    use std::path::Path;
+    use std::path::{Path, PathBuf};
 
     use super::{
         effects, fig2, fig3, fig4, force_displacement, friction, interface, lookup_cost, pull_off,
@@ -32,6 +32,7 @@ mod tests {
     use crate::hostile::each_damaged;
     use crate::measure::{read_csv, rows};
     use cost::Measurement;
+    use csv::{ReaderBuilder, StringRecord};
     use figures::Error;
     use figures::chart::Figure;
     use figures::picture::Format;
@@ -40,14 +41,56 @@ mod tests {
     use rand_pcg::Pcg64;
     use solve::stack::Interface;
 
+    /// Replaces each number in a row of shipped measurements by numbers that no measurement gives. The
+    /// summary and the figure show it, or it is named.
+    fn assert_shown_or_named<R: Measurement>(
+        name: &str,
+        figure: fn(&[R]) -> Result<Figure, Error>,
+        summary: fn(&[R]) -> String,
+    ) {
+        let sound = fs::read(path(name)).expect("shipped");
+        let sound: Vec<StringRecord> = ReaderBuilder::new()
+            .has_headers(false)
+            .from_reader(&*sound)
+            .records()
+            .collect::<Result<_, _>>()
+            .expect("sound");
+        let mut refused = 0;
+        for (column, name) in sound[0].iter().enumerate() {
+            for value in ["0", "inf", "-1", "1e300", "NaN"] {
+                let mut writer = csv::Writer::from_writer(Vec::new());
+                for (i, record) in sound.iter().enumerate() {
+                    let field = |(k, field)| if (i, k) == (2, column) { value } else { field };
+                    let fields = record.iter().enumerate().map(field);
+                    writer.write_record(fields).expect("in memory");
+                }
+                let bytes = writer.into_inner().expect("in memory");
+                let (message, words) = match rows::<R>(&*bytes, R::RANGES) {
+                    Err(error) => (error.to_string(), &["line 3"][..]),
+                    Ok(rows) => {
+                        summary(&rows);
+                        let Err(error) = figure(&rows).and_then(|figure| figure.picture()) else {
+                            continue;
+                        };
+                        (
+                            error.to_string(),
+                            &["there is no row", "each row must save"][..],
+                        )
+                    }
+                };
+                refused += 1;
+                let is_named = words.iter().any(|words| message.contains(words));
+                assert!(is_named, "{name} = {value}: {message}");
+            }
+        }
+        assert!(refused > 25, "{name}: {refused}");
+    }
+
     /// Damages shipped measurements, reads them, and draws every 50th of those that are accepted.
     fn damage<R: Measurement>(name: &str, figure: fn(&[R]) -> Result<Figure, Error>) {
         const WORDS: &str = ",|\"|\n|0|-|inf|-inf|nan|1e300|1e-300|e29|e-11|18446744073709551615|\
              999999999999999|\u{1b}[2J|é";
-        let shipped = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("../../tables/figures")
-            .join(name);
-        let sound = fs::read(shipped).expect("shipped");
+        let sound = fs::read(path(name)).expect("shipped");
         let (mut refused, mut accepted, mut drawn) = (0, 0, 0);
         each_damaged(&sound, WORDS, 5, |_, bytes| {
             let Ok(rows) = rows::<R>(bytes, R::RANGES) else {
@@ -70,10 +113,15 @@ mod tests {
         assert!(colliding.is_empty(), "{name}: {colliding:?}");
     }
 
+    /// Returns the path of shipped measurements.
+    fn path(name: &str) -> PathBuf {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/figures");
+        folder.join(name)
+    }
+
     /// Reads shipped measurements.
     fn shipped<R: Measurement>(name: &str) -> Vec<R> {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/figures");
-        read_csv(&folder.join(name)).expect("shipped")
+        read_csv(&path(name)).expect("shipped")
     }
 
     #[test]
@@ -155,5 +203,14 @@ mod tests {
         damage("effects.csv", effects::figure);
         damage("lookup.csv", lookup_cost::figure);
         damage("solve.csv", work_precision::figure);
+    }
+
+    #[test]
+    fn a_measurement_that_cannot_be_shown_is_named() {
+        let table = |rows: &[cost::table::Row]| Ok(table_cost::figure(rows));
+        assert_shown_or_named("table.csv", table, cost::table::markdown);
+        assert_shown_or_named("effects.csv", effects::figure, cost::effects::markdown);
+        assert_shown_or_named("lookup.csv", lookup_cost::figure, cost::lookup::markdown);
+        assert_shown_or_named("solve.csv", work_precision::figure, cost::solve::markdown);
     }
 }
