@@ -61,12 +61,19 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
     let steps = steps.into_iter().filter(|(kind, _)| applies(*kind));
     let mut steps: Vec<&str> = steps.map(|(_, step)| step).collect();
     steps.extend(may_relax.then_some(laws));
-    let found = Parameter::names(fit.estimates.iter().map(|one| one.parameter));
+    // Each once, though each file may have its own.
+    let mut found: Vec<Parameter> = Vec::new();
+    for one in &fit.estimates {
+        if !found.contains(&one.parameter) {
+            found.push(one.parameter);
+        }
+    }
     let wanted = format!(
-        "what the data want: its name in the list, --free {},NAME",
-        found.replace(", ", ",")
+        "a zero that the data want: its name as the last of the list, --free {},NAME",
+        Parameter::names(found).replace(", ", ",")
     );
-    steps.extend(applies(WarningKind::OffsetWanted).then_some(&*wanted));
+    let wants = applies(WarningKind::OffsetWanted) || applies(WarningKind::OffsetHinted);
+    steps.extend(wants.then_some(&*wanted));
     let is_exact = |one: &Experiment| {
         !matches!(one.bodies, Bodies::Layered(_))
             && matches!(one.bodies.probe(), Probe::Paraboloid { .. })
