@@ -42,11 +42,13 @@ mod tests {
     use solve::stack::Interface;
 
     /// Replaces each number in a row of shipped measurements by numbers that no measurement gives. The
-    /// summary and the figure show it, or it is named.
+    /// summary and the figure show it, or it is named. Those in `outside` are refused by the range of
+    /// their column.
     fn assert_shown_or_named<R: Measurement>(
         name: &str,
         figure: fn(&[R]) -> Result<Figure, Error>,
         summary: fn(&[R]) -> String,
+        outside: &[&str],
     ) {
         let sound = fs::read(path(name)).expect("shipped");
         let sound: Vec<StringRecord> = ReaderBuilder::new()
@@ -55,7 +57,7 @@ mod tests {
             .records()
             .collect::<Result<_, _>>()
             .expect("sound");
-        let mut refused = 0;
+        let mut refused = Vec::new();
         for (column, name) in sound[0].iter().enumerate() {
             for value in ["0", "inf", "-1", "1e300", "NaN"] {
                 let mut writer = csv::Writer::from_writer(Vec::new());
@@ -78,12 +80,17 @@ mod tests {
                         )
                     }
                 };
-                refused += 1;
                 let is_named = words.iter().any(|words| message.contains(words));
                 assert!(is_named, "{name} = {value}: {message}");
+                refused.push(message);
             }
         }
-        assert!(refused > 25, "{name}: {refused}");
+        assert!(refused.len() > 25, "{name}: {refused:?}");
+        for number in outside {
+            let words = format!("line 3: {number} is outside");
+            let is_refused = refused.iter().any(|message| message.contains(&words));
+            assert!(is_refused, "{words}: {refused:?}");
+        }
     }
 
     /// Damages shipped measurements, reads them, and draws every 50th of those that are accepted.
@@ -208,9 +215,18 @@ mod tests {
     #[test]
     fn a_measurement_that_cannot_be_shown_is_named() {
         let table = |rows: &[cost::table::Row]| Ok(table_cost::figure(rows));
-        assert_shown_or_named("table.csv", table, cost::table::markdown);
-        assert_shown_or_named("effects.csv", effects::figure, cost::effects::markdown);
-        assert_shown_or_named("lookup.csv", lookup_cost::figure, cost::lookup::markdown);
-        assert_shown_or_named("solve.csv", work_precision::figure, cost::solve::markdown);
+        let numbers = &["solve_seconds = 0"];
+        assert_shown_or_named("table.csv", table, cost::table::markdown, numbers);
+        let (figure, markdown) = (effects::figure, cost::effects::markdown);
+        assert_shown_or_named("effects.csv", figure, markdown, &["worst_error = inf"]);
+        let numbers = &["seconds = 0", "seconds = inf", "max_error = 1e300"];
+        assert_shown_or_named(
+            "lookup.csv",
+            lookup_cost::figure,
+            cost::lookup::markdown,
+            numbers,
+        );
+        let (figure, markdown) = (work_precision::figure, cost::solve::markdown);
+        assert_shown_or_named("solve.csv", figure, markdown, &["tolerance = 0"]);
     }
 }
