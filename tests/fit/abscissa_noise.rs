@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, Refused, solid};
 use fit::data::{Format, read_from};
-use fit::{Error, Experiment, Fit, Kind, Loss, Parameter, PointErrors, WarningKind};
+use fit::{Error, Experiment, Fit, Free, Kind, Loss, Parameter, PointErrors, WarningKind};
 use interp::Table;
 
 use crate::imagined::{
@@ -180,6 +180,27 @@ fn slopes_do_not_go_with_the_errors_of_the_radii() {
         let mean = all.iter().map(|pulls| pulls[k]).sum::<f64>() / all.len() as f64;
         println!("{parameter}: {mean:+.2} standard errors off in the mean");
         assert!(mean.abs() < 0.6, "{parameter}: {mean}");
+    }
+}
+
+/// A radius is not moved below 0, whatever its error.
+#[test]
+fn a_small_radius_with_a_large_error_is_no_obstacle() {
+    let lens = lens();
+    for load in [-5e-5, 5e-5] {
+        let mut experiment = lens.measured(&lens.exact(), 3);
+        let mut small = experiment.measurement.points[0];
+        (small.abscissa, small.ordinate) = (5e-6, load);
+        experiment.errors.abscissa = vec![RADIUS_NOISE; experiment.measurement.points.len()];
+        experiment.measurement.points.push(small);
+        experiment.errors.abscissa.push(1e-5);
+        // The start that such a point would give is not what is tested.
+        let free = [
+            Free::new(Parameter::SphereModulus).starting_from(1.2e6),
+            Free::new(Parameter::WorkOfAdhesion).starting_from(0.03),
+        ];
+        let found = fit_with(&experiment, &free, |_| ()).expect("sound");
+        assert!(found.converged, "{:?}", found.warnings);
     }
 }
 

@@ -210,8 +210,8 @@ impl ZoneSize<'_> {
 
     /// Tells whether Tabor's parameter is at least [`ZoneSize::JKR`], the range at most [`ZoneSize::THIN`] of the
     /// thickness, and the tension at most [`ZoneSize::TENSE`]. The pull-off load of JKR under an imposed load then errs by
-    /// up to 0.7 % (Dugdale's law, 1848 random systems); with a range of 0.3 of the thickness by up to 17 %, and with a
-    /// tension above 1 by 5 to 30 %.
+    /// up to 0.7 % (Dugdale's law, random systems; two are in `tests/truth/cohesive_zone.rs`); with a range of 0.3 of the
+    /// thickness by up to 17 %, and with a tension above 1 by 5 to 30 %.
     pub fn is_jkr(&self) -> bool {
         self.tabor >= Self::JKR
             && self.range_over_thickness <= Self::THIN

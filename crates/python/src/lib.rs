@@ -73,6 +73,12 @@ mod _core {
         ::solve::parallel::prepare_for_forks();
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("LONGEST_ZONE", ::contact::CohesiveZone::LONGEST)?;
+        let limits = (
+            ::contact::ZoneSize::JKR,
+            ::contact::ZoneSize::THIN,
+            ::contact::ZoneSize::TENSE,
+        );
+        module.add("JKR_LIMITS", limits)?;
         module.add("writes_hdf5", tabulate::table::WRITES_HDF5)
     }
 }

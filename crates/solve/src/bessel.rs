@@ -241,7 +241,9 @@ mod tests {
                     let cosine: f64 = (0..modes)
                         .map(|n| {
                             values[n * LANES + l]
-                                * legendre(rho).nth(2 * n).expect("they are endless")
+                                * legendre(rho)
+                                    .nth(2 * n)
+                                    .expect("there is one of each degree")
                                 * ((4 * n + 1) as f64).sqrt()
                         })
                         .sum();

@@ -48,7 +48,8 @@ impl GaussLegendre {
             let mut slope = 0.0;
             for _ in 0..6 {
                 let mut last = legendre(x).skip(n - 1);
-                let [previous, value] = [(); 2].map(|()| last.next().expect("they are endless"));
+                let [previous, value] =
+                    [(); 2].map(|()| last.next().expect("there is one of each degree"));
                 slope = n as f64 * (previous - x * value) / (1.0 - x * x);
                 x -= value / slope;
             }

@@ -193,7 +193,7 @@ fn add(
                 )
             } else if range.tension > ZoneSize::TENSE {
                 format!(
-                    "the mean tension at pull-off is {:.2} of that of the attraction, above {}",
+                    "the mean tension at pull-off is {:.2} of the stress of the attraction, above {}",
                     range.tension,
                     ZoneSize::TENSE
                 )

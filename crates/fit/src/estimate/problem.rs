@@ -175,11 +175,11 @@ impl<'a> Problem<'a> {
         }
         let mut moved = experiment.clone();
         for (point, error) in moved.measurement.points.iter_mut().zip(errors) {
-            point.abscissa += error.way;
+            point.abscissa += error.shift;
         }
         let mut predicted = moved.predict_with(&contact_of, branches, order, parameters)?;
         for (value, error) in predicted.values.iter_mut().zip(errors) {
-            *value -= error.slope * error.way;
+            *value -= error.slope * error.shift;
         }
         Ok(predicted)
     }

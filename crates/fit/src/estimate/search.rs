@@ -182,7 +182,7 @@ fn settle_with<'a>(
         for (e, whole) in data.iter().enumerate() {
             let (mut branches, own) = clear_branches(&problem, e, &uncertainty, whole, beyond);
             has_beyond |= own;
-            // Or an end that moves to and fro would go on to do so.
+            // Without this, an end that moves to and fro with the points near it would never settle.
             if beyond == Beyond::Counts && round >= STEADY {
                 for (new, old) in branches.iter_mut().zip(&problem.assigned[e].branches) {
                     if *new == Branch::LeftOut {

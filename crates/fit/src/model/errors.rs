@@ -23,8 +23,8 @@ const FARTHEST: f64 = 3.0;
 pub(crate) struct AbscissaError {
     /// What it adds to the standard deviation of the ordinate.
     pub part: f64,
-    /// How far from its abscissa the point most likely lies, m.
-    pub way: f64,
+    /// From its abscissa to where the point most likely lies, in the unit of the abscissa.
+    pub shift: f64,
     /// The slope of the model there.
     pub slope: f64,
 }
@@ -103,8 +103,9 @@ impl Experiment {
     }
 
     /// Returns what the error of the abscissa does to each point; an empty list where the abscissae are exact. The part of
-    /// the standard deviation is the root mean square of the change of the model: of a straight line it is `|dy/dx| sigma_x`, and of a parabola it is exact, too. `noise` returns the standard deviation of an
-    /// ordinate without it.
+    /// the standard deviation is the root mean square of the change of the model: of a straight line it is
+    /// `|dy/dx| sigma_x`, and of a parabola it is exact, too. `noise` returns the standard deviation of an ordinate
+    /// without it.
     ///
     /// The points are moved, and their branches kept. With the slope `b` and half the curvature `c` at the abscissa `x`,
     /// and the reading `r` above the model there, the point most likely lies at `x + d`:
@@ -128,14 +129,14 @@ impl Experiment {
         let errors = &self.errors.abscissa;
         let deviation = |i: usize| errors.get(i).copied().unwrap_or(self.abscissa_noise);
         // No radius, load or depth changes its sign.
-        let step = |i: usize| {
-            let most = if is_relative {
+        let most = |i: usize| {
+            if is_relative {
                 0.5 * points[i].abscissa
             } else {
                 f64::INFINITY
-            };
-            (STEP * deviation(i)).min(most)
+            }
         };
+        let step = |i: usize| (STEP * deviation(i)).min(most(i));
         let here = self.predict_with(contact_of, branches, order, None)?.values;
         // The contact at the turn is that of the point of the largest imposed value, and the others
         // do not move it. Its own change is that of its neighbour.
@@ -165,14 +166,15 @@ impl Experiment {
             let [above, below] = sides.each_ref().map(|side| side[k] - here[k]);
             let [odd, even] = [0.5 * (above - below), 0.5 * (above + below)];
             let (by_error, read) = (odd / width * deviation(k), self.compared(k) - here[k]);
-            let way = read * by_error / (noise(k).powi(2) + by_error * by_error);
+            let shift = read * by_error / (noise(k).powi(2) + by_error * by_error);
             // There is none without a reading, and without noise and slope.
-            let way = if way.is_nan() { 0.0 } else { way };
-            let way = way.clamp(-FARTHEST, FARTHEST) * deviation(k) / width;
-            let change = odd + 2.0 * even * way;
+            let shift = if shift.is_nan() { 0.0 } else { shift };
+            let farthest = (FARTHEST * deviation(k)).min(most(k));
+            let shift = (shift * deviation(k)).clamp(-farthest, farthest);
+            let change = odd + 2.0 * even * shift / width;
             AbscissaError {
                 part: change.hypot(even) / width * deviation(i),
-                way: way * width,
+                shift,
                 slope: change / width,
             }
         };

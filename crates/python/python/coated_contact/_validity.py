@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from . import _core
 from ._arrays import Errors, evaluate, scalar_or_array
 from ._bodies import HalfSpace
 from ._stick import stick_stiffening
@@ -190,9 +191,10 @@ class ZoneSize(OneLine):
         That is Dugdale's law where Tabor's parameter is 5 or more, the range a tenth of the
         thickness or less, and ``tension`` 0.3 or less. Above 1 the load errs by 5 to 30 %.
         """
-        is_thin = np.less_equal(self.range_over_thickness, 0.1)
+        tabor, thin, tense = _core.JKR_LIMITS
+        is_thin = np.less_equal(self.range_over_thickness, thin)
         return _plain(
-            np.greater_equal(self.tabor, 5.0) & is_thin & np.less_equal(self.tension, 0.3)
+            np.greater_equal(self.tabor, tabor) & is_thin & np.less_equal(self.tension, tense)
         )
 
     def is_short_beside(self, length: float) -> Any:

@@ -205,7 +205,7 @@ impl Annulus {
         static BASIS: Lazy<Vec<[f64; TERMS]>> = Lazy::new(|| {
             let values = |t: &f64| {
                 let mut even = legendre(0.5 * (1.0 + t)).step_by(2);
-                let mut value = || even.next().expect("they are endless");
+                let mut value = || even.next().expect("there is one of each degree");
                 std::array::from_fn(|n| ((4 * n + 1) as f64).sqrt() * value())
             };
             rule(64).abscissae.iter().map(values).collect()
