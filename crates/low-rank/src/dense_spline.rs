@@ -92,12 +92,12 @@ impl DenseSpline {
 
     /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
     /// at coordinates that differ in one of the three, the number `axis`, which has the values `places`.
-    pub fn sums_along<const N: usize>(
+    pub fn sums_along(
         &self,
         mut coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[WeightedSum<N>],
+        sums: &[WeightedSum<'_>],
         coefficients: &mut [f64],
     ) {
         let mut at_places = Vectors::zeros(places.len(), coefficients.len());
@@ -182,7 +182,7 @@ mod tests {
             }
             let mut sums = value.clone();
             let sum = WeightedSum {
-                weights: [(1, 2.0), (0, -0.5)],
+                weights: &[(1, 2.0), (0, -0.5)],
                 columns: 0..value.len(),
             };
             spline.sums_along([u, v, w], 1, &[0.1, 0.9], &[sum], &mut sums);

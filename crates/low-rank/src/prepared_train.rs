@@ -161,12 +161,12 @@ impl PreparedTrain {
 
     /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
     /// at coordinates that differ in one of the three, the number `axis`, which has the values `places`.
-    pub fn sums_along<const N: usize>(
+    pub fn sums_along(
         &self,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[WeightedSum<N>],
+        sums: &[WeightedSum<'_>],
         coefficients: &mut [f64],
     ) {
         dispatch!(Level::new(), simd => {
@@ -235,13 +235,13 @@ impl PreparedTrain {
     }
 
     #[inline(always)]
-    fn values_along<S: Simd, const N: usize>(
+    fn values_along<S: Simd>(
         &self,
         simd: S,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[WeightedSum<N>],
+        sums: &[WeightedSum<'_>],
         coefficients: &mut [f64],
     ) {
         // One vector until the core of this axis, one for each place from there on. The sums come last,

@@ -16,9 +16,9 @@ pub struct Vectors {
 
 /// Which vectors make one sum, and of which entries the sum is asked for.
 #[derive(Clone, Debug)]
-pub struct WeightedSum<const N: usize> {
+pub struct WeightedSum<'a> {
     /// The numbers of the vectors, with their weights.
-    pub weights: [(usize, f64); N],
+    pub weights: &'a [(usize, f64)],
     /// The columns of the coefficients that the sum replaces.
     pub columns: Range<usize>,
 }
@@ -86,10 +86,10 @@ impl Vectors {
 
     /// Returns weighted sums of the vectors, with all their entries.
     #[inline(always)]
-    pub(crate) fn sums<const N: usize>(&self, sums: &[WeightedSum<N>]) -> Self {
+    pub(crate) fn sums(&self, sums: &[WeightedSum<'_>]) -> Self {
         let mut result = Self::zeros(sums.len(), self.length);
         for (i, sum) in sums.iter().enumerate() {
-            for &(vector, weight) in &sum.weights {
+            for &(vector, weight) in sum.weights {
                 let entries = self.get(vector).iter();
                 for (sum, entry) in result.get_mut(i).iter_mut().zip(entries) {
                     *sum += weight * entry;

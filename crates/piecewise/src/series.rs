@@ -33,11 +33,15 @@ const MOST_TERMS: usize = 14;
 /// curve, whose ends differ by a factor of 2: `1/x^3` converges slowly there.
 pub const QUOTIENT_TERMS: usize = MOST_TERMS;
 
-/// Repeats a block for each term number below a number of terms. It is not a loop: all terms stay
-/// in registers as far as there are enough.
+/// Repeats a block for each term number below a number of terms. It is no loop where vectors hold four numbers or more:
+/// all terms stay in registers as far as there are enough.
 macro_rules! for_each_term {
-    ($k:ident below $terms:ident $block:block) => {
-        for_each_term!($k below $terms $block 0 1 2 3 4 5 6 7 8 9 10 11 12 13)
+    ($simd:ident, $k:ident below $terms:ident $block:block) => {
+        if const { is_unrolled::<$simd>() } {
+            for_each_term!($k below $terms $block 0 1 2 3 4 5 6 7 8 9 10 11 12 13);
+        } else {
+            for $k in 0..$terms $block
+        }
     };
     ($k:ident below $terms:ident $block:block $($number:literal)*) => {
         $(if $number < $terms {
@@ -45,6 +49,13 @@ macro_rules! for_each_term {
             $block
         })*
     };
+}
+
+/// Returns whether `for_each_term` is no loop. Processors with x86's vectors of two numbers have too few registers for a
+/// gain, and the compiler takes a third of its time for what they would run.
+const fn is_unrolled<S: Simd>() -> bool {
+    let is_x86 = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
+    !is_x86 || size_of::<S::f64s>() > 2 * size_of::<f64>()
 }
 
 /// Returns `constant` times the exponential of `factor` times a series. The constant term of the
@@ -81,7 +92,7 @@ pub fn linear_solution<
     }
     let mut terms = [V::splat(simd, 0.0); N];
     terms[0] = constant;
-    for_each_term!(k below N {
+    for_each_term!(S, k below N {
         // The term just before this one is used last, because it is ready last.
         if k > 0 {
             let first = if k < M { k } else { M - 1 };
@@ -107,7 +118,7 @@ pub fn product<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const N:
     right: &Series<V, N>,
 ) -> Series<V, N> {
     let mut terms = *right;
-    for_each_term!(k below N {
+    for_each_term!(S, k below N {
         let mut sum = left[0] * right[k];
         for i in 1..if k < M { k + 1 } else { M } {
             sum = left[i].mul_add(right[k - i], sum);
@@ -186,7 +197,7 @@ pub fn divided_by_powers<S: Simd, const M: usize, const N: usize>(
     let [by_1, by_2, by_3] = &mut quotients;
     (by_1[0], by_2[0], by_3[0]) = (first[0], second[0], third[0]);
     let (mut second_by_1, mut third_by_1, mut third_by_2) = (second[0], third[0], third[0]);
-    for_each_term!(k below N {
+    for_each_term!(S, k below N {
         if k > 0 {
             let [mut of_first, mut of_second, mut of_third] = [zero; 3];
             if k < M {
@@ -220,7 +231,7 @@ pub fn quotient<S: Simd, V: SimdFloat<S, Element = f64>, const N: usize>(
 ) -> Series<V, N> {
     let inverse = V::splat(simd, 1.0) / denominator[0];
     let mut terms = *numerator;
-    for_each_term!(k below N {
+    for_each_term!(S, k below N {
         let mut sum = numerator[k];
         // The term just before this one is used last, because it is ready last.
         for i in (1..k + 1).rev() {
@@ -318,7 +329,7 @@ pub fn economised<S: Simd, V: SimdFloat<S, Element = f64>, const M: usize, const
 ) -> Series<V, N> {
     let mut series = *series;
     let left = M - N;
-    for_each_term!(i below left {
+    for_each_term!(S, i below left {
         let n = M - 1 - i;
         for j in 1..=n / 2 {
             let share = V::splat(simd, ECONOMY[n][j]);

@@ -114,12 +114,16 @@ pub(crate) fn improve_slopes(
         for (k, weight) in weights.into_iter().enumerate() {
             all[k] = (first + k, weight);
         }
-        differences.push(WeightedSum {
-            weights: all,
-            columns: quantities * start..quantities * end,
-        });
+        differences.push((all, quantities * start..quantities * end));
         start = end;
     }
+    let differences: Vec<_> = differences
+        .iter()
+        .map(|(weights, columns)| WeightedSum {
+            weights,
+            columns: columns.clone(),
+        })
+        .collect();
     spline.sums_along(coordinates, 1, &places, &differences, slopes);
 }
 

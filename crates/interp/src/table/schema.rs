@@ -121,15 +121,15 @@ pub fn checksum(table: &Table) -> u32 {
         add(&[nu0]);
     }
     add(&[description.tolerance]);
-    let mut parameters = table.parameters();
-    parameters.sort_unstable_by_key(|parameter| parameter.name());
-    for parameter in parameters {
-        add(table.axis(parameter));
-    }
-    let mut quantities = Quantity::ALL;
-    quantities.sort_unstable_by_key(|quantity| quantity.name());
-    for quantity in quantities {
-        add(table.values(quantity).unwrap_or_default());
+    let axes = table
+        .parameters()
+        .map(|axis| (axis.name(), table.axis(axis)));
+    let values = Quantity::ALL.map(|of| (of.name(), table.values(of).unwrap_or_default()));
+    for mut sets in [axes, values] {
+        sets.sort_unstable_by_key(|&(name, _)| name);
+        for (_, numbers) in sets {
+            add(numbers);
+        }
     }
     hasher.finalize()
 }

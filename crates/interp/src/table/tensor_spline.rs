@@ -93,12 +93,12 @@ impl TensorSpline {
 
     /// Replaces the columns of `coefficients` that `sums` name by weighted sums of the coefficients
     /// of materials that differ in one coordinate, the number `axis`, which has the values `places`.
-    pub(crate) fn sums_along<const N: usize>(
+    pub(crate) fn sums_along(
         &self,
         coordinates: [f64; 3],
         axis: usize,
         places: &[f64],
-        sums: &[WeightedSum<N>],
+        sums: &[WeightedSum<'_>],
         coefficients: &mut [f64],
     ) {
         match &self.form {
