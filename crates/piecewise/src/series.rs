@@ -51,8 +51,8 @@ macro_rules! for_each_term {
     };
 }
 
-/// Returns whether `for_each_term` is no loop. Processors with x86's vectors of two numbers have too few registers for a
-/// gain, and the compiler takes a third of its time for what they would run.
+/// Returns whether `for_each_term` is no loop. With x86's vectors of two numbers there are too few registers for a gain:
+/// loops take as long there, and far less time to compile.
 const fn is_unrolled<S: Simd>() -> bool {
     let is_x86 = cfg!(any(target_arch = "x86", target_arch = "x86_64"));
     !is_x86 || size_of::<S::f64s>() > 2 * size_of::<f64>()
