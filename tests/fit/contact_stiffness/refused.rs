@@ -25,16 +25,23 @@ fn what_is_no_contact_stiffness_is_refused() {
     with(|one| one.indentation.phases = vec![0.1; 3]).refused("phases; 8");
     with(|one| one.indentation.phases = vec![2.0; 8]).refused("phase; rad");
     with(|one| one.noise = Some(0.0)).refused("noise");
-    let with_loads = |change: fn(&mut Experiment)| {
+    let with_loads = |change: &dyn Fn(&mut Experiment)| {
         let mut wrong = good.clone();
         wrong.measurement.kind = Kind::StiffnessLoad;
         change(&mut wrong);
         fitted(wrong, [Parameter::FilmModulus])
     };
-    with_loads(|one| one.indentation.hardness = Some(-1.0)).refused("hardness; positive");
-    with_loads(|one| one.indentation.hardness = Some(0.0)).refused("hardness; positive");
-    with_loads(|one| one.indentation.phases = vec![0.1; 8]).refused("viscous; hardness");
-    with_loads(|one| one.measurement.points[0].direction = Some(Direction::Retract))
+    with_loads(&|one| one.indentation.hardness = Some(-1.0)).refused("hardness; positive");
+    with_loads(&|one| one.indentation.hardness = Some(0.0)).refused("hardness; positive");
+    with_loads(&|one| one.indentation.phases = vec![0.1; 8]).refused("viscous; hardness");
+    for load in [-1e-6, 0.0] {
+        let refused = with_loads(&|one| {
+            one.measurement.points[2].abscissa = load;
+            one.abscissa_noise = 1e-6;
+        });
+        refused.refused("load; line 3; tension");
+    }
+    with_loads(&|one| one.measurement.points[0].direction = Some(Direction::Retract))
         .refused("unloaded; line 1");
     with(|one| one.measurement.kind = Kind::StiffnessDepth).refused("loads; 8");
     let depths = with(|one| {

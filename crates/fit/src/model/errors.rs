@@ -131,7 +131,7 @@ impl Experiment {
         // No radius, load or depth changes its sign.
         let most = |i: usize| {
             if is_relative {
-                0.5 * points[i].abscissa.abs()
+                0.5 * points[i].abscissa
             } else {
                 f64::INFINITY
             }
