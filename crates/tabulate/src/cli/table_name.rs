@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fmt;
 use std::fs::{self, File};
-use std::io::{self, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use interp::Table;
 
@@ -16,9 +16,6 @@ use crate::printable;
 
 /// The word for the table that is compiled into the program.
 const EMBEDDED: &str = "embedded";
-
-/// The largest number of letters in which a misspelled word differs.
-const MISSPELLED: usize = 2;
 
 /// The help of every argument that is a [`TableName`].
 pub const HELP: &str = "The table: an HDF5 or packed file, or the word `embedded` for the table that is compiled into \
@@ -71,7 +68,13 @@ impl TableName {
         readable(path)
             .and_then(|()| File::open(path))
             .and_then(|file| file.take(8).read_to_end(&mut start))
-            .with_context(|| self.unreadable())?;
+            .map_err(|error| match error.kind() {
+                ErrorKind::NotFound => anyhow!(
+                    "there is no table {self} ({error}); give the path of a table, or the word `{EMBEDDED}` for the one \
+                     that is compiled into the program"
+                ),
+                _ => anyhow!("cannot read {self}: {error}"),
+            })?;
         let read = if interp::is_packed(&start) {
             Table::read
         } else {
@@ -92,19 +95,6 @@ impl TableName {
             ));
         }
         Ok(table)
-    }
-
-    /// Describes a file that cannot be read. Its name may be the word for the compiled table, spelled
-    /// wrong.
-    fn unreadable(&self) -> String {
-        let name = self.to_string();
-        if strsim::damerau_levenshtein(&name, EMBEDDED) <= MISSPELLED {
-            format!(
-                "cannot read {name} (did you mean `{EMBEDDED}`, the table that is compiled into the program?)"
-            )
-        } else {
-            format!("cannot read {name}")
-        }
     }
 
     /// Returns the size of the file in bytes; of the embedded `table`, the size of its packed form.
