@@ -71,7 +71,10 @@ fn seen_at(page: &str, width: u32) -> Option<String> {
         .split_once("id=\"seen\">")
         .and_then(|(_, rest)| rest.split_once('<'))
         .map(|(text, _)| text.to_owned());
-    Some(text.unwrap_or_else(|| panic!("the page does not come to its end:\n{log}")))
+    // Whether Chromium stopped, did not open the page, or left the middle of it.
+    let (status, length) = (output.status, dom.len());
+    let ending = text.ok_or_else(|| format!("{status}, {length} bytes of the page, {log}"));
+    Some(ending.expect("the page comes to its end"))
 }
 
 /// Returns the value that a script, appended to a report, leaves in `seen` (see `report.js`). The
