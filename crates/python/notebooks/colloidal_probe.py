@@ -90,8 +90,6 @@ found
 # %%
 figure, axes = plt.subplots(figsize=(5, 3.5), layout="constrained")
 found.plot(axes)
-axes.set_xlabel("height (m)")
-axes.set_ylabel("force (N)")
 
 # %% [markdown]
 # ## Other methods

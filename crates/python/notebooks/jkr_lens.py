@@ -71,8 +71,6 @@ found
 # %%
 figure, axes = plt.subplots(figsize=(5, 3.5), layout="constrained")
 found.plot(axes)
-axes.set_xlabel("contact radius (m)")
-axes.set_ylabel("load (N)")
 
 # %%
 bare = found.without_film

@@ -152,7 +152,8 @@ def test_a_force_curve_is_drawn(curve, axes):
     lines = axes.get_lines()
     assert len(lines) == len(curve.loading) + len(curve.unloading) + len(curve.jumps)
     assert np.array_equal(lines[0].get_ydata(), curve.loading[0].load)
-    assert axes.get_xlabel() == "penetration (m)"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("penetration (m)", "load (N)")
+    assert legend(axes) == ["loading", "unloading"]
 
 
 def test_a_fit_is_drawn(axes):
@@ -163,19 +164,18 @@ def test_a_fit_is_drawn(axes):
     assert np.array_equal(line.get_ydata(), found.experiments[0].fit)
     assert points.get_color() != line.get_color()
     assert legend(axes) == ["data", "fit"]
-    assert axes.get_xlabel() == "contact radius (µm)"
-    assert axes.get_ylabel() == "load (mN)"
-    # The numbers along the axes are in these units, the coordinates in SI units.
-    assert axes.xaxis.get_major_formatter()(60e-6) == "60"
-    assert axes.yaxis.get_major_formatter()(-1.5e-4) == "-0.15"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("contact radius (m)", "load (N)")
+    # The numbers have the prefixes, and are right on any scale and beside other drawings.
+    assert axes.xaxis.get_major_formatter()(60e-6) == "60 µ"
+    assert axes.yaxis.get_major_formatter()(-1.5e-4) == "\N{MINUS SIGN}150 µ"
 
 
 @pytest.mark.parametrize(
     ("kind", "abscissa", "label"),
     [
-        ("stiffness-radius", np.linspace(4e-8, 9e-7, 20), "contact radius (nm)"),
-        ("stiffness-load", np.linspace(1e-5, 1e-3, 20), "load (mN)"),
-        ("stiffness-depth", np.linspace(4e-8, 2.5e-7, 20), "depth (nm)"),
+        ("stiffness-radius", np.linspace(4e-8, 9e-7, 20), "contact radius (m)"),
+        ("stiffness-load", np.linspace(1e-5, 1e-3, 20), "load (N)"),
+        ("stiffness-depth", np.linspace(4e-8, 2.5e-7, 20), "depth (m)"),
     ],
 )
 def test_a_fit_of_contact_stiffness_is_drawn(axes, kind, abscissa, label):
@@ -183,7 +183,7 @@ def test_a_fit_of_contact_stiffness_is_drawn(axes, kind, abscissa, label):
     plan = Experiment(kind=kind, abscissa=abscissa, system=oxide(), indentation=tip)
     found = fit(simulate(plan, noise=0.01, seed=1), ["film_modulus"])
     found.plot(axes)
-    assert (axes.get_xlabel(), axes.get_ylabel()) == (label, "contact stiffness (kN/m)")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (label, "contact stiffness (N/m)")
     assert legend(axes) == ["data", "fit", "fit without the film"]
 
 
@@ -225,7 +225,7 @@ def test_approach_and_retract_are_told_apart(there_and_back, axes):
     (points,) = there_and_back.experiments
     drawn = sum(len(line.get_xdata()) for line in axes.get_lines() if line.get_marker() != "None")
     assert drawn == len(points.abscissa)
-    assert axes.get_xlabel() == "penetration (nm)"
+    assert axes.get_xlabel() == "penetration (m)"
 
 
 def test_points_of_a_hold_are_joined_in_their_order_in_time():
@@ -262,7 +262,7 @@ def test_what_cannot_be_drawn_is_refused(there_and_back, axes):
     found = fit(both, WANTED)
     refuses(ValueError, "experiment=0", lambda: found.plot(axes))
     found.plot(axes, experiment=0)
-    assert axes.get_ylabel() == "penetration (µm)"
+    assert axes.get_ylabel() == "penetration (m)"
 
 
 def test_several_experiments_are_told_apart(axes):
@@ -372,6 +372,9 @@ def test_a_map_is_drawn_as_an_image(small_map, axes):
     expected = small_map.params["work_of_adhesion"].reshape(2, 3)
     assert np.array_equal(image.get_array().filled(np.nan), expected, equal_nan=True)
     assert image.get_array().mask.tolist() == [[False] * 3, [False, True, False]]
+    # The first row is below, as in maps of instruments.
+    assert image.origin == "lower"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("column", "row")
     refuses(ValueError, "of 4 curves, not 6", lambda: small_map.plot(shape=(2, 2), ax=axes))
     refuses(ValueError, "'colour' was not fitted", lambda: small_map.plot("colour", ax=axes))
 

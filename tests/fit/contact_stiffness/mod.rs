@@ -54,12 +54,15 @@ fn experiment(kind: Kind, bodies: Bodies, points: Vec<[f64; 2]>) -> Experiment {
     Experiment::new(measurement(kind, points.collect()), bodies)
 }
 
-/// Multiplies the stiffnesses by normal noise.
+/// Multiplies the stiffnesses by normal noise, and moves the abscissae by theirs.
 pub fn noisy(exact: &Experiment, noise: f64, seed: u64) -> Experiment {
     let mut random = Contacts::new(seed);
     let mut made = exact.clone();
     for point in &mut made.measurement.points {
         point.ordinate *= 1.0 + noise * random.normal();
+        if exact.abscissa_noise > 0.0 {
+            point.abscissa += exact.abscissa_noise * random.normal();
+        }
     }
     made
 }
@@ -134,6 +137,25 @@ fn stiffness_at_contact_radii() {
         unknown,
         &both,
         &expected,
+    );
+}
+
+/// A first fit takes some of them.
+#[test]
+fn many_stiffnesses_at_loads_with_errors() {
+    let mut exact = at_radii(&oxide(), [2e-7, 1e-6], 100);
+    exact.measurement.kind = Kind::StiffnessLoad;
+    exact.indentation.hardness = Some(1e10);
+    for point in &mut exact.measurement.points {
+        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
+    }
+    exact.abscissa_noise = 1e-4;
+    recover(
+        "stiffness, load errors",
+        &[exact],
+        (0.01, true),
+        &[Parameter::FilmModulus],
+        &[WarningKind::Friction],
     );
 }
 

@@ -210,7 +210,8 @@ fn settle_with<'a>(
         if settled || round > ROUNDS {
             return (Minimum::new(problem, Some(uncertainty)), has_beyond);
         }
-        if problem.update().is_err() {
+        // A point that did not count has no part of the error of its abscissa yet.
+        if problem.update().is_err() || branches_changed && problem.weigh().is_err() {
             return (Minimum::new(problem, None), has_beyond);
         }
         problem = problem.minimise(PATIENCE, FINE);

@@ -73,8 +73,7 @@ class Columns(OneLine):
         ax = axes(ax)
         x, y = (getattr(self, name).ravel() for name in self._drawn)
         ax.plot(x, y)
-        ax.set_xlabel(label(self._drawn[0]))
-        ax.set_ylabel(label(self._drawn[1]))
+        name_axes(ax, *map(label, self._drawn))
         return ax
 
     def _repr_html_(self) -> str:
@@ -105,3 +104,16 @@ def axes(given: Axes | None) -> Axes:
     from matplotlib import pyplot
 
     return pyplot.gca()
+
+
+def name_axes(ax: Axes, abscissa: str, ordinate: str) -> None:
+    """Label the axes of coordinates in SI units.
+
+    The prefix stands at the numbers along them, so that each number stays right where another label
+    or another drawing is added.
+    """
+    from matplotlib.ticker import EngFormatter
+
+    for axis, name in ((ax.xaxis, abscissa), (ax.yaxis, ordinate)):
+        axis.set_label_text(name)
+        axis.set_major_formatter(EngFormatter())

@@ -83,12 +83,13 @@ class Design(OneLine):
         least = errors[known].min() / 2
         ax.hlines(places[known], least, errors[known], color="0.8", linewidth=2)
         ax.plot(errors[known], places[known], "o", color="C0")
-        for place in places[~known]:
-            ax.text(least, place, " not determined", va="center")
+        # Inside the axes, where a long name is not cut off.
+        for place, name in enumerate(self.stderr):
+            ax.text(least, place, f" {name}{'' if known[place] else ': not determined'}", va="bottom")
         ax.set_xscale("log")
         ax.set_xlim(least, errors[known].max() * 2)
         ax.set_ylim(len(errors) - 0.5, -0.5)
-        ax.set_yticks(places, list(self.stderr))
+        ax.set_yticks([])
         ax.set_xlabel(f"standard error of {self.about} ({_unit(self.about)})")
         return ax
 

@@ -113,8 +113,9 @@ class FitMap(OneLine):
         parameter : str, optional
             The parameter; by default the first one.
         shape : tuple of int, optional
-            Rows and columns of the map: the curves are in the order of its rows. Without it the
-            values are drawn with their standard errors over the numbers of the curves.
+            Rows and columns of the map: the curves are in the order of its rows, the first of which
+            is drawn below. Without it the values are drawn with their standard errors over the
+            numbers of the curves.
         ax : matplotlib.axes.Axes, optional
             Where to draw; by default the current axes.
 
@@ -123,20 +124,27 @@ class FitMap(OneLine):
         matplotlib.axes.Axes
             The axes. Curves without a result are left empty.
         """
+        from matplotlib.ticker import EngFormatter, MaxNLocator, ScalarFormatter
+
         name = next(iter(self.params)) if parameter is None else parameter
         if name not in self.params:
             raise ValueError(f"{name!r} was not fitted: give one of {', '.join(self.params)}")
-        values, label = self.params[name], f"{name} ({unit_of(name)})"
+        values, unit = self.params[name], unit_of(name)
+        label, prefixes = f"{name} ({unit})", EngFormatter() if unit != "1" else ScalarFormatter()
         ax = axes(ax)
         if shape is None:
             ax.errorbar(np.arange(len(self)), values, self.stderr[name], fmt=".", capsize=2)
             ax.set_xlabel("curve")
             ax.set_ylabel(label)
+            ax.yaxis.set_major_formatter(prefixes)
             return ax
         if np.prod(shape) != len(self):
             raise ValueError(f"shape = {shape} is that of {np.prod(shape)} curves, not {len(self)}")
-        image = ax.imshow(values.reshape(shape))
-        ax.figure.colorbar(image, ax=ax, label=label)
+        image = ax.imshow(values.reshape(shape), origin="lower")
+        ax.figure.colorbar(image, ax=ax, label=label, format=prefixes)
+        for axis, counted in ((ax.xaxis, "column"), (ax.yaxis, "row")):
+            axis.set_label_text(counted)
+            axis.set_major_locator(MaxNLocator(integer=True))
         return ax
 
     def to_pandas(self) -> pandas.DataFrame:

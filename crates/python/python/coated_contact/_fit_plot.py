@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from ._columns import Array, axes
+from ._columns import Array, axes, name_axes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,20 +20,18 @@ PlotKind = Literal["data", "jkr"]
 
 # What is measured, with its unit: abscissa and ordinate.
 QUANTITIES = {
-    "load-radius": (("contact radius", "m"), ("load", "N")),
-    "penetration-radius": (("contact radius", "m"), ("penetration", "m")),
-    "load-penetration": (("penetration", "m"), ("load", "N")),
-    "force-height": (("height", "m"), ("force", "N")),
-    "stiffness-radius": (("contact radius", "m"), ("contact stiffness", "N/m")),
-    "stiffness-load": (("load", "N"), ("contact stiffness", "N/m")),
-    "stiffness-depth": (("depth", "m"), ("contact stiffness", "N/m")),
+    "load-radius": ("contact radius (m)", "load (N)"),
+    "penetration-radius": ("contact radius (m)", "penetration (m)"),
+    "load-penetration": ("penetration (m)", "load (N)"),
+    "force-height": ("height (m)", "force (N)"),
+    "stiffness-radius": ("contact radius (m)", "contact stiffness (N/m)"),
+    "stiffness-load": ("load (N)", "contact stiffness (N/m)"),
+    "stiffness-depth": ("depth (m)", "contact stiffness (N/m)"),
 }
 JKR = (
     r"$a^{3/2} / (\sqrt{\pi}\, R)$  (m$^{1/2}$)",
     r"$F / (\sqrt{6\pi}\, a^{3/2})$  (N m$^{-3/2}$)",
 )
-# The prefixes of units: powers of a thousand.
-PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m", -6: "µ", -9: "n", -12: "p", -15: "f"}
 
 
 @dataclass(frozen=True)
@@ -103,9 +101,7 @@ def draw(experiments: tuple[FittedExperiment, ...], kind: PlotKind, ax: Axes | N
         ax.set_xlabel(JKR[0])
         ax.set_ylabel(JKR[1])
     else:
-        abscissa, ordinate = QUANTITIES[experiments[0].kind]
-        _scale(ax, "x", *abscissa, [curve.x for curve in curves])
-        _scale(ax, "y", *ordinate, [curve.data for curve in curves])
+        name_axes(ax, *QUANTITIES[experiments[0].kind])
     # Each name once.
     handles, labels = ax.get_legend_handles_labels()
     named = dict(zip(labels, handles, strict=True))
@@ -130,20 +126,3 @@ def _curve(one: FittedExperiment, kind: PlotKind) -> Curve:
     there = ~np.isnan(plot["jkr_abscissa"])
     x, data, fit, without = (column[there] for column in plot.values())
     return Curve(x, data, fit, without, branch[there], retract[there], used[there])
-
-
-def _scale(ax: Axes, axis: Literal["x", "y"], name: str, unit: str, values: list[Array]) -> None:
-    """Label an axis of values in an SI unit with a prefix of the unit."""
-    from matplotlib.ticker import FuncFormatter
-
-    most = max((float(np.nanmax(np.abs(one), initial=0.0)) for one in values), default=0.0)
-    exponent = exponent_of(most)
-    drawn = ax.xaxis if axis == "x" else ax.yaxis
-    drawn.set_major_formatter(FuncFormatter(lambda value, _: f"{value / 10.0**exponent:.10g}"))
-    drawn.set_label_text(f"{name} ({PREFIXES[exponent]}{unit})")
-
-
-def exponent_of(most: float) -> int:
-    """Return the power of ten of the prefix for the unit of a largest value."""
-    exponent = 3 * int(np.floor(np.log10(most) / 3)) if 0 < most < np.inf else 0
-    return min(max(exponent, min(PREFIXES)), max(PREFIXES))

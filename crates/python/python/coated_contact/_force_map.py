@@ -13,7 +13,6 @@ from ._arrays import real
 from ._columns import Array, axes
 from ._errors import FitError
 from ._experiment import Experiment, unit_of
-from ._fit_plot import PREFIXES, exponent_of
 from ._values import OneLine
 
 if TYPE_CHECKING:
@@ -136,7 +135,7 @@ class ForceMap(OneLine):
         values : array_like
             The values, such as ``found.params["film_modulus"]`` of a :class:`FitMap`, in ``unit``.
         name, unit : str
-            What is drawn, and its SI unit, which gets a prefix.
+            What is drawn, and its SI unit. With one, the numbers beside the colours have prefixes.
         ax : matplotlib.axes.Axes, optional
             Where to draw; by default the current axes.
 
@@ -146,25 +145,23 @@ class ForceMap(OneLine):
             The axes; their coordinates are m from the corner of the map. Pixels without a value are
             left empty.
         """
+        from matplotlib.ticker import EngFormatter
         from mpl_toolkits.axes_grid1.anchored_artists import AnchoredSizeBar
 
         image, ax = self.image(values), axes(ax)
         (height, width), (rows, columns) = self.pixel_size or (1.0, 1.0), image.shape
-        exponent = exponent_of(float(np.nanmax(np.abs(image), initial=0.0))) if unit else 0
         sides = (0.0, width * columns, 0.0, height * rows)
-        drawn = ax.imshow(image / 10.0**exponent, origin="lower", extent=sides)
-        units = f" ({PREFIXES[exponent]}{unit})" if unit else ""
-        ax.figure.colorbar(drawn, ax=ax, label=f"{name}{units}")
+        drawn = ax.imshow(image, origin="lower", extent=sides)
+        units, prefixes = (f" ({unit})", EngFormatter()) if unit else ("", None)
+        ax.figure.colorbar(drawn, ax=ax, label=f"{name}{units}", format=prefixes)
         ax.set_xticks([])
         ax.set_yticks([])
         length = _round_below(width * columns / 3)
         if np.isfinite(length):
-            power = exponent_of(length)
-            words = f"{length / 10.0**power:.3g} {PREFIXES[power]}m"
             bar = AnchoredSizeBar(
                 ax.transData,
                 length,
-                words,
+                EngFormatter("m")(length),
                 "lower right",
                 size_vertical=0.015 * height * rows,
                 bbox_to_anchor=(1.0, 0.0),

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Errors, scalar_or_array
-from ._columns import UNITS, Array, Columns, axes, label
+from ._columns import UNITS, Array, Columns, axes, label, name_axes
 from ._values import OneLine
 
 if TYPE_CHECKING:
@@ -211,8 +211,8 @@ class ForceDisplacement(OneLine):
                     linestyle="--",
                     linewidth=1,
                 )
-        ax.set_xlabel(label("penetration"))
-        ax.set_ylabel(label("load"))
+        name_axes(ax, label("penetration"), label("load"))
+        ax.legend()
         return ax
 
     def _repr_html_(self) -> str:
