@@ -8,6 +8,9 @@ const SIGNIFICANT: f64 = 6.0;
 const NEAR: f64 = 5.0;
 /// The part of the last readings from which a baseline without a jump is read.
 const TAIL: f64 = 0.2;
+/// The rise of the last readings above a level, over the noise, that is more than chance: the standard deviation of
+/// their median is 0.6 noises.
+const RISE: f64 = 2.0;
 /// Ways with fewer readings are all in contact.
 pub(super) const FEWEST: usize = 5;
 /// How many of the largest steps may be the jump.
@@ -115,7 +118,13 @@ impl KnownBaseline {
         } else {
             2 * contact_ends.saturating_sub(clear) + 1
         };
-        [contact_ends, (contact_ends + margin).min(count)]
+        let baseline_begins = contact_ends + margin;
+        // A retract that ends in contact, after its largest tension, is flat there, and rises behind it.
+        let rise = median(readings[count - SIDE.min(count)..].to_vec()) - level;
+        if self.level_is_free && rise > RISE * self.noise && baseline_begins + FEWEST > count {
+            return [count; 2];
+        }
+        [contact_ends, baseline_begins.min(count)]
     }
 }
 
@@ -154,5 +163,20 @@ mod tests {
             noise: 0.01,
         };
         assert_eq!(baseline.split(&readings), [200, 230]);
+    }
+    /// The largest tension of a retract that ends in contact is flat, as a baseline is.
+    #[test]
+    fn a_largest_tension_is_no_baseline() {
+        let parabola = (0..80).map(|i| 0.25 * f64::from(i - 72).powi(2));
+        let readings: Vec<f64> = parabola.collect();
+        let baseline = KnownBaseline {
+            level: 0.0,
+            level_is_free: true,
+            noise: 1.0,
+        };
+        assert_eq!(baseline.split(&readings), [80; 2]);
+        // Held where it is largest, it cannot be told from one.
+        let held: Vec<f64> = readings[..73].iter().copied().chain([0.0; 7]).collect();
+        assert_ne!(baseline.split(&held)[0], 80);
     }
 }
