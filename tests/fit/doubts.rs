@@ -6,7 +6,7 @@ use interp::Probe;
 
 use crate::imagined::{
     Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warns, coated, fit_all,
-    fit_with, fitted, fitted_of_few, half_space, lens, off, profiled, text,
+    fit_with, fitted, fitted_of_few, half_space, lens, number_after, off, profiled, text,
 };
 
 #[test]
@@ -21,6 +21,34 @@ fn an_offset_that_is_not_fitted_is_missed() {
     assert_warns(&found, WarningKind::OffsetWanted, "load-offset; free it");
     lens.free.push(Free::new(Parameter::LoadOffset));
     assert_no_doubts(&fitted(&experiment, &lens.free), &[]);
+}
+
+/// The number in the warning is the change of the value found where the zero is off.
+#[test]
+fn a_zero_of_the_load_that_no_point_shows_is_named() {
+    let free = [LENS[0], LENS[1], Parameter::ContactPoint];
+    let mut lens = Imagined::lens(Kind::LoadPenetration, 10e-6, 3e-6, &free);
+    let exact = lens.exact();
+    let mut experiment = lens.measured(&exact, 1);
+    let found = fitted(&experiment, &lens.free);
+    let said = text(&found, WarningKind::ZeroNotSeen);
+    assert_names(
+        &said,
+        "no point is off contact; work-of-adhesion; free load-offset",
+    );
+    let loads = experiment.measurement.points.iter().map(|one| one.ordinate);
+    let offset = 1e-4 * loads.fold(0.0, f64::max);
+    for point in &mut experiment.measurement.points {
+        point.ordinate -= offset;
+    }
+    let moved = fitted(&experiment, &lens.free);
+    let [before, after] = [&found, &moved].map(|one| &one.estimates[1]);
+    // Of a hundredth of it, in proportion.
+    let change = 100.0 * (after.value - before.value) / before.standard_error;
+    let told = number_after(&said, "change work-of-adhesion by ");
+    assert!((told / change - 1.0).abs() < 0.05, "{change}: {said}");
+    lens.free.push(Free::new(Parameter::LoadOffset));
+    assert!(!fitted(&experiment, &lens.free).warns_of(WarningKind::ZeroNotSeen));
 }
 
 #[test]
@@ -71,7 +99,8 @@ fn what_the_data_do_not_tell_is_named() {
         assert_warns(&found, WarningKind::FilmNotSeen, words);
         // If the film's modulus is known, there is no doubt.
         let known = Imagined::lens(kind, 1e-6, 5e-6, &LENS).fit(1);
-        assert_no_doubts(&known, &[]);
+        let zero = (kind == Kind::LoadPenetration).then_some(WarningKind::ZeroNotSeen);
+        assert_no_doubts(&known, zero.as_slice());
     }
     // Penetrations at contact radii on a half-space tell w/E* alone.
     let mut lens = Imagined::lens(Kind::PenetrationRadius, 1e-6, 5e-9, &LENS);

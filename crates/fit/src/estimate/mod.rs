@@ -47,6 +47,7 @@ mod table_error;
 mod twice;
 mod uncertainty;
 mod unequal_noise;
+mod unseen_zero;
 mod valley;
 mod wanted;
 mod warnings;

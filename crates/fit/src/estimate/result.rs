@@ -344,6 +344,8 @@ named! {
         /// A zero of the instrument that is not fitted, at which the data hint, and that would change a value by many of
         /// its standard errors.
         OffsetHinted = "offset-hinted",
+        /// No point is off contact, and the work of adhesion depends on the zero of the load.
+        ZeroNotSeen = "zero-not-seen",
         /// Approach and retract do not have one work of adhesion.
         MixedBranches = "mixed-branches",
         /// A loop between loading and unloading that the model does not make.

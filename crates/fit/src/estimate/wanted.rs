@@ -286,7 +286,7 @@ fn mixed(
 
 /// Returns the derivatives of the residuals with respect to a parameter of experiment `e` at the points chosen, and 0
 /// elsewhere.
-fn column(
+pub(super) fn column(
     problem: &Problem<'_>,
     e: usize,
     parameter: Parameter,

@@ -15,7 +15,7 @@ use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::{Bend, TESTED};
 use super::{
     agreement, assumptions, cycle, indentation, interfaces, no_adhesion, noise, prior, relaxing,
-    table_error, wanted,
+    table_error, unseen_zero, wanted,
 };
 use crate::magnitude::{self, STIFFNESSES};
 use crate::statistics::extremes;
@@ -67,6 +67,7 @@ pub(super) fn warnings(
             outliers(&mut warnings, fit, data, (&unequal, problem.loss));
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
+        unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
     }
     for e in 0..problem.assigned.len() {
         assumptions::of_problem(
@@ -159,11 +160,16 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[Stri
             Ending::OutOfPatience => "was still moving",
             _ => "stopped where the model has no contact or no derivatives",
         };
+        let advice = if unseen_zero::is_free_beside_a_work(&found.problem) {
+            "without points off contact a load-offset and a work of adhesion are hardly told apart: keep such points, or fix \
+             one of them"
+        } else {
+            "free fewer parameters, or start from other values"
+        };
         warnings.add(
             WarningKind::NotConverged,
             format!(
-                "the fit did not converge: it {how} after {} evaluations; free fewer parameters, \
-                 or start from other values",
+                "the fit did not converge: it {how} after {} evaluations; {advice}",
                 fit.evaluations
             ),
         );
