@@ -29,5 +29,6 @@ mod recovery;
 mod relaxing;
 mod relaxing_doubts;
 mod shapes;
+mod shared_noise;
 mod unknown_noise;
 mod weights;

@@ -11,7 +11,7 @@ use super::assigned::Assigned;
 use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
-use super::unequal_noise;
+use super::{shared_noise, unequal_noise};
 use crate::statistics::{
     CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours, likeness_of_runs,
 };
@@ -73,7 +73,8 @@ pub(super) fn add(
         }
         if let Some(predicted) = &problem.predicted {
             let states = &predicted[e];
-            unequal[e] = unequal_noise::add(warnings, assigned, states, own.as_slice(), leverages);
+            unequal[e] = shared_noise::add(warnings, &fit.estimates, assigned, states)
+                || unequal_noise::add(warnings, assigned, states, own.as_slice(), leverages);
         }
     }
     unequal

@@ -40,6 +40,7 @@ mod relaxing;
 mod relaxing_start;
 mod result;
 mod search;
+mod shared_noise;
 mod slot;
 mod solve;
 mod start;

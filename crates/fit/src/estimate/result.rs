@@ -331,6 +331,8 @@ named! {
         NoiseNotSeen = "noise-not-seen",
         /// An estimated noise that is larger in contact than off contact, or at large ordinates than at small ones.
         UnequalNoise = "unequal-noise",
+        /// Penetrations with the noise of the loads, which make moduli too small.
+        SharedNoise = "shared-noise",
         /// A prior far from what the data tell.
         Prior = "prior",
         /// Readings at the end of the range of the detector.
