@@ -12,8 +12,10 @@ from coated_contact import (
     ContactError,
     Elastic,
     Experiment,
+    Indentation,
     InputError,
     Profile,
+    Relaxation,
     State,
     States,
     log_likelihood,
@@ -181,6 +183,20 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
     shuffled = {"abscissa": first, "ordinate": other.iloc[[1, 0, 2]]}
     known = {"kind": "load-radius", "system": system, "work_of_adhesion": 0.04}
     refuses(ValueError, words, lambda: Experiment(**known, **shuffled))
+    # A Series is paired with the columns of a DataFrame, as numpy does.
+    frame = pandas.DataFrame({"s1": a, "s2": a})
+    turned = pandas.DataFrame({"s2": w, "s1": w})
+    assert contact.load(frame, turned[["s1", "s2"]]).shape == (3, 2)
+    refuses(ValueError, words, lambda: contact.load(frame, turned))
+    row = pandas.Series([0.01, 0.02], index=["s1", "s2"])
+    assert np.array_equal(contact.load(frame, row)[:, 1], contact.load(a, 0.02))
+    law, time = Relaxation.power_law(0.2), pandas.Series([0, 1, 2], index=[0, 2, 1])
+    program = pandas.Series([0, 1e-7, 0])
+    refuses(ValueError, words, lambda: contact.history(time, law, penetration=program))
+    plan = {"kind": "stiffness-depth", "abscissa": first, "ordinate": first, "system": system}
+    assert Experiment(**plan, indentation=Indentation(loads=first)).indentation.loads[0] == a[0]
+    other_loads = Indentation(loads=first[::-1])
+    refuses(ValueError, words, lambda: Experiment(**plan, indentation=other_loads))
     refuses(
         TypeError,
         "young_modulus has the unit 'MPa' of its own: give its value in SI units",

@@ -70,7 +70,12 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 def paired(inputs: dict[str, Any]) -> None:
     """Refuse arrays of pandas or xarray whose labels do not pair numbers as their places do."""
-    labels = {name: found for name, value in inputs.items() if (found := _labels(value))}
+    paired_labels({name: labels_of(value) for name, value in inputs.items()})
+
+
+def paired_labels(inputs: dict[str, list[tuple[Any, Any]]]) -> None:
+    """Refuse the labels of arrays, see ``labels_of``, that do not pair numbers as places do."""
+    labels = {name: found for name, found in inputs.items() if found}
     if not labels:
         return
     first = max(labels, key=lambda name: len(labels[name]))
@@ -85,12 +90,13 @@ def paired(inputs: dict[str, Any]) -> None:
                 )
 
 
-def _labels(value: Any) -> list[tuple[Any, Any]]:
+def labels_of(value: Any) -> list[tuple[Any, Any]]:
     """Return the name and the labels of each dimension of an array of xarray or pandas."""
     if hasattr(value, "dims") and hasattr(value, "indexes"):
         return [(dimension, value.indexes.get(dimension)) for dimension in value.dims]
-    index = getattr(value, "index", None)
-    return [("pandas", index)] if hasattr(index, "equals") else []
+    # The dimensions of pandas have no names.
+    axes = [getattr(value, "index", None), getattr(value, "columns", None)]
+    return [("pandas", labels) for labels in axes if hasattr(labels, "equals")]
 
 
 def fixed(array: ArrayLike) -> NDArray[Any]:

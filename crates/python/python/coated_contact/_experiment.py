@@ -9,7 +9,7 @@ import numpy as np
 from numpy import ma
 from numpy.typing import NDArray
 
-from ._arrays import fixed, number, paired, real
+from ._arrays import fixed, labels_of, number, paired_labels, real
 from ._bodies import HalfSpace, System
 from ._control import check_friction
 from ._errors import FitError
@@ -226,7 +226,8 @@ class Experiment(Remade, OneLine):
         if self.ordinate is None or _is_planned(self.abscissa, self.ordinate):
             object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         pointwise = ("abscissa", "ordinate", "retract", "time", "noise", "abscissa_noise")
-        paired({name: getattr(self, name) for name in pointwise})
+        labels = {name: labels_of(getattr(self, name)) for name in pointwise}
+        paired_labels(labels | (self.indentation._labels if self.indentation else {}))
         points = [real(name, getattr(self, name)) for name in pointwise[:2]]
         for name, array in zip(pointwise[:2], points, strict=True):
             object.__setattr__(self, name, fixed(array))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import located, number, real, scalar_or_array
+from ._arrays import located, number, paired, real, scalar_or_array
 from ._columns import Array, TimedColumns
 from ._control import Control, Spring, native_control
 from ._errors import InputError
@@ -237,6 +237,7 @@ def history(
     control: Control = "load" if name == "load" else "displacement"
     if stiffness is not None:
         control = Spring(stiffness=stiffness)
+    paired({"time": time, name: value})
     times, values = real("time", time), real(name, value)
     if times.ndim != 1 or times.shape != values.shape:
         raise InputError(
