@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _adapters, _core
-from ._arrays import real, scalar_or_array
+from ._arrays import labels_of, real, scalar_or_array
 from ._columns import Array
 from ._errors import FitError
 from ._experiment import Experiment, Free, ParameterName, one_of
@@ -111,6 +111,14 @@ class LogLikelihood(Native, OneLine):
             raise FitError(
                 f"values has the shape {rows.shape}: give one value for each of "
                 f"{', '.join(self.names)} along the last axis",
+                axis="values",
+            )
+        labels = [None, *(own for _, own in labels_of(values))][-1]
+        is_named = labels is not None and all(isinstance(one, str) for one in labels)
+        if is_named and tuple(labels) != self.names:
+            raise FitError(
+                f"values has the labels {', '.join(labels)} along its last axis, and the "
+                f"parameters are {', '.join(self.names)}: bring the values into this order",
                 axis="values",
             )
         return np.ascontiguousarray(rows)
