@@ -22,6 +22,7 @@ from coated_contact import (
     design,
     fit,
     forecast,
+    predict,
     read_experiment,
     simulate,
     solve,
@@ -70,6 +71,8 @@ CASES = {
     "a word for yes": (TypeError, "reference", lambda: Indentation(reference="no")),
     "the path of a table": (TypeError, "read", lambda: fit(LENS, WANTED, table="paper.bin")),
     "no table": (TypeError, "False", lambda: forecast(LENS, WANTED, table=False)),
+    "starts in a mapping": (TypeError, "Free", lambda: fit(LENS, {"film_modulus": 1e6})),
+    "a mapping of derivatives": (TypeError, "by must", lambda: predict(LENS, {"film_modulus": 1})),
     "one word": (TypeError, "list of words", lambda: fit(LENS, WANTED, allow="magnitudes")),
     "a rigid sphere": (InputError, "inf", lambda: replace(make_system(), sphere_modulus=1e40)),
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
@@ -72,6 +73,18 @@ def unit_of(parameter: object) -> str:
         '"LAYER.modulus", "LAYER.thickness" or "LAYER.interface_stiffness" of a layer by its name',
         axis="parameter",
     )
+
+
+def listed(name: str, parameters: Iterable[Any]) -> list[Any]:
+    """Return parameters as a list; refuse one word, and a mapping, of which only keys count."""
+    if isinstance(parameters, str):
+        raise TypeError(f"{name} must be a list of parameters: [{parameters!r}]")
+    if isinstance(parameters, Mapping):
+        raise TypeError(
+            f"{name} must be a list of parameters, not a mapping, whose values would have no "
+            "effect: a start and bounds are those of Free(parameter=..., start=..., bounds=...)"
+        )
+    return list(parameters)
 
 
 def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:

@@ -23,7 +23,7 @@ from ._arrays import real
 from ._bodies import Elastic, HalfSpace, System
 from ._columns import Array
 from ._errors import FitError
-from ._experiment import Experiment, ParameterName
+from ._experiment import Experiment, ParameterName, listed
 from ._model import Prediction, branches, predict
 from ._stack import Layer, Springs, StackSystem
 from ._table import Table
@@ -90,9 +90,7 @@ class Model(LmfitModel):  # type: ignore[misc]
         table: Table | None = None,
         **kwargs: Any,
     ) -> None:
-        if isinstance(free, str):
-            raise TypeError(f"free must be a list of parameters: [{free!r}]")
-        varied = list(free)
+        varied = listed("free", free)
         self._experiment, self._varied, self._table = experiment, varied, table
         measured = not np.isnan(experiment.ordinate).any()
         self._branches = branches(experiment, varied) if measured else None
