@@ -36,7 +36,8 @@ class Prediction(OneLine):
     contact_radius : numpy.ndarray
         Contact radii, m; 0 without a contact, NaN for a point that is left out.
     branch : list of str
-        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
+        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``. A point is
+        pinned where the line rests after the turn, as the model has it.
     beyond : numpy.ndarray
         Whether a point is in contact according to its branch, but beyond the end of the stable
         states. There a straight line continues the branch, so that a sum of squares has no jump.
@@ -100,7 +101,8 @@ def predict(
     Parameters
     ----------
     experiment : Experiment
-        Where is measured, and the values of all parameters. Its ordinates are not used.
+        Where is measured, and the values of all parameters. Its ordinates are not used, but of the
+        kind ``"stiffness-depth"`` measured stiffnesses are needed: they tell the contact depth.
     by : iterable of str
         The parameters whose derivatives are wanted.
     branches : sequence of str, optional
