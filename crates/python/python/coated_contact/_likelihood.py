@@ -134,9 +134,11 @@ def log_likelihood(
     """Return the logarithm of the likelihood as a function of the free parameters.
 
     ``ln L = -1/2 sum(((model - ordinate) / sigma)^2) - sum(ln(sqrt(2 pi) sigma))``, for normal
-    noise that is known. A prior of a :class:`Free` is one term more, of a normal density; outside
-    its bounds the likelihood is 0. Other priors are added by the sampler. Errors of the abscissae
-    count by the slope of the model at the values of the experiments, and these weights stay.
+    noise that is known. Of a contact stiffness they are ``ln(model)`` and ``ln(ordinate)``, with
+    the relative noise: the density of the logarithm. A prior of a :class:`Free` is one term more,
+    of a normal density; outside its bounds the likelihood is 0. Other priors are added by the
+    sampler. Errors of the abscissae count by the slope of the model at the values of the
+    experiments, and these weights stay.
 
     Parameters
     ----------
