@@ -17,7 +17,7 @@ from ._errors import FitError
 from ._history import Relaxation
 from ._indentation import Indentation
 from ._stack import StackSystem
-from ._values import OneLine, Remade, set_numbers
+from ._values import OneLine, Remade, set_flags, set_numbers
 
 Kind = Literal[
     "load-radius",
@@ -208,9 +208,10 @@ class Experiment(Remade, OneLine):
             raise TypeError(f"indentation must be an Indentation, not {self.indentation!r}")
         if self.relaxation is not None and not isinstance(self.relaxation, Relaxation):
             raise TypeError(f"relaxation must be a Relaxation, not {self.relaxation!r}")
-        for name in ("all_relax", "from_deflection"):
-            if not isinstance(getattr(self, name), bool):
-                raise TypeError(f"{name} must be True or False, not {getattr(self, name)!r}")
+        set_flags(self, "all_relax", "from_deflection")
+        for name in ("name", "reading"):
+            if not isinstance(getattr(self, name), str):
+                raise TypeError(f"{name} must be a str, not {getattr(self, name)!r}")
         if not isinstance(self.system, System | HalfSpace | StackSystem):
             raise TypeError(
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
@@ -355,6 +356,8 @@ class Free:
 
     def __post_init__(self) -> None:
         unit_of(self.parameter)
+        if self.own is not None:
+            set_flags(self, "own")
         if self.start is not None:
             object.__setattr__(self, "start", number("start", self.start))
         for name in ("bounds", "prior"):

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import fixed, labels_of, real
 from ._errors import FitError
-from ._values import OneLine, Remade, set_numbers
+from ._values import OneLine, Remade, set_flags, set_numbers
 
 ContactDepth = Literal["oliver-pharr", "loubet"]
 
@@ -108,6 +108,4 @@ class Indentation(Remade, OneLine):
         for name, one in given.items():
             if one is not None:
                 object.__setattr__(self, name, fixed(real(name, one)))
-        if not isinstance(self.reference, bool | np.bool_):
-            raise TypeError(f"reference must be True or False, not {self.reference!r}")
-        object.__setattr__(self, "reference", bool(self.reference))
+        set_flags(self, "reference")
