@@ -50,10 +50,19 @@ impl GivenScene {
             Some(file) => Scene::read(file, self.tolerance),
             None => Scene::parse(&self.text, self.tolerance).map_err(|what| Error::Scene {
                 path: "the scene".into(),
-                what,
+                what: without_listing(&what).unwrap_or(what),
             }),
         }
     }
+}
+
+/// Returns an error about the text of a scene that Python wrote, a line for each key, with the key in place of the
+/// listing of its line.
+fn without_listing(what: &str) -> Option<String> {
+    let (listing, reason) = what.rsplit_once("^\n")?;
+    let line = listing.lines().find_map(|line| line.split_once(" | "))?.1;
+    let (key, _) = line.split_once(" = ")?;
+    Some(format!("{key}: {reason}"))
 }
 
 /// What the thread of the generation tells that of the caller.

@@ -80,6 +80,7 @@ def test_adhesion_of_the_receding_line() -> None:
         ({"at": [-1.0]}, "begins at"),
         ({"at": [[0.5], [1.5]]}, r"a row of times, and has the shape \(2, 1\)"),
         ({"tolerance": 1e-20}, "1e-10"),
+        ({"receding": -1e-5}, "receding = -1e-05 cannot be used: it must be 0, or"),
     ],
 )
 def test_mistakes(change: dict[str, object], words: str) -> None:

@@ -252,6 +252,14 @@ def history(
             "rigid must be the Contact of the same film between a rigid probe and a rigid "
             f"substrate, not {rigid!r}"
         )
+    energy = number("receding", receding)
+    if energy < 0.0:
+        raise InputError(
+            f"receding = {energy!r} cannot be used: it must be 0, or the energy of the receding "
+            "line, J/m^2",
+            axis="receding",
+            value=energy,
+        )
     order = np.argsort(asked, kind="stable")
     columns, phases, error, unlike = _core.history(
         contact._native,
@@ -260,7 +268,7 @@ def history(
         time=times.tolist(),
         value=values.tolist(),
         at=asked[order].tolist(),
-        receding=number("receding", receding),
+        receding=energy,
         rigid=None if rigid is None else rigid._native,
         tolerance=None if tolerance is None else number("tolerance", tolerance),
     )
