@@ -166,6 +166,12 @@ def test_threads_share_a_contact(contact):
     assert all(np.array_equal(found[i], expected) for i in range(4))
 
 
+class Millimetres(np.ndarray):
+    """Numbers with a unit, as packages of units have them."""
+
+    units = "mm"
+
+
 def test_labels_pair_numbers_as_their_places_do(contact, system):
     """numpy would pair arrays of xarray and pandas by their labels."""
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
@@ -204,6 +210,13 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
             young_modulus=xarray.DataArray(3.5, attrs={"units": "MPa"}), poisson_ratio=0.5
         ),
     )
+    with_unit = xarray.DataArray([5e-5], attrs={"units": "Pa"})
+    words = "contact_radius has the unit 'Pa', but is in m"
+    refuses(TypeError, words, lambda: contact.load(with_unit, 0.04))
+    singular = xarray.DataArray(3.5, attrs={"unit": "MPa"})
+    refuses(TypeError, "'MPa'", lambda: Elastic(young_modulus=singular, poisson_ratio=0.5))
+    held = xarray.DataArray(np.array([0.05]).view(Millimetres))
+    refuses(TypeError, "unit of its own", lambda: contact.load(held, 0.04))
     for unit in ("Pa", "pascal", "N m-2", "N/m^2", "N/m²", b"Pa"):
         pascals = xarray.DataArray(3.5e6, attrs={"units": unit})
         assert Elastic(young_modulus=pascals, poisson_ratio=0.5).young_modulus == 3.5e6
