@@ -315,8 +315,8 @@ def test_maps_and_pictures(force_map, axes):
     assert maps["x"].values[:2].tolist() == pytest.approx([3e-5, 9e-5])
     assert set(maps.data_vars) == {*FREE, *(f"{one}_stderr" for one in FREE), "chi_squared"}
     assert found.plot(moduli, "film modulus", "Pa", ax=axes) is axes
-    assert axes.figure.axes[1].get_ylabel() == "film modulus (kPa)"
-    np.testing.assert_array_equal(axes.get_images()[0].get_array().filled(np.nan), image / 1e3)
+    assert axes.figure.axes[1].get_ylabel() == "film modulus (Pa)"
+    np.testing.assert_array_equal(axes.get_images()[0].get_array().filled(np.nan), image)
     (bar,) = axes.artists
     assert bar.txt_label.get_text() == "200 µm"
     axes.figure.canvas.draw()
