@@ -56,13 +56,16 @@ impl GivenScene {
     }
 }
 
-/// Returns an error about the text of a scene that Python wrote, a line for each key, with the key in place of the
-/// listing of its line.
+/// Returns an error about the text of a scene that Python wrote, a line for each key, without the listing of its line.
+/// An error within the value of a key begins with the key; every other names its key.
 fn without_listing(what: &str) -> Option<String> {
     let (listing, reason) = what.rsplit_once("^\n")?;
-    let line = listing.lines().find_map(|line| line.split_once(" | "))?.1;
-    let (key, _) = line.split_once(" = ")?;
-    Some(format!("{key}: {reason}"))
+    let (place, lines) = listing.split_once('\n')?;
+    let line = lines.lines().find_map(|line| line.split_once(" | "));
+    Some(match line.and_then(|(_, line)| line.split_once(" = ")) {
+        Some((key, _)) if !place.ends_with("column 1") => format!("{key}: {reason}"),
+        _ => reason.to_owned(),
+    })
 }
 
 /// What the thread of the generation tells that of the caller.

@@ -74,8 +74,13 @@ CASES = {
     ),
     "a scene with another key": (
         TableError,
-        'the scene: "tolerence": unknown field',
+        "the scene: unknown field `tolerence`",
         lambda: generate({"title": "x", "tolerence": 1e-3}, progress=False),
+    ),
+    "a range with another key": (
+        TableError,
+        'the scene: "nu1": unknown field `too`',
+        lambda: generate({"title": "x", "nu1": {"from": 0.1, "too": 2}}, progress=False),
     ),
     "a masked direction": (
         TypeError,
