@@ -1,8 +1,10 @@
 //! An attraction of finite range: states at contact radii, fields in one contact, and the pull-off.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use ::contact::CohesiveState;
 use ::solve::Error;
-use ::solve::cohesive;
+use ::solve::{cohesive, parallel};
 use interp::Probe;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -11,6 +13,7 @@ use crate::arrays::{Input, Output, Outputs, Points, columns};
 use crate::bodies::Coated;
 use crate::contact::{Imposed, control};
 use crate::error::OrRaise as _;
+use crate::interruption::interruptible;
 
 /// A probe with an attraction of finite range.
 #[pyclass(frozen, module = "coated_contact._core")]
@@ -92,11 +95,15 @@ impl Cohesive {
         contact_radii: [f64; 2],
         count: usize,
     ) -> PyResult<[Output<'py>; 4]> {
-        let states = py
-            .detach(|| self.0.branch(contact_radii, count))
-            .or_raise(py)?;
-        let rows: Vec<_> = states.into_iter().map(numbers).collect();
-        Ok(columns(py, &rows))
+        let radii = cohesive::Cohesive::branch_radii(contact_radii, count).or_raise(py)?;
+        let interrupted = AtomicBool::new(false);
+        let state = |&a: &f64| {
+            let goes_on = !interrupted.load(Ordering::Relaxed);
+            goes_on.then(|| self.0.state(a).map(numbers))
+        };
+        let states = interruptible(py, &interrupted, || parallel::map_while_some(&radii, state))?;
+        let rows: Result<Vec<_>, _> = states.into_iter().collect();
+        Ok(columns(py, &rows.or_raise(py)?))
     }
 
     fn pull_off(&self, py: Python<'_>, imposed: Imposed<'_>) -> PyResult<CohesiveNumbers> {

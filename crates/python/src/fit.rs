@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyString, PyTuple};
 
 use crate::contacts_on_layers::ContactsOnLayers;
-use crate::error::{Failure, unknown};
+use crate::error::{Failure, unknown, with_identifiers};
 use crate::experiment::{Given, all};
 use crate::indentation::loss;
 use crate::interruption::interruptible;
@@ -231,7 +231,7 @@ fn summary<'py>(py: Python<'py>, found: &Fit) -> PyResult<Bound<'py, PyDict>> {
 
 /// Returns the kinds and the texts of warnings.
 pub fn warnings(found: &[Warning]) -> Vec<(&'static str, String)> {
-    let words = |warning: &Warning| (warning.kind.name(), warning.text.clone());
+    let words = |warning: &Warning| (warning.kind.name(), with_identifiers(&warning.text));
     found.iter().map(words).collect()
 }
 

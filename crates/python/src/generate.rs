@@ -50,10 +50,22 @@ impl GivenScene {
             Some(file) => Scene::read(file, self.tolerance),
             None => Scene::parse(&self.text, self.tolerance).map_err(|what| Error::Scene {
                 path: "the scene".into(),
-                what,
+                what: without_listing(&what).unwrap_or(what),
             }),
         }
     }
+}
+
+/// Returns an error about the text of a scene that Python wrote, a line for each key, without the listing of its line.
+/// An error within the value of a key begins with the key; every other names its key.
+fn without_listing(what: &str) -> Option<String> {
+    let (listing, reason) = what.rsplit_once("^\n")?;
+    let (place, lines) = listing.split_once('\n')?;
+    let line = lines.lines().find_map(|line| line.split_once(" | "));
+    Some(match line.and_then(|(_, line)| line.split_once(" = ")) {
+        Some((key, _)) if !place.ends_with("column 1") => format!("{key}: {reason}"),
+        _ => reason.to_owned(),
+    })
 }
 
 /// What the thread of the generation tells that of the caller.

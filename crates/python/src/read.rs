@@ -36,6 +36,7 @@ pub fn read_file<'py>(
     path: PathBuf,
     given: GivenFormat,
 ) -> PyResult<(Bound<'py, PyDict>, Option<String>)> {
+    let sensitivity = given.sensitivity;
     let format = format(py, given)?;
     let Reading {
         measurement,
@@ -45,6 +46,15 @@ pub fn read_file<'py>(
         times,
         notes,
     } = py.detach(|| read(&path, &format)).or_raise(py)?;
+    if let Some(value) = sensitivity.filter(|_| !notes.has_volts()) {
+        let text = format!(
+            "{}: sensitivity is that of deflections in volts, and the file has none: leave it out, or give the unit \
+             of the column, columns={{\"deflection\": \"HEADING [V]\"}}",
+            measurement.name
+        );
+        let failure = Failure::of_words("FitError", &text);
+        return Err(failure.about("sensitivity", value).raise(py));
+    }
     let points = &measurement.points;
     let fields = PyDict::new(py);
     fields.set_item("name", &measurement.name)?;

@@ -19,6 +19,7 @@ from coated_contact import (
     FitError,
     ForceMap,
     HalfSpace,
+    Relaxation,
     System,
     fit_map,
     read_afm,
@@ -241,6 +242,11 @@ def test_directions_and_pauses(tmp_path):
     found = read_afm(path, system=GEL)
     assert [int((~found[0].retract).sum()), int(found[0].retract.sum())] == [2048, 1951]
     assert found.times[0][[0, -1]].tolist() == pytest.approx([1.0, 32.952], abs=1e-3)
+    (held,) = read_afm(path, system=GEL, relaxation=Relaxation.power_law(0.2))
+    assert len(held.abscissa) > 2048 + 1951
+    assert np.all(np.diff(held.time) > 0)
+    (approach,) = read_afm(path, system=GEL, relaxation=held.relaxation, only="approach")
+    assert len(approach.abscissa) == len(held.abscissa) - 1951
     # The segments of an Igor file are not told: it is split at the smallest height.
     path = file_of("AFMFORMATS", "tests/data/fmt-igor-fd_U3_3_p10004.ibw", tmp_path)
     (one,) = read_afm(path, system=GEL)
@@ -309,8 +315,8 @@ def test_maps_and_pictures(force_map, axes):
     assert maps["x"].values[:2].tolist() == pytest.approx([3e-5, 9e-5])
     assert set(maps.data_vars) == {*FREE, *(f"{one}_stderr" for one in FREE), "chi_squared"}
     assert found.plot(moduli, "film modulus", "Pa", ax=axes) is axes
-    assert axes.figure.axes[1].get_ylabel() == "film modulus (kPa)"
-    np.testing.assert_array_equal(axes.get_images()[0].get_array().filled(np.nan), image / 1e3)
+    assert axes.figure.axes[1].get_ylabel() == "film modulus (Pa)"
+    np.testing.assert_array_equal(axes.get_images()[0].get_array().filled(np.nan), image)
     (bar,) = axes.artists
     assert bar.txt_label.get_text() == "200 µm"
     axes.figure.canvas.draw()

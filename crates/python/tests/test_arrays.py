@@ -12,8 +12,10 @@ from coated_contact import (
     ContactError,
     Elastic,
     Experiment,
+    Indentation,
     InputError,
     Profile,
+    Relaxation,
     State,
     States,
     log_likelihood,
@@ -164,6 +166,12 @@ def test_threads_share_a_contact(contact):
     assert all(np.array_equal(found[i], expected) for i in range(4))
 
 
+class Millimetres(np.ndarray):
+    """Numbers with a unit, as packages of units have them."""
+
+    units = "mm"
+
+
 def test_labels_pair_numbers_as_their_places_do(contact, system):
     """numpy would pair arrays of xarray and pandas by their labels."""
     pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
@@ -181,6 +189,20 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
     shuffled = {"abscissa": first, "ordinate": other.iloc[[1, 0, 2]]}
     known = {"kind": "load-radius", "system": system, "work_of_adhesion": 0.04}
     refuses(ValueError, words, lambda: Experiment(**known, **shuffled))
+    # A Series is paired with the columns of a DataFrame, as numpy does.
+    frame = pandas.DataFrame({"s1": a, "s2": a})
+    turned = pandas.DataFrame({"s2": w, "s1": w})
+    assert contact.load(frame, turned[["s1", "s2"]]).shape == (3, 2)
+    refuses(ValueError, words, lambda: contact.load(frame, turned))
+    row = pandas.Series([0.01, 0.02], index=["s1", "s2"])
+    assert np.array_equal(contact.load(frame, row)[:, 1], contact.load(a, 0.02))
+    law, time = Relaxation.power_law(0.2), pandas.Series([0, 1, 2], index=[0, 2, 1])
+    program = pandas.Series([0, 1e-7, 0])
+    refuses(ValueError, words, lambda: contact.history(time, law, penetration=program))
+    plan = {"kind": "stiffness-depth", "abscissa": first, "ordinate": first, "system": system}
+    assert Experiment(**plan, indentation=Indentation(loads=first)).indentation.loads[0] == a[0]
+    other_loads = Indentation(loads=first[::-1])
+    refuses(ValueError, words, lambda: Experiment(**plan, indentation=other_loads))
     refuses(
         TypeError,
         "young_modulus has the unit 'MPa' of its own: give its value in SI units",
@@ -188,6 +210,13 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
             young_modulus=xarray.DataArray(3.5, attrs={"units": "MPa"}), poisson_ratio=0.5
         ),
     )
+    with_unit = xarray.DataArray([5e-5], attrs={"units": "Pa"})
+    words = "contact_radius has the unit 'Pa', but is in m"
+    refuses(TypeError, words, lambda: contact.load(with_unit, 0.04))
+    singular = xarray.DataArray(3.5, attrs={"unit": "MPa"})
+    refuses(TypeError, "'MPa'", lambda: Elastic(young_modulus=singular, poisson_ratio=0.5))
+    held = xarray.DataArray(np.array([0.05]).view(Millimetres))
+    refuses(TypeError, "unit of its own", lambda: contact.load(held, 0.04))
     for unit in ("Pa", "pascal", "N m-2", "N/m^2", "N/m²", b"Pa"):
         pascals = xarray.DataArray(3.5e6, attrs={"units": unit})
         assert Elastic(young_modulus=pascals, poisson_ratio=0.5).young_modulus == 3.5e6

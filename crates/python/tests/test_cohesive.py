@@ -79,6 +79,7 @@ def test_pressure_and_gap(cohesive):
     inside = np.sum(pi * np.diff(r**2) * 0.5 * (pressure[1:] + pressure[:-1]))
     outside = -sigma * pi * (state.outer_radius**2 - a**2)
     assert inside + outside == pytest.approx(state.load, rel=1e-3, abs=1e-3 * abs(outside))
+    assert type(cohesive.pressure(a, 0.0)) is float
     gap = cohesive.gap(a, np.array([[a, state.outer_radius]]))
     assert gap.shape == (1, 2)
     assert gap[0] == pytest.approx([0.0, 1e-8], abs=1e-13)

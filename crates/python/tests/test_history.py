@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -79,6 +80,7 @@ def test_adhesion_of_the_receding_line() -> None:
         ({"at": [-1.0]}, "begins at"),
         ({"at": [[0.5], [1.5]]}, r"a row of times, and has the shape \(2, 1\)"),
         ({"tolerance": 1e-20}, "1e-10"),
+        ({"receding": -1e-5}, "receding = -1e-05 cannot be used: it must be 0, or"),
     ],
 )
 def test_mistakes(change: dict[str, object], words: str) -> None:
@@ -99,6 +101,12 @@ def test_laws_of_no_solid() -> None:
     refuses(InputError, "below 1", lambda: Relaxation.power_law(1.0))
     refuses(InputError, "sum", lambda: Relaxation.prony(0.3, [1.0, 2.0], [0.3, 0.3]))
     refuses(InputError, "weights", lambda: Relaxation.prony(0.3, [1.0, 2.0]))
+    power = Relaxation.power_law(0.2)
+    refuses(InputError, "relaxed = 0.3 has no effect", lambda: replace(power, relaxed=0.3))
+    refuses(InputError, "exponent = 0.5 has no effect", lambda: replace(LAW, exponent=0.5))
+    refuses(InputError, "1 weights for 2 times", lambda: replace(LAW, times=(1.0, 2.0)))
+    refuses(InputError, "one time and no weights", lambda: replace(power, weights=(0.3,)))
+    refuses(InputError, "law = 'sls' cannot be used", lambda: replace(LAW, law="sls"))
     with pytest.raises(TypeError, match="Relaxation"):
         CONTACT.history(*PROGRAM[:1], "sls", penetration=PROGRAM[1])  # type: ignore[arg-type]
 

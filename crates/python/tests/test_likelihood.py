@@ -197,6 +197,11 @@ def test_what_cannot_be_used_is_refused(system):
         with pytest.raises(FitError, match="one value for each of film_modulus, work_of_adhesion"):
             likelihood(wrong)
     refuses(TypeError, "real numbers", lambda: likelihood(["a", "b"]))
+    pandas = pytest.importorskip("pandas")
+    named = pandas.Series({"film_modulus": 3.6e6, "work_of_adhesion": 0.04})
+    assert likelihood(named) == likelihood(named.to_frame().T)[0] == likelihood([3.6e6, 0.04])
+    for wrong in (named[::-1], named[::-1].to_frame().T):
+        refuses(FitError, "bring the values into this order", lambda w=wrong: likelihood(w))
     with pytest.raises(FitError, match="number of branches of experiment = 3"):
         log_likelihood(given, free, branches=[["advancing"] * 3])
     with pytest.raises(FitError, match="number of experiments with branches = 2"):

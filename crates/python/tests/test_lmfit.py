@@ -1,5 +1,6 @@
 """The model of lmfit: the numbers of `fit`, with fewer evaluations by exact derivatives."""
 
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -137,6 +138,16 @@ def test_the_exact_derivatives_are_used(model_class):
     )
     assert exact.nfev < 0.6 * differences.nfev
     assert exact.chisqr <= differences.chisqr
+
+
+def test_a_model_and_its_results_can_be_pickled(model_class):
+    one = lens(seed=1)
+    model = model_class(one, WANTED)
+    data = {"data": one.ordinate, "x": one.abscissa}
+    found = pickle.loads(pickle.dumps(model)).fit(**data)
+    again = pickle.loads(pickle.dumps(found))
+    assert again.best_values == model.fit(**data).best_values
+    assert np.array_equal(again.eval(x=one.abscissa), found.best_fit)
 
 
 def test_a_cantilever_is_fitted_like_by_fit(model_class):

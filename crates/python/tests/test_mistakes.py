@@ -12,6 +12,7 @@ from coated_contact import (
     Experiment,
     FitError,
     Free,
+    Hysteresis,
     Indentation,
     InputError,
     Layer,
@@ -19,9 +20,12 @@ from coated_contact import (
     SolvedCurve,
     Stack,
     Table,
+    TableError,
     design,
     fit,
     forecast,
+    generate,
+    predict,
     read_experiment,
     simulate,
     solve,
@@ -62,14 +66,34 @@ CASES = {
         "stick",
         lambda: SolvedCurve(a_over_t=(0.1, 20), sphere_poisson_ratio=0.3),
     ),
+    "ends in no order": (InputError, "below the second", lambda: SolvedCurve(a_over_t=(2, 0.01))),
+    "a line that costs less": (
+        InputError,
+        "1e-05 is below the advancing one = 5e-05",
+        lambda: Hysteresis(advancing=5e-5, receding=1e-5),
+    ),
+    "a scene with another key": (
+        TableError,
+        "the scene: unknown field `tolerence`",
+        lambda: generate({"title": "x", "tolerence": 1e-3}, progress=False),
+    ),
+    "a range with another key": (
+        TableError,
+        'the scene: "nu1": unknown field `too`',
+        lambda: generate({"title": "x", "nu1": {"from": 0.1, "too": 2}}, progress=False),
+    ),
     "a masked direction": (
         TypeError,
         "masked",
         lambda: replace(LENS, retract=np.ma.array([True] * 30, mask=[False] * 29 + [True])),
     ),
     "a word for yes": (TypeError, "reference", lambda: Indentation(reference="no")),
+    "a word for own": (TypeError, "own", lambda: Free(parameter="load_offset", own="no")),
+    "a number for a name": (TypeError, "name must be a str", lambda: replace(LENS, name=7)),
     "the path of a table": (TypeError, "read", lambda: fit(LENS, WANTED, table="paper.bin")),
     "no table": (TypeError, "False", lambda: forecast(LENS, WANTED, table=False)),
+    "starts in a mapping": (TypeError, "Free", lambda: fit(LENS, {"film_modulus": 1e6})),
+    "a mapping of derivatives": (TypeError, "by must", lambda: predict(LENS, {"film_modulus": 1})),
     "one word": (TypeError, "list of words", lambda: fit(LENS, WANTED, allow="magnitudes")),
     "a rigid sphere": (InputError, "inf", lambda: replace(make_system(), sphere_modulus=1e40)),
 }
@@ -155,6 +179,11 @@ def test_commas_that_may_part_thousands_are_told(tmp_path):
     with pytest.warns(UserWarning, match="if the commas part thousands"):
         reading("41,250\t-190\n52,300\t-150\n63,410\t-80\n")
     assert "commas are decimal" in reading("41,25\t-190\n52,30\t-150\n63,41\t-80\n")
+
+
+def test_a_bool_of_numpy_is_one():
+    assert replace(LENS, all_relax=np.True_, from_deflection=np.False_).all_relax is True
+    assert Free(parameter="load_offset", own=np.True_).own is True
 
 
 def test_objects_are_written_as_dictionaries():

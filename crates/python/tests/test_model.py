@@ -75,6 +75,23 @@ def test_branches_come_from_the_data():
     assert np.array_equal(np.isnan(found.ordinate), [b == "left-out" for b in from_data])
 
 
+def test_the_line_rests_after_the_turn_under_hysteresis():
+    heights = np.r_[np.linspace(2e-6, -1.5e-6, 50), np.linspace(-1.5e-6, 3e-6, 60)]
+    cycle = Experiment(
+        kind="force-height",
+        abscissa=heights,
+        retract=np.repeat([False, True], [50, 60]),
+        system=make_system(sphere_radius=1e-5, sphere_modulus=np.inf, film_modulus=5e3),
+        stiffness=0.05,
+        work_of_adhesion=1e-5,
+        work_of_adhesion_receding=2e-4,
+    )
+    found = predict(cycle)
+    branch, radius = np.array(found.branch), found.contact_radius
+    assert np.ptp(radius[branch == "pinned"]) == 0.0
+    assert (radius[branch == "receding"] < radius[branch == "pinned"][0]).all()
+
+
 def test_what_would_not_be_determined_is_named():
     """Beside a thick film only the compound modulus of sphere and film counts."""
     one = loads_at(make_system(film_thickness=1e-2), [5e-5, 6e-5, 7e-5], noise=1e-6)

@@ -1,5 +1,7 @@
 """Measurements from files of text: what is read, what the head tells, and what is refused."""
 
+import os
+
 import numpy as np
 import pytest
 
@@ -64,6 +66,7 @@ def test_an_export_becomes_an_experiment_with_what_its_head_tells(write):
     assert given.stiffness == 0.1
     np.testing.assert_allclose(given.ordinate, [0, 1e-9, 2e-9, 1.5e-9], rtol=1e-15)
     assert "as given" in given.reading
+    assert read(os.fsencode(path)).name == str(path)
 
 
 def test_columns_segments_and_directions_can_be_given(write):
@@ -123,6 +126,7 @@ def test_several_curves_and_directions_that_may_be_wrong_are_told(write):
         ("penetration,P\n1,2\n2,3\n", {"columns": {"load": "P [UNIT]"}}, ["in its place", "[mN]"]),
         ("Gap [nm],Load [mN]\n1,2\n2,3\n", {}, ['{"height": "Gap [nm]"}, stiffness=1e9']),
         ("penetration,load\n1,2\n2,3\n", {"kind": "load"}, ["'load'", "load-penetration"]),
+        ("height_m,force_N\n1,2\n2,3\n", {"stiffness": 1, "sensitivity": 1e-8}, ["volts"]),
         ("penetration,load\n1,2\n2,3\n", {"segments": "up"}, ["'up'", "split"]),
         ("penetration,load\n1,2\n2,3\n", {"only": "up"}, ["'up'", "retract"]),
     ],

@@ -10,6 +10,7 @@ import pytest
 
 from coated_contact import (
     Experiment,
+    Indentation,
     Paraboloid,
     RateDependent,
     Table,
@@ -150,6 +151,7 @@ def test_short_lines_hold_the_numbers(results):
     )
     assert "<40 values>" in repr(results[0])
     assert "<1 x 2 values>" in repr(results[14])
+    assert "area=(24.56,), " in repr(Indentation())
     assert repr(Paraboloid(radius=1e-3)) == "Paraboloid(radius=0.001)"
 
 

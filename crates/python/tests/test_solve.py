@@ -6,12 +6,17 @@ import numpy as np
 import pytest
 
 from coated_contact import (
+    Cohesive,
     InputError,
     SolveError,
     solve,
     solve_stack,
 )
-from conftest import refuses, rows
+from conftest import make_system, refuses, rows
+
+COHESIVE = Cohesive(
+    system=make_system(sphere_radius=1e-5), work_of_adhesion=0.05, interaction_range=1e-8
+)
 
 QUANTITIES = ("pi0", "eeq", "gamma", "delta0")
 PARAMETERS = ("a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "nu0")
@@ -63,7 +68,15 @@ def test_errors():
     refuses(TypeError, "stack must be a Stack, not int", lambda: solve_stack(1.0, 3, 2e6))
 
 
-def test_a_signal_ends_a_long_solve():
+@pytest.mark.parametrize(
+    "solves",
+    [
+        lambda: solve(np.geomspace(1.0, 100.0, 1_000_000), 1.75, 0.5, 1e5, tolerance=1e-12),
+        lambda: COHESIVE.branch((1e-6, 4e-6), count=1_000_000),
+    ],
+    ids=["solve", "branch"],
+)
+def test_a_signal_ends_a_long_solve(solves):
     """A million solves take a minute; the signal comes after 50 ms of it."""
 
     class InterruptedHereError(Exception):
@@ -76,7 +89,7 @@ def test_a_signal_ends_a_long_solve():
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.05)
         with pytest.raises(InterruptedHereError):
-            solve(np.geomspace(1.0, 100.0, 1_000_000), 1.75, 0.5, 1e5, tolerance=1e-12)
+            solves()
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)

@@ -13,7 +13,7 @@ pub struct Prediction {
     pub ordinates: Vec<f64>,
     /// The contact radius of each point, m; 0 without a contact, NaN for a point that is left out.
     pub contact_radii: Vec<f64>,
-    /// The branch of each point.
+    /// The branch of each point, [`Branch::Pinned`] where the values leave the line at rest after the turn.
     pub branches: Vec<Branch>,
     /// Whether each point is in contact according to its branch, but beyond the end of the stable
     /// states. There the branch is continued by a straight line, so that a sum of squares has no
@@ -83,9 +83,8 @@ impl Experiment {
             let (found, allowed) = (branches.len(), format!("that of the points, {count}"));
             return Err(Error::setting("number of branches", found as f64, allowed));
         }
-        let of_contact: Vec<Branch> = branches.iter().map(|one| one.of_contact()).collect();
-        let mut predicted =
-            self.predict_with(&contact_of, &of_contact, &order, Some(parameters))?;
+        let mut branches: Vec<Branch> = branches.iter().map(|one| one.of_contact()).collect();
+        let mut predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
         if self.measurement.kind.is_stiffness() {
             let width = parameters.len();
             for (i, value) in predicted.values.iter_mut().enumerate() {
@@ -93,6 +92,11 @@ impl Experiment {
                 for by in &mut predicted.derivatives[i * width..][..width] {
                     *by *= *value;
                 }
+            }
+        }
+        for (branch, &is_pinned) in branches.iter_mut().zip(&predicted.pinned) {
+            if is_pinned {
+                *branch = Branch::Pinned;
             }
         }
         let kept = |i: usize, value: f64| {

@@ -49,7 +49,8 @@ def read_afm(
     They are JPK (``.jpk-force``, ``.jpk-force-map``, ``.jpk-qi-data``), Asylum Research (``.ibw``),
     AFM workshop, NT-MDT, Optics11 Chiaro, and HDF5 or text of afmformats itself. Each curve becomes
     an experiment of forces against heights. Heights are those of the base of the cantilever,
-    measured where the file has them, else of the piezo. Points of a pause are left out. A curve
+    measured where the file has them, else of the piezo. Points of a pause are left out, but with a
+    ``relaxation`` those between approach and retract are kept, and all have their times. A curve
     whose segments the file does not tell is split at its smallest height. Needs afmformats.
 
     Parameters
@@ -112,7 +113,8 @@ def read_afm(
         name: _positive(name, value) for name, value in given.items() if value is not None
     }
     thickness = _Thickness(system, film_thickness, height_image, zero_level)
-    file = Path(os.fspath(path))
+    file = Path(os.fsdecode(path))
+    relaxes = known.get("relaxation") is not None
     experiments, places, times = [], [], []
     refused: dict[int, str] = {}
     curves = _load(file, overridden)
@@ -127,7 +129,7 @@ def read_afm(
         name = f"{file}, curve {i}" if len(curves) > 1 else str(file)
         try:
             with _foreign(name):
-                fields, time = _fields(curve, name, only)
+                fields, time = _fields(curve, name, only, relaxes)
             if holds_forces:
                 fields["reading"] += ", with which the instrument made the forces"
             system_there = thickness.at(i, len(curves), place, fields)
@@ -242,7 +244,9 @@ def _foreign(name: str) -> Iterator[None]:
         ) from error
 
 
-def _fields(curve: Any, name: str, only: Direction | None) -> tuple[dict[str, Any], Array | None]:
+def _fields(
+    curve: Any, name: str, only: Direction | None, relaxes: bool
+) -> tuple[dict[str, Any], Array | None]:
     """Return the fields of an experiment, and the times of its points."""
     columns, metadata = set(curve.columns), curve.metadata
     stiffness = metadata.get("spring constant", np.nan)
@@ -263,6 +267,10 @@ def _fields(curve: Any, name: str, only: Direction | None) -> tuple[dict[str, An
     else:
         height = np.asarray(curve[height_name], dtype=np.float64)
     retract, kept = _segments(np.asarray(curve["segment"]), height, curve.modality)
+    if relaxes and kept.any():
+        # A hold is a part of the history of a film that relaxes.
+        ways = np.flatnonzero(kept)
+        kept[ways[0] : ways[-1]] = True
     if only is not None:
         kept &= retract == (only == "retract")
     if not kept.any():
@@ -279,6 +287,8 @@ def _fields(curve: Any, name: str, only: Direction | None) -> tuple[dict[str, An
         "reading": f"{metadata.get('format', 'afmformats')}: force, {height_name}; "
         f"{int(kept.sum())} of {len(kept)} points; stiffness {stiffness:.6g} N/m",
     }
+    if relaxes:
+        fields["time"] = time
     return fields, time
 
 

@@ -17,15 +17,22 @@ from numpy.typing import ArrayLike, NDArray
 from ._errors import ContactError, InputError
 
 Errors = Literal["raise", "nan"]
-# The units that datasets of this package and others name, and that need no factor; quotients also
-# as products with negative exponents, as the conventions of netCDF have them.
-SI = (
-    *("", "1", "None", "dimensionless", "m", "meter", "metre", "meters", "metres", "N", "newton"),
-    *("newtons", "Pa", "pascal", "pascals", "s", "second", "seconds", "rad", "radian", "radians"),
-    *("V", "volt", "volts", "Hz", "hertz", "m^2", "m2", "N/m", "N m-1", "N m^-1", "J/m^2", "J/m2"),
-    *("J m-2", "J m^-2", "N/m^2", "N/m2", "N m-2", "N m^-2", "m/V", "m V-1", "m/N", "m N-1"),
-    *("Pa/m", "Pa m-1", "N/m^3", "N m-3"),
-)
+# The units that datasets of this package and others name, and that need no factor, by the unit of
+# this package; quotients also as products with negative exponents, as netCDF has them.
+SI = {
+    "1": ("", "1", "None", "dimensionless"),
+    "m": ("m", "meter", "metre", "meters", "metres"),
+    "N": ("N", "newton", "newtons"),
+    "Pa": ("Pa", "pascal", "pascals", "N/m^2", "N/m2", "N m-2", "N m^-2"),
+    "s": ("s", "second", "seconds"),
+    "J/m^2": ("J/m^2", "J/m2", "J m-2", "J m^-2", "N/m", "N m-1", "N m^-1"),
+    "m/V": ("m/V", "m V-1", "m/N", "m N-1"),
+    "Pa/m": ("Pa/m", "Pa m-1", "N/m^3", "N m-3"),
+    "others": ("rad", "radian", "radians", "V", "volt", "volts", "Hz", "hertz", "m^2", "m2"),
+}
+# The unit of an argument by the last word of its name.
+UNIT_OF = {"radius": "m", "thickness": "m", "penetration": "m", "height": "m", "modulus": "Pa"}
+UNIT_OF |= {"load": "N", "adhesion": "J/m^2", "time": "s"}
 
 
 def number(name: str, value: float) -> float:
@@ -51,13 +58,20 @@ def integer(name: str, value: int, least: int, end: int) -> int:
 
 def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Return real numbers as an aligned array of float64; refuse what would lose a part."""
-    if hasattr(type(value), "units") or hasattr(type(value), "unit"):
+    # An array of xarray may hold quantities with a unit, or know of one.
+    held = type(getattr(value, "data", None) if hasattr(value, "dims") else value)
+    if hasattr(held, "units") or hasattr(held, "unit"):
         raise TypeError(f"{name} = {value!r} has a unit of its own: give its value in SI units")
-    # What xarray knows of a unit.
-    unit = getattr(value, "attrs", {}).get("units", "1")
+    attributes = getattr(value, "attrs", {})
+    unit = attributes.get("units", attributes.get("unit", "1"))
     unit = unit.decode() if isinstance(unit, bytes) else str(unit)
-    if unit.replace("²", "^2").strip() not in SI:
+    plain = unit.replace("²", "^2").strip()
+    found = next((one for one, names in SI.items() if plain in names), None)
+    if found is None:
         raise TypeError(f"{name} has the unit {unit!r} of its own: give its value in SI units")
+    wanted = UNIT_OF.get(name.replace(" ", "_").rpartition("_")[2], found)
+    if found not in ("1", wanted):
+        raise TypeError(f"{name} has the unit {unit!r}, but is in {wanted}: give this quantity")
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} must be real numbers, not of the type {array.dtype}")
@@ -70,7 +84,12 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
 
 def paired(inputs: dict[str, Any]) -> None:
     """Refuse arrays of pandas or xarray whose labels do not pair numbers as their places do."""
-    labels = {name: found for name, value in inputs.items() if (found := _labels(value))}
+    paired_labels({name: labels_of(value) for name, value in inputs.items()})
+
+
+def paired_labels(inputs: dict[str, list[tuple[Any, Any]]]) -> None:
+    """Refuse the labels of arrays, see ``labels_of``, that do not pair numbers as places do."""
+    labels = {name: found for name, found in inputs.items() if found}
     if not labels:
         return
     first = max(labels, key=lambda name: len(labels[name]))
@@ -85,12 +104,13 @@ def paired(inputs: dict[str, Any]) -> None:
                 )
 
 
-def _labels(value: Any) -> list[tuple[Any, Any]]:
+def labels_of(value: Any) -> list[tuple[Any, Any]]:
     """Return the name and the labels of each dimension of an array of xarray or pandas."""
     if hasattr(value, "dims") and hasattr(value, "indexes"):
         return [(dimension, value.indexes.get(dimension)) for dimension in value.dims]
-    index = getattr(value, "index", None)
-    return [("pandas", index)] if hasattr(index, "equals") else []
+    # The dimensions of pandas have no names.
+    axes = [getattr(value, "index", None), getattr(value, "columns", None)]
+    return [("pandas", labels) for labels in axes if hasattr(labels, "equals")]
 
 
 def fixed(array: ArrayLike) -> NDArray[Any]:

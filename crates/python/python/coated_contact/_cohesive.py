@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import final, overload
+from typing import Any, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Errors, evaluate, integer, located, number, real
+from ._arrays import Errors, evaluate, integer, located, number, real, scalar_or_array
 from ._bodies import System
 from ._columns import Array
 from ._control import Control, native_control
@@ -142,7 +142,7 @@ class Cohesive(Native):
         """
         return CohesiveState(*self._native.pull_off(native_control(control)))
 
-    def pressure(self, a: float, r: ArrayLike) -> Array:
+    def pressure(self, a: float, r: ArrayLike) -> Any:
         """Return the pressure inside a contact, Pa, positive in compression.
 
         Parameters
@@ -154,7 +154,7 @@ class Cohesive(Native):
         """
         return _field(self._native.pressure, a, r)
 
-    def gap(self, a: float, r: ArrayLike) -> Array:
+    def gap(self, a: float, r: ArrayLike) -> Any:
         """Return the gap outside a contact, m.
 
         Parameters
@@ -167,9 +167,9 @@ class Cohesive(Native):
         return _field(self._native.gap, a, r)
 
 
-def _field(native: Callable[..., Array], a: float, r: ArrayLike) -> Array:
+def _field(native: Callable[..., Array], a: float, r: ArrayLike) -> Any:
     """Return a field of the contact of radius ``a`` at distances from the axis."""
     radii = real("r", r)
     flat = np.ascontiguousarray(radii).reshape(-1)
     with located("radius", radii):
-        return native(number("a", a), flat).reshape(radii.shape)
+        return scalar_or_array(native(number("a", a), flat).reshape(radii.shape))

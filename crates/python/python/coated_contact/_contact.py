@@ -14,6 +14,7 @@ from ._cohesive_zone import ShortZone
 from ._columns import Array
 from ._control import Control, check_friction, native_control
 from ._equilibria import Equilibria
+from ._errors import InputError
 from ._results import ForceDisplacement, Gradient, State, States, states
 from ._stack import StackSystem
 from ._validity import Validity, ZoneSize, validity
@@ -596,6 +597,13 @@ class SolvedCurve:
     def __post_init__(self) -> None:
         first, last = self.a_over_t
         set_field(self, "a_over_t", (number("a_over_t", first), number("a_over_t", last)))
+        least, most = self.a_over_t
+        if least >= most:
+            raise InputError(
+                f"a_over_t = {self.a_over_t} cannot be used: the first must be below the second",
+                axis="a_over_t",
+                value=least,
+            )
         set_numbers(self, "tolerance", "sphere_poisson_ratio", "advancing")
         if self.friction not in ("none", "stick"):
             raise ValueError(f'friction is {self.friction!r}, but must be "none" or "stick"')

@@ -85,7 +85,9 @@ class Design(OneLine):
         ax.plot(errors[known], places[known], "o", color="C0")
         # Inside the axes, where a long name is not cut off.
         for place, name in enumerate(self.stderr):
-            ax.text(least, place, f" {name}{'' if known[place] else ': not determined'}", va="bottom")
+            ax.text(
+                least, place, f" {name}{'' if known[place] else ': not determined'}", va="bottom"
+            )
         ax.set_xscale("log")
         ax.set_xlim(least, errors[known].max() * 2)
         ax.set_ylim(len(errors) - 0.5, -0.5)

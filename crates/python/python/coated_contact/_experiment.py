@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
@@ -9,14 +10,14 @@ import numpy as np
 from numpy import ma
 from numpy.typing import NDArray
 
-from ._arrays import fixed, number, paired, real
+from ._arrays import fixed, labels_of, number, paired_labels, real
 from ._bodies import HalfSpace, System
 from ._control import check_friction
 from ._errors import FitError
 from ._history import Relaxation
 from ._indentation import Indentation
 from ._stack import StackSystem
-from ._values import OneLine, Remade, set_numbers
+from ._values import OneLine, Remade, set_flags, set_numbers
 
 Kind = Literal[
     "load-radius",
@@ -72,6 +73,18 @@ def unit_of(parameter: object) -> str:
         '"LAYER.modulus", "LAYER.thickness" or "LAYER.interface_stiffness" of a layer by its name',
         axis="parameter",
     )
+
+
+def listed(name: str, parameters: Iterable[Any]) -> list[Any]:
+    """Return parameters as a list; refuse one word, and a mapping, of which only keys count."""
+    if isinstance(parameters, str):
+        raise TypeError(f"{name} must be a list of parameters: [{parameters!r}]")
+    if isinstance(parameters, Mapping):
+        raise TypeError(
+            f"{name} must be a list of parameters, not a mapping, whose values would have no "
+            "effect: a start and bounds are those of Free(parameter=..., start=..., bounds=...)"
+        )
+    return list(parameters)
 
 
 def one_of(name: str, value: object, allowed: tuple[str, ...]) -> None:
@@ -195,9 +208,10 @@ class Experiment(Remade, OneLine):
             raise TypeError(f"indentation must be an Indentation, not {self.indentation!r}")
         if self.relaxation is not None and not isinstance(self.relaxation, Relaxation):
             raise TypeError(f"relaxation must be a Relaxation, not {self.relaxation!r}")
-        for name in ("all_relax", "from_deflection"):
-            if not isinstance(getattr(self, name), bool):
-                raise TypeError(f"{name} must be True or False, not {getattr(self, name)!r}")
+        set_flags(self, "all_relax", "from_deflection")
+        for name in ("name", "reading"):
+            if not isinstance(getattr(self, name), str):
+                raise TypeError(f"{name} must be a str, not {getattr(self, name)!r}")
         if not isinstance(self.system, System | HalfSpace | StackSystem):
             raise TypeError(
                 f"system must be a System, a HalfSpace or a StackSystem, not {self.system!r}"
@@ -226,7 +240,8 @@ class Experiment(Remade, OneLine):
         if self.ordinate is None or _is_planned(self.abscissa, self.ordinate):
             object.__setattr__(self, "ordinate", np.full(np.shape(self.abscissa), np.nan))
         pointwise = ("abscissa", "ordinate", "retract", "time", "noise", "abscissa_noise")
-        paired({name: getattr(self, name) for name in pointwise})
+        labels = {name: labels_of(getattr(self, name)) for name in pointwise}
+        paired_labels(labels | (self.indentation._labels if self.indentation else {}))
         points = [real(name, getattr(self, name)) for name in pointwise[:2]]
         for name, array in zip(pointwise[:2], points, strict=True):
             object.__setattr__(self, name, fixed(array))
@@ -341,6 +356,8 @@ class Free:
 
     def __post_init__(self) -> None:
         unit_of(self.parameter)
+        if self.own is not None:
+            set_flags(self, "own")
         if self.start is not None:
             object.__setattr__(self, "start", number("start", self.start))
         for name in ("bounds", "prior"):

@@ -12,7 +12,7 @@ from . import _core
 from ._arrays import Errors, number
 from ._distributed import unordered
 from ._errors import ContactError
-from ._experiment import Experiment, Free, ParameterName, one_of
+from ._experiment import Experiment, Free, ParameterName, listed, one_of
 from ._fit_map import FitMap
 from ._fit_results import (
     Fit,
@@ -296,6 +296,4 @@ def experiments_of(given: Experiment | Iterable[Experiment]) -> list[Experiment]
 
 def free_of(free: Iterable[ParameterName | Free]) -> list[Free]:
     """Return the free parameters, those without further wishes too."""
-    if isinstance(free, str):
-        raise TypeError(f"free must be a list of parameters: [{free!r}]")
-    return [one if isinstance(one, Free) else Free(parameter=one) for one in free]
+    return [one if isinstance(one, Free) else Free(parameter=one) for one in listed("free", free)]

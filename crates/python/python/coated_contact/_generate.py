@@ -122,7 +122,7 @@ def generate(
         with closing(Bar(progress)) as bar:
             table = Table(_core.generate(given, bar.told, LOGGER.warning, pieces))
     if not table.max_error <= table.tolerance:
-        name = "the table" if path is None else os.fspath(path)
+        name = "the table" if path is None else os.fsdecode(path)
         warnings.warn(
             f"{name}: the measured error {table.max_error:.1e} exceeds the tolerance "
             f"{table.tolerance:g}: give the axes more nodes",
@@ -137,7 +137,7 @@ def scene_of(scene: Scene, tolerance: float | None) -> dict[str, Any]:
     if isinstance(scene, Mapping):
         return {"file": None, "text": toml(scene), "tolerance": wanted}
     if isinstance(scene, os.PathLike):
-        return {"file": os.fspath(scene), "text": "", "tolerance": wanted}
+        return {"file": os.fsdecode(scene), "text": "", "tolerance": wanted}
     if not isinstance(scene, str):
         raise TypeError(f"a scene is a mapping, a path or text, not {type(scene).__name__}")
     if "=" not in scene:

@@ -9,16 +9,26 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import located, number, real, scalar_or_array
+from ._arrays import located, number, paired, real, scalar_or_array
 from ._columns import Array, TimedColumns
 from ._control import Control, Spring, native_control
 from ._errors import InputError
+from ._values import set_field, set_numbers
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
     from ._contact import Contact
+
+
+# The laws, each with the field that has no effect in it.
+WITHOUT = {
+    "prony": "exponent",
+    "power_law": "relaxed",
+    "modified_power_law": None,
+    "fractional_zener": None,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +59,33 @@ class Relaxation:
     weights: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
+        if self.law not in WITHOUT:
+            laws = ", ".join(f'"{law}"' for law in WITHOUT)
+            raise InputError(f"law = {self.law!r} cannot be used: give one of {laws}", axis="law")
+        set_numbers(self, "relaxed", "exponent")
         for name in ("times", "weights"):
-            object.__setattr__(self, name, tuple(getattr(self, name)))
+            row = np.atleast_1d(real(name, getattr(self, name))).ravel()
+            set_field(self, name, tuple(row.tolist()))
+        times, weights = len(self.times), len(self.weights)
+        if self.law == "prony" and weights != times:
+            raise InputError(
+                f"there are {weights} weights for {times} times: give one for each", axis="weights"
+            )
+        if self.law != "prony" and (times, weights) != (1, 0):
+            raise InputError(
+                f'the law "{self.law}" has one time and no weights, and {times} times and '
+                f"{weights} weights are given",
+                axis="weights" if weights else "times",
+            )
+        without = WITHOUT[self.law]
+        if without and getattr(self, without) != 0.0:
+            value = getattr(self, without)
+            raise InputError(
+                f'{without} = {value!r} has no effect in the law "{self.law}": leave it 0, or make '
+                "another law",
+                axis=without,
+                value=value,
+            )
         _core.check_relaxation(self._numbers())
 
     def _numbers(self) -> tuple[Any, ...]:
@@ -81,11 +116,6 @@ class Relaxation:
                 )
             weights = 1.0 - part
         own = np.atleast_1d(real("weights", weights)).ravel()
-        if own.size != several.size:
-            raise InputError(
-                f"there are {own.size} weights for {several.size} times: give one for each",
-                axis="weights",
-            )
         return cls("prony", part, times=tuple(several.tolist()), weights=tuple(own.tolist()))
 
     @classmethod
@@ -207,6 +237,7 @@ def history(
     control: Control = "load" if name == "load" else "displacement"
     if stiffness is not None:
         control = Spring(stiffness=stiffness)
+    paired({"time": time, name: value})
     times, values = real("time", time), real(name, value)
     if times.ndim != 1 or times.shape != values.shape:
         raise InputError(
@@ -221,6 +252,14 @@ def history(
             "rigid must be the Contact of the same film between a rigid probe and a rigid "
             f"substrate, not {rigid!r}"
         )
+    energy = number("receding", receding)
+    if energy < 0.0:
+        raise InputError(
+            f"receding = {energy!r} cannot be used: it must be 0, or the energy of the receding "
+            "line, J/m^2",
+            axis="receding",
+            value=energy,
+        )
     order = np.argsort(asked, kind="stable")
     columns, phases, error, unlike = _core.history(
         contact._native,
@@ -229,7 +268,7 @@ def history(
         time=times.tolist(),
         value=values.tolist(),
         at=asked[order].tolist(),
-        receding=number("receding", receding),
+        receding=energy,
         rigid=None if rigid is None else rigid._native,
         tolerance=None if tolerance is None else number("tolerance", tolerance),
     )

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Any, ClassVar, Literal, get_args
 
 import numpy as np
 
-from ._arrays import fixed, real
+from ._arrays import fixed, labels_of, real
 from ._errors import FitError
-from ._values import OneLine, Remade, set_numbers
+from ._values import OneLine, Remade, set_flags, set_numbers
 
 ContactDepth = Literal["oliver-pharr", "loubet"]
 
@@ -90,6 +90,8 @@ class Indentation(Remade, OneLine):
     phases: Any = None
     loss_tangent: float = 0.0
     reference: bool = False
+    # Those of the loads and phases, which an Experiment compares with those of its points.
+    _labels: ClassVar[dict[str, list[tuple[Any, Any]]]] = {}
 
     def __post_init__(self) -> None:
         set_numbers(self, *(name for name in _NUMBERS if getattr(self, name) is not None))
@@ -101,9 +103,9 @@ class Indentation(Remade, OneLine):
             )
         area = np.atleast_1d(real("area", self.area))
         object.__setattr__(self, "area", tuple(float(one) for one in area))
-        for name in ("loads", "phases"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, fixed(real(name, getattr(self, name))))
-        if not isinstance(self.reference, bool | np.bool_):
-            raise TypeError(f"reference must be True or False, not {self.reference!r}")
-        object.__setattr__(self, "reference", bool(self.reference))
+        given = {name: getattr(self, name) for name in ("loads", "phases")}
+        object.__setattr__(self, "_labels", {name: labels_of(one) for name, one in given.items()})
+        for name, one in given.items():
+            if one is not None:
+                object.__setattr__(self, name, fixed(real(name, one)))
+        set_flags(self, "reference")

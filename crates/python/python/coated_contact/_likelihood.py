@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _adapters, _core
-from ._arrays import real, scalar_or_array
+from ._arrays import labels_of, real, scalar_or_array
 from ._columns import Array
 from ._errors import FitError
 from ._experiment import Experiment, Free, ParameterName, one_of
@@ -113,6 +113,14 @@ class LogLikelihood(Native, OneLine):
                 f"{', '.join(self.names)} along the last axis",
                 axis="values",
             )
+        labels = [None, *(own for _, own in labels_of(values))][-1]
+        is_named = labels is not None and all(isinstance(one, str) for one in labels)
+        if is_named and tuple(labels) != self.names:
+            raise FitError(
+                f"values has the labels {', '.join(labels)} along its last axis, and the "
+                f"parameters are {', '.join(self.names)}: bring the values into this order",
+                axis="values",
+            )
         return np.ascontiguousarray(rows)
 
 
@@ -126,9 +134,11 @@ def log_likelihood(
     """Return the logarithm of the likelihood as a function of the free parameters.
 
     ``ln L = -1/2 sum(((model - ordinate) / sigma)^2) - sum(ln(sqrt(2 pi) sigma))``, for normal
-    noise that is known. A prior of a :class:`Free` is one term more, of a normal density; outside
-    its bounds the likelihood is 0. Other priors are added by the sampler. Errors of the abscissae
-    count by the slope of the model at the values of the experiments, and these weights stay.
+    noise that is known. Of a contact stiffness they are ``ln(model)`` and ``ln(ordinate)``, with
+    the relative noise: the density of the logarithm. A prior of a :class:`Free` is one term more,
+    of a normal density; outside its bounds the likelihood is 0. Other priors are added by the
+    sampler. Errors of the abscissae count by the slope of the model at the values of the
+    experiments, and these weights stay.
 
     Parameters
     ----------

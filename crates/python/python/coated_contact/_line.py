@@ -5,11 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from . import _core
 from ._arrays import number
 from ._columns import Array, TimedColumns
 from ._contact import Contact
 from ._control import Control, native_control
+from ._errors import InputError
 from ._results import State
 from ._values import set_numbers
 
@@ -33,6 +36,14 @@ class Hysteresis:
 
     def __post_init__(self) -> None:
         set_numbers(self, "advancing", "receding")
+        if self.receding < self.advancing:
+            raise InputError(
+                f"receding energy = {self.receding!r} is below the advancing one = "
+                f"{self.advancing!r}: a receding line costs at least what an advancing one gains",
+                axis="receding",
+                value=self.receding,
+                range=(self.advancing, np.inf),
+            )
         _core.check_law(self._numbers())
 
     def _numbers(self) -> tuple[Any, ...]:

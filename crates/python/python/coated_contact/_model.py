@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._arrays import integer, number
 from ._columns import Array
-from ._experiment import Experiment, Free, ParameterName, one_of, unit_of
+from ._experiment import Experiment, Free, ParameterName, listed, one_of, unit_of
 from ._fit import Allowed, allowed_of, experiments_of, free_of
 from ._fit_results import Forecast, correlation_of, estimates_of, name_of, warnings_of
 from ._indentation import Indentation
@@ -36,7 +36,8 @@ class Prediction(OneLine):
     contact_radius : numpy.ndarray
         Contact radii, m; 0 without a contact, NaN for a point that is left out.
     branch : list of str
-        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
+        ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``. A point is
+        pinned where the line rests after the turn, as the model has it.
     beyond : numpy.ndarray
         Whether a point is in contact according to its branch, but beyond the end of the stable
         states. There a straight line continues the branch, so that a sum of squares has no jump.
@@ -81,7 +82,7 @@ def branches(experiment: Experiment, free: Iterable[ParameterName] = ()) -> list
         ``"advancing"``, ``"receding"``, ``"pinned"``, ``"baseline"`` or ``"left-out"``.
     """
     experiments_of([experiment])
-    return _core.branches(experiment, _names(free))
+    return _core.branches(experiment, _names("free", free))
 
 
 def predict(
@@ -100,7 +101,8 @@ def predict(
     Parameters
     ----------
     experiment : Experiment
-        Where is measured, and the values of all parameters. Its ordinates are not used.
+        Where is measured, and the values of all parameters. Its ordinates are not used, but of the
+        kind ``"stiffness-depth"`` measured stiffnesses are needed: they tell the contact depth.
     by : iterable of str
         The parameters whose derivatives are wanted.
     branches : sequence of str, optional
@@ -122,7 +124,7 @@ def predict(
     (array([-0.000168 ,  0.0012486]), array([-0.00627, -0.01772]))
     """
     experiments_of([experiment])
-    names = _names(by)
+    names = _names("by", by)
     words = None if branches is None else list(branches)
     for word in words or ():
         one_of("branch", word, get_args(BranchName))
@@ -247,11 +249,9 @@ def forecast(
     )
 
 
-def _names(parameters: Iterable[ParameterName]) -> list[str]:
-    """Return names of parameters; refuse others."""
-    if isinstance(parameters, str):
-        raise TypeError(f"the parameters must be a list: [{parameters!r}]")
-    names = list(parameters)
+def _names(argument: str, parameters: Iterable[ParameterName]) -> list[str]:
+    """Return the names of parameters of an argument; refuse others."""
+    names = listed(argument, parameters)
     for name in names:
         unit_of(name)
     return names

@@ -137,7 +137,7 @@ def read_experiment(
         # A hold is a part of the history of a film that relaxes.
         "keep_pauses": known.get("relaxation") is not None,
     }
-    fields, doubt = _core.read_file(os.fspath(path), given)
+    fields, doubt = _core.read_file(os.fsdecode(path), given)
     if doubt is not None:
         warnings.warn(f"{fields['name']}: {doubt}", stacklevel=2)
     if stiffness is not None:

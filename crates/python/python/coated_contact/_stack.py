@@ -235,7 +235,7 @@ class Stack(Native):
         InputError
             If it is no stack; the message names the file and the layer.
         """
-        return cls._of_parts(*_core.read_stack(os.fspath(path)))
+        return cls._of_parts(*_core.read_stack(os.fsdecode(path)))
 
     @classmethod
     def _of_parts(

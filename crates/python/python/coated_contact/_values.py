@@ -59,8 +59,9 @@ def short(value: object) -> str:
     if isinstance(value, tuple | list):
         items = [short(one) for one in value[:MOST_SHOWN]]
         more = [f"... {len(value)} in all"] if len(value) > MOST_SHOWN else []
-        ends = "()" if isinstance(value, tuple) else "[]"
-        return f"{ends[0]}{', '.join(items + more)}{ends[1]}"
+        if isinstance(value, list):
+            return f"[{', '.join(items + more)}]"
+        return f"({', '.join(items + more)}{',' if len(value) == 1 else ''})"
     if isinstance(value, dict):
         items = [f"{key!r}: {short(one)}" for key, one in list(value.items())[:MOST_SHOWN]]
         more = [f"... {len(value)} in all"] if len(value) > MOST_SHOWN else []
@@ -88,3 +89,12 @@ def set_numbers(instance: object, *names: str) -> None:
     """Turn fields of a frozen instance that is being made into floats; refuse all but numbers."""
     for name in names:
         set_number(instance, name, getattr(instance, name))
+
+
+def set_flags(instance: object, *names: str) -> None:
+    """Turn fields of a frozen instance that is being made into bool; refuse all but True, False."""
+    for name in names:
+        value = getattr(instance, name)
+        if not isinstance(value, bool | np.bool_):
+            raise TypeError(f"{name} must be True or False, not {value!r}")
+        set_field(instance, name, bool(value))

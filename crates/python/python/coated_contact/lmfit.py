@@ -23,7 +23,7 @@ from ._arrays import real
 from ._bodies import Elastic, HalfSpace, System
 from ._columns import Array
 from ._errors import FitError
-from ._experiment import Experiment, ParameterName
+from ._experiment import Experiment, ParameterName, listed
 from ._model import Prediction, branches, predict
 from ._stack import Layer, Springs, StackSystem
 from ._table import Table
@@ -44,6 +44,11 @@ class Model(LmfitModel):  # type: ignore[misc]
     derivatives, unless a parameter has an expression. Give the weights 1/noise:
     ``"least_squares"`` stops by an absolute gradient, which is tiny in newtons. ``"leastsq"``
     cannot move a parameter from its bound: give a start within, such as a work of adhesion above 0.
+    ``"nelder"``, ``"powell"``, ``"slsqp"`` and ``"emcee"`` work, too. ``"lbfgsb"``, ``"cobyla"``
+    and ``"cg"`` stop at the start, some as if with success, because moduli in Pa and works of
+    adhesion in J/m^2 differ by many orders of magnitude.
+
+    The model and its results can be pickled.
 
     With a stack the parameters of a layer of the name ``primer`` are ``primer_modulus`` and
     ``primer_thickness`` in lmfit, and ``"primer.modulus"`` and ``"primer.thickness"`` in ``free``;
@@ -90,9 +95,7 @@ class Model(LmfitModel):  # type: ignore[misc]
         table: Table | None = None,
         **kwargs: Any,
     ) -> None:
-        if isinstance(free, str):
-            raise TypeError(f"free must be a list of parameters: [{free!r}]")
-        varied = list(free)
+        varied = listed("free", free)
         self._experiment, self._varied, self._table = experiment, varied, table
         measured = not np.isnan(experiment.ordinate).any()
         self._branches = branches(experiment, varied) if measured else None
@@ -103,13 +106,7 @@ class Model(LmfitModel):  # type: ignore[misc]
             known = ", ".join(self._known.values())
             raise ValueError(f"{unknown} are no parameters of this experiment: {known}")
 
-        def ordinate(x: ArrayLike, **values: float) -> Array:
-            return self._predict(x, values, []).ordinate
-
-        # lmfit takes the names of the parameters from the arguments.
-        arguments = [Argument(name, Argument.POSITIONAL_OR_KEYWORD) for name in ("x", *names)]
-        ordinate.__signature__ = Signature(arguments)  # type: ignore[attr-defined]
-        super().__init__(ordinate, ["x"], names, name="coated_contact", **kwargs)
+        super().__init__(_Ordinate(self, names), ["x"], names, name="coated_contact", **kwargs)
         for name, parameter in self._known.items():
             is_positive = parameter in POSITIVE or "." in parameter
             bounds = {"film_poisson_ratio": (0.0, 0.5)}.get(
@@ -215,6 +212,21 @@ class Model(LmfitModel):  # type: ignore[misc]
             experiment, words = _at(experiment, abscissa), None
         changed = with_values(experiment, {self._known[name]: v for name, v in values.items()})
         return predict(changed, by, branches=words, table=self._table)
+
+
+class _Ordinate:
+    """The function that lmfit calls; it can be pickled, which one within a method cannot."""
+
+    __name__ = "ordinate"
+
+    def __init__(self, model: Model, names: list[str]) -> None:
+        # lmfit takes the names of the parameters from the arguments.
+        arguments = [Argument(name, Argument.POSITIONAL_OR_KEYWORD) for name in ("x", *names)]
+        self.model, self.__signature__ = model, Signature(arguments)
+
+    def __call__(self, x: ArrayLike, **values: float) -> Array:
+        """Return the ordinates at abscissae."""
+        return self.model._predict(x, values, []).ordinate
 
 
 def _has_expression(parameters: Iterable[Parameter]) -> bool:

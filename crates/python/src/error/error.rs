@@ -3,6 +3,7 @@
 use std::io;
 use std::path::Path;
 
+use fit::Fixed;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -126,13 +127,14 @@ impl Failure {
         }
         let make = || -> PyResult<PyErr> {
             let fields = PyDict::new(py);
-            fields.set_item("axis", self.axis)?;
+            fields.set_item("axis", self.axis.as_deref().map(with_identifiers))?;
             fields.set_item("value", self.value)?;
             fields.set_item("range", self.range)?;
-            fields.set_item("allowed", self.allowed)?;
+            fields.set_item("allowed", self.allowed.as_deref().map(with_identifiers))?;
             fields.set_item("index", self.index)?;
             let class = py.import("coated_contact._errors")?.getattr(self.class)?;
-            let made = PyErr::from_value(class.call((self.message,), Some(&fields))?);
+            let message = with_identifiers(&self.message);
+            let made = PyErr::from_value(class.call((message,), Some(&fields))?);
             made.set_cause(py, self.cause.map(|cause| cause.raise(py)));
             Ok(made)
         };
@@ -167,6 +169,22 @@ fn in_python(message: &str) -> String {
         }
     });
     parts.collect::<Vec<_>>().join("`")
+}
+
+/// Returns words with the names of parameters as this package has them: `contact_point` for `contact-point`. Parts of
+/// longer words, such as names of files, stay as they are.
+pub fn with_identifiers(words: &str) -> String {
+    let is_part = |c: char| c.is_alphanumeric() || "-_./".contains(c);
+    let identified = |word: &str| {
+        let name = word.trim_end_matches(|c| !is_part(c)).trim_end_matches('.');
+        let parameter = name.parse().map(Fixed::Parameter).ok();
+        match parameter.or_else(|| Fixed::parse(name)) {
+            Some(one) if name.contains('-') => word.replacen(name, &one.identifier(), 1),
+            _ => word.to_owned(),
+        }
+    };
+    let words = words.split_inclusive(|c| !is_part(c));
+    words.map(identified).collect()
 }
 
 /// Returns a name of a Rust crate as this package calls it.

@@ -6,4 +6,4 @@
 mod classes;
 mod error;
 
-pub use self::error::{Failure, OrRaise, other_stack, unknown};
+pub use self::error::{Failure, OrRaise, other_stack, unknown, with_identifiers};

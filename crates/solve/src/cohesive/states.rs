@@ -57,16 +57,24 @@ impl Cohesive {
         Ok(gaps.into_iter().map(|gap| gap * self.thickness).collect())
     }
 
-    /// Returns the states at `count` radii, evenly spaced in their logarithm between the ends of
-    /// `contact_radii`.
+    /// Returns the states at the radii of [`Cohesive::branch_radii`].
     ///
     /// # Errors
-    /// As [`Cohesive::state`], and [`Error::Domain`] for fewer than two radii.
+    /// As [`Cohesive::state`] and [`Cohesive::branch_radii`].
     pub fn branch(
         &self,
         contact_radii: [f64; 2],
         count: usize,
     ) -> Result<Vec<CohesiveState>, Error> {
+        let radii = Self::branch_radii(contact_radii, count)?;
+        radii.into_iter().map(|a| self.state(a)).collect()
+    }
+
+    /// Returns `count` radii, evenly spaced in their logarithm between the ends of `contact_radii`.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for fewer than two radii.
+    pub fn branch_radii(contact_radii: [f64; 2], count: usize) -> Result<Vec<f64>, Error> {
         Error::check("number of radii", count as f64, [2.0, 1e6])?;
         let [from, to] = contact_radii;
         let radius = |i: usize| match i {
@@ -74,7 +82,7 @@ impl Cohesive {
             _ if i == count - 1 => to,
             _ => from * (to / from).powf(i as f64 / (count - 1) as f64),
         };
-        (0..count).map(|i| self.state(radius(i))).collect()
+        Ok((0..count).map(radius).collect())
     }
 
     /// Prepares a contact radius, m.
