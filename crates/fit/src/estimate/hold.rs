@@ -64,7 +64,7 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
         (is_level && grows > CHANGES * (most - least)).then(|| {
             format!(
                 "while the load was held the {what} changed by {grows:.2e} m, {:.0} % of its change with the load: the film \
-                 creeps, or flows",
+                 creeps or flows, or the detector is saturated",
                 1e2 * grows / (most - least - grows)
             )
         })
