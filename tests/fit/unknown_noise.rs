@@ -81,26 +81,18 @@ fn a_model_that_does_not_describe_the_data_is_doubted_without_the_noise_too() {
 /// The 95 % quantiles of Student's distribution are published: 12.706 with 1 degree of freedom, 3.182
 /// with 3.
 #[test]
-fn a_report_says_what_standard_errors_of_few_points_mean() {
+fn what_standard_errors_of_few_points_mean_is_told() {
     for (points, said) in [
-        (
-            3,
-            "1 degree of freedom, so few that 95 % of the true values lie within 12.7 standard",
-        ),
-        (
-            5,
-            "3 degrees of freedom, so few that 95 % of the true values lie within 3.2 standard",
-        ),
-        (40, "38 degrees of freedom\n"),
+        (3, "1 degree of freedom; within 12.7 standard errors"),
+        (5, "3 degrees of freedom; within 3.2 standard errors"),
     ] {
         let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 2e-6, &LENS);
         lens.points = [points, 0];
-        let mut experiment = lens.measured(&lens.exact(), 1);
-        experiment.noise = None;
-        let here = fitted_of_few(&experiment, &lens.free);
-        let report = fit::report::report(&here, std::slice::from_ref(&lens.truth), &[], &[]);
-        assert!(report.contains(said), "{report}");
+        let [with, without] = both(&lens.measured(&lens.exact(), 1), &lens.free, lens.noise);
+        assert!(!with.warns_of(WarningKind::NoiseNotSeen));
+        assert_warns(&without, WarningKind::NoiseNotSeen, said);
     }
+    assert_silent(&lens().fit(1), WarningKind::NoiseNotSeen);
 }
 
 /// Few points of a curve: their second differences are those of the curve, and not of the noise. All of the

@@ -6,7 +6,7 @@ use super::problem::Problem;
 use super::search::range;
 use super::uncertainty::Uncertainty;
 use crate::statistics::{MEDIAN, median, ratio_of_squares, student_deviations, weighted_median};
-use crate::{Kind, Loss, WarningKind};
+use crate::{Fit, Kind, Loss, WarningKind};
 
 /// The change of an estimated noise that needs another round.
 const CHANGE: f64 = 0.02;
@@ -229,7 +229,25 @@ fn most_told(leverages: &[f64]) -> f64 {
 
 /// Warns of an estimated noise that few points tell, because the errors of the abscissae hide it at
 /// the others.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, uncertainty: &Uncertainty) {
+pub(super) fn add(
+    warnings: &mut Warnings,
+    fit: &Fit,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+) {
+    let freedom = fit.degrees_of_freedom;
+    let within = student_deviations(0.95, freedom.max(1));
+    if fit.reduced_chi_squared.is_none() && within > UNCERTAIN {
+        let plural = if freedom == 1 { "" } else { "s" };
+        warnings.add(
+            WarningKind::NoiseNotSeen,
+            format!(
+                "{freedom} degree{plural} of freedom tell the noise, so few that 95 % of the true values lie within \
+                 {within:.1} standard errors, not 2: give the noise, or measure more points"
+            ),
+        );
+        return;
+    }
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
         let leverages = &uncertainty.leverages[rows];
         let experiment = &assigned.experiment;

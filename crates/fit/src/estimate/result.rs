@@ -327,7 +327,7 @@ named! {
         PoorFit = "poor-fit",
         /// Residuals smaller than the given noise explains.
         LargeNoise = "large-noise",
-        /// A noise of the ordinates that the data hardly tell beside that of the abscissae.
+        /// A noise of the ordinates that the data hardly tell: by few points, or beside errors of the abscissae.
         NoiseNotSeen = "noise-not-seen",
         /// An estimated noise that is larger in contact than off contact, or at large ordinates than at small ones.
         UnequalNoise = "unequal-noise",

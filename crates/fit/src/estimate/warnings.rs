@@ -63,7 +63,7 @@ pub(super) fn warnings(
             let beside = (&residuals, &uncertainty.leverages[..]);
             let unequal = agreement::add(&mut warnings, fit, problem, beside);
             prior::add(&mut warnings, problem, uncertainty, &residuals);
-            noise::add(&mut warnings, problem, uncertainty);
+            noise::add(&mut warnings, fit, problem, uncertainty);
             outliers(&mut warnings, fit, data, (&unequal, problem.loss));
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }

@@ -1,7 +1,6 @@
 //! How well a fit agrees with the data: chi^2, the noise, and what few points leave of it.
 
 use super::unit::three_digits;
-use crate::statistics::student_deviations;
 use crate::{Experiment, Fit};
 
 /// Says how well the fit agrees with the data.
@@ -30,20 +29,11 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
     let freedom = degrees_of_freedom(fit.degrees_of_freedom);
     match fit.reduced_chi_squared {
         Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
-        None => format!("noise {noise}; {freedom}{}", if_few(fit.degrees_of_freedom)),
+        None => format!("noise {noise}; {freedom}"),
     }
 }
 
 fn degrees_of_freedom(number: usize) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{number} degree{plural} of freedom")
-}
-
-/// Says what standard errors mean where few residuals give the noise, and with it these errors.
-fn if_few(degrees_of_freedom: usize) -> String {
-    let within = student_deviations(0.95, degrees_of_freedom);
-    if within < 2.3 {
-        return String::new();
-    }
-    format!(", so few that 95 % of the true values lie within {within:.1} standard errors, not 2")
 }
