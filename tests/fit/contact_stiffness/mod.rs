@@ -117,6 +117,17 @@ pub fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
     experiment(Kind::StiffnessRadius, bodies, points)
 }
 
+/// Stiffnesses at the loads of a plastic contact of the hardness 10 GPa.
+pub fn at_loads(system: &System, radii: [f64; 2], count: usize) -> Experiment {
+    let mut made = at_radii(system, radii, count);
+    made.measurement.kind = Kind::StiffnessLoad;
+    made.indentation.hardness = Some(1e10);
+    for point in &mut made.measurement.points {
+        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
+    }
+    made
+}
+
 #[test]
 fn stiffness_at_contact_radii() {
     use Parameter::{FilmModulus, FilmThickness};
@@ -143,12 +154,7 @@ fn stiffness_at_contact_radii() {
 /// A first fit takes some of them.
 #[test]
 fn many_stiffnesses_at_loads_with_errors() {
-    let mut exact = at_radii(&oxide(), [2e-7, 1e-6], 100);
-    exact.measurement.kind = Kind::StiffnessLoad;
-    exact.indentation.hardness = Some(1e10);
-    for point in &mut exact.measurement.points {
-        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
-    }
+    let mut exact = at_loads(&oxide(), [2e-7, 1e-6], 100);
     exact.abscissa_noise = 1e-4;
     recover(
         "stiffness, load errors",
@@ -162,12 +168,9 @@ fn many_stiffnesses_at_loads_with_errors() {
 #[test]
 fn stiffness_at_loads_with_one_hardness() {
     use Parameter::{FilmModulus, Hardness};
-    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
-    exact.measurement.kind = Kind::StiffnessLoad;
-    exact.indentation.hardness = Some(1e10);
+    let mut exact = at_loads(&oxide(), [5e-8, 1e-6], 30);
     exact.indentation.beta = 1.034;
     for point in &mut exact.measurement.points {
-        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
         point.ordinate *= 1.034;
     }
     let free = [FilmModulus, Hardness];
@@ -179,6 +182,23 @@ fn stiffness_at_loads_with_one_hardness() {
         &free,
         &expected,
     );
+}
+
+/// A rigid substrate tells no hardness to start from, and neither does a film whose modulus is unknown.
+#[test]
+fn hardness_on_a_rigid_substrate_without_a_start() {
+    let mut system = oxide();
+    system.substrate = solid(f64::INFINITY, 0.25);
+    for radii in [[1.5e-8, 1.5e-7], [1e-7, 1.5e-6]] {
+        let mut made = at_loads(&system, radii, 30);
+        made.indentation.hardness = None;
+        let free = [Parameter::FilmModulus, Parameter::Hardness];
+        made.set(free[0], 1e6).expect("allowed");
+        let found = fitted(made, free).expect("sound data");
+        for (estimate, truth) in found.estimates.iter().zip([system.film.young(), 1e10]) {
+            assert_close(estimate.value, truth, 1e-4);
+        }
+    }
 }
 
 #[test]
