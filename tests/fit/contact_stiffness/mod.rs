@@ -215,14 +215,7 @@ fn stiffness_at_loads_of_an_elastic_contact() {
         (0.0, &[Parameter::FilmModulus][..]),
         (5e-3, &[Parameter::FilmModulus, Parameter::WorkOfAdhesion]),
     ] {
-        let point = |a| {
-            let load = contact.load(a, w).expect("in range");
-            [load, contact.stiffness(a).expect("in range")]
-        };
-        let points = evenly(radii, 40).map(point);
-        let points = points.filter(|[load, _]| *load > 0.0).collect();
-        let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(film.clone()), points);
-        exact.work_of_adhesion = w;
+        let exact = at_elastic_loads(&film, &contact, radii, w);
         // The widest contacts are as wide as this nearly incompressible film is thick.
         let expected = [WarningKind::LargeStrain, WarningKind::Friction];
         recover(
@@ -233,6 +226,34 @@ fn stiffness_at_loads_of_an_elastic_contact() {
             &expected,
         );
     }
+}
+
+/// Stiffnesses at the loads, where they are above 0, of an elastic contact.
+fn at_elastic_loads(system: &System, contact: &Contact, radii: [f64; 2], w: f64) -> Experiment {
+    let point = |a| {
+        let load = contact.load(a, w).expect("in range");
+        [load, contact.stiffness(a).expect("in range")]
+    };
+    let points = evenly(radii, 40).map(point);
+    let points = points.filter(|[load, _]| *load > 0.0).collect();
+    let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(system.clone()), points);
+    exact.work_of_adhesion = w;
+    exact
+}
+
+/// The steps of the differences lead beyond the widest contact that is solved, 0.55 R.
+#[test]
+fn loads_up_to_the_end_of_the_exact_sphere() {
+    let system = System {
+        probe: Probe::Sphere { radius: 1e-6 },
+        ..oxide()
+    };
+    let radii = [2e-7, 5.4999e-7];
+    let contact = solved_contact(&system, [0.02, 1.5], 1e-9);
+    let exact = at_elastic_loads(&system, &contact, radii, 0.0);
+    let found = fitted(exact, [Parameter::FilmModulus]).expect("sound data");
+    assert!(found.converged);
+    assert_close(found.estimates[0].value, system.film.young(), 1e-4);
 }
 
 /// Stiffnesses and loads at depths, by Oliver and Pharr's formulae.
