@@ -15,6 +15,9 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         ("steep", "r [um],z"),
         ("wide", "r,z"),
         ("swapped", "z [um],r [um]"),
+        ("tall", "height [um],radius [um]"),
+        ("diameter", "diameter [um],height [um]"),
+        ("contact", "contact_radius [um],penetration [um]"),
         ("cells", "r,z\n0um,0um"),
     ] {
         let points = "0,0\n0.5,12.5\n1,50\n2,200\n3,450\n";
@@ -55,7 +58,10 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | pull-off --probe profile --profile steep.csv | largest z of the profile over its largest r = 1.5e8; units of r and z
         1 | pull-off --probe profile --profile twice.csv | line 2; not two numbers; r [um],z [um]
         1 | pull-off --probe profile --profile cells.csv | line 2; not two numbers; r [um],z [um]
-        1 | pull-off --probe profile --profile swapped.csv | line 1; z and r; exchange
+        1 | pull-off --probe profile --profile swapped.csv | line 1; z [um]; r [um]; exchange
+        1 | pull-off --probe profile --profile tall.csv | line 1; height [um]; exchange
+        1 | pull-off --probe profile --profile diameter.csv | line 1; diameter [um]; half of a diameter; r [um],z [um]
+        1 | pull-off --probe profile --profile contact.csv | line 1; penetration [um]; lowest point; r [um],z [um]
         1 | pull-off --probe profile --profile latin.csv | latin.csv; UTF-8; save it
         1 | pull-off --probe profile --profile raised.csv | line 3; lowest point
         1 | pull-off --probe profile --profile wide.csv | largest r of the profile = 3 m; 3 um
@@ -67,7 +73,7 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         1 | history --relaxation power-law -n 0.2 -p 'penetration 0:0 1:1um' | --all-relax; --sphere-modulus inf
         1 | history --relaxation prony --relaxed-fraction 1 --relaxation-time 1 -p 'penetration 0:0 1:1um' | --relaxed-fraction 1; below 1
         1 | report embedded --sphere-radius 5 -o page.html | 5 m; 0.1 m; 5 mm
-        1 | pull-off --sphere-modulus inf --friction stick --work-of-adhesion-receding 200 | --friction stick; radii
+        1 | pull-off --sphere-modulus inf --friction stick --work-of-adhesion-receding 200 --allow magnitudes | --friction stick; radii
         2 | {fit} --half-space --film-thickness 30um | --half-space; --film-thickness
         1 | {film} --stiffness 0.1 | --stiffness; cantilever
         1 | fit heights.csv --specimen paper --stiffness 0.05 --sensitivity 50nm/V | --sensitivity; deflections in V
@@ -107,7 +113,8 @@ fn what_has_no_effect_or_another_meaning_is_refused() {
         "
     ));
     let profiles = [
-        "cells", "heights", "latin", "loads", "raised", "steep", "swapped", "twice", "wide",
+        "cells", "contact", "diameter", "heights", "latin", "loads", "raised", "steep", "swapped",
+        "tall", "twice", "wide",
     ];
     assert_eq!(workdir.files(), profiles.map(|name| format!("{name}.csv")));
 }
@@ -124,12 +131,21 @@ fn a_noise_in_the_wrong_unit_is_noted() {
     assert!(!noted("5uN").contains("--noise"));
 }
 
-/// The usual radii of a curve end within the points of a profile.
+/// The usual radii of a curve end within the points of a profile, whose headings may have several words or be missing.
 #[test]
 fn a_profile_needs_no_other_flag() {
     let workdir = workdir!();
-    workdir.write("tip.csv", "r [um],z [um]\n0,0\n1,0.05\n2,0.2\n3,0.45\n");
     let curve = "curve --probe profile --profile tip.csv --points 3 --film-modulus 1GPa";
+    let points = "0,0\n1,0.05\n2,0.2\n3,0.45\n";
+    for headings in [
+        "r [um],z [um]",
+        "\u{feff}\"Radius (um)\",\"Height (um)\"",
+        "x_um,depth_um",
+    ] {
+        workdir.write("tip.csv", format!("{headings}\n{points}"));
+        assert_eq!(workdir.csv(curve).last().get("contact_radius"), 2.7e-6);
+    }
+    workdir.write("tip.csv", "0,0\n1e-6,5e-8\n2e-6,2e-7\n3e-6,4.5e-7\n");
     assert_eq!(workdir.csv(curve).last().get("contact_radius"), 2.7e-6);
 }
 

@@ -192,6 +192,11 @@ impl Magnitude {
         })
     }
 
+    /// Checks the work of adhesion of a receding line, J/m^2.
+    pub fn work_of_adhesion_receding(value: f64) -> Option<Self> {
+        Self::work_of_adhesion("the receding work of adhesion", value)
+    }
+
     /// Checks a work of adhesion, J/m^2.
     pub fn work_of_adhesion(what: impl Into<Cow<'static, str>>, value: f64) -> Option<Self> {
         (value > LARGEST_WORK).then(|| Self {

@@ -50,11 +50,7 @@ impl Experiment {
     pub fn magnitudes(&self) -> Vec<Magnitude> {
         let mut found = self.bodies.magnitudes(self.work_of_adhesion);
         let receding = self.work_of_adhesion_receding;
-        found.extend(
-            receding.and_then(|value| {
-                Magnitude::work_of_adhesion("the receding work of adhesion", value)
-            }),
-        );
+        found.extend(receding.and_then(Magnitude::work_of_adhesion_receding));
         let [least, most] = STIFFNESSES;
         if let Some(value) = self.stiffness.filter(|k| !(least..=most).contains(k)) {
             found.push(Magnitude {

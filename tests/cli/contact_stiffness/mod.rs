@@ -213,13 +213,14 @@ fn wrong_first_calls_are_answered() {
         2 | {depth} --contact-depth hertz | oliver-pharr; loubet
         2 | {depth} --between 60nm | --between; 60nm..250nm
         2 | {depth} --between 250nm..60nm | --between; below
-        1 | {depth} --between 1um..2um | no point is left; range
+        1 | {depth} --between 1um..2um | no point is left; from 1e-6 to 2e-6 m; the points are from
         2 | {depth} --reference-modulus 170GPa | --reference
         1 | {depth} --reference radius.csv | radius.csv; penetration
         1 | {depth} --reference depth.csv --reference-modulus 170GPa | --free film-modulus,tip-rounding
         1 | {depth} --reference depth.csv --free film-modulus,tip-rounding --own tip-rounding | --free film-modulus,tip-rounding
         1 | {turned} | penetration; --column \"penetration=-
-        1 | {plan} --kind stiffness-depth | hardness
+        1 | {plan} --kind stiffness-depth | --hardness; 10GPa
+        1 | {plan} --kind stiffness-radius --work-of-adhesion 0 --expect --free work-of-adhesion | work-of-adhesion cannot be found; elastic load
         1 | {plan} --kind stiffness-load | --from; a force
         1 | simulate --kind load-radius --from 50um --to 90um --noise 1% | per cent
         "

@@ -6,7 +6,7 @@ use acceptance::{Refused, assert_names, solid};
 use fit::{Bodies, Experiment, Free, Kind, Parameter, WarningKind, simulate};
 use interp::{System, Table};
 
-use super::{at_radii, oxide};
+use super::{at_loads, at_radii, oxide};
 use crate::imagined::{
     assert_warns, coated, fit_all, fitted, free_of, measurement_at, number_after, text,
 };
@@ -60,14 +60,11 @@ fn the_depth_of_a_plastic_contact_is_said() {
 
 #[test]
 fn a_hardness_that_is_found_leaves_no_bounds_by_friction() {
-    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
+    let mut exact = at_loads(&oxide(), [5e-8, 1e-6], 30);
     let system = coated(&mut exact);
     system.sphere_modulus = f64::INFINITY;
     system.substrate = solid(f64::INFINITY, 0.25);
-    exact.measurement.kind = Kind::StiffnessLoad;
-    exact.indentation.hardness = Some(1e10);
     for point in &mut exact.measurement.points {
-        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
         point.ordinate = 0.0;
     }
     let mut made = simulate(Table::embedded(), &exact, 1e-4, 3).expect("a contact");
@@ -86,12 +83,7 @@ fn a_hardness_that_is_found_leaves_no_bounds_by_friction() {
 
 #[test]
 fn the_noise_of_an_abscissa_has_its_unit() {
-    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
-    exact.measurement.kind = Kind::StiffnessLoad;
-    exact.indentation.hardness = Some(1e10);
-    for point in &mut exact.measurement.points {
-        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
-    }
+    let mut exact = at_loads(&oxide(), [5e-8, 1e-6], 30);
     exact.noise = Some(0.01);
     exact.abscissa_noise = 1e-6;
     let found = fitted(&exact, &free_of(&[Parameter::FilmModulus]));

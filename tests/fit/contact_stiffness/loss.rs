@@ -1,11 +1,12 @@
 //! Storage and loss: the modulus and the loss tangent of a film from stiffness and phase.
 
 use acceptance::{Data, Refused, larger, rigid_probe, solid};
-use fit::{Bodies, Kind, Parameter};
-use interp::{Probe, System};
+use fit::{Bodies, Kind, Parameter, WarningKind, simulate};
+use interp::{Probe, System, Table};
 use rayon::prelude::*;
 
 use super::{at_radii, experiment, fitted, oxide};
+use crate::imagined::{assert_warns, text};
 
 /// The modulus and the loss tangent of a film from stiffness and phase, against solves with complex
 /// moduli by another program.
@@ -85,6 +86,35 @@ fn a_film_alone_has_the_loss_tangent_of_its_stiffness() {
         assert!((loss.angle - phase).abs() < 1e-5, "{phase}: {loss:?}");
         let value = found.estimates[0].value;
         assert!((value / 1e6 - 1.0).abs() < 1e-5, "{phase}: {value}");
+    }
+}
+
+/// The substrate alone has a loss, or the phases count in the opposite sense.
+#[test]
+fn phases_of_other_bodies_are_doubted() {
+    let plan = |tangent: f64, seed: u64| {
+        let mut plan = at_radii(&oxide(), [5e-8, 1.5e-6], 20);
+        plan.indentation.loss_tangent = tangent;
+        simulate(Table::embedded(), &plan, 0.01, seed).expect("a contact")
+    };
+    let found = |made| fitted(made, [Parameter::FilmModulus]).expect("data");
+    for seed in 0..4 {
+        let mut made = plan(0.1, seed);
+        let sound = text(&found(made.clone()), WarningKind::PoorFit);
+        assert!(sound.is_empty(), "{sound}");
+        let phases = made.indentation.phases.clone();
+        made.indentation.phases = phases.iter().map(|phase| -phase).collect();
+        assert_warns(
+            &found(made.clone()),
+            WarningKind::Implausible,
+            "loss tangent of -0.; sign",
+        );
+        made.indentation.phases = phases.iter().map(|phase| 0.1 - phase).collect();
+        assert_warns(
+            &found(made),
+            WarningKind::PoorFit,
+            "phases; only the film; without phases",
+        );
     }
 }
 

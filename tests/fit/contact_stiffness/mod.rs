@@ -117,6 +117,17 @@ pub fn at_radii(system: &System, radii: [f64; 2], count: usize) -> Experiment {
     experiment(Kind::StiffnessRadius, bodies, points)
 }
 
+/// Stiffnesses at the loads of a plastic contact of the hardness 10 GPa.
+pub fn at_loads(system: &System, radii: [f64; 2], count: usize) -> Experiment {
+    let mut made = at_radii(system, radii, count);
+    made.measurement.kind = Kind::StiffnessLoad;
+    made.indentation.hardness = Some(1e10);
+    for point in &mut made.measurement.points {
+        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
+    }
+    made
+}
+
 #[test]
 fn stiffness_at_contact_radii() {
     use Parameter::{FilmModulus, FilmThickness};
@@ -143,12 +154,7 @@ fn stiffness_at_contact_radii() {
 /// A first fit takes some of them.
 #[test]
 fn many_stiffnesses_at_loads_with_errors() {
-    let mut exact = at_radii(&oxide(), [2e-7, 1e-6], 100);
-    exact.measurement.kind = Kind::StiffnessLoad;
-    exact.indentation.hardness = Some(1e10);
-    for point in &mut exact.measurement.points {
-        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
-    }
+    let mut exact = at_loads(&oxide(), [2e-7, 1e-6], 100);
     exact.abscissa_noise = 1e-4;
     recover(
         "stiffness, load errors",
@@ -162,12 +168,9 @@ fn many_stiffnesses_at_loads_with_errors() {
 #[test]
 fn stiffness_at_loads_with_one_hardness() {
     use Parameter::{FilmModulus, Hardness};
-    let mut exact = at_radii(&oxide(), [5e-8, 1e-6], 30);
-    exact.measurement.kind = Kind::StiffnessLoad;
-    exact.indentation.hardness = Some(1e10);
+    let mut exact = at_loads(&oxide(), [5e-8, 1e-6], 30);
     exact.indentation.beta = 1.034;
     for point in &mut exact.measurement.points {
-        point.abscissa = PI * 1e10 * point.abscissa.powi(2);
         point.ordinate *= 1.034;
     }
     let free = [FilmModulus, Hardness];
@@ -179,6 +182,23 @@ fn stiffness_at_loads_with_one_hardness() {
         &free,
         &expected,
     );
+}
+
+/// A rigid substrate tells no hardness to start from, and neither does a film whose modulus is unknown.
+#[test]
+fn hardness_on_a_rigid_substrate_without_a_start() {
+    let mut system = oxide();
+    system.substrate = solid(f64::INFINITY, 0.25);
+    for radii in [[1.5e-8, 1.5e-7], [1e-7, 1.5e-6]] {
+        let mut made = at_loads(&system, radii, 30);
+        made.indentation.hardness = None;
+        let free = [Parameter::FilmModulus, Parameter::Hardness];
+        made.set(free[0], 1e6).expect("allowed");
+        let found = fitted(made, free).expect("sound data");
+        for (estimate, truth) in found.estimates.iter().zip([system.film.young(), 1e10]) {
+            assert_close(estimate.value, truth, 1e-4);
+        }
+    }
 }
 
 #[test]
@@ -195,14 +215,7 @@ fn stiffness_at_loads_of_an_elastic_contact() {
         (0.0, &[Parameter::FilmModulus][..]),
         (5e-3, &[Parameter::FilmModulus, Parameter::WorkOfAdhesion]),
     ] {
-        let point = |a| {
-            let load = contact.load(a, w).expect("in range");
-            [load, contact.stiffness(a).expect("in range")]
-        };
-        let points = evenly(radii, 40).map(point);
-        let points = points.filter(|[load, _]| *load > 0.0).collect();
-        let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(film.clone()), points);
-        exact.work_of_adhesion = w;
+        let exact = at_elastic_loads(&film, &contact, radii, w);
         // The widest contacts are as wide as this nearly incompressible film is thick.
         let expected = [WarningKind::LargeStrain, WarningKind::Friction];
         recover(
@@ -213,6 +226,34 @@ fn stiffness_at_loads_of_an_elastic_contact() {
             &expected,
         );
     }
+}
+
+/// Stiffnesses at the loads, where they are above 0, of an elastic contact.
+fn at_elastic_loads(system: &System, contact: &Contact, radii: [f64; 2], w: f64) -> Experiment {
+    let point = |a| {
+        let load = contact.load(a, w).expect("in range");
+        [load, contact.stiffness(a).expect("in range")]
+    };
+    let points = evenly(radii, 40).map(point);
+    let points = points.filter(|[load, _]| *load > 0.0).collect();
+    let mut exact = experiment(Kind::StiffnessLoad, Bodies::Coated(system.clone()), points);
+    exact.work_of_adhesion = w;
+    exact
+}
+
+/// The steps of the differences lead beyond the widest contact that is solved, 0.55 R.
+#[test]
+fn loads_up_to_the_end_of_the_exact_sphere() {
+    let system = System {
+        probe: Probe::Sphere { radius: 1e-6 },
+        ..oxide()
+    };
+    let radii = [2e-7, 5.4999e-7];
+    let contact = solved_contact(&system, [0.02, 1.5], 1e-9);
+    let exact = at_elastic_loads(&system, &contact, radii, 0.0);
+    let found = fitted(exact, [Parameter::FilmModulus]).expect("sound data");
+    assert!(found.converged);
+    assert_close(found.estimates[0].value, system.film.young(), 1e-4);
 }
 
 /// Stiffnesses and loads at depths, by Oliver and Pharr's formulae.

@@ -212,10 +212,23 @@ pub enum Problem {
     /// A range of the abscissae with the unit of another quantity.
     #[error("the range asked for: {0}")]
     Between(#[source] QuantityError),
+    /// All points are outside the range of the abscissae that was asked for.
+    #[error(
+        "no point is left to fit: the range asked for is from {least:?} to {most:?} {unit}, and the points are from {first:?} \
+         to {last:?} {unit}; ask for a range that holds points, in SI units or with its unit",
+        least = .asked[0], most = .asked[1], first = .found[0], last = .found[1]
+    )]
+    OutsideRange {
+        /// The ends of the range.
+        asked: [f64; 2],
+        /// The least and the largest abscissa.
+        found: [f64; 2],
+        /// The SI unit.
+        unit: &'static str,
+    },
     /// There are no points after those left out.
     #[error(
-        "{0} rows, but no point is left to fit: they are missing values, of another segment, or \
-         outside the range asked for"
+        "{0} rows, but no point is left to fit: they are missing values, or of another segment"
     )]
     NoPoints(u64),
     /// A comma may be the decimal mark and separate the cells.

@@ -10,6 +10,7 @@ use super::number::{Cell, DecimalMark};
 use super::segment::split;
 use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
+use crate::statistics::extremes;
 use crate::{Direction, Kind, Measurement, Numbering, Point, PointErrors};
 use units::Quantity;
 
@@ -172,7 +173,12 @@ pub fn join(
         let [least, most] = [end(&ends[0])?, end(&ends[1])?];
         // Numbers in another unit than those of the ends are rounded.
         let slack = ROUNDING * least.abs().max(most.abs());
+        let found = extremes(all.points.iter().map(|point| point.abscissa));
         notes.outside = all.keep(|point| (least - slack..=most + slack).contains(&point.abscissa));
+        if all.points.is_empty() && notes.outside > 0 {
+            let (asked, unit) = ([least, most], kind.units()[0]);
+            return Err(Problem::OutsideRange { asked, found, unit }.into());
+        }
     }
     if all.points.is_empty() {
         return Err(Problem::NoPoints(rows).into());

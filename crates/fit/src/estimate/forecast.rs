@@ -52,7 +52,9 @@ pub fn forecast(
             experiment.work_of_adhesion_receding.get_or_insert(work);
         }
         let is_zero = |parameter: &Parameter| {
-            parameter.is_positive() && experiment.get(*parameter) == Some(0.0)
+            parameter.is_positive()
+                && experiment.get(*parameter) == Some(0.0)
+                && experiment.why_without_effect(*parameter).is_none()
         };
         if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_zero) {
             let allowed = "positive where it is free: the errors are those at the planned value";

@@ -321,7 +321,7 @@ named! {
         Undetermined = "undetermined",
         /// A parameter that ended at one of its bounds.
         AtBound = "at-bound",
-        /// A modulus, a work of adhesion or a length that no experiment has: a wrong unit.
+        /// A modulus, a work of adhesion, a length or a loss tangent that no experiment has: a wrong unit or sign.
         Implausible = "implausible",
         /// Residuals larger than the given noise explains.
         PoorFit = "poor-fit",

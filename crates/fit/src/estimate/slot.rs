@@ -2,6 +2,7 @@
 
 use contact::LawParameter;
 
+use super::start::has_no_start;
 use crate::{Error, Experiment, Free, LayerQuantity, NamedLayer, Parameter, Prior, Scope};
 
 /// The part of the distance between two bounds by which a start keeps away from them.
@@ -184,7 +185,7 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
             let own = experiments[e].get(one.parameter);
             one.start.or(own).or(match one.parameter {
                 Parameter::WorkOfAdhesionReceding => Some(experiments[e].work_of_adhesion),
-                Parameter::Hardness => experiments[e].hardness_to_start_from(),
+                Parameter::Hardness => experiments[e].hardness_to_start_from(has_no_start(free)),
                 Parameter::Layer(name, LayerQuantity::InterfaceStiffness) => {
                     experiments[e].layer(name).map(NamedLayer::own_stiffness)
                 }

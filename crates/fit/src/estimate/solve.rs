@@ -7,6 +7,7 @@ use super::assigned::Assigned;
 use super::minima::{Minimum, minimum};
 use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
+use super::start::has_no_start;
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
 use crate::statistics::{deviations, student_deviations};
@@ -207,7 +208,7 @@ pub(crate) fn prepare(
             }
         }
         if is_free(Parameter::Hardness) && experiment.indentation.hardness.is_none() {
-            experiment.indentation.hardness = experiment.hardness_to_start_from();
+            experiment.indentation.hardness = experiment.hardness_to_start_from(has_no_start(free));
         }
         experiment.reach_contacts();
         if is_free(Parameter::WorkOfAdhesionReceding) {

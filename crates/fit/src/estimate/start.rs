@@ -192,16 +192,19 @@ fn matched(is_unknown: impl Fn(Parameter) -> bool) -> Option<Parameter> {
         .find(|&parameter| is_unknown(parameter))
 }
 
+/// Tells of a parameter whether it is free and no start is given.
+pub(super) fn has_no_start(free: &[Free]) -> impl Fn(Parameter) -> bool {
+    let unknown = |parameter| move |one: &Free| one.parameter == parameter && one.start.is_none();
+    move |parameter| free.iter().any(unknown(parameter))
+}
+
 /// Tells whether a fit of experiments finds the start of a free parameter in the data, so that the
 /// value of the parameter in the experiments does not matter.
 ///
 /// That is so for works of adhesion, zeros of the instrument, and one modulus of sphere or film:
 /// where both are free, that of the sphere. Penetrations against contact radii tell no modulus.
 pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: &[Free]) -> bool {
-    let is_unknown = |parameter| {
-        free.iter()
-            .any(|one| one.parameter == parameter && one.start.is_none())
-    };
+    let is_unknown = has_no_start(free);
     let has_loads = |one: &Experiment| one.measurement.kind != Kind::PenetrationRadius;
     match parameter {
         Parameter::SphereModulus | Parameter::FilmModulus => {

@@ -102,7 +102,7 @@ impl Experiment {
     }
 
     /// Returns the central differences of numbers, over that of a parameter. They are 0 for a work
-    /// of adhesion of 0, as the exact ones.
+    /// of adhesion of 0, as the exact ones. Where the model ends on one side, they are those to the other side.
     pub(super) fn differences(
         &self,
         parameter: Parameter,
@@ -114,7 +114,7 @@ impl Experiment {
             moved.replace(parameter, value)?;
             numbers(&moved)
         };
-        let ends = if parameter.is_positive() {
+        let mut ends = if parameter.is_positive() {
             let step: f64 = if parameter.is_of_bodies() {
                 BODY_STEP
             } else {
@@ -130,7 +130,12 @@ impl Experiment {
                 [value - step, value + step]
             }
         };
-        let [before, after] = [at(ends[0])?, at(ends[1])?];
+        let mut found = ends.map(at);
+        if let Some(end) = found.iter().position(Result::is_err) {
+            (ends[end], found[end]) = (value, at(value));
+        }
+        let [before, after] = found;
+        let (before, after) = (before?, after?);
         let width = ends[1] - ends[0];
         let difference = |(before, after): (f64, f64)| {
             if width > 0.0 {

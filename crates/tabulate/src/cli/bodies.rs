@@ -93,18 +93,18 @@ impl BodiesArguments {
         self.system.missing(self.stack.is_some(), self.half_space)
     }
 
-    /// Returns the bodies, with the values of the paper where none are given, if their numbers are
-    /// those of a contact. An error names the file and the body.
-    pub fn read_checked(&self) -> anyhow::Result<Bodies> {
+    /// Returns the bodies, with the values of the paper where none are given, if their numbers, and the work of adhesion
+    /// (J/m^2) of a `receding` line, are those of a contact. An error names the file and the body.
+    pub fn read_checked(&self, receding: Option<f64>) -> anyhow::Result<Bodies> {
         let bodies = self.read()?;
-        self.check(&bodies)?;
+        self.check(&bodies, receding)?;
         Ok(bodies)
     }
 
-    /// Accepts bodies whose numbers are those of a contact.
-    pub fn check(&self, bodies: &Bodies) -> anyhow::Result<()> {
+    /// Accepts bodies and the work of adhesion (J/m^2) of a `receding` line if their numbers are those of a contact.
+    pub fn check(&self, bodies: &Bodies, receding: Option<f64>) -> anyhow::Result<()> {
         let (system, work) = (&bodies.system, bodies.work_of_adhesion);
-        let found = match &bodies.stack {
+        let mut found = match &bodies.stack {
             None if self.half_space => Magnitude::of_half_space(&half_space(system), work),
             Some(layers) if self.stack.is_some() => {
                 let (stack, probe) = (layers.stack(), &system.probe);
@@ -115,6 +115,7 @@ impl BodiesArguments {
             }
             _ => Magnitude::of_system(system, work),
         };
+        found.extend(receding.and_then(Magnitude::work_of_adhesion_receding));
         allow::magnitudes(&found, &self.allow)
     }
 

@@ -125,16 +125,28 @@ impl ProbeArguments {
     }
 }
 
+/// The first words of the headings of a measured shape: of distances from the axis, and of heights.
+const HEADINGS: [&[&str]; 2] = [
+    &["r", "x", "radius", "radial", "distance"],
+    &["z", "h", "height", "depth"],
+];
+
 /// Reads a measured shape: two columns, r and z, with or without a line of headings. Lines that
 /// begin with # are comments.
 fn profile(path: &Path) -> anyhow::Result<Profile> {
     let text = String::from_utf8(fs::read(path)?).map_err(|_| input::not_utf8())?;
     let cells = |line: &str| -> Vec<String> {
         let cells = line.split([',', ';', '\t']).map(str::trim);
-        cells.map(str::to_owned).collect()
+        cells
+            .map(|cell| cell.trim_matches('"').to_owned())
+            .collect()
     };
     let is_data = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-    let lines = text.lines().enumerate().filter(|(_, line)| is_data(line));
+    let lines = text
+        .trim_start_matches('\u{feff}')
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| is_data(line));
     let mut units: Option<[f64; 2]> = None;
     let mut points = Vec::new();
     let mut numbers = Vec::new();
@@ -158,15 +170,21 @@ fn profile(path: &Path) -> anyhow::Result<Profile> {
                     heading::named(r, Dimension::Length)?,
                     heading::named(z, Dimension::Length)?,
                 ];
-                let first = |name: &str| {
-                    name.split([' ', '_', '-', '/'])
-                        .next()
-                        .unwrap_or_default()
-                        .to_owned()
-                };
+                let [is_distance, is_height] = HEADINGS.map(|names| {
+                    [&of_r, &of_z].map(|heading| {
+                        let word = heading.split([' ', '_', '-', '/']).next();
+                        word.is_some_and(|word| names.contains(&word))
+                    })
+                });
                 ensure!(
-                    first(&of_r) != "z" || first(&of_z) != "r",
-                    "line {}: the columns are z and r: exchange them, r comes first",
+                    !(is_height[0] && is_distance[1]),
+                    "line {}: the columns are {r:?} and {z:?}, height and distance: exchange them, the distance r comes first",
+                    i + 1
+                );
+                ensure!(
+                    is_distance[0] && is_height[1],
+                    "line {}: the columns are {r:?} and {z:?}: give the distance r from the axis, which is half of a diameter or \
+                     width, and the height z above the lowest point, with headings such as r [um],z [um]",
                     i + 1
                 );
                 units = Some([unit_of_r, unit_of_z]);

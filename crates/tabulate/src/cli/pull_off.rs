@@ -102,7 +102,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--stiffness is that of a spring: add --control spring, or leave it out"
     );
     let attracting = &arguments.attracting;
-    let bodies = attracting.bodies.read_checked()?;
+    let receding = arguments.history.work_of_adhesion_receding;
+    let bodies = attracting.bodies.read_checked(receding)?;
     let is_other = arguments.table.is_some() || attracting.interaction_range.is_some();
     let sticks = arguments
         .history
@@ -145,7 +146,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         work_of_adhesion: work.unwrap_or(bodies.work_of_adhesion),
         ..bodies.clone()
     };
-    attracting.bodies.check(&bodies)?;
+    attracting.bodies.check(&bodies, receding)?;
     let (contact, state) = pull_off(arguments, table, &bodies, control)?;
     let of_state = [
         ("load", state.load),

@@ -248,6 +248,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         arguments.kind == Kind::ForceHeight || arguments.known.stiffness.is_none(),
         "--stiffness is that of a cantilever, of --kind force-height: leave it out"
     );
+    ensure!(
+        arguments.kind != Kind::StiffnessDepth || experiments[0].indentation.hardness.is_some(),
+        "--kind stiffness-depth needs --hardness, which tells the loads, for example 10GPa"
+    );
     experiments[0].noise = Some(noise);
     ensure!(
         arguments.loss_tangent == 0.0 || arguments.kind.is_stiffness(),

@@ -24,7 +24,7 @@ pub(in crate::estimate) fn give(
     let loads = experiment.measurement.points.iter();
     let load = median(loads.map(|point| point.abscissa).collect());
     let radius = experiment.bodies.probe().radius().unwrap_or(1.0);
-    if let Some(hardness) = experiment.hardness_to_start_from() {
+    if let Some(hardness) = experiment.hardness_to_start_from(starts.is_unknown) {
         starts.give_unknown(Parameter::Hardness, hardness)?;
     }
     let work = PULL_OFF * load / (1.5 * PI * radius);

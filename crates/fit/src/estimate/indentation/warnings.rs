@@ -1,10 +1,12 @@
 //! The doubts about a fit of contact stiffness.
 
+use crate::estimate::assigned::Assigned;
 use crate::estimate::doubts::Warnings;
 use crate::estimate::problem::{Ending, Problem};
-use crate::statistics::median;
+use crate::statistics::{likeness_of_neighbours, median};
 use crate::{
-    ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, Parameter, WarningKind,
+    Bodies, ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, LossAngle, Parameter,
+    WarningKind,
 };
 
 /// The most evaluations of the fit with the other contact depth, over the number of parameters + 1,
@@ -17,10 +19,18 @@ const PLASTIC: f64 = 0.9;
 /// The largest contact depth over the thickness of the film.
 const DEEP: f64 = 0.5;
 
+/// The standard deviations by which misfits of neighbouring phases are alike from which on the model is doubted: one sound
+/// fit in 4000 exceeds them. And the misfit over the phases below which it is the expansion's.
+const ALIKE: f64 = 3.5;
+const EXACT: f64 = 0.01;
+
 /// Adds the doubts.
 pub(in crate::estimate) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
     let mut of_depth = Vec::new();
-    for assigned in &problem.assigned {
+    for (assigned, fitted) in problem.assigned.iter().zip(&fit.experiments) {
+        if let Some(loss) = fitted.loss {
+            of_phases(warnings, problem, assigned, loss);
+        }
         let experiment = &assigned.experiment;
         if experiment.measurement.kind != Kind::StiffnessDepth {
             continue;
@@ -74,6 +84,45 @@ pub(in crate::estimate) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Pro
             );
         }
         warnings.add(WarningKind::ContactDepth, text);
+    }
+}
+
+/// Doubts phases that no film causes, and those that do not have the course of the fit.
+fn of_phases(warnings: &mut Warnings, problem: &Problem<'_>, of: &Assigned, loss: LossAngle) {
+    let name = &of.experiment.measurement.name;
+    let tangent = loss.tangent();
+    if tangent + (2.0 * loss.tangent_error()).max(0.0) < 0.0 {
+        warnings.add(
+            WarningKind::Implausible,
+            format!(
+                "{name}: the phases give the film a loss tangent of {tangent:.3}, and no film gives back more energy than it \
+                 took: change the sign of phases that count in the opposite sense"
+            ),
+        );
+    }
+    let contact_of =
+        |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
+    let order = (&of.branches[..], &of.order[..]);
+    let Ok(both) = of.experiment.phases_beside(&contact_of, order, loss.angle) else {
+        return;
+    };
+    let misfits: Vec<f64> = both.iter().map(|[read, fitted]| read - fitted).collect();
+    let squares = |numbers: &[f64]| numbers.iter().map(|x| x * x).sum::<f64>();
+    let fitted: Vec<f64> = both.iter().map(|[_, fitted]| *fitted).collect();
+    let part = (squares(&misfits) / squares(&fitted)).sqrt();
+    if part > EXACT
+        && let Some([deviations, ratio]) = likeness_of_neighbours(&misfits)
+        && deviations > ALIKE
+    {
+        warnings.add(
+            WarningKind::PoorFit,
+            format!(
+                "{name}: the model does not describe the phases to the noise that neighbouring ones show: the mean square of \
+                 the misfits is {ratio:.1} times that of this noise, and the loss tangent is not what its standard error \
+                 says. Of the bodies only the film or top layer is taken to have a loss: where the phases are those of \
+                 several bodies, or of the instrument, fit the absolute value of the stiffness without phases"
+            ),
+        );
     }
 }
 

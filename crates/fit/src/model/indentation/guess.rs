@@ -12,13 +12,24 @@ const MARGIN: f64 = 1.5;
 
 /// What starts and doubts ask of the points of a contact stiffness.
 impl Experiment {
-    /// Returns the hardness that the loads and stiffnesses tell with the modulus of the substrate,
-    /// `(4/pi) beta^2 E*^2 P/S^2`.
-    pub(crate) fn hardness_to_start_from(&self) -> Option<f64> {
+    /// Returns the hardness that the loads and stiffnesses tell with the modulus of the substrate, or of the film on a rigid
+    /// substrate, `(4/pi) beta^2 E*^2 P/S^2`. With no modulus of a film that `is_unknown`, it is the hardness with which
+    /// the widest contact is as wide as the film is thick.
+    pub(crate) fn hardness_to_start_from(
+        &self,
+        is_unknown: impl Fn(Parameter) -> bool,
+    ) -> Option<f64> {
         if self.measurement.kind != Kind::StiffnessLoad {
             return None;
         }
         let base = self.bodies.base().filter(|base| base.young().is_finite());
+        if base.is_none()
+            && is_unknown(Parameter::FilmModulus)
+            && let Some(thickness) = self.bodies.thickness()
+        {
+            let loads = self.measurement.points.iter().map(|point| point.abscissa);
+            return Some(loads.fold(0.0, f64::max) / (PI * thickness * thickness));
+        }
         let solid = base.unwrap_or_else(|| self.bodies.film());
         let sphere = self.get(Parameter::SphereModulus)?;
         let compound = 1.0 / (1.0 / solid.reduced() + 1.0 / sphere);

@@ -218,6 +218,22 @@ impl Experiment {
         }
     }
 
+    /// Returns the phases of points in their `order` with those of a film of the loss angle `phi` (rad), rad; without the
+    /// points that are left out.
+    pub(crate) fn phases_beside(
+        &self,
+        contact_of: &ContactOf<'_>,
+        (branches, order): (&[Branch], &[usize]),
+        phi: f64,
+    ) -> Result<Vec<[f64; 2]>, Error> {
+        let (series, of) = (self.series(contact_of, branches)?, &self.indentation);
+        let both = |&i: &usize| {
+            let [_, angle] = series[i].as_ref()?.at(phi, of.frame_compliance);
+            Some([of.phases[i], angle])
+        };
+        Ok(order.iter().filter_map(both).collect())
+    }
+
     /// Replaces the predictions by the logarithms of the storage part of the complex stiffness.
     pub(super) fn predict_storage(
         &self,

@@ -120,7 +120,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
              --work-of-adhesion-receding, with which the line advances without adhesion and recedes with it"
         );
     }
-    let mut bodies = given.read_checked()?;
+    let mut bodies = given.read_checked(arguments.work_of_adhesion_receding)?;
     bodies.work_of_adhesion = 0.0;
     ensure!(
         !matches!(bodies.system.probe, Probe::FlatPunch { .. }),
