@@ -56,7 +56,7 @@ fn a_file_of_that_name_is_reached_with_its_folder() {
 #[test]
 fn what_names_no_table_is_told_what_does() {
     let workdir = workdir!();
-    for wrong in ["embeded", "Embedded", "10um", "table.bin"] {
+    for wrong in ["embed", "Embedded", "10um", "table.bin"] {
         for command in [
             &format!("info {wrong}"),
             &format!("curve {wrong}"),

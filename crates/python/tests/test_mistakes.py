@@ -74,8 +74,8 @@ CASES = {
     ),
     "a scene with another key": (
         TableError,
-        "the scene: unknown field `tolerence`",
-        lambda: generate({"title": "x", "tolerence": 1e-3}, progress=False),
+        "the scene: unknown field `accuracy`",
+        lambda: generate({"title": "x", "accuracy": 1e-3}, progress=False),
     ),
     "a range with another key": (
         TableError,

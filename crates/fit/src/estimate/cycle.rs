@@ -72,11 +72,14 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
         Some(apart) => format!("; at half of the largest load they are {apart:.2e} m apart"),
         None => String::new(),
     };
-    let size = format!(
-        "{:.2e} J, {:.1} % of the work of loading{at_half}",
-        cycle.energy.abs(),
-        1e2 * cycle.energy.abs() / cycle.work
-    );
+    // Adhesion may pull all the way in.
+    let part = if cycle.work > 0.0 {
+        let part = 1e2 * cycle.energy.abs() / cycle.work;
+        format!(", {part:.1} % of the work of loading")
+    } else {
+        String::new()
+    };
+    let size = format!("{:.2e} J{part}{at_half}", cycle.energy.abs());
     if experiment.relaxing.is_some() {
         let which = if cycle.energy < 0.0 { "less" } else { "more" };
         warnings.add(
