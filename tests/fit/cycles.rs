@@ -142,7 +142,9 @@ fn a_film_that_relaxes_in_a_hold_is_named() {
             (
                 0.0,
                 2e-7,
-                Some("load was held; height changed; the film creeps; needs its time"),
+                Some(
+                    "load was held; height changed; change in contact; the film creeps; needs its time",
+                ),
             ),
         ] {
             let mut held = probe.measured(&exact, seed);

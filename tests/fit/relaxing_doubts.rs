@@ -1,10 +1,10 @@
 //! Doubts about fits of bodies that relax, and what is refused.
 
-use acceptance::{Refused, solid};
+use acceptance::{Contacts, Refused, solid};
 use contact::Relaxation;
-use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
+use fit::{Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind};
 
-use crate::imagined::{coated, fit_all, fitted, free_of, text};
+use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement, text};
 use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
 
 use Parameter::{FilmModulus, Law};
@@ -130,4 +130,43 @@ fn what_cannot_be_fitted_is_refused_with_the_reason() {
     with(|one| one.relaxing = None).refused("relaxation function; give one");
     with_free(|_| (), &[FilmModulus, Law(RelaxedFraction)])
         .refused("relaxed-fraction; does not have");
+}
+
+/// Hertz's loads with noise, and after them a load that is held while the penetration grows by a fifth.
+#[test]
+fn a_held_load_is_found_in_noise_and_none_where_none_is_held() {
+    const DEEPEST: f64 = 5e-7;
+    let hertz = |penetration: f64| 4.0 / 3.0 * 5e4 * (1e-5 * penetration.max(0.0).powi(3)).sqrt();
+    for (count, held, noise) in [
+        (60, 0, 0.1),
+        (100, 0, 0.05),
+        (1000, 250, 0.01),
+        (3000, 900, 0.01),
+    ] {
+        for seed in 0..20 {
+            let mut random = Contacts::new(seed);
+            let point = |i: u32| {
+                let way = f64::from(i.min(count)) / f64::from(count);
+                let exact = DEEPEST * (1.3 * way - 0.3);
+                let crept = 0.2 * f64::from(i.saturating_sub(count)) / f64::from(held.max(1));
+                Point {
+                    line: u64::from(i) + 1,
+                    abscissa: exact + crept * DEEPEST,
+                    ordinate: hertz(exact) + noise * hertz(DEEPEST) * random.normal(),
+                    direction: None,
+                }
+            };
+            let points = (0..count + held).map(point).collect();
+            let bodies = half_space(1e-5, 5e4, solid(f64::INFINITY, 0.3));
+            let data = Experiment::new(measurement(Kind::LoadPenetration, points), bodies);
+            let free = free_of(&[Parameter::SphereModulus, Parameter::ContactPoint]);
+            let found = fitted(&data, &free);
+            assert_eq!(
+                found.warns_of(WarningKind::Relaxes),
+                held > 0,
+                "{count}, {seed}: {:?}",
+                found.warnings
+            );
+        }
+    }
 }

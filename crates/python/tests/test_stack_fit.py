@@ -118,10 +118,10 @@ def test_what_cannot_be_used_is_named(stack):
         fit(replace(data, system=system), ["primer.modulus"])
     assert type(caught.value.__cause__).__name__ == "SolveError"
     assert caught.value.__cause__.value > caught.value.__cause__.range[1]
-    # A contrast that the start leaves possible and a difference does not.
+    # Where a larger contrast is refused, differences are to the other side.
     stiff = replace(
         stack.layers[1], material=Elastic(young_modulus=5e5 * 0.9999e9, poisson_ratio=0.3)
     )
     edge = replace(stack, layers=[stack.layers[0], stiff])
-    with pytest.raises(InputError, match="layer elastomer: its Young's modulus"):
-        predict(lens(edge), ["elastomer.modulus"])
+    (slopes,) = predict(lens(edge), ["elastomer.modulus"]).derivatives.values()
+    assert np.isfinite(slopes).all()

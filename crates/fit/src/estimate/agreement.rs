@@ -67,14 +67,18 @@ pub(super) fn add(
         if detector::add(warnings, fitted, assigned) {
             continue;
         }
+        // What it makes too small misfits, so that neighbours are alike, and scatters in contact.
+        if shared_noise::add(warnings, problem, e, &fit.estimates) {
+            unequal[e] = true;
+            continue;
+        }
         // A wrong model scatters in contact, too.
         if beside_neighbours(warnings, assigned, own.as_slice(), chance) {
             continue;
         }
         if let Some(predicted) = &problem.predicted {
             let states = &predicted[e];
-            unequal[e] = shared_noise::add(warnings, &fit.estimates, assigned, states)
-                || unequal_noise::add(warnings, assigned, states, own.as_slice(), leverages);
+            unequal[e] = unequal_noise::add(warnings, assigned, states, own.as_slice(), leverages);
         }
     }
     unequal

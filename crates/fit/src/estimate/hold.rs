@@ -6,16 +6,17 @@ use std::ops::Range;
 use super::assigned::Assigned;
 use super::doubts::Warnings;
 use crate::WarningKind;
+use crate::model::noise_of;
 use crate::statistics::{extremes, median};
 
-/// The part of the range of positions or loads within which they are held, and the part of the load by which it falls
-/// then, or of the range of penetrations by which they grow.
+/// The part of the range of positions or loads within which they are held.
 const HELD: f64 = 0.02;
+/// The part of the load by which it falls at a held position, or of the change of the position in contact by which the
+/// position changes at a held load, from which on the film is said to relax.
 const CHANGES: f64 = 0.03;
-/// The part of the held load above which the positions count whose range is that of the penetrations.
+/// Points whose load is above this part of the held one are in contact.
 const PRESSED: f64 = 0.1;
-/// The noise of the levels at both ends of the hold beyond which the load has fallen, and the noise of a load within which
-/// it is held.
+/// The noise of two levels beyond which they differ. A load that is held stays within twice this noise of a reading.
 const CLEAR: f64 = 4.0;
 /// The fewest points of a hold, and the least part of all points.
 const FEWEST: usize = 5;
@@ -39,12 +40,13 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
     let levels = |of: &[f64], [first, last]: &[Range<usize>; 2]| {
         [first, last].map(|part| median(of[part.clone()].to_vec()))
     };
-    let chance = |ends: &[Range<usize>; 2]| CLEAR * noise / (ends[0].len() as f64).sqrt();
+    let chance =
+        |noise: f64, ends: &[Range<usize>; 2]| CLEAR * noise / (ends[0].len() as f64).sqrt();
     let falls = || {
         let ends = hold(&positions, 0.0)?;
         let [first, last] = levels(&loads, &ends);
         let fall = first - last;
-        let is_clear = first > 0.0 && fall > CHANGES * first && fall > chance(&ends);
+        let is_clear = first > 0.0 && fall > CHANGES * first && fall > chance(noise, &ends);
         is_clear.then(|| {
             format!(
                 "while the {what} was held the load fell by {fall:.2e} N, {:.0} %: the film relaxes, or flows",
@@ -54,18 +56,23 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
     };
     let creeps = || {
         let ends = hold(&loads, 2.0 * CLEAR * noise)?;
-        let [first, last] = levels(&loads, &ends);
+        let [first, held] = levels(&loads, &ends);
         let pressed = positions.iter().zip(&loads);
-        let pressed = pressed.filter(|(_, load)| **load > PRESSED * last);
+        let pressed = pressed.filter(|(_, load)| **load > PRESSED * held);
         let [least, most] = extremes(pressed.map(|(position, _)| *position));
-        let is_level = (last - first).abs() <= HELD * last + chance(&ends);
+        let is_level = held > 0.0 && (held - first).abs() <= HELD * held + chance(noise, &ends);
         let [first, last] = levels(&positions, &ends);
         let grows = last - first;
-        (is_level && grows > CHANGES * (most - least)).then(|| {
+        let range = most - least;
+        // A load that is held within this changes an elastic contact by as much at most. The standard deviation of the
+        // difference of two medians is 1.8 times that of a mean.
+        let elastic = HELD + 2.0 * chance(noise, &ends) / held;
+        let own = 2.0 * chance(noise_of(&positions).unwrap_or(0.0), &ends);
+        (is_level && grows > (CHANGES + elastic) * range + own).then(|| {
             format!(
-                "while the load was held the {what} changed by {grows:.2e} m, {:.0} % of its change with the load: the film \
-                 creeps or flows, or the detector is saturated",
-                1e2 * grows / (most - least - grows)
+                "while the load was held the {what} changed by {grows:.2e} m, {:.0} % of its whole change in contact: the \
+                 film creeps or flows, or the detector is saturated",
+                1e2 * grows / range
             )
         })
     };
@@ -90,12 +97,16 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
 fn hold(values: &[f64], slack: f64) -> Option<[Range<usize>; 2]> {
     let [least, most] = extremes(values.iter().copied());
     let is_held = |value: &f64| *value >= most - HELD * (most - least) - slack;
-    let begin = values.iter().position(is_held).filter(|begin| *begin > 0)?;
-    let held = values[begin..]
-        .iter()
-        .take_while(|value| is_held(value))
-        .count();
-    let part = held.div_ceil(5);
-    (held >= FEWEST.max(values.len() / PART))
-        .then(|| [begin..begin + part, begin + held - part..begin + held])
+    let largest = values.iter().position(|value| *value == most)?;
+    let before = values[..largest].iter().rev();
+    let begin = largest - before.take_while(|value| is_held(value)).count();
+    let held = values[begin..].iter();
+    let end = begin + held.take_while(|value| is_held(value)).count();
+    let level = median(values[end - (end - begin).div_ceil(5)..end].to_vec());
+    // Within the slack the values may still grow.
+    let arrives = |value: &f64| *value >= level - HELD * (most - least);
+    let begin = begin + values[begin..end].iter().position(arrives)?;
+    let part = (end - begin).div_ceil(5);
+    (begin > 0 && end - begin >= FEWEST.max(values.len() / PART))
+        .then(|| [begin..begin + part, end - part..end])
 }

@@ -4,51 +4,59 @@
 //! of `F` against it find a slope `S` that is too small by the part `(1 + k/S) var(e/k)/var(delta)`, however many
 //! points there are (attenuation: Fuller, Measurement Error Models, 1987). Against the height `z` there is none.
 
-use super::assigned::Assigned;
 use super::doubts::{BEYOND_CHANCE, Warnings};
-use crate::model::{Predicted, noise_of};
-use crate::{Estimate, Kind, WarningKind};
+use super::problem::Problem;
+use crate::model::noise_of;
+use crate::statistics::median;
+use crate::{Estimate, Kind, LayerQuantity, Parameter, WarningKind};
 
-/// The number of second differences with the information of one that is independent of the others: `1 + 2 sum(r^2)`
-/// with their correlations -2/3 and 1/6.
-const OVERLAP: f64 = 1.94;
+/// The order of the differences of neighbours that are noise: a curve of few points has none of this order.
+const ORDER: usize = 4;
+/// The number of such differences with the information of one that is independent of the others: `1 + 2 sum(r^2)` with their
+/// correlations -56/70, 28/70, -8/70 and 1/70.
+const OVERLAP: f64 = 2.63;
+/// Differences beyond this factor of their median size are jumps or spikes: 3.4 standard deviations.
+const FAR: f64 = 5.0;
 
-/// Warns if the noise of the penetrations is that of the loads with the opposite sign, and the modulus is too small for
-/// it by more than its standard error. Returns whether it does.
+/// Warns if the noise of the penetrations of experiment `e` is that of the loads with the opposite sign, and makes a modulus
+/// too small by more than its standard error. Returns whether it does.
 pub(super) fn add(
     warnings: &mut Warnings,
+    problem: &Problem<'_>,
+    e: usize,
     estimates: &[Estimate],
-    assigned: &Assigned,
-    predicted: &Predicted,
 ) -> bool {
+    let (assigned, found) = (&problem.assigned[e], problem.parameters_of(e));
     let measurement = &assigned.experiment.measurement;
+    let Some(predicted) = problem.predicted.as_ref().map(|all| &all[e]) else {
+        return false;
+    };
     if measurement.kind != Kind::LoadPenetration {
         return false;
     }
-    let points = &measurement.points;
-    let penetrations: Vec<f64> = points.iter().map(|point| point.abscissa).collect();
-    let bends = points.windows(3).map(|three| {
-        let bend = |of: [f64; 3]| of[0] - 2.0 * of[1] + of[2];
-        let three = [&three[0], &three[1], &three[2]];
-        [
-            bend(three.map(|one| one.abscissa)),
-            bend(three.map(|one| one.ordinate)),
-        ]
-    });
-    let sums = bends.fold([0.0; 3], |[xx, xy, yy], [x, y]| {
-        [xx + x * x, xy + x * y, yy + y * y]
-    });
-    let [xx, xy, yy] = sums;
-    // Fisher's transform of the correlation has a variance of one over the number of independent pairs less 3.
-    let pairs = points.len().saturating_sub(2) as f64 / OVERLAP - 3.0;
+    let points = || measurement.points.iter();
+    let penetrations: Vec<f64> = points().map(|point| point.abscissa).collect();
+    let x = differences(penetrations.clone());
+    let y = differences(points().map(|point| point.ordinate).collect());
+    let [far_x, far_y] = [&x, &y].map(|own| FAR * median(own.iter().map(|d| d.abs()).collect()));
+    let near = x.iter().zip(&y);
+    let near = near.filter(|(x, y)| x.abs() <= far_x && y.abs() <= far_y);
+    let [mut xx, mut xy, mut yy, mut count] = [0.0; 4];
+    for (x, y) in near {
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
+        count += 1.0;
+    }
     let correlation = (xy / (xx * yy).sqrt()).clamp(-1.0 + f64::EPSILON, 1.0);
-    let is_shared = -correlation.atanh() * pairs.max(0.0).sqrt() > BEYOND_CHANCE;
+    // Fisher's transform of the correlation has a variance of one over the number of independent pairs less 3.
+    let pairs = (count / OVERLAP - 3.0).max(0.0);
+    let is_shared = -correlation.atanh() * pairs.sqrt() > BEYOND_CHANCE;
     let Some(noise) = noise_of(&penetrations).filter(|_| is_shared) else {
         return false;
     };
-    let in_contact = assigned
-        .counting_points()
-        .filter(|&i| predicted.radii[i] > 0.0);
+    let in_contact = assigned.counting_points();
+    let in_contact = in_contact.filter(|&i| predicted.radii[i] > 0.0);
     let in_contact: Vec<f64> = in_contact.map(|i| penetrations[i]).collect();
     let count = in_contact.len() as f64;
     let mean = in_contact.iter().sum::<f64>() / count;
@@ -57,8 +65,17 @@ pub(super) fn add(
         .map(|one| (one - mean).powi(2))
         .sum::<f64>()
         / count;
-    let part = noise * noise / spread;
-    let moduli = estimates.iter().filter(|one| one.parameter.is_positive());
+    let part = (correlation * noise).powi(2) / spread;
+    let is_modulus = |one: &&Estimate| {
+        use Parameter::{FilmModulus, Layer, SphereModulus};
+        let own = one.parameter;
+        found.contains(&own)
+            && matches!(
+                own,
+                FilmModulus | SphereModulus | Layer(_, LayerQuantity::Modulus)
+            )
+    };
+    let moduli = estimates.iter().filter(is_modulus);
     let error = moduli.map(|one| one.standard_error / one.value);
     if part.is_nan() || part <= error.fold(f64::INFINITY, f64::min) {
         return false;
@@ -67,13 +84,21 @@ pub(super) fn add(
         WarningKind::SharedNoise,
         format!(
             "{}: the penetrations have the noise of the loads with the opposite sign, as where the deflection of a cantilever \
-             of {:.3e} N/m was taken off the heights. This makes the modulus too small, here by {:.0} % or more, whatever \
+             of {:.3e} N/m was taken off the heights. This makes the modulus too small, here by {:.1} % or more, whatever \
              errors are given. Fit the loads against the heights instead, which are -(penetration + load/stiffness), with \
              this stiffness",
             measurement.name,
-            -xy / xx,
+            -yy / xy,
             100.0 * part
         ),
     );
     true
+}
+
+/// Returns the differences of the order [`ORDER`].
+fn differences(mut values: Vec<f64>) -> Vec<f64> {
+    for _ in 0..ORDER {
+        values = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    }
+    values
 }

@@ -41,7 +41,6 @@ pub(super) fn add(
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
         if !is_unseen(assigned)
-            || experiment.get(ZERO) != Some(0.0)
             || problem.parameters_of(e).contains(&ZERO)
             || known.iter().any(is_known)
         {
@@ -62,7 +61,8 @@ pub(super) fn add(
                 format!(
                     "{}: no point is off contact, so that the zero of the load is taken as it is given: one that is off by \
                      {offset:.1e} N, 1 % of the largest load, would change {} by {:+.1} of its standard errors. Take the mean \
-                     load far from the surface off, or keep points from there and free {ZERO}",
+                     load far from the surface off and state its error as that of a known value, or keep points from there \
+                     and free {ZERO}",
                     experiment.measurement.name,
                     slot.parameter,
                     change

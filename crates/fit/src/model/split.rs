@@ -119,7 +119,8 @@ impl KnownBaseline {
             2 * contact_ends.saturating_sub(clear) + 1
         };
         let baseline_begins = contact_ends + margin;
-        // A retract that ends in contact, after its largest tension, is flat there, and rises behind it.
+        // A retract that ends in contact, after its largest tension, is flat there, and rises behind it. Of fewer than 30
+        // readings the last ones are the level themselves.
         let rise = median(readings[count - SIDE.min(count)..].to_vec()) - level;
         if self.level_is_free && rise > RISE * self.noise && baseline_begins + FEWEST > count {
             return [count; 2];
@@ -164,6 +165,7 @@ mod tests {
         };
         assert_eq!(baseline.split(&readings), [200, 230]);
     }
+
     /// The largest tension of a retract that ends in contact is flat, as a baseline is.
     #[test]
     fn a_largest_tension_is_no_baseline() {

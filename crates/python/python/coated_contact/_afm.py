@@ -50,7 +50,7 @@ def read_afm(
     AFM workshop, NT-MDT, Optics11 Chiaro, and HDF5 or text of afmformats itself. Each curve becomes
     an experiment of forces against heights. Heights are those of the base of the cantilever,
     measured where the file has them, else of the piezo. Points of a pause are left out, but with a
-    ``relaxation`` those between approach and retract are kept, and all have their times. A curve
+    ``relaxation`` those after the first approach are kept, and all have their times. A curve
     whose segments the file does not tell is split at its smallest height. Needs afmformats.
 
     Parameters
@@ -269,8 +269,7 @@ def _fields(
     retract, kept = _segments(np.asarray(curve["segment"]), height, curve.modality)
     if relaxes and kept.any():
         # A hold is a part of the history of a film that relaxes.
-        ways = np.flatnonzero(kept)
-        kept[ways[0] : ways[-1]] = True
+        kept[np.argmax(kept) :] = True
     if only is not None:
         kept &= retract == (only == "retract")
     if not kept.any():

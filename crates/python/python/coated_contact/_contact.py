@@ -598,7 +598,7 @@ class SolvedCurve:
         first, last = self.a_over_t
         set_field(self, "a_over_t", (number("a_over_t", first), number("a_over_t", last)))
         least, most = self.a_over_t
-        if least >= most:
+        if not least < most:
             raise InputError(
                 f"a_over_t = {self.a_over_t} cannot be used: the first must be below the second",
                 axis="a_over_t",

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 # The laws, each with the field that has no effect in it.
-WITHOUT = {
+WITHOUT_EFFECT = {
     "prony": "exponent",
     "power_law": "relaxed",
     "modified_power_law": None,
@@ -59,8 +59,8 @@ class Relaxation:
     weights: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        if self.law not in WITHOUT:
-            laws = ", ".join(f'"{law}"' for law in WITHOUT)
+        if not isinstance(self.law, str) or self.law not in WITHOUT_EFFECT:
+            laws = ", ".join(f'"{law}"' for law in WITHOUT_EFFECT)
             raise InputError(f"law = {self.law!r} cannot be used: give one of {laws}", axis="law")
         set_numbers(self, "relaxed", "exponent")
         for name in ("times", "weights"):
@@ -74,10 +74,10 @@ class Relaxation:
         if self.law != "prony" and (times, weights) != (1, 0):
             raise InputError(
                 f'the law "{self.law}" has one time and no weights, and {times} times and '
-                f"{weights} weights are given",
+                f"{weights} weights are given: give times=(1.0,), or use Relaxation.{self.law}",
                 axis="weights" if weights else "times",
             )
-        without = WITHOUT[self.law]
+        without = WITHOUT_EFFECT[self.law]
         if without and getattr(self, without) != 0.0:
             value = getattr(self, without)
             raise InputError(

@@ -20,8 +20,9 @@ const PLASTIC: f64 = 0.9;
 const DEEP: f64 = 0.5;
 
 /// The standard deviations by which misfits of neighbouring phases are alike from which on the model is doubted: one sound
-/// fit in 4000 exceeds them. And the misfit over the phases below which it is the expansion's.
+/// fit in 4000 exceeds them. Fewer than 10 phases never do.
 const ALIKE: f64 = 3.5;
+/// The misfit over the phases below which the error of the expansion in the loss angle may be the reason.
 const EXACT: f64 = 0.01;
 
 /// Adds the doubts.

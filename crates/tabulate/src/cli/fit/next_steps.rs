@@ -40,6 +40,14 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
             "errors of the abscissae: --abscissa-noise 5nm, beside --noise or without it; a noise that differs from \
              point to point: a column of it, such as `load error [mN]`",
         ),
+        (
+            WarningKind::SharedNoise,
+            "heights in place of penetrations: a column of them, --kind force-height --stiffness 0.02N/m",
+        ),
+        (
+            WarningKind::ZeroNotSeen,
+            "the zero of the load: --known load-offset=0+-2nN, or --free ...,load-offset with points off contact",
+        ),
         (WarningKind::Hysteresis, ways),
         (WarningKind::MixedBranches, ways),
         (
