@@ -11,7 +11,6 @@ from coated_contact import (
     Elastic,
     FitError,
     FlatPunch,
-    InputError,
     Layer,
     Stack,
     StackSystem,
