@@ -213,6 +213,10 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
     with_unit = xarray.DataArray([5e-5], attrs={"units": "Pa"})
     words = "contact_radius has the unit 'Pa', but is in m"
     refuses(TypeError, words, lambda: contact.load(with_unit, 0.04))
+    loads = xarray.DataArray([1e-6, 2e-6], attrs={"units": "N"})
+    swapped = {"kind": "load-penetration", "abscissa": loads, "ordinate": loads, "system": system}
+    words = "abscissa has the unit 'N', but is in m"
+    refuses(TypeError, words, lambda: Experiment(**swapped))
     singular = xarray.DataArray(3.5, attrs={"unit": "MPa"})
     refuses(TypeError, "'MPa'", lambda: Elastic(young_modulus=singular, poisson_ratio=0.5))
     held = xarray.DataArray(np.array([0.05]).view(Millimetres))

@@ -25,14 +25,14 @@ SI = {
     "N": ("N", "newton", "newtons"),
     "Pa": ("Pa", "pascal", "pascals", "N/m^2", "N/m2", "N m-2", "N m^-2"),
     "s": ("s", "second", "seconds"),
-    "J/m^2": ("J/m^2", "J/m2", "J m-2", "J m^-2", "N/m", "N m-1", "N m^-1"),
+    "N/m or J/m^2": ("J/m^2", "J/m2", "J m-2", "J m^-2", "N/m", "N m-1", "N m^-1"),
     "m/V": ("m/V", "m V-1", "m/N", "m N-1"),
     "Pa/m": ("Pa/m", "Pa m-1", "N/m^3", "N m-3"),
     "others": ("rad", "radian", "radians", "V", "volt", "volts", "Hz", "hertz", "m^2", "m2"),
 }
-# The unit of an argument by the last word of its name.
+# The unit of an argument by the last word of its name, where nobody states it.
 UNIT_OF = {"radius": "m", "thickness": "m", "penetration": "m", "height": "m", "modulus": "Pa"}
-UNIT_OF |= {"load": "N", "adhesion": "J/m^2", "time": "s"}
+UNIT_OF |= {"load": "N", "adhesion": "N/m or J/m^2", "time": "s"}
 
 
 def number(name: str, value: float) -> float:
@@ -56,8 +56,11 @@ def integer(name: str, value: int, least: int, end: int) -> int:
     return whole
 
 
-def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Return real numbers as an aligned array of float64; refuse what would lose a part."""
+def real(name: str, value: ArrayLike, wanted: str | None = None) -> NDArray[np.float64]:
+    """Return real numbers as an aligned array of float64; refuse what would lose a part.
+
+    A unit that they know of must be that which is ``wanted``, by default that of the name.
+    """
     # An array of xarray may hold quantities with a unit, or know of one.
     held = type(getattr(value, "data", None) if hasattr(value, "dims") else value)
     if hasattr(held, "units") or hasattr(held, "unit"):
@@ -69,7 +72,7 @@ def real(name: str, value: ArrayLike) -> NDArray[np.float64]:
     found = next((one for one, names in SI.items() if plain in names), None)
     if found is None:
         raise TypeError(f"{name} has the unit {unit!r} of its own: give its value in SI units")
-    wanted = UNIT_OF.get(name.replace(" ", "_").rpartition("_")[2], found)
+    wanted = wanted or UNIT_OF.get(name.replace(" ", "_").rpartition("_")[2], found)
     if found not in ("1", wanted):
         raise TypeError(f"{name} has the unit {unit!r}, but is in {wanted}: give this quantity")
     array = np.asarray(value)

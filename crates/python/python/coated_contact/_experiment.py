@@ -10,7 +10,7 @@ import numpy as np
 from numpy import ma
 from numpy.typing import NDArray
 
-from ._arrays import fixed, labels_of, number, paired_labels, real
+from ._arrays import UNIT_OF, fixed, labels_of, number, paired_labels, real
 from ._bodies import HalfSpace, System
 from ._control import check_friction
 from ._errors import FitError
@@ -242,9 +242,11 @@ class Experiment(Remade, OneLine):
         pointwise = ("abscissa", "ordinate", "retract", "time", "noise", "abscissa_noise")
         labels = {name: labels_of(getattr(self, name)) for name in pointwise}
         paired_labels(labels | (self.indentation._labels if self.indentation else {}))
-        points = [real(name, getattr(self, name)) for name in pointwise[:2]]
-        for name, array in zip(pointwise[:2], points, strict=True):
-            object.__setattr__(self, name, fixed(array))
+        points = []
+        # A kind is the ordinate over the abscissa.
+        for name, word in zip(pointwise[:2], reversed(self.kind.split("-")), strict=True):
+            points.append(real(name, getattr(self, name), _UNIT_OF_KIND[word]))
+            object.__setattr__(self, name, fixed(points[-1]))
         shapes = {array.shape for array in points}
         if self.retract is not None:
             retract = np.asarray(self.retract)
@@ -287,6 +289,9 @@ class Experiment(Remade, OneLine):
         """The numbers of the relaxation, as the native part takes them."""
         return None if self.relaxation is None else self.relaxation._numbers()
 
+
+# The units of what a kind names.
+_UNIT_OF_KIND = UNIT_OF | {"force": "N", "depth": "m", "stiffness": "N/m or J/m^2"}
 
 _NUMBERS = (
     "work_of_adhesion",
