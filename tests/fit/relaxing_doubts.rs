@@ -66,8 +66,12 @@ fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
 #[test]
 fn heights_of_a_held_penetration_are_refused() {
     let of_penetrations = planned(Kind::LoadPenetration, 1e-5, &power(), 2.0);
-    for (part, seed) in [(0.0, 0), (0.003, 1)] {
-        let mut data = with_noise(&of_penetrations, part, seed);
+    for (part, seed, faster) in [(0.0, 0, 1.0), (0.003, 1, 1.0), (0.003, 2, 0.25)] {
+        let mut plan = of_penetrations.clone();
+        for time in plan.times.iter_mut().filter(|time| **time > 1.0) {
+            *time = 1.0 + faster * (*time - 1.0);
+        }
+        let mut data = with_noise(&plan, part, seed);
         let stiffness = data.stiffness.expect("planned");
         data.measurement.kind = Kind::ForceHeight;
         data.contact_point = 0.0;

@@ -150,7 +150,7 @@ impl Experiment {
         Ok(())
     }
 
-    /// Tells whether the penetration was held after the turn of the heights, at least as long as it grew before.
+    /// Tells whether the penetration was held after the turn of the heights, at least half as long as it grew before.
     fn holds_penetration(&self) -> bool {
         let Control::Spring { stiffness } = self.control() else {
             return false;
@@ -168,7 +168,7 @@ impl Experiment {
             let falls = load(turn) - load(end);
             let moves_back =
                 self.imposed(points[turn].abscissa) - self.imposed(points[end].abscissa);
-            self.times[end] - self.times[turn] >= self.times[turn] - self.times[begin]
+            self.times[end] - self.times[turn] >= 0.5 * (self.times[turn] - self.times[begin])
                 && falls >= FALLS * load(turn)
                 && moves_back >= 0.5 * falls / stiffness
         })
