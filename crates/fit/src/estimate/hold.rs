@@ -60,7 +60,7 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
         let pressed = positions.iter().zip(&loads);
         let pressed = pressed.filter(|(_, load)| **load > PRESSED * held);
         let [least, most] = extremes(pressed.map(|(position, _)| *position));
-        let is_level = held > 0.0 && (held - first).abs() <= HELD * held + chance(noise, &ends);
+        let is_level = (held - first).abs() <= chance(noise, &ends).max(HELD * held);
         let [first, last] = levels(&positions, &ends);
         let grows = last - first;
         let range = most - least;
@@ -68,7 +68,7 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
         // difference of two medians is 1.8 times that of a mean.
         let elastic = HELD + 2.0 * chance(noise, &ends) / held;
         let own = 2.0 * chance(noise_of(&positions).unwrap_or(0.0), &ends);
-        (is_level && grows > (CHANGES + elastic) * range + own).then(|| {
+        (held > 0.0 && is_level && grows > (CHANGES + elastic) * range + own).then(|| {
             format!(
                 "while the load was held the {what} changed by {grows:.2e} m, {:.0} % of its whole change in contact: the \
                  film creeps or flows, or the detector is saturated",

@@ -77,7 +77,7 @@ pub(super) fn add(
     };
     let moduli = estimates.iter().filter(is_modulus);
     let error = moduli.map(|one| one.standard_error / one.value);
-    if part.is_nan() || part <= error.fold(f64::INFINITY, f64::min) {
+    if !part.is_finite() || part <= error.fold(f64::INFINITY, f64::min) {
         return false;
     }
     warnings.add(
