@@ -97,8 +97,11 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
     let expected = 10.0 * number(of_film, "changes/0");
     assert_close(error(&widened), error(&plain).hypot(expected), 1e-9);
     assert!(named("sphere_radius")["error"].is_null());
-    let all = format!("fit data.csv --film-thickness 3e-5 --specimen paper {known}");
-    let words = "what the fixed values do; sphere-radius; +1 %; 0.5 -> 0.49; hold those of film-thickness +- 3 um";
+    let all = format!(
+        "fit data.csv --film-thickness 3e-5 --specimen paper {known} --known load-offset=0+-2uN"
+    );
+    let words = "what the fixed values do; sphere-radius; +1 %; 0.5 -> 0.49; hold those of film-thickness +- 3 um; those of \
+                 load-offset +- 2 uN";
     assert_names(&workdir.succeed(&all), words);
     let known = "fit data.csv --film-thickness 3e-5 --specimen paper --known";
     workdir.refuses(format!(

@@ -32,8 +32,10 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
         *out += &format!("  {what:<NAME$} {by:<width$}{cells}\n", width = NAME - 3);
     }
     for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
-        let (unit, size) = scaled(one.quantity.unit(), one.value);
-        let known = one.error.unwrap_or(0.0) / size;
+        let error = one.error.unwrap_or(0.0);
+        // That of a zero has the prefix of the error.
+        let (unit, size) = scaled(one.quantity.unit(), one.value.abs().max(error));
+        let known = error / size;
         let parts = names.iter().enumerate().map(|(i, name)| {
             let (unit, size) = scaled(fit.estimates[i].parameter.unit(), one.error_of(i));
             format!("{:.2} {unit} of {name}", one.error_of(i) / size)
