@@ -22,6 +22,11 @@ pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     0.5 * (lower + upper)
 }
 
+/// Returns the differences of neighbours.
+pub(crate) fn differences_of(numbers: &[f64]) -> Vec<f64> {
+    numbers.windows(2).map(|pair| pair[1] - pair[0]).collect()
+}
+
 /// Returns the least and the largest of numbers; infinity and negative infinity of none.
 pub(crate) fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {

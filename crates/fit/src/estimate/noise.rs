@@ -227,8 +227,8 @@ fn most_told(leverages: &[f64]) -> f64 {
     leverages.iter().map(|leverage| 1.0 - leverage).sum()
 }
 
-/// Warns of an estimated noise that few points tell, because the errors of the abscissae hide it at
-/// the others.
+/// Warns of an estimated noise that few points tell: because there are few, or because the errors of the abscissae hide it
+/// at the others.
 pub(super) fn add(
     warnings: &mut Warnings,
     fit: &Fit,

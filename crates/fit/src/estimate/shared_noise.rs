@@ -7,11 +7,11 @@
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use crate::model::noise_of;
-use crate::statistics::median;
+use crate::statistics::{differences_of, median};
 use crate::{Estimate, Kind, LayerQuantity, Parameter, WarningKind};
 
 /// The order of the differences of neighbours that are noise: a curve of few points has none of this order.
-const ORDER: usize = 4;
+const ORDER: u32 = 4;
 /// The number of such differences with the information of one that is independent of the others: `1 + 2 sum(r^2)` with their
 /// correlations -56/70, 28/70, -8/70 and 1/70.
 const OVERLAP: f64 = 2.63;
@@ -28,16 +28,14 @@ pub(super) fn add(
 ) -> bool {
     let (assigned, found) = (&problem.assigned[e], problem.parameters_of(e));
     let measurement = &assigned.experiment.measurement;
-    let Some(predicted) = problem.predicted.as_ref().map(|all| &all[e]) else {
-        return false;
-    };
     if measurement.kind != Kind::LoadPenetration {
         return false;
     }
     let points = || measurement.points.iter();
     let penetrations: Vec<f64> = points().map(|point| point.abscissa).collect();
-    let x = differences(penetrations.clone());
-    let y = differences(points().map(|point| point.ordinate).collect());
+    let loads: Vec<f64> = points().map(|point| point.ordinate).collect();
+    let [x, y] = [&penetrations, &loads]
+        .map(|own| (0..ORDER).fold(own.clone(), |own, _| differences_of(&own)));
     let [far_x, far_y] = [&x, &y].map(|own| FAR * median(own.iter().map(|d| d.abs()).collect()));
     let near = x.iter().zip(&y);
     let near = near.filter(|(x, y)| x.abs() <= far_x && y.abs() <= far_y);
@@ -53,6 +51,9 @@ pub(super) fn add(
     let pairs = (count / OVERLAP - 3.0).max(0.0);
     let is_shared = -correlation.atanh() * pairs.sqrt() > BEYOND_CHANCE;
     let Some(noise) = noise_of(&penetrations).filter(|_| is_shared) else {
+        return false;
+    };
+    let Some(predicted) = problem.predicted.as_ref().map(|all| &all[e]) else {
         return false;
     };
     let in_contact = assigned.counting_points();
@@ -93,12 +94,4 @@ pub(super) fn add(
         ),
     );
     true
-}
-
-/// Returns the differences of the order [`ORDER`].
-fn differences(mut values: Vec<f64>) -> Vec<f64> {
-    for _ in 0..ORDER {
-        values = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    }
-    values
 }

@@ -2,7 +2,7 @@
 
 use contact::LawParameter;
 
-use super::start::has_no_start;
+use crate::model::has_no_start;
 use crate::{Error, Experiment, Free, LayerQuantity, NamedLayer, Parameter, Prior, Scope};
 
 /// The part of the distance between two bounds by which a start keeps away from them.

@@ -7,9 +7,9 @@ use super::assigned::Assigned;
 use super::minima::{Minimum, minimum};
 use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
-use super::start::has_no_start;
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
+use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
@@ -340,12 +340,12 @@ fn experiment(
     let predicted = problem.predicted.as_ref().map(|all| &all[e]);
     let measurement = &assigned.experiment.measurement;
     let point = |(i, point): (usize, &crate::Point)| {
-        let counts = assigned.branches[i] != Branch::LeftOut;
+        let branch = assigned.branches[i];
+        let counts = branch != Branch::LeftOut;
         let predicted = predicted.filter(|_| counts);
         let fit = problem.ordinate(e, i);
         let without_film = without_film.and_then(|all| all.ordinate(e, i));
         let deviation = assigned.deviation(i) * measurement.kind.scale(point.ordinate);
-        let is_pinned = predicted.is_some_and(|predicted| predicted.pinned[i]);
         FittedPoint {
             line: point.line,
             abscissa: point.abscissa,
@@ -356,11 +356,7 @@ fn experiment(
                 .map(|predicted| predicted.radii[i])
                 .filter(|&radius| radius > 0.0),
             without_film: without_film.filter(|value| value.is_finite()),
-            branch: if is_pinned {
-                Branch::Pinned
-            } else {
-                assigned.branches[i]
-            },
+            branch: predicted.map_or(branch, |predicted| predicted.branch(i, branch)),
             outlier: fit.is_some_and(|fit| (point.ordinate - fit).abs() > OUTLIER * deviation),
         }
     };

@@ -10,6 +10,7 @@ use super::no_adhesion;
 use super::problem::Problem;
 use super::relaxing_start;
 use super::slot::Slot;
+use crate::model::has_no_start;
 use crate::{Bodies, Error, Experiment, Free, Kind, LayerQuantity, Loss, Parameter};
 
 /// The most steps of the search for a modulus.
@@ -190,12 +191,6 @@ fn matched(is_unknown: impl Fn(Parameter) -> bool) -> Option<Parameter> {
     [Parameter::SphereModulus, Parameter::FilmModulus]
         .into_iter()
         .find(|&parameter| is_unknown(parameter))
-}
-
-/// Tells of a parameter whether it is free and no start is given.
-pub(super) fn has_no_start(free: &[Free]) -> impl Fn(Parameter) -> bool {
-    let unknown = |parameter| move |one: &Free| one.parameter == parameter && one.start.is_none();
-    move |parameter| free.iter().any(unknown(parameter))
 }
 
 /// Tells whether a fit of experiments finds the start of a free parameter in the data, so that the

@@ -6,7 +6,7 @@
 use super::split::{FEWEST, KnownBaseline};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
-use crate::statistics::{MEDIAN, median};
+use crate::statistics::{MEDIAN, differences_of, median};
 
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
@@ -338,12 +338,10 @@ pub(crate) fn noise_of(readings: &[f64]) -> Option<f64> {
     const MUCH_SMALLER: f64 = 0.5;
     /// The variances of the differences of orders 2, 3 and 4 of numbers with the variance 1.
     const VARIANCES: [f64; 3] = [6.0, 20.0, 70.0];
-    let difference =
-        |of: &[f64]| -> Vec<f64> { of.windows(2).map(|pair| pair[1] - pair[0]).collect() };
-    let mut differences = difference(readings);
     let mut found: Option<f64> = None;
+    let mut differences = differences_of(readings);
     for variance in VARIANCES {
-        differences = difference(&differences);
+        differences = differences_of(&differences);
         if differences.len() < FEWEST {
             break;
         }

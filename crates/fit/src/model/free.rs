@@ -175,3 +175,9 @@ impl Default for Options {
         }
     }
 }
+
+/// Tells of a parameter whether it is free and no start is given.
+pub(crate) fn has_no_start(free: &[Free]) -> impl Fn(Parameter) -> bool {
+    let unknown = |parameter| move |one: &Free| one.parameter == parameter && one.start.is_none();
+    move |parameter| free.iter().any(unknown(parameter))
+}

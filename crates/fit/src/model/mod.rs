@@ -44,6 +44,7 @@ pub(crate) use errors::AbscissaError;
 pub use errors::PointErrors;
 pub use experiment::Experiment;
 pub use fixed::Fixed;
+pub(crate) use free::has_no_start;
 pub use free::{Free, Known, Loss, Options, Prior, Scope};
 pub use indentation::{AreaFunction, ContactDepth, Indentation, LossAngle, MOST_COEFFICIENTS};
 pub use interrupt::Interrupt;

@@ -1,5 +1,7 @@
 //! What the model predicts for the points of an experiment.
 
+use super::Branch;
+
 /// The predictions for all points of an experiment.
 #[derive(Clone, Debug)]
 pub(crate) struct Predicted {
@@ -13,6 +15,17 @@ pub(crate) struct Predicted {
     pub pinned: Vec<bool>,
     /// The derivatives with respect to each of the parameters asked for, point after point.
     pub derivatives: Vec<f64>,
+}
+
+impl Predicted {
+    /// Returns the branch of a point that was assigned to a branch: pinned, where the line does not move.
+    pub fn branch(&self, i: usize, assigned: Branch) -> Branch {
+        if self.pinned[i] {
+            Branch::Pinned
+        } else {
+            assigned
+        }
+    }
 }
 
 /// The end of a stable branch.

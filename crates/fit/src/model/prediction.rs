@@ -94,10 +94,8 @@ impl Experiment {
                 }
             }
         }
-        for (branch, &is_pinned) in branches.iter_mut().zip(&predicted.pinned) {
-            if is_pinned {
-                *branch = Branch::Pinned;
-            }
+        for (i, branch) in branches.iter_mut().enumerate() {
+            *branch = predicted.branch(i, *branch);
         }
         let kept = |i: usize, value: f64| {
             if branches[i] == Branch::LeftOut {

@@ -1,4 +1,4 @@
-//! How well a fit agrees with the data: chi^2, the noise, and what few points leave of it.
+//! How well a fit agrees with the data: chi^2 and the noise.
 
 use super::unit::three_digits;
 use crate::{Experiment, Fit};
