@@ -439,6 +439,16 @@ fn adhesion_that_is_left_out_is_named_before_any_zero() {
         assert_warns(&found, WarningKind::AdhesionWanted, words);
         assert_silent(&found, WarningKind::OffsetWanted);
     }
+    // A pull-off that the noise hides makes the modulus too large.
+    for course in [Course::Approach, Course::Retract, Course::Cycle] {
+        let free = [Parameter::FilmModulus, Parameter::ContactPoint];
+        let probe = Imagined::probe(course, 5e-6, &free);
+        let mut experiment = probe.measured(&probe.exact(), 1);
+        experiment.work_of_adhesion = 0.0;
+        let found = fitted_of_few(&experiment, &probe.free);
+        let words = "work-of-adhesion is 0; the data want adhesion; free it";
+        assert_warns(&found, WarningKind::AdhesionWanted, words);
+    }
     // Without adhesion nothing is said of it.
     for seed in 0..20 {
         let probe = Imagined::probe(Course::Approach, 0.0, &film);

@@ -8,11 +8,13 @@ use super::number::Marks;
 use super::segment::Split;
 use super::sign::{Sign, opposite, sign};
 use super::tilt::is_tilted;
-use super::turns::turns;
+use super::turns::{have_order, turns};
 use crate::{Direction, Kind, Point};
 
 /// The number of points that tell the course of a curve.
 const ENOUGH: usize = 10_000;
+/// The fewest points whose order is doubted: the ranks of fewer differ by much from row to row in any order.
+const FEWEST: usize = 20;
 
 /// A doubt about how a file was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +40,11 @@ pub enum Doubt {
         /// The number of turns in the rows of one direction, or in all rows without a direction.
         turns: usize,
     },
+    /// The abscissa jumps to and fro, and the rows have no direction.
+    Order {
+        /// The heading of the abscissa.
+        abscissa: String,
+    },
     /// The abscissa goes there and back in the rows of one direction.
     Directions {
         /// The heading of the abscissa.
@@ -58,6 +65,7 @@ impl Doubt {
             Self::Points => "points",
             Self::Tilt { .. } => "tilt",
             Self::Curves { .. } => "several-curves",
+            Self::Order { .. } => "order",
             Self::Directions { .. } => "directions",
         }
     }
@@ -87,6 +95,12 @@ impl fmt::Display for Doubt {
                 "{abscissa:?} turns back {turns} times, as where a file holds several curves, and they \
                  are fitted as one; if they are several, save each as a file of its own and fit the \
                  files together"
+            ),
+            Self::Order { abscissa } => write!(
+                f,
+                "{abscissa:?} jumps to and fro from row to row, so that the rows are in no order, and those of approach and \
+                 retract cannot be told: sort the rows by time, or name the direction of each row in a column of segments, \
+                 approach or retract"
             ),
             Self::Directions {
                 abscissa,
@@ -144,7 +158,7 @@ pub fn doubts(
     sign.into_iter().chain(marks).chain(course).collect()
 }
 
-/// Returns the doubt that the points are several curves, or that their directions are wrong. A curve
+/// Returns the doubt that the points are in no order, are several curves, or that their directions are wrong. A curve
 /// goes there and back, and in one direction it does not turn.
 fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> {
     let heading = || pair.abscissa.heading.clone();
@@ -166,6 +180,21 @@ fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> 
             _ => None,
         }
     };
+    if let Some(Split::Course(_)) = split
+        && points.len() >= FEWEST
+    {
+        let step = points.len() / ENOUGH + 1;
+        let abscissae: Vec<f64> = points
+            .iter()
+            .map(|point| point.abscissa)
+            .step_by(step)
+            .collect();
+        if !have_order(&abscissae) {
+            return Some(Doubt::Order {
+                abscissa: heading(),
+            });
+        }
+    }
     of(None)
         .or_else(|| of(Some(Direction::Approach)))
         .or_else(|| of(Some(Direction::Retract)))

@@ -132,7 +132,11 @@ impl Doubt {
             }
             Self::Directions { split: None, .. } => Some(Remedy::Split),
             Self::Tilt { .. } => Some(Remedy::BaselineSlope),
-            Self::Directions { .. } | Self::Commas | Self::Points | Self::Curves { .. } => None,
+            Self::Directions { .. }
+            | Self::Order { .. }
+            | Self::Commas
+            | Self::Points
+            | Self::Curves { .. } => None,
         }
     }
 }

@@ -44,7 +44,7 @@ pub fn turns(numbers: &[f64]) -> usize {
 }
 
 /// Tells whether neighbours have similar ranks.
-fn have_order(numbers: &[f64]) -> bool {
+pub fn have_order(numbers: &[f64]) -> bool {
     let mut by_size: Vec<usize> = (0..numbers.len()).collect();
     by_size.sort_by(|&a, &b| numbers[a].total_cmp(&numbers[b]));
     let mut ranks = vec![0.0; numbers.len()];

@@ -38,19 +38,22 @@ pub(super) fn add(
     residuals: &DVector<f64>,
 ) {
     let score = Score::new(problem, uncertainty, residuals);
-    let adhesion = adhesion(problem, &score, residuals);
-    if let Some(gain) = &adhesion {
+    let pulls: Vec<Option<f64>> = (0..problem.assigned.len())
+        .map(|e| unfitted_pull(problem, e))
+        .collect();
+    let is_seen = pulls.iter().any(Option::is_some);
+    let adhesion = adhesion(problem, &score, residuals).filter(|_| !is_seen);
+    if let Some(Adhesion { gain, work }) = &adhesion {
         warnings.add(
             WarningKind::AdhesionWanted,
             format!(
                 "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
-                 be some {:.1e} J/m^2; free it, or a zero of the instrument where there is none",
-                gain.chi_squared,
-                gain.change.powi(2)
+                 be some {work:.1e} J/m^2; free it, or a zero of the instrument where there is none",
+                gain.chi_squared
             ),
         );
     }
-    let explained = adhesion.map_or(0.0, |gain| gain.significance);
+    let explained = adhesion.map_or(0.0, |found| found.gain.significance);
     for (e, assigned) in problem.assigned.iter().enumerate() {
         let experiment = &assigned.experiment;
         if experiment.measurement.kind.is_stiffness() {
@@ -58,9 +61,7 @@ pub(super) fn add(
         }
         let name = &experiment.measurement.name;
         let fitted = problem.parameters_of(e);
-        if is_without_adhesion(experiment, &fitted)
-            && let Some(pull) = experiment.pull(assigned.local_noise.unwrap_or(assigned.noise))
-        {
+        if let Some(pull) = pulls[e] {
             // The zeros of the instrument would make up for it, and are not named.
             warnings.add(WarningKind::AdhesionWanted, adhesion_seen(experiment, pull));
             continue;
@@ -125,17 +126,21 @@ pub(super) fn add(
     }
 }
 
-/// Tells whether forces against positions are fitted without adhesion.
-fn is_without_adhesion(experiment: &Experiment, fitted: &[Parameter]) -> bool {
+/// Returns the force by which the contact of experiment `e` pulls, N, if forces against positions are fitted without
+/// adhesion and show a pull.
+fn unfitted_pull(problem: &Problem<'_>, e: usize) -> Option<f64> {
+    let assigned = &problem.assigned[e];
+    let experiment = &assigned.experiment;
     let kind = experiment.measurement.kind;
-    matches!(kind, Kind::LoadPenetration | Kind::ForceHeight)
+    let is_free = |parameter: &Parameter| parameter.is_work_of_adhesion();
+    let is_without = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight)
         && experiment.work_of_adhesion == 0.0
         && experiment
             .work_of_adhesion_receding
             .is_none_or(|work| work == 0.0)
-        && !fitted
-            .iter()
-            .any(|parameter| parameter.is_work_of_adhesion())
+        && !problem.parameters_of(e).iter().any(is_free);
+    let noise = assigned.local_noise.unwrap_or(assigned.noise);
+    is_without.then(|| experiment.pull(noise)).flatten()
 }
 
 /// Says that data show adhesion, with the force by which the contact pulls, N.
@@ -163,24 +168,39 @@ fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
     )
 }
 
-/// Returns what adhesion would gain in contacts of known radii that are fitted without, with the square root
-/// of the work of adhesion (J/m^2) as the parameter, on which load and penetration at a radius depend to
-/// first order; `None` unless by more than chance, and clearly better than the zeros of the instrument of all
-/// files together. At penetrations and heights a [pull](Experiment::pull) tells it.
-fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) -> Option<Gain> {
+/// What adhesion would gain in contacts that are fitted without.
+struct Adhesion {
+    gain: Gain,
+    /// The work of adhesion that it would be, J/m^2.
+    work: f64,
+}
+
+/// Returns what adhesion would gain; `None` unless by more than chance, and clearly better than the zeros of the
+/// instrument of all files together.
+///
+/// The parameter is that on which the residuals depend to first order: the square root of the work of adhesion `w` at
+/// contact radii; `w` itself at penetrations and heights, where the load changes by `-w dA/ddelta` with the area `A` of
+/// the contact, on a half-space by `-pi R w`. There a [pull](Experiment::pull) that the noise hides is found, too.
+fn adhesion(
+    problem: &Problem<'_>,
+    score: &Score<'_>,
+    residuals: &DVector<f64>,
+) -> Option<Adhesion> {
     /// A work of adhesion that changes no contact by much.
     const SMALL: f64 = 1e-10;
-    /// What adhesion leaves of the sum of squares, over what the zeros leave, below which it explains the data
-    /// better.
+    /// What adhesion leaves of the sum of squares at contact radii, over what the zeros leave, below which it explains the
+    /// data better. Against positions the zeros are fitted, or leave the same shape in the residuals.
     const CLEARLY: f64 = 0.5;
     const WORK: Parameter = Parameter::WorkOfAdhesion;
     if problem.slots.iter().any(|slot| slot.parameter == WORK) {
         return None;
     }
+    let is_at_radii = |one: &Assigned| one.experiment.measurement.kind.at_radii();
+    let at_radii = is_at_radii(problem.assigned.first()?);
     let could_adhere = |one: &Assigned| {
         let experiment = &one.experiment;
-        let kind = experiment.measurement.kind;
-        matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius)
+        is_at_radii(one) == at_radii
+            && !experiment.measurement.kind.is_stiffness()
             && experiment.get(WORK) == Some(0.0)
             && experiment.why_without_effect(WORK).is_none()
     };
@@ -188,8 +208,17 @@ fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) 
         return None;
     }
     let moved = residuals_with(problem, Fixed::Parameter(WORK), |_| SMALL)?;
-    let gain = score.gain(&((moved - residuals) / SMALL.sqrt()))?;
-    if !gain.is_significant() || gain.change <= 0.0 {
+    let mut change = (moved - residuals) / if at_radii { SMALL.sqrt() } else { SMALL };
+    for (e, rows) in problem.rows_of_experiments().iter().enumerate() {
+        let radii = problem.predict(e, None).ok()?.radii;
+        let points = problem.assigned[e].counting_points();
+        for (row, _) in rows.clone().zip(points).filter(|(_, i)| radii[*i] == 0.0) {
+            change[row] = 0.0;
+        }
+    }
+    let gain = score.gain(&change)?;
+    let least = if at_radii { BEYOND_CHANCE } else { HINT };
+    if gain.significance <= least * least || gain.change <= 0.0 {
         return None;
     }
     let of_zeros = |e: usize| {
@@ -209,7 +238,14 @@ fn adhesion(problem: &Problem<'_>, score: &Score<'_>, residuals: &DVector<f64>) 
     };
     let zeros: f64 = (0..problem.assigned.len()).filter_map(of_zeros).sum();
     let left = |explained: f64| (score.residuals.norm_squared() - explained).max(0.0);
-    (left(gain.chi_squared) < CLEARLY * left(zeros)).then_some(gain)
+    let clearly = if at_radii { CLEARLY } else { 1.0 };
+    let explains = left(gain.chi_squared) < clearly * left(zeros);
+    let work = if at_radii {
+        gain.change.powi(2)
+    } else {
+        gain.change
+    };
+    explains.then_some(Adhesion { gain, work })
 }
 
 /// Warns if approach and retract, or loading and unloading in time, differ.

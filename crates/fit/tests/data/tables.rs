@@ -280,7 +280,7 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
     }
 }
 
-/// A file can hold several curves, directions that are wrong, and commas that part thousands.
+/// A file can hold several curves, rows in no order, directions that are wrong, and commas that part thousands.
 #[test]
 fn a_course_or_commas_that_are_doubtful_are_told() {
     let up = || 1..=20;
@@ -300,8 +300,11 @@ fn a_course_or_commas_that_are_doubtful_are_told() {
     assert_eq!(doubts(bare, &cycle("")), none);
     let both = text(&mut down(), ",1_extend") + &text(&mut up(), ",2_retract");
     assert_eq!(doubts(named, &both), none);
+    let mixed = |segment| text(&mut (0..40).map(|i| i * 17 % 40), segment);
+    assert_eq!(doubts(named, &mixed(",extend")), none);
     for (head, rows, words) in [
         (bare, cycle("").repeat(2), "\"height\" turns back 2 times"),
+        (bare, mixed(""), "\"height\" jumps to and fro"),
         (
             bare,
             text(&mut down(), "").repeat(2),
