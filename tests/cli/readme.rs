@@ -25,7 +25,18 @@ fn shows_the_examples() {
         let lines = example.split_inclusive('\n');
         let program: String = lines.skip_while(|line| line.starts_with("//!")).collect();
         let block = format!("```rust\n{}```", program.trim_start());
-        assert!(read(readme).contains(&block), "{readme}: {path}");
+        let readme_text = read(readme);
+        assert!(readme_text.contains(&block), "{readme}: {path}");
+        // What is said of a program of one's own names every crate that the example uses.
+        if let Some((_, said)) = readme_text.split_once("cargo add ") {
+            let (packages, _) = said.split_once('`').expect("the command ends");
+            let uses = example.lines().filter_map(|line| line.strip_prefix("use "));
+            for name in uses.filter_map(|path| path.split("::").next()) {
+                let package = format!("coated-contact-{name}");
+                let is_named = packages.split(' ').any(|named| named == package);
+                assert!(name == "std" || is_named, "{readme}: {package}");
+            }
+        }
     }
 }
 

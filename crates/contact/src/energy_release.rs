@@ -7,6 +7,9 @@ use crate::Error;
 use interp::Quantity;
 use interp::check::{finite_input, finite_result};
 
+/// The difference of a load from that of a flat punch, over the two, which is taken for rounding.
+const RIM: f64 = 1e-10;
+
 impl Contact {
     /// Returns the energy release rate `G` (J/m^2) of a measured contact radius `a` (m) and `load`
     /// (N).
@@ -108,7 +111,19 @@ impl Contact {
             let pulled = self.mechanics().stiffness(a, eeq) * flat_punch;
             Ok::<_, Error>(self.adhesionless_load(a)? - pulled - load)
         };
-        if excess(u_from)? < 0.0 {
+        let least = excess(u_from)?;
+        if !adhesionless && self.begins_at_flat_end() {
+            // A contact that ends at the rim of a flat end is a flat punch; what is left of the two loads is rounding.
+            let rim = radius(u_least);
+            let pulled = self.stiffness(rim)? * flat_punch(u_least)?;
+            if least.abs() <= RIM * (load.abs() + pulled.abs()) {
+                return Ok((
+                    rim,
+                    self.energy_release_rate_at_penetration(rim, penetration)?,
+                ));
+            }
+        }
+        if least < 0.0 {
             let possible = adhesionless || (penetration <= 0.0 && load >= 0.0);
             interp::Error::unless(
                 !possible,

@@ -42,7 +42,7 @@ impl Control {
                 (1e-100..=1e100).contains(&stiffness),
                 "stiffness of the spring",
                 stiffness,
-                "in [1e-100, 1e100] N/m",
+                "in [1e-100, 1e100] N/m; without a spring the load is imposed, and under a rigid drive the penetration",
             ),
             _ => Ok(()),
         }

@@ -66,7 +66,7 @@ const LEAST_DISTANCE: f64 = 2e-3;
 /// ```
 ///
 /// # Errors
-/// [`Error::Domain`] if `a_over_t` is not ascending or not in [`A_OVER_T`], for a `tolerance`
+/// [`Error::Contact`] if `a_over_t` descends; [`Error::Domain`] if it is not in [`A_OVER_T`], for a `tolerance`
 /// outside [`CURVE_TOLERANCE`], or for a material outside the domain of the solver;
 /// [`Error::NotConverged`] where double precision does not allow the tolerance.
 pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<Curve, Error> {
@@ -80,8 +80,21 @@ pub fn curve(material: &Material, a_over_t: [f64; 2], tolerance: f64) -> Result<
     )
 }
 
+/// Refuses ends of a curve that descend.
+pub fn check_order([from, to]: [f64; 2]) -> Result<(), Error> {
+    let descend = to < from;
+    let allowed = "above the lower end, which comes first: exchange the two";
+    Ok(interp::Error::unless(
+        !descend,
+        "upper end of a_over_t",
+        to,
+        allowed,
+    )?)
+}
+
 /// Accepts the ends and the tolerance of a curve.
 pub fn check_range([from, to]: [f64; 2], tolerance: f64) -> Result<(), Error> {
+    check_order([from, to])?;
     Error::check("a_over_t", from, [A_OVER_T[0], A_OVER_T[1] / NARROWEST])?;
     Error::check("a_over_t", to, [from * NARROWEST, A_OVER_T[1]])?;
     Error::check("tolerance", tolerance, CURVE_TOLERANCE)

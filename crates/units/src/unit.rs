@@ -79,7 +79,7 @@ pub struct Unit {
 }
 
 /// Prefixes: symbol, name, size. The size is a decimal exponent, so that it is rounded once.
-const PREFIXES: [(&str, &str, i32); 13] = [
+const PREFIXES: [(&str, &str, i32); 14] = [
     ("", "", 0),
     ("c", "centi", -2),
     ("m", "milli", -3),
@@ -93,6 +93,7 @@ const PREFIXES: [(&str, &str, i32); 13] = [
     ("k", "kilo", 3),
     ("M", "mega", 6),
     ("G", "giga", 9),
+    ("T", "tera", 12),
 ];
 
 /// Units without a prefix: symbol, names, dimension.
@@ -123,8 +124,8 @@ impl Unit {
         }
     }
 
-    /// Reads a symbol, `mN`, a name, `micrometres`, or a quotient of symbols, `mJ/m^2`. Symbols must
-    /// have the case of the SI: `mN` and `MN` differ.
+    /// Reads a symbol, `mN`, a name, `micrometres`, or a quotient of symbols, `mJ/m^2` or
+    /// `mJ m^-2`. Symbols must have the case of the SI: `mN` and `MN` differ.
     pub fn parse(text: &str) -> Option<Self> {
         special(text).or_else(|| {
             let (dimension, exponent) = power_of_ten(text)?;
@@ -168,6 +169,11 @@ pub(crate) fn power_of_ten(text: &str) -> Option<(Dimension, i32)> {
     if let Some((above, below)) = text.split_once('/') {
         return quotient(above.trim(), below.trim());
     }
+    if let Some((above, below)) = text.split_once([' ', '\u{b7}'])
+        && let Some((below, power)) = without_negative_power(below.trim())
+    {
+        return quotient(above.trim(), &format!("{below}{power}"));
+    }
     if let Some(length) = without_square(text) {
         return Some((Dimension::Area, 2 * prefixed(length, "m")?));
     }
@@ -210,6 +216,22 @@ fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
             let below = prefixed(below, denominator)?;
             Some((dimension, above - exponent * below))
         })
+}
+
+/// Returns a symbol without its negative power, `m^-2` or with a superscript minus, and this power without its sign; none if it has
+/// no such power.
+fn without_negative_power(symbol: &str) -> Option<(&str, &str)> {
+    let powers = [
+        (["^-1", "-1", "\u{207b}\u{b9}"], ""),
+        (["^-2", "-2", "\u{207b}\u{b2}"], "^2"),
+        (["^-3", "-3", "\u{207b}\u{b3}"], "^3"),
+    ];
+    powers.into_iter().find_map(|(signs, power)| {
+        let symbol = signs
+            .into_iter()
+            .find_map(|sign| symbol.strip_suffix(sign))?;
+        Some((symbol, power))
+    })
 }
 
 /// Returns a symbol without its power of 2, if it has this power.
@@ -259,6 +281,10 @@ mod tests {
             ("pN/nm", Dimension::ForcePerLength, 1e-3),
             ("mJ/m^2", Dimension::ForcePerLength, 1e-3),
             ("mJ/m2", Dimension::ForcePerLength, 1e-3),
+            ("mJ m-2", Dimension::ForcePerLength, 1e-3),
+            ("mN\u{b7}m\u{207b}\u{b9}", Dimension::ForcePerLength, 1e-3),
+            ("N mm^-3", Dimension::ModulusPerLength, 1e9),
+            ("TPa", Dimension::Modulus, 1e12),
             ("J / cm\u{b2}", Dimension::ForcePerLength, 1e4),
             ("nm/V", Dimension::LengthPerVoltage, 1e-9),
             ("nm/mN", Dimension::Compliance, 1e-6),
@@ -279,7 +305,7 @@ mod tests {
         }
         for text in [
             "", "x", "NM", "as", "N/s", "1", "measured", "a", "micro", "gpa", "J", "J/m", "m/",
-            "/m", "m/V^2", "N/m/m",
+            "/m", "m/V^2", "N/m/m", "N m", "N -1",
         ] {
             assert_eq!(Unit::parse(text), None, "{text}");
         }

@@ -27,8 +27,6 @@ const SAFETY: f64 = 4.0;
 const ROUNDING: f64 = 1e-13;
 /// The part of the tolerance for each of the sources of error.
 const PART: f64 = 0.25;
-/// The number of elements of the first run.
-const ELEMENTS: usize = 50;
 /// The most times that both are refined by 2.
 const REFINEMENTS: usize = 7;
 /// A change of the states from one refinement to the next that is a smaller part of the one before may be small by
@@ -223,17 +221,16 @@ impl Run<'_> {
         let instants = self.instants.len() as f64;
         for level in 0..REFINEMENTS {
             let refined = 1 << level;
-            let elements = ELEMENTS * refined;
             // Between the points of a penetration the elements need no steps, but for the moment at which one touches.
             let mut parts = match self.control {
                 Control::Displacement => 1 << (level / 2),
                 _ => refined,
             };
             let steps = (1.0 / LONGEST + instants) * parts as f64;
-            if level > 2 && steps * (elements * (1 + law.len())) as f64 > MOST_WORK {
+            let nodes = elastic::elements(contact, most, refined)?;
+            if level > 2 && steps * (nodes.len() * (1 + law.len())) as f64 > MOST_WORK {
                 break;
             }
-            let nodes = elastic::evenly(contact, most, elements)?;
             let own = Elements {
                 nodes: &nodes,
                 law: &law,

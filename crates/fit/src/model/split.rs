@@ -9,7 +9,7 @@ const NEAR: f64 = 5.0;
 /// The part of the last readings from which a baseline without a jump is read.
 const TAIL: f64 = 0.2;
 /// The rise of the last readings above a level, over the noise, that is more than chance: the standard deviation of
-/// their median is 0.6 noises.
+/// their median is 0.6 to 0.8 noises.
 const RISE: f64 = 2.0;
 /// Ways with fewer readings are all in contact.
 pub(super) const FEWEST: usize = 5;
@@ -119,9 +119,9 @@ impl KnownBaseline {
             2 * contact_ends.saturating_sub(clear) + 1
         };
         let baseline_begins = contact_ends + margin;
-        // A retract that ends in contact, after its largest tension, is flat there, and rises behind it. Of fewer than 30
-        // readings the last ones are the level themselves.
-        let rise = median(readings[count - SIDE.min(count)..].to_vec()) - level;
+        // A retract that ends in contact, after its largest tension, is flat there, and rises behind it.
+        let last = SIDE.min(tail(count) / 2);
+        let rise = median(readings[count - last..].to_vec()) - level;
         if self.level_is_free && rise > RISE * self.noise && baseline_begins + FEWEST > count {
             return [count; 2];
         }
@@ -177,6 +177,9 @@ mod tests {
             noise: 1.0,
         };
         assert_eq!(baseline.split(&readings), [80; 2]);
+        // Of few readings, too.
+        let few = (0..20).map(|i| 3.0 * f64::from(i - 16).powi(2));
+        assert_eq!(baseline.split(&few.collect::<Vec<f64>>()), [20; 2]);
         // Held where it is largest, it cannot be told from one.
         let held: Vec<f64> = readings[..73].iter().copied().chain([0.0; 7]).collect();
         assert_ne!(baseline.split(&held)[0], 80);

@@ -48,7 +48,9 @@ pub(crate) fn read(
         } if deflated || filters == [FLETCHER32] => chunk_shape,
         _ => {
             return Err(malformed(
-                "is not stored as tables are: in chunks listed in a version-1 B-tree, with a Fletcher checksum".into(),
+                "is not stored as tables are, in chunks listed in a version-1 B-tree, with a Fletcher checksum: another program may \
+                 have written the file anew, and then the original file is needed"
+                    .into(),
             ));
         }
     };

@@ -192,6 +192,11 @@ impl Lookup {
 /// Adds the expansions beyond the nodes to a curve of the table, and accepts its values between
 /// them.
 fn accept(curve: Curve, description: &Description) -> Result<Curve, Error> {
+    /// The softest film beside a sphere: the quantities are at least about `es/E2*`.
+    const SOFTEST: f64 = 1e-25;
+    let ratio = curve.material().sphere_film_modulus();
+    let allowed = "at least 1e-25: check the moduli of film and sphere, and their units";
+    Error::unless(ratio >= SOFTEST, "1/(1 + E2*/E1*)", ratio, allowed)?;
     let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
     if let Some((quantity, value)) = curve.unreasonable() {
         return Err(Error::Malformed(format!(

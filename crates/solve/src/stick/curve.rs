@@ -18,7 +18,7 @@
 use interp::{Curve, Quantities};
 
 use crate::Error;
-use crate::adaptive_curve::CURVE_TOLERANCE;
+use crate::adaptive_curve::{CURVE_TOLERANCE, check_order};
 use crate::error::WITH_STICK;
 use crate::estimate::difference;
 use crate::stick::growth::Grown;
@@ -67,7 +67,7 @@ impl StickCurves {
     /// `tolerance` of all quantities. One solve serves every ratio of the works of adhesion.
     ///
     /// # Errors
-    /// [`Error::Domain`] for ends that do not ascend or a tolerance outside `[1e-10, 1e-2]`, and as
+    /// [`Error::Contact`] for ends that descend; [`Error::Domain`] for ends outside the domain or a tolerance outside `[1e-10, 1e-2]`, and as
     /// [`Sticking::grown`].
     pub fn new(sticking: &Sticking, a_over_t: [f64; 2], tolerance: f64) -> Result<Self, Error> {
         let [from, to] = a_over_t;
@@ -76,6 +76,7 @@ impl StickCurves {
             tolerance,
             [100.0 * CURVE_TOLERANCE[0], CURVE_TOLERANCE[1]],
         )?;
+        check_order(a_over_t)?;
         Error::check("a_over_t", from, [1e-6, to / (1.0 + 1e-6)])?;
         let grown = sticking.grown(to, 2.0, SHARE * tolerance);
         let grown = grown.map_err(|error| match error {
