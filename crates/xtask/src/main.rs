@@ -23,12 +23,11 @@ mod venv;
 mod wheel;
 mod workspace;
 
-use std::env;
 use std::fs::{self, File};
 use std::io::{self, Write, stderr, stdout};
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
-use std::thread;
+use std::{env, thread};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND

@@ -5,8 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::succeed;
-use crate::workspace;
+use crate::{succeed, workspace};
 
 /// Returns the folder (for `PYTHONPATH`) of the package `name` at a version in `range`. The first
 /// call fetches it with pip.

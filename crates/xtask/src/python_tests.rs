@@ -1,11 +1,10 @@
 //! The tests and checks of the Python package.
 
-use std::env;
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, io};
 
 use crate::{hdf5, python, succeed, venv, wheel, workspace};
 

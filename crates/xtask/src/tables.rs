@@ -7,8 +7,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::tabulate;
-use crate::workspace;
+use crate::{tabulate, workspace};
 
 /// The names of the axes of a table, those of a table over ratios of reduced moduli, and those of a
 /// stack of layers, with the symbols that their ranges need.

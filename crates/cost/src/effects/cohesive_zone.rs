@@ -7,8 +7,7 @@ use interp::{Material, Probe, Quantities, Table};
 
 use super::rows::films_on_glass;
 use crate::clock::Timing;
-use solve::Error;
-use solve::{A_OVER_T, solve};
+use solve::{A_OVER_T, Error, solve};
 
 /// Tabor's parameter at which the range is judged: the smallest at which a contact counts as JKR's.
 pub const TABOR: f64 = ZoneSize::JKR;

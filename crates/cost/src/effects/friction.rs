@@ -1,11 +1,10 @@
 //! Friction: the error of the load without it, and the cost of full friction.
 
 use interp::Material;
-use solve::curve;
 use solve::stick::{StickCurves, Sticking};
+use solve::{Error, curve};
 
 use crate::clock::Timing;
-use solve::Error;
 
 /// The largest `a/t` at which friction is judged; at larger ones the effect is taken to be that at
 /// this one.

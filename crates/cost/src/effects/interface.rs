@@ -6,9 +6,8 @@ use interp::{Curve, Material, Probe, Quantities, System, Table};
 
 use super::rows::films_on_glass;
 use crate::clock::Timing;
-use solve::Error;
 use solve::stack::{Interface, MOST_A_OVER_TOP, Stack};
-use solve::{solve_stack, stack_curve};
+use solve::{Error, solve_stack, stack_curve};
 
 /// Returns the quantities of a film that slides on its substrate, in the unit of those of the film
 /// that is bonded. Contacts wider than [`MOST_A_OVER_TOP`] have those of this radius.

@@ -9,8 +9,7 @@ use super::interface::sliding;
 use super::relaxation::error_of_elastic;
 use super::shape::error_of_paraboloid;
 use crate::load::Load;
-use solve::Error;
-use solve::solve;
+use solve::{Error, solve};
 
 /// The smallest and the largest strength of adhesion at which errors are measured.
 ///

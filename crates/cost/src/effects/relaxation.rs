@@ -5,8 +5,7 @@ use interp::{Material, Probe, System};
 
 use crate::clock::Timing;
 use crate::history::contact_on_gel;
-use solve::Error;
-use solve::{A_OVER_T, curve};
+use solve::{A_OVER_T, Error, curve};
 
 /// The exponent of the power law by which all bodies relax.
 pub const EXPONENT: f64 = 0.2;

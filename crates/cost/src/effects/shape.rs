@@ -6,8 +6,7 @@ use interp::{Material, Probe, System, Table};
 
 use super::rows::films_on_glass;
 use crate::clock::Timing;
-use solve::Error;
-use solve::solve_power_laws;
+use solve::{Error, solve_power_laws};
 
 /// The contact radius over that of the sphere at which the shape is judged: the one above which
 /// [`Validity`] warns.

@@ -11,9 +11,8 @@ use crate::approximations::{bulk_jkr, film_jkr, gao, hay_crawford};
 use crate::clock::Timing;
 use crate::deviation::tightest;
 use crate::load::Load;
-use solve::Error;
 use solve::parallel::try_map;
-use solve::solve;
+use solve::{Error, solve};
 
 /// The tolerances of the direct solves.
 const TOLERANCES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];

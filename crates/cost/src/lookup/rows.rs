@@ -5,9 +5,8 @@ use serde::{Deserialize, Serialize};
 use solve::Error;
 
 use super::{form, layer};
-use crate::Measured;
 use crate::clock::Timing;
-use crate::{COUNT, ERROR, Measurement, TIME};
+use crate::{COUNT, ERROR, Measured, Measurement, TIME};
 
 /// The basis of a form of lookup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

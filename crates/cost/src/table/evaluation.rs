@@ -5,8 +5,7 @@ use std::hint::black_box;
 use interp::{Curve, Material, Quantities, Quantity, Table};
 
 use crate::clock::Timing;
-use solve::Error;
-use solve::solve;
+use solve::{Error, solve};
 
 /// The number of random points of a scene at which evaluations are timed.
 pub const POINTS: usize = 300;

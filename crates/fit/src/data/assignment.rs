@@ -1,12 +1,11 @@
 //! Which column of a file holds what.
 
-use super::Format;
-use super::beside;
 use super::column::{Column, Role};
 use super::failure::{DataError, Missing, Problem};
 use super::head::Untold;
 use super::heading::Heading;
 use super::source::{Columns, Source};
+use super::{Format, beside};
 use crate::{Direction, Kind};
 
 /// The two columns of the points of one direction, or of all points.

@@ -1,8 +1,7 @@
 //! The errors of reading. Each names the line, the column and what is wrong; what a user can do
 //! about it, a program adds in the words of its users.
 
-use std::fmt;
-use std::io;
+use std::{fmt, io};
 
 use super::column::Role;
 use super::head::Untold;

@@ -8,10 +8,9 @@
 use nalgebra::DVector;
 
 use super::assigned::Assigned;
-use super::detector;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
-use super::{shared_noise, unequal_noise};
+use super::{detector, shared_noise, unequal_noise};
 use crate::statistics::{
     CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours, likeness_of_runs,
 };

@@ -4,12 +4,10 @@ use contact::Control;
 use interp::Table;
 
 use super::assigned::Assigned;
-use super::indentation;
 use super::jkr::{Homogeneous, homogeneous, level_is, radius_of};
-use super::no_adhesion;
 use super::problem::Problem;
-use super::relaxing_start;
 use super::slot::Slot;
+use super::{indentation, no_adhesion, relaxing_start};
 use crate::model::has_no_start;
 use crate::{Bodies, Error, Experiment, Free, Kind, LayerQuantity, Loss, Parameter};
 

@@ -19,10 +19,8 @@ use super::progress::Bars;
 use super::quantity::number;
 use super::table_name::hdf5_file;
 use super::{info, plan, print};
-use crate::table::Scene;
-use crate::table::default_points;
 use crate::table::scene::TOLERANCE;
-use crate::table::{Budget, Generated, Options, generate, journal_of};
+use crate::table::{Budget, Generated, Options, Scene, default_points, generate, journal_of};
 use crate::{Error, output, printable};
 
 /// The four-parameter scene that is made when no other is named.

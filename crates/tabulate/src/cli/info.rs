@@ -3,8 +3,7 @@
 use std::fmt::Display;
 
 use clap::ValueHint;
-use interp::Parameter;
-use interp::{Certificate, Quantity, SubstratePoissonRatio, Table};
+use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table};
 
 use super::json::{self, TableObject};
 use super::print;

@@ -7,9 +7,7 @@ use serde::Serialize;
 
 use super::info;
 use super::json::{self, Axis, OfParameters};
-use crate::table::Plan;
-use crate::table::Scene;
-use crate::table::sweep;
+use crate::table::{Plan, Scene, sweep};
 
 /// The JSON object that `generate --plan --json` prints.
 #[derive(Serialize)]

@@ -8,14 +8,13 @@ use clap::{Args, Subcommand, ValueHint};
 use figures::chart;
 use figures::picture::Format;
 
-use super::cost;
-use super::default_table;
 use super::interface::{self, Word};
 use super::output::Output;
 use super::progress::progress_bar;
 use super::sized_probe::SizedProbeArguments;
 use super::system::{self, Specimen};
 use super::table_name::{self, TableName};
+use super::{cost, default_table};
 use crate::measure::read_csv;
 use crate::plot::{
     contact_stiffness, effects, error_map, fig2, fig3, fig4, force_displacement, friction,

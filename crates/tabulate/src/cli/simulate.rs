@@ -15,7 +15,6 @@ use clap::{ValueHint, value_parser};
 use serde::Serialize;
 use units::{Dimension, Quantity};
 
-use super::allow;
 use super::fit::experiments::{KnownArguments, forget_shapes};
 use super::fit::free::FreeArguments;
 use super::fit::indentation::{self, Noise};
@@ -24,11 +23,11 @@ use super::fit::reading::doubted;
 use super::fit::setting::{check_units, unit_of};
 use super::fit::{kinds, one_of};
 use super::json::{self, Number};
-use super::note;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::quantity::{self, any, number as decimal};
 use super::table_name::{self, TableName};
+use super::{allow, note};
 use crate::printable;
 
 /// Make the data that an experiment would give, or the errors that its fit would have

@@ -6,9 +6,8 @@ use interp::{Description, Parameter, Probe, Quantity, SubstratePoissonRatio, Tab
 
 use super::numbers::coarse;
 use super::{numbers, settings};
-use crate::Error;
 use crate::large_contact::LARGE_CONTACT;
-use crate::printable;
+use crate::{Error, printable};
 
 /// Returns the HTML page of a table: its range, its certificate, force curves that the page
 /// computes, and the `illustrations`, which are those of [`figures`](super::figures()).

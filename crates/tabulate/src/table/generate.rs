@@ -10,13 +10,12 @@ use std::time::{Duration, Instant};
 use interp::{Certificate, Parameter, Table};
 
 use crate::table::budget::Budget;
-use crate::table::build;
 use crate::table::certify::{Sample, certificate, measure, sample};
-use crate::table::file;
 use crate::table::journal::{Header, Journal};
 use crate::table::plan::Plan;
 use crate::table::scene::{Scene, created_by};
 use crate::table::sweep::Sweep;
+use crate::table::{build, file};
 use crate::{Error, output};
 use solve::larger;
 use solve::parallel::try_map;

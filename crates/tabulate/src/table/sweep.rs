@@ -5,9 +5,8 @@ use interp::{Material, Parameter, Quantities, Quantity};
 use crate::Error;
 use crate::stack::NamedStack;
 use crate::table::scene::Scene;
-use solve::Batch;
 use solve::stack::Stack;
-use solve::{TOLERANCE, solve, solve_stack, solve_stack_under_spheres};
+use solve::{Batch, TOLERANCE, solve, solve_stack, solve_stack_under_spheres};
 
 /// Returns the relative tolerance of the solves for a table: a hundredth of the table's own, within
 /// the range of the solve and 1e-6 at most.

@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use contact::Contact;
-use contact::Error;
+use contact::{Contact, Error};
 
 use crate::model::differences::ContactOf;
 use crate::{Bodies, Layered};

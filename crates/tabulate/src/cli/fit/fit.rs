@@ -20,12 +20,10 @@ use super::reading::{doubted, measured, typed, with_doubts};
 use super::setting::{Given, Values, check_units, unit_of};
 use super::{experiments, indentation, object, table};
 use crate::cli::allow::{self, Allowed};
-use crate::cli::json;
-use crate::cli::note;
 use crate::cli::output::Output;
-use crate::cli::print;
 use crate::cli::quantity::{length, number, read};
 use crate::cli::table_name::{self, TableName};
+use crate::cli::{json, note, print};
 use crate::printable;
 
 /// The number of files above which a note says that a fit of all together is slow.

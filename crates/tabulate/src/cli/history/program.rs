@@ -9,8 +9,7 @@ use units::Dimension;
 use super::super::heading;
 use super::super::quantity::{any, read, time};
 use crate::csv_file::CsvFile;
-use crate::input;
-use crate::printable;
+use crate::{input, printable};
 
 /// The largest number of bytes of a file.
 const LONGEST: u64 = 1 << 28;
