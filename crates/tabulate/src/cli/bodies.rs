@@ -56,13 +56,7 @@ pub struct AttractingArguments {
     pub bodies: BodiesArguments,
     /// Distance over which the attraction acts, m: a constant stress, the work of adhesion over
     /// this distance, wherever the gap is smaller (Dugdale's law). Without it the distance is 0 (JKR)
-    #[arg(
-        long,
-        value_name = "M",
-        conflicts_with = "table",
-        value_parser = length,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "M", conflicts_with = "table", value_parser = length)]
     pub interaction_range: Option<f64>,
 }
 

@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 use anyhow::ensure;
 use clap::{ValueHint, value_parser};
-use serde::Serialize;
+use serde_json::json;
 
-use super::json::{self, Errors, Fields};
+use super::json;
 use super::print;
 use super::progress::progress_bar;
 use super::table_name::{self, TableName};
@@ -48,17 +48,6 @@ pub struct Arguments {
     json: bool,
 }
 
-/// The JSON object that `check --json` prints.
-#[derive(Serialize)]
-struct CheckObject {
-    measured: Errors,
-    certified: Errors,
-    quantities: BTreeMap<&'static str, Fields<f64, 2>>,
-    tolerance: f64,
-    /// Whether the measured errors are allowed.
-    holds: bool,
-}
-
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let table = arguments.table.read()?;
     let description = table.description();
@@ -96,20 +85,18 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     // Not an ordered comparison the other way round: NaN must not pass.
     let holds = |error: f64, allowed: f64| error <= allowed;
     if arguments.json {
-        json::print(&CheckObject {
-            measured: Errors::new(&measured, table.parameters()),
-            certified: Errors::new(certified, table.parameters()),
-            quantities: by_quantity
-                .map(|(quantity, [max, median])| {
-                    let errors = [("max_error", max), ("median_error", median)];
-                    (quantity.name(), Fields(errors))
-                })
-                .collect(),
-            tolerance: description.tolerance,
-            holds: errors
-                .iter()
-                .all(|(_, error, allowed)| holds(*error, *allowed)),
-        })?;
+        let object = |[max, median]: [f64; 2]| json!({ "max_error": max, "median_error": median });
+        let quantities: BTreeMap<_, _> = by_quantity
+            .map(|(quantity, errors)| (quantity.name(), object(errors)))
+            .collect();
+        let mut errors = errors.iter();
+        json::print(&json!({
+            "measured": json::errors(&measured, table.parameters()),
+            "certified": json::errors(certified, table.parameters()),
+            "quantities": quantities,
+            "tolerance": description.tolerance,
+            "holds": errors.all(|(_, error, allowed)| holds(*error, *allowed)),
+        }))?;
     } else {
         let mut text = format!(
             "measured  max {:.1e}, median {:.1e} ({} points, seed {seed})\ncertified max {:.1e}, median {:.1e}; tolerance {:e}\n",

@@ -1,10 +1,12 @@
 //! The commands of the program, and what it answers instead of one.
 
+use std::any::TypeId;
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use units::Quantity;
 
 #[cfg(feature = "compress")]
 use super::pack;
@@ -79,8 +81,10 @@ enum Command {
 
 /// Runs the program on the process's arguments. Exit status 0, 1 (the work failed) or 2 (usage).
 pub fn run() -> ExitCode {
-    let outcome =
-        Arguments::try_parse().map_or_else(explain, |arguments| run_command(arguments.command));
+    let arguments = with_signs(Arguments::command())
+        .try_get_matches()
+        .and_then(|matches| Arguments::from_arg_matches(&matches));
+    let outcome = arguments.map_or_else(explain, |arguments| run_command(arguments.command));
     match outcome {
         Ok(status) => status,
         Err(error) => {
@@ -91,6 +95,25 @@ pub fn run() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Lets numbers begin with a minus, which is then that of no flag.
+fn with_signs(command: clap::Command) -> clap::Command {
+    let numbers = [
+        TypeId::of::<f64>(),
+        TypeId::of::<[f64; 2]>(),
+        TypeId::of::<Quantity>(),
+        TypeId::of::<[Quantity; 2]>(),
+    ];
+    let signed = |arg: clap::Arg| {
+        let of_value = arg.get_value_parser().type_id();
+        if numbers.iter().any(|number| of_value == *number) {
+            arg.allow_hyphen_values(true)
+        } else {
+            arg
+        }
+    };
+    command.mut_args(signed).mut_subcommands(with_signs)
 }
 
 /// Prints what clap answers instead of a command: a help text, the version, or an error of usage.
@@ -151,8 +174,6 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory as _;
-
     use super::*;
 
     #[test]

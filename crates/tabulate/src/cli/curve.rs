@@ -65,19 +65,19 @@ pub struct Arguments {
     #[command(flatten)]
     history: HistoryArguments,
     /// Smallest contact radius, m [default: 1e-6; where --to is not given, or is at most 1e-6, 1/150 of the largest]
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length)]
     from: Option<f64>,
     /// Largest contact radius, m. It must be below the sphere's radius R. The model takes it to be
     /// small beside R: above 0.3 R there is a warning [default: the smallest of 1.5e-4, 0.3 R and, with
     /// --friction stick, 30 times the thickness of the film or top layer, with --interaction-range 108 times,
     /// with --stack or --interface 1000 times]
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length)]
     to: Option<f64>,
     /// Number of contact radii, equally spaced
     #[arg(long, default_value_t = 150, value_parser = value_parser!(u32).range(2..=super::points::MOST_POINTS))]
     points: u32,
     /// Relative tolerance of direct solves [default: 1e-8]
-    #[arg(long, conflicts_with_all = ["table", "interaction_range", "half_space"], value_parser = quantity::number, allow_hyphen_values = true)]
+    #[arg(long, conflicts_with_all = ["table", "interaction_range", "half_space"], value_parser = quantity::number)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]

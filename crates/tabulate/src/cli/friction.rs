@@ -18,7 +18,7 @@ pub struct FrictionArguments {
     #[arg(long, value_enum, default_value = "none")]
     friction: Friction,
     /// With --friction stick: Poisson ratio of the sphere [default: 0.5]. A rigid sphere needs none
-    #[arg(long, alias = "sphere-poisson-ratio", value_name = "NU2", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, alias = "sphere-poisson-ratio", value_name = "NU2", value_parser = number)]
     nu2: Option<f64>,
 }
 
@@ -32,12 +32,12 @@ pub struct HistoryArguments {
     friction: Friction,
     /// Poisson ratio of the sphere, for --friction stick [default there: 0.5], and for a fit of its
     /// modulus, which then prints Young's modulus E2 = E2* (1 - nu2^2), too. Nothing else needs it
-    #[arg(long, visible_alias = "nu2", value_name = "NU", value_parser = poisson_ratio, allow_hyphen_values = true)]
+    #[arg(long, visible_alias = "nu2", value_name = "NU", value_parser = poisson_ratio)]
     pub sphere_poisson_ratio: Option<f64>,
     /// With --friction stick: work of adhesion with which the contact recedes, J/m^2. It is at least
     /// --work-of-adhesion, with which the contact has grown. With --work-of-adhesion 0 the contact
     /// has grown by the load alone
-    #[arg(long, value_name = "J/m^2", value_parser = force_per_length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "J/m^2", value_parser = force_per_length)]
     pub work_of_adhesion_receding: Option<f64>,
 }
 

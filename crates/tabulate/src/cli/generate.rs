@@ -10,9 +10,11 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::value_parser;
-use serde::Serialize;
+use interp::Certificate;
+use serde_json::{Value, json};
 
-use super::json::{self, OfParameters, TableObject};
+use super::info::row;
+use super::json::{self, of_parameters};
 #[cfg(unix)]
 use super::note;
 use super::progress::Bars;
@@ -55,7 +57,7 @@ pub struct Arguments {
     #[arg(short, long, value_name = "TABLE.h5", value_parser = hdf5_file())]
     output: Option<PathBuf>,
     /// Relative tolerance between the nodes, instead of the scene's
-    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = number)]
     tolerance: Option<f64>,
     /// Number of threads [default: one per core]
     #[arg(long, value_parser = value_parser!(u16).range(1..=1024))]
@@ -67,7 +69,7 @@ pub struct Arguments {
     #[arg(long)]
     plan: bool,
     /// Stop after this time, with the pieces that are finished
-    #[arg(long, value_name = "SECONDS", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = number)]
     budget: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, value_parser = value_parser!(u32).range(1..=super::points::MOST_POINTS))]
@@ -84,26 +86,6 @@ pub struct Arguments {
     /// seconds, memory_bytes and bytes.
     #[arg(long)]
     json: bool,
-}
-
-/// The JSON object that `generate --json` prints.
-#[derive(Serialize)]
-struct GeneratedObject<'a> {
-    #[serde(flatten)]
-    table: TableObject<'a>,
-    points_solved: usize,
-    points_resumed: usize,
-    seconds_solving: f64,
-    seconds: f64,
-    peak_memory_bytes: Option<u64>,
-    refined: Vec<Round>,
-}
-
-/// An earlier round, whose error exceeded the tolerance.
-#[derive(Serialize)]
-struct Round {
-    nodes: OfParameters<usize>,
-    max_error: f64,
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
@@ -209,49 +191,49 @@ fn tell_what_an_interruption_leaves(_: &Arc<Bars>, _: &Path) -> anyhow::Result<(
 }
 
 fn print_json(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> anyhow::Result<()> {
-    let rounds = generated.refined.iter().map(|(nodes, certificate)| Round {
-        nodes: OfParameters::new(generated.table.parameters(), *nodes),
-        max_error: certificate.max_error,
-    });
-    json::print(&GeneratedObject {
-        table: TableObject::new(&generated.table, bytes).written(path),
-        points_solved: generated.points,
-        points_resumed: generated.resumed,
-        seconds_solving: generated.solved.as_secs_f64(),
-        seconds: all.as_secs_f64(),
-        peak_memory_bytes: peak_memory(),
-        refined: rounds.collect(),
-    })
+    let round = |(nodes, certificate): &([usize; 4], Certificate)| {
+        let nodes = of_parameters(generated.table.parameters(), *nodes);
+        json!({ "nodes": nodes, "max_error": certificate.max_error })
+    };
+    let mut object = json::table(&generated.table, bytes);
+    object["path"] = path.display().to_string().into();
+    object["points_solved"] = generated.points.into();
+    object["points_resumed"] = generated.resumed.into();
+    object["seconds_solving"] = generated.solved.as_secs_f64().into();
+    object["seconds"] = all.as_secs_f64().into();
+    object["peak_memory_bytes"] = peak_memory().into();
+    object["refined"] = generated.refined.iter().map(round).collect::<Value>();
+    json::print(&object)
 }
 
 fn print_text(generated: &Generated, path: &Path, bytes: u64, all: Duration) -> anyhow::Result<()> {
     let mut text = info::describe(&generated.table);
     for (shape, certificate) in &generated.refined {
         let shape = shape.map(|nodes| nodes.to_string()).join(" x ");
-        text += &format!(
-            "{:15} {shape} nodes left an error of {:.1e}\n",
-            "refined", certificate.max_error
+        let left = format_args!(
+            "{shape} nodes left an error of {:.1e}",
+            certificate.max_error
         );
+        text += &row("refined", left);
     }
     let before = match generated.resumed {
         0 => String::new(),
         resumed => format!(" ({resumed} before they were resumed)"),
     };
-    text += &format!(
-        "{:15} {} points{before} in {:.1} s, {:.1} s with the certificate\n",
-        "solved",
-        generated.points,
-        generated.solved.as_secs_f64(),
+    let (points, seconds) = (generated.points, generated.solved.as_secs_f64());
+    let solved = format_args!(
+        "{points} points{before} in {seconds:.1} s, {:.1} s with the certificate",
         all.as_secs_f64()
     );
+    text += &row("solved", solved);
     if let Some(bytes) = peak_memory() {
-        text += &format!("{:15} {:.0} MB at most\n", "memory", bytes as f64 / 1e6);
+        text += &row(
+            "memory",
+            format_args!("{:.0} MB at most", bytes as f64 / 1e6),
+        );
     }
-    text += &format!(
-        "{:15} {} ({bytes} bytes)\n",
-        "written",
-        printable::path(path)
-    );
+    let path = printable::path(path);
+    text += &row("written", format_args!("{path} ({bytes} bytes)"));
     print(text.as_bytes())
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use clap::ValueHint;
 use interp::{Certificate, Parameter, Quantity, SubstratePoissonRatio, Table};
 
-use super::json::{self, TableObject};
+use super::json;
 use super::print;
 use super::table_name::{self, TableName};
 use crate::printable;
@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let table = arguments.table.read()?;
     let bytes = arguments.table.bytes(&table)?;
     if arguments.json {
-        return json::print(&TableObject::new(&table, bytes));
+        return json::print(&json::table(&table, bytes));
     }
     let size = row("size", format_args!("{bytes} bytes"));
     print((describe(&table) + &size + &explain(&table)).as_bytes())

@@ -28,13 +28,7 @@ pub struct InterfaceArguments {
     /// Springs between film and substrate, Pa/m: the tangential stiffness, and optionally the normal
     /// one [default: inf]. A layer of glue of shear modulus G and thickness d has G/d. 0 slides, inf
     /// is bonded. In a fit film.interface-stiffness is the tangential one
-    #[arg(
-        long,
-        value_name = "KT[,KN]",
-        conflicts_with_all = NO_FILM,
-        value_parser = springs,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "KT[,KN]", conflicts_with_all = NO_FILM, value_parser = springs)]
     interface_stiffness: Option<[f64; 2]>,
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use anyhow::Context;
 use clap::{ValueHint, value_parser};
 
-use super::json::{self, TableObject};
+use super::json;
 use super::output::Output;
 use super::progress::Bars;
 use super::quantity::number;
@@ -36,7 +36,7 @@ pub struct Arguments {
     ///
     /// Generate the table to a third of this tolerance or less, which leaves room for the
     /// truncation. The certificate does not cover derivatives.
-    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = number)]
     tolerance: Option<f64>,
     /// Number of points of the certificate [default: 2500 for each axis]
     #[arg(long, requires = "tolerance", value_parser = value_parser!(u32).range(1..=super::points::MOST_POINTS))]
@@ -60,8 +60,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let bytes = table.to_packed()?;
     output.write(&bytes)?;
     if arguments.json {
-        let object = TableObject::new(&table, bytes.len() as u64);
-        return json::print(&object.written(&arguments.output));
+        let mut object = json::table(&table, bytes.len() as u64);
+        object["path"] = arguments.output.display().to_string().into();
+        return json::print(&object);
     }
     if arguments.tolerance.is_some() {
         let (path, bytes) = (printable::path(&arguments.output), bytes.len());

@@ -3,25 +3,14 @@
 use std::time::Instant;
 
 use interp::Parameter;
-use serde::Serialize;
+use serde_json::json;
 
-use super::info;
-use super::json::{self, Axis, OfParameters};
+use super::info::{self, row};
+use super::json;
 use crate::table::{Plan, Scene, sweep};
 
-/// The JSON object that `generate --plan --json` prints.
-#[derive(Serialize)]
-struct PlanObject {
-    axes: OfParameters<Axis>,
-    points: usize,
-    certificate_points: usize,
-    seconds: f64,
-    memory_bytes: u64,
-    bytes: u64,
-}
-
 /// Prints the nodes of the table of a scene, and an estimate of its cost.
-pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Result<()> {
+pub fn print(scene: &Scene, certificate_points: usize, as_json: bool) -> anyhow::Result<()> {
     let plan = Plan::new(scene)?;
     let (axes, points) = (plan.axes(), plan.points());
     let per_point = seconds_per_point(scene, &axes)?;
@@ -32,15 +21,15 @@ pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Re
     let memory = TABLE_MEMORY * values + PROGRAM;
     let size =
         COMPRESSED * values + FILE_OVERHEAD + DATASET_OVERHEAD * scene.quantities.len() as f64;
-    if json {
-        return json::print(&PlanObject {
-            axes: json::axes(scene.parameters, |parameter| &axes[parameter.dimension()].1),
-            points,
-            certificate_points,
-            seconds,
-            memory_bytes: memory as u64,
-            bytes: size as u64,
-        });
+    if as_json {
+        return json::print(&json!({
+            "axes": json::axes(scene.parameters, |parameter| &axes[parameter.dimension()].1),
+            "points": points,
+            "certificate_points": certificate_points,
+            "seconds": seconds,
+            "memory_bytes": memory as u64,
+            "bytes": size as u64,
+        }));
     }
     let mut text: String = axes
         .iter()
@@ -51,16 +40,14 @@ pub fn print(scene: &Scene, certificate_points: usize, json: bool) -> anyhow::Re
     } else {
         format!("{:.1} MB", size / 1e6)
     };
-    text += &format!("{:15} {points}\n", "nodes");
-    text += &format!(
-        "{:15} {points} and {certificate_points} for the certificate\n",
-        "solves"
-    );
-    text += &format!("{:15} about {seconds:.1} s\n", "time");
-    text += &format!("{:15} about {:.0} MB\n", "memory", memory / 1e6);
-    text += &format!("{:15} about {size}\n", "size");
+    text += &row("nodes", points);
+    let solves = format_args!("{points} and {certificate_points} for the certificate");
+    text += &row("solves", solves);
+    text += &row("time", format_args!("about {seconds:.1} s"));
+    text += &row("memory", format_args!("about {:.0} MB", memory / 1e6));
+    text += &row("size", format_args!("about {size}"));
     if plan.can_grow() {
-        text += &format!("{:15} {MADE_AGAIN}\n", "if missed");
+        text += &row("if missed", MADE_AGAIN);
     }
     super::print(text.as_bytes())
 }

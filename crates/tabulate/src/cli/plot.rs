@@ -73,8 +73,7 @@ enum Figure {
             long,
             value_name = "KT[,KN]",
             conflicts_with_all = OF_PROBE,
-            value_parser = interface::springs,
-            allow_hyphen_values = true
+            value_parser = interface::springs
         )]
         interface_stiffness: Option<[f64; 2]>,
         #[command(flatten)]

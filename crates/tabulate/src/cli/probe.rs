@@ -44,13 +44,13 @@ pub struct ProbeArguments {
     pub probe: Shape,
     /// Angle between the axis and the flank of a cone, in DEGREES, or with a unit (1.2rad), below 90.
     /// Up to 1.57 it was probably meant in radians, and is refused
-    #[arg(long, value_name = "DEGREES", value_parser = degrees, allow_hyphen_values = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = degrees)]
     pub half_angle: Option<f64>,
     /// Exponent n of the power law c r^n, from 1 to 20
-    #[arg(long, value_name = "N", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = number)]
     pub exponent: Option<f64>,
     /// Coefficient c of the power law c r^n, with r and c r^n in m
-    #[arg(long, value_name = "C", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "C", value_parser = number)]
     pub coefficient: Option<f64>,
     /// CSV of a measured shape: distance r from the axis and height z above the lowest point, in
     /// the units of the headings, such as `r [um],z [nm]` or `r_um,z_nm`, or in m

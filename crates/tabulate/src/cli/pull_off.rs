@@ -59,19 +59,13 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value = "load")]
     control: ControlName,
     /// Stiffness of the spring, N/m, of --control spring
-    #[arg(
-        long,
-        required_if_eq("control", "spring"),
-        value_parser = force_per_length,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, required_if_eq("control", "spring"), value_parser = force_per_length)]
     stiffness: Option<f64>,
     /// Measured pull-off load, N, below 0: find the work of adhesion
     #[arg(
         long,
         value_name = "N",
         value_parser = force,
-        allow_hyphen_values = true,
         conflicts_with_all = ["work_of_adhesion", "work_of_adhesion_receding"]
     )]
     load: Option<f64>,
@@ -157,10 +151,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let values = work.map(|work| ("work_of_adhesion", work)).into_iter();
     let values = values.chain(of_state);
     let text = if arguments.json {
-        let object: serde_json::Map<String, serde_json::Value> = values
-            .map(|(name, value)| (name.to_owned(), value.into()))
-            .collect();
-        format!("{}\n", serde_json::Value::Object(object))
+        format!("{}\n", values.collect::<serde_json::Value>())
     } else {
         values
             .map(|(name, value)| format!("{name:14} = {}\n", number(value)))

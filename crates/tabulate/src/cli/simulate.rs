@@ -12,17 +12,17 @@ use ::fit::{
 use anyhow::{Context, bail, ensure};
 use clap::builder::TypedValueParser;
 use clap::{ValueHint, value_parser};
-use serde::Serialize;
+use serde_json::{Value, json};
 use units::{Dimension, Quantity};
 
 use super::fit::experiments::{KnownArguments, forget_shapes};
 use super::fit::free::FreeArguments;
 use super::fit::indentation::{self, Noise};
-use super::fit::object::{Estimates, WarningObject, matrix};
+use super::fit::object::{estimates, matrix, warning};
 use super::fit::reading::doubted;
 use super::fit::setting::{check_units, unit_of};
 use super::fit::{kinds, one_of};
-use super::json::{self, Number};
+use super::json;
 use super::output::Output;
 use super::points::{evenly, number};
 use super::quantity::{self, any, number as decimal};
@@ -61,10 +61,10 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Kind,
     /// First abscissa: of the contact radii, penetrations or heights (m), or loads (N)
-    #[arg(long, value_parser = any, allow_hyphen_values = true)]
+    #[arg(long, value_parser = any)]
     from: Quantity,
     /// Last abscissa, where an approach ends and a retract begins
-    #[arg(long, value_parser = any, allow_hyphen_values = true)]
+    #[arg(long, value_parser = any)]
     to: Quantity,
     /// Number of points, equally spaced; of a cycle, on each way
     #[arg(long, default_value_t = 40, value_parser = value_parser!(u32).range(2..=10_000_000))]
@@ -74,14 +74,14 @@ pub struct Arguments {
     #[arg(long, value_parser = ways())]
     segments: Option<&'static [Option<Direction>]>,
     /// Time for which the last abscissa of the approach is held, s: a whole number of times the --sample-interval
-    #[arg(long, value_name = "S", requires = "sample_interval", value_parser = quantity::time, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", requires = "sample_interval", value_parser = quantity::time)]
     hold: Option<f64>,
     /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%)
     #[arg(long, value_parser = indentation::noise, allow_hyphen_values = true)]
     noise: Noise,
     /// Loss tangent of the film or top layer, 0 to 1, of a contact stiffness: the stiffness is then
     /// the storage part, and a column of phases is added, with the noise --noise in rad
-    #[arg(long, value_name = "TANGENT", default_value_t = 0.0, value_parser = decimal, allow_hyphen_values = true, conflicts_with = "expect")]
+    #[arg(long, value_name = "TANGENT", default_value_t = 0.0, value_parser = decimal, conflicts_with = "expect")]
     loss_tangent: f64,
     /// Seed of the noise
     #[arg(long, default_value_t = 0)]
@@ -277,7 +277,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         let expected = forecast(&table, &experiments, &free)?;
         arguments.known.name_example(&experiments[0]);
         return if arguments.json {
-            json::print(&ForecastObject::new(&expected))
+            json::print(&object(&expected))
         } else {
             output.write(report::expected(&expected, &arguments.units).as_bytes())
         };
@@ -373,26 +373,13 @@ fn quoted(word: String) -> String {
     }
 }
 
-/// The JSON object of expected errors.
-#[derive(Serialize)]
-struct ForecastObject<'a> {
-    parameters: Estimates<'a>,
-    correlation: Vec<Vec<Number>>,
-    /// The parameters that the data would not determine, alone or apart from one another.
-    undetermined: Vec<&'a str>,
-    warnings: Vec<WarningObject<'a>>,
-}
-
-impl<'a> ForecastObject<'a> {
-    fn new(expected: &'a Forecast) -> Self {
-        Self {
-            parameters: Estimates {
-                all: &expected.estimates,
-                files: 1,
-            },
-            correlation: matrix(&expected.correlation),
-            undetermined: Combination::texts(&expected.undetermined),
-            warnings: expected.warnings.iter().map(WarningObject::new).collect(),
-        }
-    }
+/// Returns the JSON object of expected errors.
+fn object(expected: &Forecast) -> Value {
+    json!({
+        "parameters": estimates(&expected.estimates, 1),
+        "correlation": matrix(&expected.correlation),
+        // The parameters that the data would not determine, alone or apart from one another.
+        "undetermined": Combination::texts(&expected.undetermined),
+        "warnings": expected.warnings.iter().map(warning).collect::<Value>(),
+    })
 }

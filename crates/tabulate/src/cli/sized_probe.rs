@@ -16,7 +16,7 @@ pub struct SizedProbeArguments {
     pub shape: ProbeArguments,
     /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m [default:
     /// 1mm]
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length)]
     sphere_radius: Option<f64>,
     /// Accept these, which are errors otherwise
     #[arg(long, value_enum, value_name = "NAME,...", value_delimiter = ',')]

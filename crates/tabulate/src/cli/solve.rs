@@ -8,7 +8,7 @@ use interp::{Material, Normalisation, Probe, System};
 
 use super::friction::{self, FrictionArguments};
 use super::interface::{self, Word};
-use super::json::Number;
+use super::json;
 use super::output::Output;
 use super::points::{Answer, Given, Points, number};
 use super::quantity::{modulus, number as plain};
@@ -42,37 +42,21 @@ const TOLERANCE: f64 = 1e-10;
 ))]
 pub struct Arguments {
     /// Contact radius over film thickness; of a stack, over the thickness of all layers
-    #[arg(
-        long,
-        required_unless_present = "points",
-        value_parser = plain, allow_hyphen_values = true
-    )]
+    #[arg(long, required_unless_present = "points", value_parser = plain)]
     a_over_t: Option<f64>,
     /// Young's modulus of the film over the sphere's reduced modulus E2*, any positive number; 0:
     /// rigid sphere
-    #[arg(
-        long,
-        required_unless_present_any = ["points", "stack"],
-        value_parser = plain, allow_hyphen_values = true
-    )]
+    #[arg(long, required_unless_present_any = ["points", "stack"], value_parser = plain)]
     e1_over_e2: Option<f64>,
     /// Poisson ratio of the film
-    #[arg(
-        long,
-        required_unless_present_any = ["points", "stack"],
-        value_parser = plain, allow_hyphen_values = true
-    )]
+    #[arg(long, required_unless_present_any = ["points", "stack"], value_parser = plain)]
     nu1: Option<f64>,
     /// Young's modulus of the substrate over the sphere's reduced modulus E2*, any positive number;
     /// inf: rigid substrate; under a rigid sphere E0/E1
-    #[arg(
-        long,
-        required_unless_present_any = ["points", "stack"],
-        value_parser = plain, allow_hyphen_values = true
-    )]
+    #[arg(long, required_unless_present_any = ["points", "stack"], value_parser = plain)]
     e0_over_e2: Option<f64>,
     /// Poisson ratio of the substrate; with --points, where the CSV has no column nu0
-    #[arg(long, default_value_t = DEFAULT_NU0, value_parser = plain, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = DEFAULT_NU0, value_parser = plain)]
     nu0: f64,
     /// CSV with the columns a_over_t, e1_over_e2, nu1, e0_over_e2 and optionally nu0, in any order
     #[arg(long, value_name = "IN.csv", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
@@ -85,13 +69,7 @@ pub struct Arguments {
     interface: Option<Word>,
     /// Springs between film and substrate, in units of E2*/t, under a rigid sphere of E1/t: the
     /// tangential stiffness, and optionally the normal one [default: inf]. 0 slides, inf is bonded
-    #[arg(
-        long,
-        value_name = "KT[,KN]",
-        conflicts_with = "stack",
-        value_parser = springs,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "KT[,KN]", conflicts_with = "stack", value_parser = springs)]
     interface_stiffness: Option<[f64; 2]>,
     #[arg(
         long,
@@ -104,18 +82,13 @@ pub struct Arguments {
     stack: Option<PathBuf>,
     /// With --stack: reduced modulus E2* = E2/(1 - nu2^2) of the sphere, Pa; inf: rigid. Results
     /// are in units of E2*, under a rigid sphere of E1* of the top layer
-    #[arg(
-        long,
-        value_name = "PA",
-        value_parser = modulus,
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "PA", value_parser = modulus)]
     sphere_modulus: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv", requires = "points", conflicts_with_all = ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2", "json"])]
     output: Option<PathBuf>,
     /// Relative tolerance on every quantity [default: 1e-10; with --friction stick what rounding allows, up to 1e-6]
-    #[arg(long, value_parser = plain, allow_hyphen_values = true)]
+    #[arg(long, value_parser = plain)]
     tolerance: Option<f64>,
     #[command(flatten)]
     friction: FrictionArguments,
@@ -124,7 +97,7 @@ pub struct Arguments {
     /// Adds pi_N and delta_N, the load and the penetration without adhesion. With kappa =
     /// sqrt(pi) Gammafunction(N/2 + 1)/Gammafunction((N + 1)/2) the penetration is c kappa a^N delta_N
     /// and the load c kappa a^(N+1) (E2*/2) pi_N. delta_2 and pi_2 equal delta0 and pi0.
-    #[arg(long = "exponent", value_name = "N", value_parser = plain, allow_hyphen_values = true)]
+    #[arg(long = "exponent", value_name = "N", value_parser = plain)]
     exponents: Vec<f64>,
     /// Print one JSON object
     ///
@@ -169,11 +142,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let sticking = |nu2| sticking_film(arguments, &material, nu2);
     let stick = stick(arguments, a_over_t, sticking)?;
     let mut contact = serde_json::json!({
-        "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": Number(e0), "nu0": arguments.nu0,
+        "a_over_t": a_over_t, "e1_over_e2": e1, "nu1": nu1, "e0_over_e2": json::number(e0), "nu0": arguments.nu0,
     });
     if arguments.interface.is_some() || arguments.interface_stiffness.is_some() {
         contact["interface_stiffness"] =
-            serde_json::json!(arguments.interface().stiffnesses().map(Number));
+            arguments.interface().stiffnesses().map(json::number).into();
     }
     print_solution(arguments, contact, &solution, stick, &material)
 }
@@ -208,7 +181,7 @@ fn solve_layers(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
     let sticking = |nu2| Ok(Sticking::on_stack(stack, sphere_modulus, nu2)?);
     let stick = stick(arguments, a_over_t, sticking)?;
     let contact = serde_json::json!({
-        "a_over_t": a_over_t, "sphere_modulus": Number(sphere_modulus), "thickness": stack.thickness(),
+        "a_over_t": a_over_t, "sphere_modulus": json::number(sphere_modulus), "thickness": stack.thickness(),
         "layers": stack.layers().len(),
     });
     print_solution(
@@ -300,39 +273,30 @@ fn print_solution(
             .map(Some)
             .chain(stick.into_iter().flatten()),
     );
-    let text = if arguments.json {
-        let results = serde_json::json!({
-            "pi0": q.pi0, "eeq": q.eeq, "gamma": q.gamma, "delta0": q.delta0,
-            "error": solution.error, "normalised_by": unit, "modes": solution.modes, "method": solution.method.name(),
-        });
-        let (serde_json::Value::Object(object), serde_json::Value::Object(results)) =
-            (&mut contact, results)
-        else {
-            unreachable!("both are written as objects")
-        };
-        object.extend(results);
-        object.extend(further.map(|(name, value)| (name, value.into())));
-        format!("{contact}\n")
-    } else {
-        let rows = [
-            ("pi0", q.pi0),
-            ("eeq", q.eeq),
-            ("gamma", q.gamma),
-            ("delta0", q.delta0),
-            ("error", solution.error),
-        ];
-        let rows: String = rows
-            .map(|(name, value)| (name.to_owned(), Some(value)))
-            .into_iter()
-            .chain(further)
-            .map(|(name, value)| {
-                let value = value.map(number).unwrap_or_default();
-                format!("{}\n", format!("{name:13} = {value}").trim_end())
-            })
-            .collect();
-        format!("{rows}normalised_by = {unit}\n")
+    let rows = [
+        ("pi0", q.pi0),
+        ("eeq", q.eeq),
+        ("gamma", q.gamma),
+        ("delta0", q.delta0),
+        ("error", solution.error),
+    ];
+    let rows = rows.map(|(name, value)| (name.to_owned(), Some(value)));
+    let rows = rows.into_iter().chain(further);
+    if arguments.json {
+        for (name, value) in rows {
+            contact[name] = value.into();
+        }
+        contact["normalised_by"] = unit.into();
+        contact["modes"] = solution.modes.into();
+        contact["method"] = solution.method.name().into();
+        return json::print(&contact);
+    }
+    let row = |(name, value): (String, Option<f64>)| {
+        let value = value.map(number).unwrap_or_default();
+        format!("{}\n", format!("{name:13} = {value}").trim_end())
     };
-    print(text.as_bytes())
+    let rows: String = rows.map(row).collect();
+    print(format!("{rows}normalised_by = {unit}\n").as_bytes())
 }
 
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {

@@ -18,30 +18,30 @@ use super::quantity::{force_per_length, length, modulus, number};
 #[group(skip)]
 pub struct SystemArguments {
     /// Thickness of the film, m
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length)]
     film_thickness: Option<f64>,
     /// Young's modulus of the film, Pa
-    #[arg(long, value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, value_parser = modulus)]
     film_modulus: Option<f64>,
     /// Poisson ratio of the film
-    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = number)]
     film_poisson_ratio: Option<f64>,
     /// Young's modulus of the substrate, Pa; inf: rigid
-    #[arg(long, value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, value_parser = modulus)]
     substrate_modulus: Option<f64>,
     /// Poisson ratio of the substrate. A rigid one needs none
-    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = number)]
     substrate_poisson_ratio: Option<f64>,
     /// Radius of the sphere, of the paraboloid, of the end of a cone or of the punch, m
-    #[arg(long, value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = length)]
     sphere_radius: Option<f64>,
     /// Reduced modulus E2* = E2/(1 - nu2^2) of the sphere or other probe, Pa; inf: rigid
-    #[arg(long, value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, value_parser = modulus)]
     sphere_modulus: Option<f64>,
     #[command(flatten)]
     pub shape: ProbeArguments,
     /// Work of adhesion, J/m^2; 0: none
-    #[arg(long, value_parser = force_per_length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = force_per_length)]
     work_of_adhesion: Option<f64>,
     /// The specimen that the values not given are taken from
     #[arg(long, value_enum)]

@@ -38,7 +38,7 @@ pub struct Arguments {
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
     /// Relative tolerance of the tables, instead of the scene's
-    #[arg(long, default_value_t = TOLERANCE, value_parser = number, allow_hyphen_values = true, conflicts_with = "data")]
+    #[arg(long, default_value_t = TOLERANCE, value_parser = number, conflicts_with = "data")]
     tolerance: f64,
     /// Number of random points at which loads are compared
     #[arg(long, default_value_t = POINTS, value_parser = value_parser!(u32).range(1..=crate::cli::points::MOST_POINTS), conflicts_with = "data")]

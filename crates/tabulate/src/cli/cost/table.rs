@@ -36,20 +36,10 @@ pub struct Arguments {
     #[arg(value_name = "SCENE.toml", conflicts_with = "data")]
     scene: Option<PathBuf>,
     /// The time for all tables together [default: 60, or no limit with --to]
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        value_parser = number, allow_hyphen_values = true,
-        conflicts_with = "data"
-    )]
+    #[arg(long, value_name = "SECONDS", value_parser = number, conflicts_with = "data")]
     budget: Option<f64>,
     /// Make the tables down to this tolerance, 1e-2 to 1e-8, on a machine of any speed
-    #[arg(
-        long,
-        value_name = "TOLERANCE",
-        value_parser = number, allow_hyphen_values = true,
-        conflicts_with = "data"
-    )]
+    #[arg(long, value_name = "TOLERANCE", value_parser = number, conflicts_with = "data")]
     to: Option<f64>,
     #[command(flatten)]
     rows: Rows,

@@ -95,7 +95,7 @@ pub struct Arguments {
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]
     columns: Vec<Column>,
     /// Sensitivity, m of deflection for each V, of a deflection in volts [default: that of the file]
-    #[arg(long, value_name = "m/V", value_parser = sensitivity, allow_hyphen_values = true)]
+    #[arg(long, value_name = "m/V", value_parser = sensitivity)]
     sensitivity: Option<f64>,
     /// Where the directions of points come from: a column segment, phase or direction, comments
     /// `segment: retract` or headings of the file (file), or the turn of the height, penetration or load
@@ -107,7 +107,7 @@ pub struct Arguments {
     #[arg(long, value_parser = one_of(Direction::ALL.map(|one| (one.name(), one))))]
     only: Option<Direction>,
     /// Keep the points whose radius, penetration, height or load lies in a range: 60nm..250nm
-    #[arg(long, value_name = "LEAST..MOST", value_parser = indentation::range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LEAST..MOST", value_parser = indentation::range)]
     between: Option<[Quantity; 2]>,
     #[command(flatten)]
     known: KnownArguments,
@@ -141,15 +141,14 @@ pub struct Arguments {
         visible_alias = "radius-noise",
         value_name = "S",
         value_delimiter = ',',
-        value_parser = length,
-        allow_hyphen_values = true
+        value_parser = length
     )]
     abscissa_noise: Vec<f64>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
     /// Intervals from the profile of the likelihood, at a level such as 0.95
-    #[arg(long, value_name = "LEVEL", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LEVEL", value_parser = number)]
     intervals: Option<f64>,
     #[arg(
         long,
@@ -430,7 +429,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     // A picture that cannot be drawn is told before anything is written.
     let drawn = arguments.picture.drawn(&fit, &experiments)?;
     if arguments.json {
-        json::print(&object::FitObject::new(&fit, &experiments, &notes))?;
+        json::print(&object::fit(&fit, &experiments, &notes))?;
     } else {
         let mut report = report(&fit, &experiments, &notes, &arguments.units);
         for doubt in notes.iter().flat_map(|notes| &notes.doubts) {

@@ -25,11 +25,11 @@ const HEADING: &str = "Contact stiffness";
 pub struct IndentationArguments {
     /// Factor of a contact stiffness, S = beta 2 a E2* Eeq: 1 of spheres and cones, 1.034 of a
     /// Berkovich pyramid, 1.012 of Vickers' pyramid [default: 1]
-    #[arg(long, help_heading = HEADING, value_name = "BETA", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "BETA", value_parser = number)]
     beta: Option<f64>,
     /// Factor of the contact depth h - epsilon P/S + h0: 0.75 of paraboloids and pyramids, 0.72 of
     /// cones, 1 of flat punches [default: 0.75]
-    #[arg(long, help_heading = HEADING, value_name = "EPSILON", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "EPSILON", value_parser = number)]
     epsilon: Option<f64>,
     /// Area function of the indenter, with the contact depth h in nm and the area in nm^2:
     /// C0 h^2 + C1 h + C2 h^(1/2) + .. + C8 h^(1/128) [default: 24.56]
@@ -38,8 +38,7 @@ pub struct IndentationArguments {
         help_heading = HEADING,
         value_name = "C0,C1,...",
         value_delimiter = ',',
-        value_parser = number,
-        allow_hyphen_values = true
+        value_parser = number
     )]
     area: Vec<f64>,
     /// Contact depth: h - epsilon P/S + h0 (oliver-pharr), or 1.2 (h - P/S + h0) (loubet), for metals
@@ -48,18 +47,18 @@ pub struct IndentationArguments {
     contact_depth: Option<ContactDepth>,
     /// Part K of the contact depth by which the film or the top layer is thinner under the tip,
     /// t - K h_c: 0.333 (Mencik) [default: 0]
-    #[arg(long, help_heading = HEADING, value_name = "K", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "K", value_parser = number)]
     thinning: Option<f64>,
     /// Hardness H, Pa: the contact radius at a load P is (P/(pi H))^(1/2). Without it, and with no
     /// free hardness, the contact at a load is elastic
-    #[arg(long, help_heading = HEADING, value_name = "PA", value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "PA", value_parser = modulus)]
     hardness: Option<f64>,
     /// Depth h0, m, by which the tip is blunter than its area function [default: 0]
-    #[arg(long, help_heading = HEADING, value_name = "M", value_parser = length, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "M", value_parser = length)]
     tip_rounding: Option<f64>,
     /// Compliance Cf of the frame, m/N or such as 0.2nm/mN: 1/S is read too large by Cf, the depth by
     /// Cf P [default: 0]
-    #[arg(long, help_heading = HEADING, value_name = "M/N", value_parser = compliance, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "M/N", value_parser = compliance)]
     frame_compliance: Option<f64>,
 }
 
@@ -210,10 +209,10 @@ pub struct ReferenceArguments {
     #[arg(long, help_heading = HEADING, value_name = "DATA", value_hint = ValueHint::FilePath)]
     pub reference: Option<PathBuf>,
     /// Young's modulus of the reference sample, Pa [default: that of the substrate]
-    #[arg(long, help_heading = HEADING, value_name = "PA", requires = "reference", value_parser = modulus, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "PA", requires = "reference", value_parser = modulus)]
     reference_modulus: Option<f64>,
     /// Poisson ratio of the reference sample [default: that of the substrate]
-    #[arg(long, help_heading = HEADING, value_name = "NU", requires = "reference", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, help_heading = HEADING, value_name = "NU", requires = "reference", value_parser = number)]
     reference_poisson_ratio: Option<f64>,
 }
 

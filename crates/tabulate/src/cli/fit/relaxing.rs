@@ -20,26 +20,26 @@ pub struct RelaxingArguments {
     #[arg(long, value_name = "LAW", value_parser = law)]
     relaxation: Option<Law>,
     /// Exponent of the law, above 0 and below 1
-    #[arg(long, requires = "relaxation", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, requires = "relaxation", value_parser = number)]
     relaxation_exponent: Option<f64>,
     /// Part of the modulus that is left in the end, from 0 to 1
-    #[arg(long, requires = "relaxation", value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, requires = "relaxation", value_parser = number)]
     relaxed_fraction: Option<f64>,
     /// Relaxation times, s, separated by commas
-    #[arg(long, requires = "relaxation", value_name = "S,...", value_delimiter = ',', value_parser = time, allow_hyphen_values = true)]
+    #[arg(long, requires = "relaxation", value_name = "S,...", value_delimiter = ',', value_parser = time)]
     relaxation_time: Vec<f64>,
     /// Weights of the relaxation times of prony:M from the second one on; the first one has what they
     /// and the relaxed fraction leave
-    #[arg(long, requires = "relaxation", value_name = "W,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, requires = "relaxation", value_name = "W,...", value_delimiter = ',', value_parser = number)]
     relaxation_weight: Vec<f64>,
     /// Time at which the modulus of a power law is that of the film, s [default: 1]
-    #[arg(long, requires = "relaxation", value_name = "S", value_parser = time, allow_hyphen_values = true)]
+    #[arg(long, requires = "relaxation", value_name = "S", value_parser = time)]
     reference_time: Option<f64>,
     /// Take sphere and substrate to relax like the film
     #[arg(long, requires = "relaxation")]
     all_relax: bool,
     /// Time between points, s, of measurements without a column of times, or with times that start again in a segment
-    #[arg(long, value_name = "S", value_parser = time, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = time)]
     pub sample_interval: Option<f64>,
 }
 

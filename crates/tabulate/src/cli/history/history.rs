@@ -65,24 +65,24 @@ pub struct Arguments {
     #[arg(short, long, value_name = "TEXT|FILE")]
     program: String,
     /// Stiffness of the cantilever, N/m, for a program of heights
-    #[arg(long, value_parser = force_per_length, allow_hyphen_values = true)]
+    #[arg(long, value_parser = force_per_length)]
     stiffness: Option<f64>,
     /// Number of times, equally spaced over the program
     #[arg(long, default_value_t = 200, value_parser = value_parser!(u32).range(2..=crate::cli::points::MOST_POINTS))]
     points: u32,
     /// Times to print, s, separated by commas. The last value of the program is held as long as a time
     /// is asked for
-    #[arg(long, value_name = "S,...", value_delimiter = ',', conflicts_with = "points", value_parser = quantity::time, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S,...", value_delimiter = ',', conflicts_with = "points", value_parser = quantity::time)]
     at: Vec<f64>,
     /// Work of adhesion of a receding line, J/m^2. The line advances without adhesion
-    #[arg(long, value_name = "J/M2", value_parser = force_per_length, allow_hyphen_values = true)]
+    #[arg(long, value_name = "J/M2", value_parser = force_per_length)]
     work_of_adhesion_receding: Option<f64>,
     /// Take sphere and substrate to relax like the film
     #[arg(long)]
     all_relax: bool,
     /// Tolerance of loads, radii and penetrations, relative to the largest of each [without one: as near to 1e-8 as
     /// possible; to 1e-5 where the contact grows again after a retract, under a load that falls, and for heights]
-    #[arg(long, value_parser = quantity::number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = quantity::number)]
     tolerance: Option<f64>,
     /// Write the CSV here instead of to standard output
     #[arg(short, long, value_name = "OUT.csv")]

@@ -14,20 +14,20 @@ pub struct RelaxationArguments {
     #[arg(long, value_enum, value_name = "LAW")]
     relaxation: Law,
     /// Exponent of a power law or of the fractional Zener solid, above 0 and below 1
-    #[arg(short = 'n', long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(short = 'n', long, value_parser = number)]
     relaxation_exponent: Option<f64>,
     /// Time at which the modulus of a power law is that of the film, s [default: 1]
-    #[arg(long, value_name = "S", value_parser = time, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S", value_parser = time)]
     reference_time: Option<f64>,
     /// Part of the modulus that is left in the end, from 0 to 1
-    #[arg(long, value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = number)]
     relaxed_fraction: Option<f64>,
     /// Relaxation times, s, separated by commas
-    #[arg(long, value_name = "S,...", value_delimiter = ',', value_parser = time, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S,...", value_delimiter = ',', value_parser = time)]
     relaxation_time: Vec<f64>,
     /// Weights of the relaxation times; with the relaxed fraction they sum to 1 [default for one
     /// time: 1 less the relaxed fraction]
-    #[arg(long, value_name = "W,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "W,...", value_delimiter = ',', value_parser = number)]
     relaxation_weight: Vec<f64>,
 }
 
