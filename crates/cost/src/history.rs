@@ -77,9 +77,6 @@ fn laws() -> [(&'static str, Relaxation); 3] {
 }
 
 /// Returns the contact of a rigid probe of 10 um on an incompressible film of 5 um, whose histories are timed.
-///
-/// # Errors
-/// None for this film.
 pub(crate) fn contact_on_gel() -> Result<Contact, contact::Error> {
     let system = System {
         probe: Probe::Paraboloid { radius: 1e-5 },

@@ -100,9 +100,6 @@ fn above_and_below(panel: &Panel) -> [f64; 2] {
 
 /// Draws a panel on an area, with this space above and below its axes in pixels. Returns the texts
 /// that collide with something.
-///
-/// # Errors
-/// [`Error`] if a text holds a character that the font lacks.
 fn draw(panel: &Panel, area: &Area<'_>, [above, below]: [f64; 2]) -> Result<Vec<String>, Error> {
     let [x, y] = &panel.axes;
     let widest = y

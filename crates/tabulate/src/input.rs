@@ -22,9 +22,6 @@ pub struct Limited {
 }
 
 /// Opens a file to read at most `most` bytes of it, or more where the room is made larger.
-///
-/// # Errors
-/// Those of the system.
 pub fn open(path: &Path, most: u64) -> io::Result<(Limited, Room)> {
     let room = Rc::new(Cell::new(most));
     let limited = Limited {

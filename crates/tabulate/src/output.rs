@@ -16,9 +16,6 @@ use crate::{Error, printable};
 
 /// Accepts an output, before any work, if a file can be made or replaced there and if it is none of
 /// the `inputs`, under any name.
-///
-/// # Errors
-/// [`Error::Write`] naming the output.
 #[cfg(feature = "cli")]
 pub fn check(path: &Path, inputs: &[&Path]) -> Result<(), Error> {
     let attempt = || {
@@ -96,10 +93,6 @@ pub struct Unfinished {
 impl Unfinished {
     /// Makes an empty file under a name of its own beside an output. No link is followed, and no
     /// file is replaced.
-    ///
-    /// # Errors
-    /// [`Error::Write`] naming the output, if no file can be made there, or if it exists and is not
-    /// a file.
     pub fn new(path: &Path) -> Result<Self, Error> {
         let attempt = || {
             let target = target(path)?;

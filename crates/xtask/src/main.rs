@@ -174,8 +174,13 @@ fn environment_of_tests() -> Result<Vec<(&'static str, PathBuf)>, String> {
         ("XARRAY_PATH", python::packages(&XARRAY)?),
     ];
     packages.extend(python::compiled()?);
-    match afm_curves() {
-        Ok(paths) => packages.extend(paths),
+    // The package exports curves as columns, and its source holds them.
+    let source = || python::source("afmformats", python_tests::AFMFORMATS);
+    let afmformats = python::package("afmformats", &format!("=={}", python_tests::AFMFORMATS));
+    match afmformats.and_then(|package| Ok([package, source()?])) {
+        Ok([package, source]) => {
+            packages.extend([("AFMFORMATS_PATH", package), ("AFMFORMATS_SOURCE", source)])
+        }
         Err(message) => {
             eprintln!("xtask: {message}\nxtask: the test with measured AFM curves is skipped")
         }
@@ -193,24 +198,6 @@ fn tools() -> Result<(), String> {
     python_tests::fetch()?;
     site::packages().map(drop)
 }
-
-/// Returns the environment of the test that reads measured AFM curves: the package afmformats, which
-/// exports them as columns, and its source, which holds them.
-fn afm_curves() -> Result<[(&'static str, PathBuf); 2], String> {
-    Ok([
-        (
-            "AFMFORMATS_PATH",
-            python::package("afmformats", &format!("=={AFMFORMATS}"))?,
-        ),
-        (
-            "AFMFORMATS_SOURCE",
-            python::source("afmformats", AFMFORMATS)?,
-        ),
-    ])
-}
-
-/// The version of afmformats whose curves are fitted.
-const AFMFORMATS: &str = "0.18.7";
 
 /// The versions of h5py with which the test of the HDF5 file passes.
 const H5PY: &str = ">=3.8,<4";

@@ -8,10 +8,13 @@ use std::{env, io};
 
 use crate::{hdf5, python, succeed, venv, wheel, workspace};
 
+/// The version of afmformats whose curves are fitted.
+pub const AFMFORMATS: &str = "0.18.7";
+
 /// The packages whose sources hold measured curves, with their versions and the environment variables
 /// that tell the tests where they are.
 const MEASURED: [[&str; 3]; 2] = [
-    ["afmformats", "0.18.7", "AFMFORMATS_SOURCE"],
+    ["afmformats", AFMFORMATS, "AFMFORMATS_SOURCE"],
     ["nanite", "4.2.3", "NANITE_SOURCE"],
 ];
 

@@ -20,9 +20,6 @@ pub const TABOR: f64 = ZoneSize::JKR;
 /// units of the thickness and of the modulus that normalises the quantities. It is stationary where
 /// `w^{1/2} R = A'/B'`, and the zone has the length `(pi/4) (w R^2/Es*)^{1/3}/mu^2`. The slope of
 /// `A` is exact, `A' = 4 a^2 Eeq^2 es/Gamma^2`; that of `B` is a difference of two solves.
-///
-/// # Errors
-/// Those of the solve.
 pub(super) fn error_of_jkr(
     a_over_t: f64,
     material: &Material,
@@ -52,9 +49,6 @@ pub(super) fn error_of_jkr(
 }
 
 /// Returns the time of a pull-off load with the correction for a finite range, over that without.
-///
-/// # Errors
-/// Those of [`Contact::pull_off`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const WORK: f64 = 0.02;
     let films = films_on_glass(64, [1e6, 1e9], &Probe::Paraboloid { radius: 1e-5 })?;

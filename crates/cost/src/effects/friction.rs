@@ -17,9 +17,6 @@ const TOLERANCE: f64 = 1e-5;
 
 /// Returns the part by which the load of a flat punch without friction is below that with full
 /// friction at the same penetration.
-///
-/// # Errors
-/// Those of [`Sticking::punch`].
 pub(super) fn error_without(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     let sticking = Sticking::on_film(material, NU2)?;
     Ok((1.0 - 1.0 / sticking.stiffening(a_over_t.min(WIDEST), TOLERANCE)?).abs())
@@ -27,9 +24,6 @@ pub(super) fn error_without(a_over_t: f64, material: &Material) -> Result<f64, E
 
 /// Returns the time of a curve of a sphere with full friction, over that of one without, of
 /// incompressible films under a rigid sphere up to an `a/t` of 3.
-///
-/// # Errors
-/// None for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const RANGE: [f64; 2] = [1e-2, 3.0];
     const TOLERANCE: f64 = 1e-8;

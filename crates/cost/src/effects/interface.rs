@@ -11,9 +11,6 @@ use solve::{Error, solve_stack, stack_curve};
 
 /// Returns the quantities of a film that slides on its substrate, in the unit of those of the film
 /// that is bonded. Contacts wider than [`MOST_A_OVER_TOP`] have those of this radius.
-///
-/// # Errors
-/// Those of the solve.
 pub(super) fn sliding(
     a_over_t: f64,
     material: &Material,
@@ -28,9 +25,6 @@ pub(super) fn sliding(
 
 /// Returns the time of the curve of a new film that slides, by solves to 1e-8 over three decades of
 /// `a/t`, over that in which the embedded table makes the contact of one that is bonded.
-///
-/// # Errors
-/// Those of [`Contact::in_table`] and [`stack_curve`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     let systems = films_on_glass(8, [1e5, 1e9], &Probe::Paraboloid { radius: 1e-5 })?;
     let table = Table::embedded();

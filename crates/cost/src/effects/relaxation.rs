@@ -58,9 +58,6 @@ const fn law() -> Relaxation {
 
 /// Returns the largest error of the elastic load on approach and retract to a contact radius, over the
 /// load at the turn. The elastic bodies have the modulus that gives this load.
-///
-/// # Errors
-/// Those of [`curve()`].
 pub(super) fn error_of_elastic(a_over_t: f64, material: &Material) -> Result<f64, Error> {
     // The smallest contact of the curve over the largest: its load does not count.
     const SMALLEST: f64 = 1e-2;
@@ -87,9 +84,6 @@ pub(super) fn error_of_elastic(a_over_t: f64, material: &Material) -> Result<f64
 
 /// Returns the time of a history of an incompressible film up to `a/t` = 0.6, over that of an elastic curve of
 /// as many points.
-///
-/// # Errors
-/// None for this film.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     const LARGEST: f64 = 3e-6;
     let contact = contact_on_gel()?;

@@ -11,9 +11,6 @@ use crate::{COUNT, ERROR, Measurement, TOLERANCE};
 
 /// Returns so many films on glass under a rigid probe, whose Young's moduli (Pa) grow by equal factors
 /// from the first of two, which the last of them stays below.
-///
-/// # Errors
-/// None for positive moduli.
 pub(super) fn films_on_glass(
     count: i32,
     [first, beyond]: [f64; 2],

@@ -18,9 +18,6 @@ pub const A_OVER_R: f64 = Validity::WARNING_A_OVER_R;
 /// With `alpha = a/R` the loads are as `Pi_2` and `sum_k alpha^(2k-2)/(2k-1) Pi_2k`. Of this sum the
 /// terms to the eighth power of `r` are solved. The last one stands for all after it, whose `Pi_2k`
 /// are nearly equal; that is an error of less than 1e-6.
-///
-/// # Errors
-/// Those of the solve.
 pub(super) fn error_of_paraboloid(
     a_over_t: f64,
     material: &Material,
@@ -46,9 +43,6 @@ pub(super) fn error_of_paraboloid(
 
 /// Returns the time in which the embedded table makes the contact of a new film under the sphere
 /// itself, over that under a paraboloid.
-///
-/// # Errors
-/// Those of [`Contact::in_table`]; none for these films.
 pub(super) fn time_ratio(timing: Timing) -> Result<f64, Error> {
     let radius = 1e-5;
     let [spheres, paraboloids] = [Probe::Sphere { radius }, Probe::Paraboloid { radius }]

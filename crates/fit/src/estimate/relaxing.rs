@@ -26,9 +26,6 @@ const FAR_SHORT: f64 = 5.0;
 const MONOTONE: f64 = 0.01;
 
 /// Returns what the relaxation of an experiment does; `None` where the bodies do not relax.
-///
-/// # Errors
-/// [`Error::History`] for bodies that relax too differently.
 pub(super) fn of(found: &Minimum<'_>, e: usize) -> Result<Option<FittedRelaxation>, Error> {
     let problem = &found.problem;
     let experiment = &problem.assigned[e].experiment;

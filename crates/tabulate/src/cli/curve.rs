@@ -88,7 +88,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let given = &arguments.attracting.bodies;
     let table = arguments.table.as_ref().and_then(TableName::path);
     let [stack, profile] = given.files();
-    let output = Output::of_text(arguments.output.as_deref(), [table, stack, profile])?;
+    let output = Output::of_text(arguments.output.as_deref(), &[table, stack, profile])?;
     let bodies = given.read_checked(arguments.history.work_of_adhesion_receding)?;
     let system = &bodies.system;
     let mechanics = Mechanics::new(system)?;

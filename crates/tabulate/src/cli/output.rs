@@ -1,5 +1,6 @@
 //! The results of a command: a file, or standard output.
 
+use std::ffi::OsStr;
 use std::fs::OpenOptions;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
@@ -11,6 +12,9 @@ use super::note;
 use crate::output::{self, Unfinished};
 use crate::printable;
 
+/// The endings of the names of tables.
+const ENDINGS_OF_TABLES: [&str; 3] = ["h5", "hdf5", "bin"];
+
 /// The place of a command's results: a file, which is complete or not there, or standard output.
 pub struct Output<'a>(Option<&'a Path>);
 
@@ -18,44 +22,10 @@ impl<'a> Output<'a> {
     /// Accepts the output of a command before any work. `inputs` are all files that the command
     /// reads. Unfinished files of this output that killed processes have left are removed and
     /// named.
-    pub fn new<const N: usize>(
-        path: Option<&'a Path>,
-        inputs: [Option<&Path>; N],
-    ) -> anyhow::Result<Self> {
-        let inputs: Vec<&Path> = inputs.into_iter().flatten().collect();
-        Self::beside(path, &inputs)
-    }
-
-    /// As [`Output::new`], for a text: a name that ends like that of a table is refused.
-    pub fn of_text<const N: usize>(
-        path: Option<&'a Path>,
-        inputs: [Option<&Path>; N],
-    ) -> anyhow::Result<Self> {
-        Self::new(path, inputs)?.no_table()
-    }
-
-    /// Refuses a name that ends like that of a table.
-    pub fn no_table(self) -> anyhow::Result<Self> {
-        /// The endings of the names of tables.
-        const TABLES: [&str; 3] = ["h5", "hdf5", "bin"];
-        if let Some(path) = self.0
-            && let Some(ending) = path.extension()
-            && TABLES
-                .iter()
-                .any(|table| ending.eq_ignore_ascii_case(table))
-        {
-            bail!(
-                "{} is the name of a table, and this command writes a text; choose another name",
-                printable::path(path)
-            );
-        }
-        Ok(self)
-    }
-
-    /// As [`Output::new`], for any number of inputs.
-    pub fn beside(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Self> {
+    pub fn new(path: Option<&'a Path>, inputs: &[Option<&Path>]) -> anyhow::Result<Self> {
+        let inputs: Vec<&Path> = inputs.iter().copied().flatten().collect();
         if let Some(path) = path {
-            output::check(path, inputs)?;
+            output::check(path, &inputs)?;
             for removed in output::tidy(path) {
                 note(&output::removed(&removed));
             }
@@ -66,6 +36,20 @@ impl<'a> Output<'a> {
             );
         }
         Ok(Self(path))
+    }
+
+    /// As [`Output::new`], for a text: a name that ends like that of a table is refused.
+    pub fn of_text(path: Option<&'a Path>, inputs: &[Option<&Path>]) -> anyhow::Result<Self> {
+        let output = Self::new(path, inputs)?;
+        if let Some(path) = path
+            && has_ending(path, &ENDINGS_OF_TABLES)
+        {
+            bail!(
+                "{} is the name of a table, and this command writes a text; choose another name",
+                printable::path(path)
+            );
+        }
+        Ok(output)
     }
 
     /// Writes the whole text.
@@ -101,6 +85,12 @@ impl<'a> Output<'a> {
         outcome?;
         Ok(unfinished.complete()?)
     }
+}
+
+/// Tells whether a name has one of these endings, in upper or lower case.
+pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
+    let is = |found: &OsStr| endings.iter().any(|one| found.eq_ignore_ascii_case(one));
+    path.extension().is_some_and(is)
 }
 
 /// Returns standard output as a file: the one of the standard library takes writes to a descriptor

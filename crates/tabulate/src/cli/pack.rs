@@ -50,7 +50,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let output = Output::new(Some(&arguments.output), [arguments.table.path()])?;
+    let output = Output::new(Some(&arguments.output), &[arguments.table.path()])?;
     let mut table = arguments.table.read()?;
     if let Some(tolerance) = arguments.tolerance {
         let points = arguments.points.map(|points| points as usize);

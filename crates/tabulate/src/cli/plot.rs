@@ -180,7 +180,7 @@ impl Picture {
         input: Option<&Path>,
         figure: impl FnOnce() -> anyhow::Result<chart::Figure>,
     ) -> anyhow::Result<()> {
-        let output = Output::new(Some(&self.path), [input])?;
+        let output = Output::new(Some(&self.path), &[input])?;
         let picture = figure()?.picture()?.encode(format(&self.path)?)?;
         output.write(&picture)
     }

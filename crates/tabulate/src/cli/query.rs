@@ -55,7 +55,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let output = Output::of_text(
         arguments.output.as_deref(),
-        [Some(&arguments.points), arguments.table.path()],
+        &[Some(&arguments.points), arguments.table.path()],
     )?;
     let table = arguments.table.read_for_contacts()?;
     let nu0 = match table.description().nu0 {

@@ -37,7 +37,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let output = Output::of_text(
         Some(&arguments.output),
-        [
+        &[
             arguments.table.path(),
             arguments.probe.shape.profile.as_deref(),
         ],

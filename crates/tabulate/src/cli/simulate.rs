@@ -199,7 +199,7 @@ fn note_large_noise(exact: &Experiment, noise: f64) {
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let [stack, profile] = arguments.known.bodies.files();
     let inputs = [arguments.table.path(), stack, profile];
-    let output = Output::of_text(arguments.output.as_deref(), inputs)?;
+    let output = Output::of_text(arguments.output.as_deref(), &inputs)?;
     let [from, to] = arguments.ends()?;
     ensure!(
         from.is_finite() && to.is_finite() && from != to,

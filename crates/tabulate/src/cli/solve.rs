@@ -300,7 +300,7 @@ fn print_solution(
 }
 
 fn solve_file(arguments: &Arguments, path: &Path) -> anyhow::Result<()> {
-    let output = Output::of_text(arguments.output.as_deref(), [Some(path)])?;
+    let output = Output::of_text(arguments.output.as_deref(), &[Some(path)])?;
     let points = Points::open(path, Given::Films { nu0: arguments.nu0 })?;
     points.answer("solving", &output, &further_columns(arguments), |point| {
         let (solution, power_laws) = solve_film(arguments, point.a_over_t, &point.material)?;

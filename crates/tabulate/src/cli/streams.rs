@@ -18,7 +18,7 @@ pub(super) const NAME: &str = "tabulate";
 
 /// Prints a text on standard output.
 pub(super) fn print(text: &[u8]) -> anyhow::Result<()> {
-    Output::new(None, [])?.write(text)
+    Output::new(None, &[])?.write(text)
 }
 
 /// Writes a line to standard error if that is open: `eprintln` panics where it is closed.

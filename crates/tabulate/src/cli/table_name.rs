@@ -12,10 +12,14 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use interp::Table;
 
 use super::note;
+use super::output::has_ending;
 use crate::printable;
 
 /// The word for the table that is compiled into the program.
 const EMBEDDED: &str = "embedded";
+
+/// The endings of scenes, measurements, pages and figures.
+const NO_TABLES: [&str; 6] = ["toml", "csv", "json", "html", "svg", "png"];
 
 /// The help of every argument that is a [`TableName`].
 pub const HELP: &str = "The table: an HDF5 or packed file, or the word `embedded` for the table that is compiled into \
@@ -120,43 +124,33 @@ fn readable(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Parses the name of an HDF5 file to write: any but one with the ending of another kind of file.
+/// Parses the name of an HDF5 file to write.
 pub fn hdf5_file() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| {
-        refuse(
-            path,
-            &["bin"],
-            "this command writes HDF5: let the name end in .h5; `tabulate pack` writes the packed form",
-        )
-    })
+    const WHY: &str =
+        "this command writes HDF5: let the name end in .h5; `tabulate pack` writes the packed form";
+    file_without(&["bin"], WHY)
 }
 
-/// Parses the name of a packed file to write: any but one with the ending of another kind of file.
+/// Parses the name of a packed file to write.
 #[cfg(feature = "compress")]
 pub fn packed_file() -> impl TypedValueParser<Value = PathBuf> {
-    PathBufValueParser::new().try_map(|path| {
-        refuse(
-            path,
-            &["h5", "hdf5"],
-            "this command writes the packed form: let the name end in .bin; `tabulate unpack` writes HDF5",
-        )
-    })
+    const WHY: &str = "this command writes the packed form: let the name end in .bin; `tabulate unpack` writes HDF5";
+    file_without(&["h5", "hdf5"], WHY)
 }
 
-/// The endings of scenes, measurements, pages and figures.
-const NO_TABLES: [&str; 6] = ["toml", "csv", "json", "html", "svg", "png"];
-
-/// Refuses a path with the ending of a table of the other form, or of a file that is no table.
-fn refuse(path: PathBuf, other: &[&str], why: &'static str) -> Result<PathBuf, &'static str> {
-    let refused = |ending: &&str| {
-        path.extension()
-            .is_some_and(|found| found.eq_ignore_ascii_case(ending))
-    };
-    if other.iter().chain(&NO_TABLES).any(refused) {
-        Err(why)
-    } else {
-        Ok(path)
-    }
+/// Parses the name of a file to write, which has none of the `endings` of the other form of tables, nor
+/// that of a file that is no table.
+fn file_without(
+    endings: &'static [&str],
+    why: &'static str,
+) -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(move |path| {
+        if has_ending(&path, endings) || has_ending(&path, &NO_TABLES) {
+            Err(why)
+        } else {
+            Ok(path)
+        }
+    })
 }
 
 /// Reads an HDF5 table.

@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    Output::new(Some(&arguments.output), [arguments.table.path()])?;
+    Output::new(Some(&arguments.output), &[arguments.table.path()])?;
     let table = arguments.table.read()?;
     Ok(table::write(&table, &arguments.output)?)
 }

@@ -32,9 +32,6 @@ fn material() -> Result<Material, Error> {
 
 /// Draws the stiffness from direct solves, that of film and substrate as springs in series, and the first order of Gao,
 /// Chiu and Lee, between the limits of a thick and of a thin film.
-///
-/// # Errors
-/// Those of [`solve::curve`].
 pub fn figure() -> Result<Figure, Error> {
     let material = material()?;
     let curve = solve::curve(&material, A_OVER_T, TOLERANCE)?;

@@ -44,9 +44,6 @@ pub fn figure(fit: &Fit, experiments: &[Experiment]) -> Figure {
 }
 
 /// Describes the reduced JKR plot of a fit, in which the contact without a film is a straight line.
-///
-/// # Errors
-/// Those of [`jkr_plot`].
 pub fn jkr_figure(fit: &Fit, experiments: &[Experiment]) -> Result<Figure, ::fit::Error> {
     let members = (fit.experiments.iter().zip(experiments).enumerate())
         .map(|(i, (fitted, experiment))| {

@@ -88,9 +88,6 @@ fn pull_off_at(curves: &[Curve; 2], t: f64) -> Result<Option<f64>, Error> {
 }
 
 /// Draws the lines.
-///
-/// # Errors
-/// None: the systems are within reach.
 pub fn figure() -> Result<Figure, Error> {
     let lines = data()?;
     let mut panel = Panel::new(

@@ -3,22 +3,22 @@
 //! Each figure is a module of its own: `figure` describes it as panels of a chart, and `data`, where there is one,
 //! computes its data. [`paper`] holds the system that several figures show.
 
-pub mod contact_stiffness;
-pub mod effects;
+pub(crate) mod contact_stiffness;
+pub(crate) mod effects;
 pub mod error_map;
 pub mod fig2;
 pub mod fig3;
 pub mod fig4;
-pub mod fit;
+pub(crate) mod fit;
 pub mod force_displacement;
-pub mod friction;
+pub(crate) mod friction;
 pub mod interface;
-pub mod lookup_cost;
+pub(crate) mod lookup_cost;
 pub mod paper;
-pub mod pull_off;
-pub mod relaxation;
-pub mod table_cost;
-pub mod work_precision;
+pub(crate) mod pull_off;
+pub(crate) mod relaxation;
+pub(crate) mod table_cost;
+pub(crate) mod work_precision;
 
 #[cfg(test)]
 mod tests {

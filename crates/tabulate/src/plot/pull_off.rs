@@ -100,9 +100,6 @@ impl Bodies {
 }
 
 /// Draws the three lines.
-///
-/// # Errors
-/// Those of [`Cohesive::pull_off`].
 pub fn figure() -> Result<Figure, Error> {
     let lines = data()?;
     let mut panel = Panel::new(

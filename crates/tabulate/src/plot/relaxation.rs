@@ -28,9 +28,6 @@ const POINTS: u32 = 251;
 
 /// Draws a panel for each film: the load (nN) in time, and the load on a half-space times the elastic effect of the
 /// thickness at the same contact.
-///
-/// # Errors
-/// Those of the solve; none for these films.
 pub fn figure() -> Result<Figure, Error> {
     let solid = Elastic::new(MODULUS, POISSON)?;
     let rigid = Elastic::new(f64::INFINITY, POISSON)?;

@@ -13,6 +13,8 @@
 //!
 //! Whatever kills the process, the pieces that were added stay. A loss of power costs those since
 //! the last flush to the disk, [`LOST`] bytes at most.
+//!
+//! Every failure is an [`Error::Write`] with the path of the journal.
 
 use std::collections::HashMap;
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
@@ -194,9 +196,6 @@ impl Journal {
     }
 
     /// Drops all records and begins anew.
-    ///
-    /// # Errors
-    /// [`Error::Write`] with the path of the journal.
     pub fn begin(&mut self, header: Header) -> Result<(), Error> {
         let emptied = self.file.set_len(0).and_then(|()| {
             self.file.seek(SeekFrom::Start(0))?;
@@ -212,9 +211,6 @@ impl Journal {
 
     /// Goes on with another header, to which no piece belongs yet. Until it is written, the pieces
     /// of the last header stay.
-    ///
-    /// # Errors
-    /// [`Error::Write`] with the path of the journal.
     pub fn go_on(&mut self, header: Header) -> Result<(), Error> {
         let appended = toml::to_string(&header)
             .map_err(io::Error::other)
@@ -228,9 +224,6 @@ impl Journal {
 
     /// Adds a finished piece. If that fails, because the disk is full for instance, the pieces
     /// before it are safe.
-    ///
-    /// # Errors
-    /// [`Error::Write`] with the path of the journal.
     pub fn add(&mut self, piece: usize, values: &[f64]) -> Result<(), Error> {
         let bytes: Vec<[u8; 8]> = values.iter().map(|value| value.to_le_bytes()).collect();
         let bytes = bytes.into_flattened();
@@ -274,9 +267,6 @@ impl Journal {
     }
 
     /// Removes the journal, when the table is complete or nothing is finished. Another program may have removed it.
-    ///
-    /// # Errors
-    /// [`Error::Write`] with the path of the journal.
     pub fn remove(self) -> Result<(), Error> {
         match fs::remove_file(&self.path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),

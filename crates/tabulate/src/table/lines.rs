@@ -249,9 +249,6 @@ fn lines(scene: &Scene, along: Parameter) -> Vec<[f64; 4]> {
 
 /// Solves points on all cores, and returns the logarithms of one after the other. The spheres on a
 /// stack share their matrices at each `a_over_t`.
-///
-/// # Errors
-/// Those of the solve.
 fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Error> {
     let Some(NamedStack { stack, .. }) = &scene.stack else {
         let solve_point = |&[a_over_t, values @ ..]: &[f64; 4]| -> Result<Vec<f64>, Error> {

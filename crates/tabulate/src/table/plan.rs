@@ -112,9 +112,6 @@ impl Plan {
     ///
     /// An axis gets `factors[parameter]` times as many nodes, and two more at least, where the
     /// factor is above 1. A number of nodes that the scene states is not changed.
-    ///
-    /// # Errors
-    /// [`Error::TooLarge`]; [`Error::Unresolved`].
     pub(crate) fn refined(&self, factors: [f64; 4], scene: &Scene) -> Result<Option<Self>, Error> {
         let mut plan = self.clone();
         for (i, factor) in factors.into_iter().enumerate() {

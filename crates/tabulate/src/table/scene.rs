@@ -188,9 +188,6 @@ pub(crate) fn created_by() -> String {
 }
 
 /// Returns the material with these values of the second to fourth parameter of a scene or table.
-///
-/// # Errors
-/// [`Error::Table`] for parameters that are not physical.
 pub(crate) fn material(
     parameters: [Parameter; 4],
     nu0: SubstratePoissonRatio,

@@ -17,9 +17,6 @@ pub fn solve_tolerance(table_tolerance: f64) -> f64 {
 /// Solves one contact of a film, or of the `stack` under the sphere of the `material`, to
 /// [`solve_tolerance`]; to a fifth of the table's tolerance in the corners where double precision
 /// does not allow more.
-///
-/// # Errors
-/// Those of [`solve()`] and [`solve_stack`].
 pub(crate) fn solve_for_table(
     a_over_t: f64,
     material: &Material,
@@ -38,9 +35,6 @@ pub(crate) fn solve_for_table(
 /// Solves the contacts of a `stack` at one `a_over_t` under the spheres of the `materials`, each as
 /// [`solve_for_table`], with matrices that the spheres share. Returns the quantities in the order
 /// of the materials.
-///
-/// # Errors
-/// Those of [`solve_stack`].
 pub(crate) fn solve_stack_for_table(
     a_over_t: f64,
     materials: &[Material],

@@ -96,7 +96,7 @@ impl Rows {
     ) -> anyhow::Result<()> {
         let output = Output::of_text(
             self.output.as_deref(),
-            [input, self.data.as_deref(), self.compare.as_deref()],
+            &[input, self.data.as_deref(), self.compare.as_deref()],
         )?;
         // A time of 0 was not measured, and is in no range.
         let before = self

@@ -246,20 +246,14 @@ impl Arguments {
     }
 }
 
-/// Accepts a file to write, if one is asked for.
-fn output<'a>(path: Option<&'a Path>, inputs: &[&Path]) -> anyhow::Result<Option<Output<'a>>> {
-    path.map(|_| Output::beside(path, inputs)?.no_table())
-        .transpose()
-}
-
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let inputs: Vec<&Path> = arguments
-        .data
-        .iter()
-        .map(PathBuf::as_path)
-        .chain(arguments.known.bodies.files().into_iter().flatten())
-        .chain(arguments.table.path())
-        .chain(arguments.reference.reference.as_deref())
+    let data = arguments.data.iter().map(|path| Some(path.as_path()));
+    let inputs: Vec<Option<&Path>> = data
+        .chain(arguments.known.bodies.files())
+        .chain([
+            arguments.table.path(),
+            arguments.reference.reference.as_deref(),
+        ])
         .collect();
     ensure!(
         arguments.csv.is_none()
@@ -271,8 +265,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--between cuts a piece out of the course, and the forces of bodies that relax depend on all that was before: leave \
          it out"
     );
-    let csv = output(arguments.csv.as_deref(), &inputs)?;
-    let plot = output(arguments.picture.path(), &inputs)?;
+    let csv = arguments.csv.as_deref();
+    let csv = csv.map(|_| Output::of_text(csv, &inputs)).transpose()?;
+    let plot = arguments.picture.path();
+    let plot = plot.map(|_| Output::of_text(plot, &inputs)).transpose()?;
     let files = arguments.data.len() + usize::from(arguments.reference.reference.is_some());
     for (flag, noises) in [
         ("--noise", arguments.noise.len()),

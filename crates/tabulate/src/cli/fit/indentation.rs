@@ -73,26 +73,22 @@ impl IndentationArguments {
         self.thinning.is_some_and(|part| part != 0.0)
     }
 
-    /// Names a flag that is given.
-    fn given(&self) -> Option<&'static str> {
-        [
-            ("--beta", self.beta.is_some()),
-            ("--epsilon", self.epsilon.is_some()),
-            ("--area", !self.area.is_empty()),
-            ("--contact-depth", self.contact_depth.is_some()),
-            ("--thinning", self.thinning.is_some()),
-            ("--hardness", self.hardness.is_some()),
-            ("--tip-rounding", self.tip_rounding.is_some()),
-            ("--frame-compliance", self.frame_compliance.is_some()),
-        ]
-        .into_iter()
-        .find_map(|(flag, is_given)| is_given.then_some(flag))
-    }
-
     /// Names a flag that a kind does not use, with why.
     fn unused(&self, kind: Kind) -> Option<String> {
+        // Each flag, whether it is given, and whether it is of contact depths alone.
+        let flags = [
+            ("--beta", self.beta.is_some(), false),
+            ("--epsilon", self.epsilon.is_some(), true),
+            ("--area", !self.area.is_empty(), true),
+            ("--contact-depth", self.contact_depth.is_some(), true),
+            ("--thinning", self.thinning.is_some(), true),
+            ("--hardness", self.hardness.is_some(), false),
+            ("--tip-rounding", self.tip_rounding.is_some(), true),
+            ("--frame-compliance", self.frame_compliance.is_some(), false),
+        ];
+        let mut given = flags.into_iter().filter(|(_, is_given, _)| *is_given);
         if !kind.is_stiffness() {
-            let flag = self.given()?;
+            let (flag, ..) = given.next()?;
             return Some(format!(
                 "{flag} is for a contact stiffness, and {} is measured: leave it out, or give --kind \
                  stiffness-radius, stiffness-load or stiffness-depth",
@@ -108,16 +104,8 @@ impl IndentationArguments {
         if self.contact_depth == Some(ContactDepth::Loubet) && self.epsilon.is_some() {
             return Some("--epsilon is for --contact-depth oliver-pharr: leave it out".into());
         }
-        let of_depth = [
-            ("--epsilon", self.epsilon.is_some()),
-            ("--area", !self.area.is_empty()),
-            ("--contact-depth", self.contact_depth.is_some()),
-            ("--thinning", self.thinning.is_some()),
-            ("--tip-rounding", self.tip_rounding.is_some()),
-        ];
-        let (flag, _) = of_depth
-            .into_iter()
-            .find(|(_, is_given)| *is_given && kind != Kind::StiffnessDepth)?;
+        let (flag, ..) =
+            given.find(|(_, _, is_of_depths)| *is_of_depths && kind != Kind::StiffnessDepth)?;
         Some(format!(
             "{flag} is for contact depths, and {} is measured: leave it out, or give --kind \
              stiffness-depth",

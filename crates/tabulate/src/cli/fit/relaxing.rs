@@ -18,7 +18,7 @@ pub struct RelaxingArguments {
     /// fractional-zener. The moduli are then the instantaneous ones, and under a power law those at
     /// the reference time. Points need a time, and begin before the contact
     #[arg(long, value_name = "LAW", value_parser = law)]
-    relaxation: Option<Law>,
+    relaxation: Option<Relaxation>,
     /// Exponent of the law, above 0 and below 1
     #[arg(long, requires = "relaxation", value_parser = number)]
     relaxation_exponent: Option<f64>,
@@ -43,44 +43,46 @@ pub struct RelaxingArguments {
     pub sample_interval: Option<f64>,
 }
 
-/// A law by its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Law {
-    Prony(usize),
-    Power,
-    ModifiedPower,
-    FractionalZener,
-}
-
 /// The most relaxation times of `prony:M`.
 const MOST_TERMS: usize = 20;
-/// The number of a law that is free, before the data give it one: any number that the law takes.
-const ANY: f64 = 0.2;
 
-/// Parses the name of a law.
-fn law(text: &str) -> Result<Law, String> {
+/// Parses the name of a law, whose numbers are any that it takes until they are given or fitted.
+fn law(text: &str) -> Result<Relaxation, String> {
+    let [relaxed, exponent, time] = [0.2; 3];
+    let prony = |terms: usize| Relaxation::Prony {
+        relaxed,
+        terms: vec![[(1.0 - relaxed) / terms as f64, time]; terms],
+    };
     Ok(match text {
-        "sls" | "prony" => Law::Prony(1),
-        "power-law" => Law::Power,
-        "modified-power-law" => Law::ModifiedPower,
-        "fractional-zener" => Law::FractionalZener,
-        _ => {
-            let terms = text.strip_prefix("prony:").map(str::parse::<usize>);
-            match terms {
-                Some(Ok(terms)) if (1..=MOST_TERMS).contains(&terms) => Law::Prony(terms),
-                Some(_) => {
-                    return Err(format!(
-                        "{text:?}: prony:M has M from 1 to {MOST_TERMS}, such as prony:2"
-                    ));
-                }
-                None => {
-                    return Err(format!(
-                        "{text:?} is not a law: give sls, prony:M, power-law, modified-power-law or \
-                         fractional-zener"
-                    ));
-                }
+        "sls" | "prony" => prony(1),
+        "power-law" => Relaxation::PowerLaw {
+            exponent,
+            time: 1.0,
+        },
+        "modified-power-law" => Relaxation::ModifiedPowerLaw {
+            relaxed: 0.0,
+            exponent,
+            time,
+        },
+        "fractional-zener" => Relaxation::FractionalZener {
+            relaxed,
+            exponent,
+            time,
+        },
+        _ => match text.strip_prefix("prony:").map(str::parse) {
+            Some(Ok(terms)) if (1..=MOST_TERMS).contains(&terms) => prony(terms),
+            Some(_) => {
+                return Err(format!(
+                    "{text:?}: prony:M has M from 1 to {MOST_TERMS}, such as prony:2"
+                ));
             }
-        }
+            None => {
+                return Err(format!(
+                    "{text:?} is not a law: give sls, prony:M, power-law, modified-power-law or \
+                     fractional-zener"
+                ));
+            }
+        },
     })
 }
 
@@ -90,29 +92,12 @@ impl RelaxingArguments {
         self.relaxation.is_some()
     }
 
-    /// Returns the law with any numbers.
-    fn any(&self) -> Option<Relaxing> {
-        let [relaxed, exponent, time] = [ANY; 3];
-        let law = match self.relaxation? {
-            Law::Prony(terms) => Relaxation::Prony {
-                relaxed,
-                terms: vec![[(1.0 - relaxed) / terms as f64, time]; terms],
-            },
-            Law::Power => Relaxation::PowerLaw {
-                exponent,
-                time: self.reference_time.unwrap_or(1.0),
-            },
-            Law::ModifiedPower => Relaxation::ModifiedPowerLaw {
-                relaxed: 0.0,
-                exponent,
-                time,
-            },
-            Law::FractionalZener => Relaxation::FractionalZener {
-                relaxed,
-                exponent,
-                time,
-            },
-        };
+    /// Returns the law, of whose numbers the reference time is the one that is given.
+    fn law(&self) -> Option<Relaxing> {
+        let mut law = self.relaxation.clone()?;
+        if let (Relaxation::PowerLaw { time, .. }, Some(given)) = (&mut law, self.reference_time) {
+            *time = given;
+        }
         Some(Relaxing {
             law,
             all_bodies: self.all_relax,
@@ -122,23 +107,24 @@ impl RelaxingArguments {
     /// Returns the numbers of the law that are given, with their flags.
     pub fn values(&self) -> anyhow::Result<Vec<Values>> {
         ensure!(
-            self.relaxation == Some(Law::Power) || self.reference_time.is_none(),
+            matches!(self.relaxation, Some(Relaxation::PowerLaw { .. }))
+                || self.reference_time.is_none(),
             "--reference-time is that of --relaxation power-law: leave it out"
         );
-        let exponent = [LawParameter::Exponent]
-            .into_iter()
-            .zip(self.relaxation_exponent);
-        let fraction = [LawParameter::RelaxedFraction]
-            .into_iter()
-            .zip(self.relaxed_fraction);
+        let exponent = (self.relaxation_exponent).map(|value| (LawParameter::Exponent, value));
+        let fraction = (self.relaxed_fraction).map(|value| (LawParameter::RelaxedFraction, value));
         let times = (0..)
             .map(LawParameter::Time)
             .zip(self.relaxation_time.clone());
         let weights = (1..)
             .map(LawParameter::Weight)
             .zip(self.relaxation_weight.clone());
-        let given = exponent.chain(fraction).chain(times).chain(weights);
-        let own = self.any().map(|relaxing| relaxing.parameters());
+        let given = exponent
+            .into_iter()
+            .chain(fraction)
+            .chain(times)
+            .chain(weights);
+        let own = self.law().map(|relaxing| relaxing.parameters());
         let one = |(number, value): (LawParameter, f64)| {
             let parameter = Parameter::Law(number);
             if let Some(own) = own.as_ref().filter(|own| !own.contains(&parameter)) {
@@ -170,7 +156,7 @@ impl RelaxingArguments {
             let count = experiment.measurement.points.len();
             experiment.times = (0..count).map(|i| i as f64 * interval).collect();
         }
-        if let Some(relaxing) = self.any() {
+        if let Some(relaxing) = self.law() {
             let Measurement { name, kind, .. } = &experiment.measurement;
             ensure!(
                 matches!(kind, Kind::LoadPenetration | Kind::ForceHeight),
@@ -196,7 +182,7 @@ impl RelaxingArguments {
                 .iter()
                 .any(|own| own.quantity.parameter() == Some(*parameter))
                 || free.contains(parameter)
-                || (self.relaxation == Some(Law::ModifiedPower)
+                || (matches!(self.relaxation, Some(Relaxation::ModifiedPowerLaw { .. }))
                     && *parameter == Parameter::Law(LawParameter::RelaxedFraction))
         };
         let mut own = experiment

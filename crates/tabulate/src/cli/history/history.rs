@@ -104,7 +104,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let program_file = program::file(&arguments.program);
     let output = Output::of_text(
         arguments.output.as_deref(),
-        [table, stack, profile, program_file],
+        &[table, stack, profile, program_file],
     )?;
     let law = arguments.relaxation.law()?;
     let program = Program::parse(&arguments.program)?;
