@@ -239,7 +239,6 @@ impl Label {
     }
 }
 
-/// Returns the places of the labels.
 pub fn place(labels: &[Label], room: &Room, obstacles: &Obstacles) -> Vec<Placed> {
     let candidates: Vec<Vec<Candidate>> = labels
         .iter()

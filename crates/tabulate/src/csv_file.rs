@@ -58,7 +58,6 @@ impl<R: Read> CsvFile<R> {
     }
 }
 
-/// Names the line of an error.
 pub fn located(error: csv::Error, line: u64) -> io::Error {
     let text = error.to_string();
     let why = match error.into_kind() {

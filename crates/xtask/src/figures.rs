@@ -223,7 +223,6 @@ fn simulated(arguments: &str) -> Result<String, String> {
     tabulate::text(&[&["simulate"], &arguments[..]].concat())
 }
 
-/// Fits data and draws the figure.
 fn draw_fit(arguments: &str, data: &Path, figure: &Path) -> Result<String, String> {
     let [data, figure] = [data, figure].map(|path| path.display().to_string());
     let arguments: Vec<&str> = arguments.split_whitespace().collect();

@@ -96,7 +96,6 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs `tabulate`.
 fn tabulate(args: &[String]) -> Result<(), String> {
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     succeed(&mut tabulate::command(&args)?)
@@ -152,7 +151,6 @@ fn whole_suite() -> Result<(), String> {
     }
 }
 
-/// Returns the command that runs the tests in Rust.
 fn tests_in_rust(
     args: &[String],
     environment: Vec<(&'static str, PathBuf)>,

@@ -98,7 +98,6 @@ pub fn install(python: &Path) -> Command {
     install
 }
 
-/// Returns a command of pip.
 fn pip(python: &Path, command: &str) -> Command {
     let mut pip = Command::new(python);
     pip.args(["-m", "pip", command])

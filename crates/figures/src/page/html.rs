@@ -128,7 +128,6 @@ impl Page<'_> {
         Ok(fill(include_str!("page.html"), &parts))
     }
 
-    /// Returns the script.
     fn script(&self, numbers: &Numbers) -> String {
         let constants = format!(
             "const WARNING_A_OVER_R = {:?}, LARGE_CONTACT = {:?}, PROBE = {:?}, DIGITS = {DIGITS};\n\

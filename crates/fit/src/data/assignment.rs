@@ -13,9 +13,7 @@ use crate::{Direction, Kind};
 pub struct Pair {
     /// The direction that the headings name.
     pub direction: Option<Direction>,
-    /// The abscissa.
     pub abscissa: Source,
-    /// The ordinate.
     pub ordinate: Source,
     /// The standard deviations of both, where there are columns of them.
     pub errors: [Option<Source>; 2],

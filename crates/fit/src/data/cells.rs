@@ -3,9 +3,7 @@
 /// What stands between the cells of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
-    /// A tab.
     Tab,
-    /// A semicolon.
     Semicolon,
     /// A comma; then numbers have a decimal point.
     Comma,

@@ -449,7 +449,6 @@ pub enum Problem {
     },
 }
 
-/// Returns items as text.
 fn list<T: fmt::Display>(items: &[T], separator: &str) -> String {
     let texts: Vec<String> = items.iter().map(ToString::to_string).collect();
     texts.join(separator)

@@ -190,7 +190,6 @@ fn bracketed_unit(text: &str) -> (String, Option<Unit>) {
     (text.to_owned(), None)
 }
 
-/// Returns the direction that a word of a heading names.
 fn direction_of_heading(word: &str) -> Option<Direction> {
     match word.to_lowercase().as_str() {
         "approach" | "extend" | "ex" | "trace" | "loading" => Some(Direction::Approach),

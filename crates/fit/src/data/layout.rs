@@ -31,7 +31,6 @@ pub struct Layout {
 /// A line that could be the headings.
 #[derive(Clone, Debug)]
 pub struct Titles {
-    /// The headings.
     pub headings: Vec<Heading>,
     /// The number of lines up to them, and to the line of units below them.
     pub head: usize,
@@ -69,7 +68,6 @@ struct Runs {
 }
 
 impl Runs {
-    /// Adds a line with this index.
     fn push(&mut self, index: usize, line: &str, is_row: fn(Delimiter, &str) -> bool) {
         let runs = self.last.iter_mut().zip(&mut self.longest);
         for (delimiter, (run, longest)) in Delimiter::ALL.into_iter().zip(runs) {

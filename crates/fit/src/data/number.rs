@@ -83,7 +83,6 @@ impl DecimalMark {
             .or(has_groups(text).then_some(other))
     }
 
-    /// Reads a cell.
     pub fn read(&mut self, text: &str) -> Cell {
         let text = text.trim();
         if MISSING.iter().any(|word| text.eq_ignore_ascii_case(word)) {

@@ -80,7 +80,6 @@ impl Assigned {
         self.counting_points().count()
     }
 
-    /// Returns the points that count.
     pub fn counting_points(&self) -> impl Iterator<Item = usize> {
         let counts = |i: &usize| self.branches[*i] != Branch::LeftOut;
         (0..self.branches.len()).filter(counts)

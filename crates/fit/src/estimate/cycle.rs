@@ -15,9 +15,9 @@ use super::assigned::Assigned;
 use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::hold;
 use super::problem::Problem;
-use crate::model::Bodies;
+use crate::model::ContactOf;
 use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, Parameter, WarningKind};
+use crate::{Branch, Experiment, Kind, WarningKind};
 
 /// The part of the largest penetration, or of the largest area of contact, below which curves are
 /// not compared: there a contact forms and ends.
@@ -159,10 +159,8 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let predicted = if at_radii {
         Vec::new()
     } else {
-        let contact_of =
-            |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
-        let order = &assigned.order;
-        let predicted = experiment.predict_with(&contact_of, &branches, order, None);
+        let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
+        let predicted = experiment.predict_with(contact_of, &branches, &assigned.order, None);
         predicted.ok()?.values
     };
     let sample = |i: usize| {

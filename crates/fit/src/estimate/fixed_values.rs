@@ -13,8 +13,8 @@ use super::loss::influence;
 use super::problem::Problem;
 use super::slot::Slot;
 use super::uncertainty::Uncertainty;
-use crate::model::Bodies;
-use crate::{Error, Fit, Fixed, FixedValue, Known, Parameter};
+use crate::model::ContactOf;
+use crate::{Error, Fit, Fixed, FixedValue, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
 const STEP: f64 = 0.01;
@@ -244,10 +244,9 @@ pub(super) fn residuals_with(
         if let Some(own) = assigned.experiment.value_of(quantity) {
             let mut experiment = assigned.experiment.clone();
             experiment.replace_fixed(quantity, value(own)).ok()?;
-            let contact_of =
-                |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(problem.table, by);
+            let contact_of: &ContactOf<'_> = &|bodies, by| bodies.contact(problem.table, by);
             let branches = &assigned.branches;
-            let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, None);
+            let predicted = experiment.predict_with(contact_of, branches, &assigned.order, None);
             let predicted = predicted.ok()?;
             for (row, i) in rows.zip(assigned.counting_points()) {
                 residuals[row] =

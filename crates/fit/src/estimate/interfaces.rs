@@ -25,7 +25,6 @@ const WIDEST: f64 = 100.0;
 /// The smallest change of a modulus that is told.
 const LEAST: f64 = 1e-3;
 
-/// Adds the warnings.
 pub(super) fn add(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertainty) {
     not_seen(warnings, found, uncertainty);
     assumes_bonding(warnings, found, uncertainty);

@@ -127,7 +127,6 @@ impl Likelihood {
         }
     }
 
-    /// Accepts the number of values.
     fn accept(&self, values: &[f64]) -> Result<(), Error> {
         if values.len() == self.slots.len() {
             return Ok(());

@@ -16,7 +16,7 @@ use super::assumptions;
 use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
-use crate::model::Predicted;
+use crate::model::{ContactOf, Predicted};
 use crate::{Bodies, Branch, Error, Loss, Parameter};
 
 /// The residuals at parameters without a contact, such as those outside the table. They are so
@@ -168,16 +168,15 @@ impl<'a> Problem<'a> {
             abscissa_errors: errors,
             ..
         } = &self.assigned[experiment];
-        let contact_of =
-            |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
+        let contact_of: &ContactOf<'_> = &|bodies, by| self.contact(bodies, by.is_some());
         if errors.is_empty() || !experiment.measurement.kind.at_radii() {
-            return experiment.predict_with(&contact_of, branches, order, parameters);
+            return experiment.predict_with(contact_of, branches, order, parameters);
         }
         let mut moved = experiment.clone();
         for (point, error) in moved.measurement.points.iter_mut().zip(errors) {
             point.abscissa += error.shift;
         }
-        let mut predicted = moved.predict_with(&contact_of, branches, order, parameters)?;
+        let mut predicted = moved.predict_with(contact_of, branches, order, parameters)?;
         for (value, error) in predicted.values.iter_mut().zip(errors) {
             *value -= error.slope * error.shift;
         }
@@ -232,13 +231,12 @@ impl<'a> Problem<'a> {
             let own = &self.assigned[e];
             moved |= own.experiment.measurement.kind.at_radii()
                 && own.experiment.usual_abscissa_noise() > 0.0;
-            let contact_of =
-                |bodies: &Bodies, by: Option<&[Parameter]>| self.contact(bodies, by.is_some());
+            let contact_of: &ContactOf<'_> = &|bodies, by| self.contact(bodies, by.is_some());
             let noise = |i| own.own_deviation(i);
             let errors =
                 own.experiment
-                    .abscissa_errors(&contact_of, &own.branches, &own.order, noise)?;
-            let factors = own.experiment.noise_factors(&contact_of, &own.branches)?;
+                    .abscissa_errors(contact_of, &own.branches, &own.order, noise)?;
+            let factors = own.experiment.noise_factors(contact_of, &own.branches)?;
             if errors.is_empty() && factors.is_empty() {
                 continue;
             }

@@ -6,8 +6,9 @@ use super::minima::Minimum;
 use super::noise::estimate_noise;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
+use crate::model::ContactOf;
 use crate::statistics::{MEDIAN, excess, extremes, median};
-use crate::{Bodies, Branch, Experiment, Loss, Parameter, Point};
+use crate::{Branch, Experiment, Loss, Point};
 
 /// The most evaluations over the number of parameters + 1.
 pub(super) const PATIENCE: usize = 60;
@@ -273,7 +274,6 @@ fn narrow(whole: &Assigned, ends: &mut [End]) {
 /// The end of a stable branch, as far as the fit knows it, in the sense of the imposed value.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct End {
-    /// The branch.
     pub branch: Branch,
     /// The abscissa of the end times the sense.
     pub position: f64,
@@ -294,9 +294,8 @@ pub(super) fn ends(
     // With all points that may count, the variance will be smaller.
     let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
     let end = |branch: Branch| {
-        let contact_of =
-            |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
-        let end = experiment.branch_end_with(&contact_of, branch, &parameters);
+        let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
+        let end = experiment.branch_end_with(contact_of, branch, &parameters);
         let end = end.ok().flatten()?;
         let mut variance = 0.0;
         for (&one, by_one) in slots.iter().zip(&end.derivatives) {

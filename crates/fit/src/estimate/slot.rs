@@ -33,7 +33,6 @@ pub(crate) struct Coordinate {
     /// The value at 0, and the change of the value (of its logarithm, 1) by a coordinate of 1.
     start: f64,
     unit: f64,
-    /// The bounds of the value.
     bounds: Option<[f64; 2]>,
 }
 
@@ -136,7 +135,6 @@ impl Coordinate {
         if self.positive { value } else { self.unit }
     }
 
-    /// Tells whether a value is at one of its bounds.
     pub fn is_at_bound(&self, value: f64) -> bool {
         self.bounds.is_some_and(|bounds| {
             let [least, most] = bounds.map(|bound| self.scaled(bound));

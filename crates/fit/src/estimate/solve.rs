@@ -9,10 +9,10 @@ use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
-use crate::model::has_no_start;
+use crate::model::{ContactOf, has_no_start};
 use crate::statistics::{deviations, student_deviations};
 use crate::{
-    Bodies, Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
+    Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
     Parameter, WithoutFilm,
 };
 
@@ -235,7 +235,6 @@ pub(crate) fn prepare(
     Ok((assigned, slots))
 }
 
-/// Accepts the options.
 fn accept(options: &Options) -> Result<(), Error> {
     loss::accept(options.loss)?;
     let range = options.interaction_range;
@@ -334,8 +333,7 @@ fn experiment(
     without_film: Option<&Problem<'_>>,
 ) -> Result<FittedExperiment, Error> {
     let problem = &found.problem;
-    let contact_of =
-        |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
+    let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
     let assigned = &problem.assigned[e];
     let predicted = problem.predicted.as_ref().map(|all| &all[e]);
     let measurement = &assigned.experiment.measurement;
@@ -369,7 +367,7 @@ fn experiment(
         left_out,
         loss: assigned
             .experiment
-            .loss_angle(&contact_of, &assigned.branches)?,
+            .loss_angle(contact_of, &assigned.branches)?,
         relaxation: relaxing::of(found, e)?,
     })
 }

@@ -35,7 +35,6 @@ const ROUNDS: usize = 8;
 /// A value that may be farther away than its standard error says.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bend {
-    /// The number of the slot.
     pub slot: usize,
     /// The value at [`TESTED`] standard errors.
     pub value: f64,

@@ -30,7 +30,6 @@ const FEWEST: usize = 5;
 const TWO_KINDS: f64 = -1.2;
 const MANY: usize = 50;
 
-/// Adds the warnings.
 pub(super) fn add(
     warnings: &mut Warnings,
     problem: &Problem<'_>,

@@ -140,7 +140,6 @@ impl Experiment {
         }
     }
 
-    /// Accepts the points.
     fn accept_points(&self) -> Result<(), Error> {
         let measurement = &self.measurement;
         let points = &measurement.points;

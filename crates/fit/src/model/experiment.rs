@@ -112,7 +112,6 @@ impl Experiment {
         })
     }
 
-    /// Returns the layer with a name.
     pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
         match &self.bodies {
             Bodies::Layered(layered) => layered.layer(name),

@@ -104,7 +104,6 @@ impl Fixed {
         }
     }
 
-    /// Tells whether it is a Poisson ratio.
     pub(crate) const fn is_poisson_ratio(self) -> bool {
         matches!(
             self,

@@ -262,7 +262,6 @@ impl Layered {
         }
     }
 
-    /// Returns the layer with a name.
     pub(crate) fn layer(&self, name: LayerName) -> Option<&NamedLayer> {
         self.layers.iter().find(|named| named.name == Some(name))
     }

@@ -31,7 +31,6 @@ named! {
 }
 
 impl LayerQuantity {
-    /// Returns the dimension.
     pub(super) const fn dimension(self) -> Dimension {
         match self {
             Self::Modulus => Dimension::Modulus,
@@ -109,7 +108,6 @@ impl Parameter {
         Self::BaselineSlope,
     ];
 
-    /// The works of adhesion.
     pub(crate) const WORKS: [Self; 2] = [Self::WorkOfAdhesion, Self::WorkOfAdhesionReceding];
 
     /// Returns the name, without that of a layer and the number of a relaxation time; the dimension, if there is one;
@@ -191,7 +189,6 @@ impl Parameter {
         matches!(self, Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding)
     }
 
-    /// Whether it is a number of the film.
     pub(crate) const fn is_of_film(self) -> bool {
         matches!(
             self,

@@ -179,7 +179,6 @@ pub(super) fn contact(layered: &Layered) -> Result<Contact, Error> {
     Ok(Contact::new(&system, curve(layered, &stack)?)?)
 }
 
-/// Makes the curve of the layers.
 fn curve(layered: &Layered, stack: &Stack) -> Result<Curve, Error> {
     let (thickness, top) = (stack.thickness(), stack.shape().top);
     let Reach { needed, expected } = layered.reach;

@@ -118,7 +118,6 @@ pub fn value(estimate: &Estimate, asked: &[UnitOf]) -> String {
     text
 }
 
-/// Returns a number with three digits and its unit.
 pub fn three_digits(value: f64, unit: &str) -> String {
     let (unit, size) = scaled(unit, value);
     let number = value / size;

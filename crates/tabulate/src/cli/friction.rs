@@ -236,7 +236,6 @@ impl HistoryArguments {
     }
 }
 
-/// Returns the bodies that stick.
 pub fn sticking(bodies: &Bodies, nu2: f64) -> anyhow::Result<Sticking> {
     anyhow::ensure!(
         matches!(bodies.system.probe, Probe::Paraboloid { .. }),

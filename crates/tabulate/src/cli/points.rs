@@ -44,7 +44,6 @@ pub enum Given {
 }
 
 impl Given {
-    /// Returns the columns.
     fn columns(self) -> &'static [&'static str] {
         match self {
             Self::Films { .. } => &COLUMNS,

@@ -193,7 +193,6 @@ fn pull_off(
     Ok((Some(contact), state))
 }
 
-/// A contact, and its pull-off.
 type PullOff = (Contact, State);
 
 /// Finds the pull-off of an attraction without range.

@@ -4,17 +4,14 @@ use std::f64::consts::FRAC_PI_2;
 
 use units::{Dimension, Quantity};
 
-/// Reads a length.
 pub fn length(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::Length))
 }
 
-/// Reads a modulus.
 pub fn modulus(text: &str) -> Result<f64, String> {
     value(text, Some(Dimension::Modulus))
 }
 
-/// Reads a force.
 pub fn force(text: &str) -> Result<f64, String> {
     read(text, Some(Dimension::Force))
 }

@@ -45,7 +45,6 @@ impl Layers {
         }
     }
 
-    /// Returns the stack.
     pub fn stack(&self) -> &Stack {
         &self.named().stack
     }

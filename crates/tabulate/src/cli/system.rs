@@ -72,7 +72,6 @@ named! {
 }
 
 impl Value {
-    /// Returns the flag.
     pub fn flag(self) -> String {
         format!("--{}", self.name())
     }
@@ -134,7 +133,6 @@ impl Value {
 }
 
 impl SystemArguments {
-    /// Returns a value that is given.
     pub const fn given(&self, value: Value) -> Option<f64> {
         match value {
             Value::SphereRadius => self.sphere_radius,

@@ -153,7 +153,6 @@ fn file_without(
     })
 }
 
-/// Reads an HDF5 table.
 #[cfg(feature = "read-hdf5")]
 fn open_hdf5(path: &Path) -> Result<Table, interp::Error> {
     Table::open(path)

@@ -116,7 +116,6 @@ impl<'a> Drawn<'a> {
         }
     }
 
-    /// Takes the points of the JKR plot.
     fn of_jkr(
         number: usize,
         fitted: &'a FittedExperiment,

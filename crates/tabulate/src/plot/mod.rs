@@ -126,7 +126,6 @@ mod tests {
         folder.join(name)
     }
 
-    /// Reads shipped measurements.
     fn shipped<R: Measurement>(name: &str) -> Vec<R> {
         read_csv(&path(name)).expect("shipped")
     }

@@ -224,7 +224,6 @@ fn parameters(table: &Table) -> Vec<page::Parameter> {
         .collect()
 }
 
-/// Returns the names and values of the certificate.
 fn certificate(table: &Table) -> Vec<(&'static str, String)> {
     let Description {
         tolerance,

@@ -285,7 +285,6 @@ fn logarithms_of_all(scene: &Scene, points: &[[f64; 4]]) -> Result<Vec<f64>, Err
     Ok(logarithms.concat())
 }
 
-/// Returns the logarithms of the quantities of a scene.
 fn logarithms_of(scene: &Scene, material: &Material, solved: &Quantities) -> Vec<f64> {
     let es = material.sphere_film_modulus();
     scene

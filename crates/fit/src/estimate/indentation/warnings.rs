@@ -3,9 +3,10 @@
 use crate::estimate::assigned::Assigned;
 use crate::estimate::doubts::Warnings;
 use crate::estimate::problem::{Ending, Problem};
+use crate::model::ContactOf;
 use crate::statistics::{likeness_of_neighbours, median};
 use crate::{
-    Bodies, ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, LossAngle, Parameter,
+    ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, LossAngle, Parameter,
     WarningKind,
 };
 
@@ -101,10 +102,9 @@ fn of_phases(warnings: &mut Warnings, problem: &Problem<'_>, of: &Assigned, loss
             ),
         );
     }
-    let contact_of =
-        |bodies: &Bodies, by: Option<&[Parameter]>| problem.contact(bodies, by.is_some());
+    let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
     let order = (&of.branches[..], &of.order[..]);
-    let Ok(both) = of.experiment.phases_beside(&contact_of, order, loss.angle) else {
+    let Ok(both) = of.experiment.phases_beside(contact_of, order, loss.angle) else {
         return;
     };
     let misfits: Vec<f64> = both.iter().map(|[read, fitted]| read - fitted).collect();

@@ -332,7 +332,6 @@ pub fn forget_shapes(experiments: &mut [Experiment], free: &[Free]) {
     }
 }
 
-/// Tells whether the hardness is free.
 fn frees_hardness(free: &[Free]) -> bool {
     free.iter().any(|one| one.parameter == Parameter::Hardness)
 }

@@ -128,7 +128,6 @@ pub fn prior(text: &str) -> Result<Pair, String> {
     Ok((parameter, with_error(known, parameter.dimension(), how)?))
 }
 
-/// Reads `VALUE+-ERROR`.
 fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f64; 2], String> {
     let ends = text.split_once("+-").or_else(|| text.split_once('±'));
     let (value, error) = ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))?;

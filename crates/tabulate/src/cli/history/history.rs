@@ -165,7 +165,6 @@ impl Arguments {
         })
     }
 
-    /// Returns the times to print.
     fn times(&self, program: &Program) -> anyhow::Result<Vec<f64>> {
         if !self.at.is_empty() {
             return Ok(self.at.clone());
