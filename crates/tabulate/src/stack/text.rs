@@ -87,6 +87,9 @@ impl NamedStack {
 
 impl Text {
     /// Checks the keys.
+    ///
+    /// # Errors
+    /// A sentence with the layer, or the base, the value and the range.
     pub fn stack(self) -> Result<NamedStack, String> {
         let Self { base, layers } = self;
         let names: Vec<Option<String>> = layers.iter().map(|layer| layer.name.clone()).collect();
