@@ -98,15 +98,15 @@ fn the_object_has_the_keys_of_its_help() {
     };
     assert_eq!(
         keys(&object),
-        "a_over_t abscissa_noise converged correlation fixed_values left_out noise parameters read \
-         reduced_chi_squared warnings without_film"
+        "read converged parameters correlation reduced_chi_squared noise abscissa_noise a_over_t left_out \
+         without_film fixed_values warnings"
     );
     let parameters = &object["parameters"];
     assert_eq!(
         keys(parameters),
-        "load_offset sphere_modulus work_of_adhesion"
+        "sphere_modulus work_of_adhesion load_offset"
     );
-    assert_eq!(keys(&parameters["load_offset"]), "stderr unit value");
+    assert_eq!(keys(&parameters["load_offset"]), "value stderr unit");
     assert_eq!(parameters["work_of_adhesion"]["unit"], "J/m^2");
     assert_eq!(object["noise"], 2e-6);
     let correlation = object["correlation"].as_array().expect("a matrix");
