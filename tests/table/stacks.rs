@@ -8,7 +8,7 @@ use acceptance::{
 use interp::{Description, Error, Parameter, Quantity, Table};
 use solve::stack::{Interface, Stack};
 use solve::{solve_stack, stack_curve};
-use tabulate::table::{Scene, StackTable, certify};
+use tabulate::table::{Scene, certify, stack_of};
 
 const AXES: &str = "\
 title = 'Layers'
@@ -52,10 +52,16 @@ fn places(count: u32) -> impl Iterator<Item = [f64; 2]> {
     (0..count).map(|i| [0.618_034, 0.754_878].map(|step| (f64::from(i) + 0.5) * step % 1.0))
 }
 
+/// Returns the stack that a table is of.
+fn of(table: &Table) -> Stack {
+    let named = stack_of(table).expect("a sound scene");
+    named.expect("a table of a stack").stack
+}
+
 /// Returns the largest relative error of `count` lookups in a table of a stack, against direct solves to 1e-11.
 fn largest_error(table: &Table, stack: &Stack, count: u32) -> f64 {
-    let found = StackTable::new(table).expect("a stack");
-    assert_eq!(found.stack(), stack);
+    let found = of(table);
+    assert_eq!(&found, stack);
     let top = stack.layers().last().expect("a layer").solid.young();
     let mut worst = 0.0;
     for [x, sphere] in places(count) {
@@ -64,7 +70,7 @@ fn largest_error(table: &Table, stack: &Stack, count: u32) -> f64 {
             "E1*" => f64::INFINITY,
             _ => top / (1e-2 * 1e4_f64.powf(sphere)),
         };
-        let curve = found.curve(sphere_modulus).expect("inside");
+        let curve = found.curve_in(table, sphere_modulus).expect("inside");
         let truth = solve_stack(a_over_t, stack, sphere_modulus, 1e-11).expect("in reach");
         let found = curve.quantities(a_over_t).expect("inside");
         worst = larger(worst, relative_error(&found, &truth.quantities));
@@ -88,9 +94,11 @@ fn lookups_between_the_nodes_are_direct_solves() {
 #[test]
 fn a_contact_is_that_of_the_curve_of_the_stack() {
     let (dense, stack) = (table(&scene()), layers());
-    let found = StackTable::new(&dense).expect("a stack");
+    let found = of(&dense);
     for sphere_modulus in [1e5, 2e6, 1e8] {
-        let contact = found.contact(1e-3, sphere_modulus).expect("inside");
+        let looked_up = found.curve_in(&dense, sphere_modulus).expect("inside");
+        let system = found.system(1e-3, sphere_modulus);
+        let contact = contact::Contact::new(&system, looked_up).expect("its curve");
         let curve = stack_curve(&stack, sphere_modulus, [0.03, 30.0], 1e-9).expect("in reach");
         let system = stack.system(1e-3, sphere_modulus);
         let solved = contact::Contact::new(&system, curve).expect("its curve");
@@ -141,10 +149,10 @@ fn rigid_bodies_are_limits() {
         .replace("2e11, poisson_ratio = 0.25", "inf");
     let dense = table(&rigid);
     assert_eq!(dense.unit(), "E1*");
-    let found = StackTable::new(&dense).expect("a stack");
-    assert!(largest_error(&dense, found.stack(), 50) <= 1e-6);
+    let found = of(&dense);
+    assert!(largest_error(&dense, &found, 50) <= 1e-6);
     assert!(matches!(
-        dense.stack_curve(1.0, found.stack().shape()),
+        dense.stack_curve(1.0, found.shape()),
         Err(Error::Normalisation { .. })
     ));
 }
@@ -158,8 +166,8 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
         dense.curve_with_gradient(&film),
         Err(Error::OfStack)
     ));
-    let found = StackTable::new(&dense).expect("a stack");
-    let curve = found.curve(2e6).expect("inside");
+    let found = of(&dense);
+    let curve = found.curve_in(&dense, 2e6).expect("inside");
     // There is an estimate of the error between the nodes, and no expansion beyond them.
     assert_eq!(
         curve.error(1.0).expect("inside"),
@@ -178,9 +186,9 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
     }
     assert!(matches!(curve.gradient(1.0), Err(Error::NoGradient)));
     for sphere_modulus in [3.4e4, 3.6e8, f64::INFINITY] {
-        assert!(found.curve(sphere_modulus).is_err());
+        assert!(found.curve_in(&dense, sphere_modulus).is_err());
     }
-    let shape = found.stack().shape();
+    let shape = found.shape();
     for e1_over_e2 in [f64::NAN, -1.0, f64::INFINITY] {
         assert!(matches!(
             dense.stack_curve(e1_over_e2, shape),
@@ -191,7 +199,7 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
         Table::embedded().stack_curve(1.0, shape),
         Err(Error::NotOfStack)
     ));
-    assert!(StackTable::new(Table::embedded()).is_err());
+    assert_eq!(stack_of(Table::embedded()).expect("sound"), None);
     // One quantity does not give the others: the expansion that they begin with is a film's.
     let gamma = table(&format!("quantities = ['gamma']\n{}", scene()));
     let curve = gamma.stack_curve(1.0, shape).expect("inside");
@@ -214,7 +222,7 @@ fn a_scene_that_is_not_that_of_the_axes_is_refused() {
     ] {
         let change = |sound: &mut Description| sound.scene = sound.scene.replace(from, to);
         let forged = forged(&dense, |_, _, value| value, change).expect("sound axes");
-        let message = StackTable::new(&forged).expect_err("refused").to_string();
+        let message = stack_of(&forged).expect_err("refused").to_string();
         assert_names(&message, &["malformed", part]);
     }
 }

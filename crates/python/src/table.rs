@@ -8,7 +8,7 @@ use interp::{Curve, Error, Material, SubstratePoissonRatio};
 use numpy::{PyArray1, PyArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
-use tabulate::table::StackTable;
+use tabulate::table::stack_of;
 
 use crate::arrays::{Input, Outputs, Points};
 use crate::bodies::{GivenLayer, Solid, parts};
@@ -37,13 +37,14 @@ impl Table {
     /// Returns what makes contacts on layers: lookups in a table of a stack, solves beside a table of
     /// films.
     pub fn solver(&self, py: Python<'_>) -> PyResult<Solver> {
-        match &self.0 {
-            Source::Own(table) if table.is_of_stack() => Ok(Solver::Table {
-                stack: StackTable::new(table).or_raise(py)?.stack().clone(),
-                table: Arc::clone(table),
-            }),
-            Source::Own(_) | Source::Embedded => Ok(Solver::Direct),
-        }
+        let Source::Own(table) = &self.0 else {
+            return Ok(Solver::Direct);
+        };
+        let named = stack_of(table).or_raise(py)?;
+        Ok(named.map_or(Solver::Direct, |named| Solver::Table {
+            stack: named.stack,
+            table: Arc::clone(table),
+        }))
     }
 
     /// Takes a table.
@@ -173,11 +174,6 @@ impl Table {
 
     /// Returns the base and the layers of the stack that the table is of, if it is of one.
     fn stack(&self, py: Python<'_>) -> PyResult<Option<(Solid, Vec<GivenLayer>)>> {
-        let table = self.get();
-        if !table.is_of_stack() {
-            return Ok(None);
-        }
-        let found = StackTable::new(table).or_raise(py)?;
-        Ok(Some(parts(found.named_stack())))
+        Ok(stack_of(self.get()).or_raise(py)?.as_ref().map(parts))
     }
 }

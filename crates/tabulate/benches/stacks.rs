@@ -4,11 +4,12 @@
 
 use std::hint::black_box;
 
+use contact::Contact;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use interp::{Elastic, Material, Table};
 use solve::stack::{Interface, Layer, Stack};
 use solve::{solve, solve_stack, stack_curve};
-use tabulate::table::{Plan, Scene, StackTable, sweep};
+use tabulate::table::{Plan, Scene, stack_of, sweep};
 
 /// The tolerance of the solves.
 const TOLERANCE: f64 = 1e-8;
@@ -87,15 +88,17 @@ fn lookups(criterion: &mut Criterion) {
     let axes = Plan::new(&scene).expect("within reach").axes();
     let values = sweep(&scene, &axes, &|_| ()).expect("within reach");
     let table = Table::new(scene.description(), axes, values).expect("a whole table");
-    let table = StackTable::new(&table).expect("a stack");
+    let named = stack_of(&table).expect("a sound scene");
+    let stack = named.expect("a table of a stack").stack;
     let mut group = criterion.benchmark_group("two layers, a sphere of 2 MPa");
     group.bench_function("curve by the table", |b| {
-        b.iter(|| table.curve(black_box(2e6)))
+        b.iter(|| stack.curve_in(&table, black_box(2e6)))
     });
     group.bench_function("curve by solves to 1e-6", |b| {
-        b.iter(|| stack_curve(black_box(table.stack()), 2e6, [1e-2, 1e2], 1e-6))
+        b.iter(|| stack_curve(black_box(&stack), 2e6, [1e-2, 1e2], 1e-6))
     });
-    let contact = table.contact(1e-3, 2e6).expect("within the table");
+    let curve = stack.curve_in(&table, 2e6).expect("within the table");
+    let contact = Contact::new(&stack.system(1e-3, 2e6), curve).expect("its curve");
     group.bench_function("load", |b| b.iter(|| contact.load(black_box(65e-6), 0.04)));
     group.finish();
 }

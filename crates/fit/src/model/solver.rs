@@ -92,7 +92,7 @@ pub enum Solver {
         /// Below 1 the states are those of a contact that recedes, and no approach is described.
         advancing: f64,
     },
-    /// By lookups in a table of these layers, which cannot vary. `tabulate::table::StackTable` tells the
+    /// By lookups in a table of these layers, which cannot vary. `tabulate::table::stack_of` tells the
     /// stack of a table; that both belong together is not checked here.
     Table {
         /// The layers of the table.

@@ -412,7 +412,7 @@ impl Table {
     ///
     /// `e1_over_e2` is Young's modulus of the top layer over the sphere's reduced modulus, and 0
     /// under a rigid sphere. `shape` is what [`Curve::of_stack`] takes;
-    /// `tabulate::table::StackTable` computes it from the layers in the scene of the table. The
+    /// `Stack::shape` of the crate `solve` computes it from the layers in the scene of the table. The
     /// contact is `Contact::new` of the crate `contact` with this curve and a system whose film is
     /// the top layer with the thickness of all layers, and whose substrate is the base.
     ///

@@ -174,7 +174,7 @@ impl Stack {
     /// infinity is rigid) in a table of this stack.
     ///
     /// Whether the table is of these layers is not checked: a table knows its reach, not its layers.
-    /// `tabulate::table::StackTable` reads a table and its stack from one file.
+    /// `tabulate::table::stack_of` reads the stack of a table from its scene.
     ///
     /// # Errors
     /// Those of [`Stack::material`] and [`Table::stack_curve`].

@@ -10,7 +10,7 @@ use super::print;
 use super::table_name::{self, TableName};
 use crate::printable;
 use crate::stack::NamedStack;
-use crate::table::StackTable;
+use crate::table::stack_of;
 use solve::stack::Interface;
 
 /// Print the range, the certificate and the size of a table
@@ -65,8 +65,8 @@ pub fn describe(table: &Table) -> String {
         text += &row("low rank", format_args!("ranks {a}, {b}, {c}"));
     }
     text += &row("nu0", description.nu0);
-    if let Ok(stack) = StackTable::new(table) {
-        text += &describe_layers(stack.named_stack());
+    if let Ok(Some(named)) = stack_of(table) {
+        text += &describe_layers(&named);
     }
     let names = |quantities: &[Quantity]| {
         let names: Vec<&str> = quantities.iter().map(|quantity| quantity.name()).collect();

@@ -11,8 +11,9 @@ use super::note;
 use super::output::Output;
 use super::points::{Answer, COLUMNS, Given, Point, Points};
 use super::table_name::{self, TableName};
-use crate::table::{DEFAULT_NU0, StackTable};
+use crate::table::{DEFAULT_NU0, stack_of};
 use crate::{Error, printable};
+use solve::stack::Stack;
 
 /// Look up every point of a CSV file in a table
 ///
@@ -62,10 +63,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         SubstratePoissonRatio::Fixed(nu0) => nu0,
         SubstratePoissonRatio::Paired => DEFAULT_NU0,
     };
-    let stack = table
-        .is_of_stack()
-        .then(|| StackTable::new(&table))
-        .transpose()?;
+    let stack = stack_of(&table)?.map(|named| named.stack);
     ensure!(
         stack.is_none() || !arguments.gradient,
         "{} is of one stack of layers, which has no derivatives: leave out --gradient",
@@ -106,13 +104,13 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// Looks up the quantities that `table` answers at one point. Returns why it answers no other, too.
 fn look_up(
     table: &Table,
-    stack: Option<&StackTable<'_>>,
+    stack: Option<&Stack>,
     point: &Point,
     gradient: bool,
 ) -> Result<(Answer, Option<interp::Error>), Error> {
     let x = point.a_over_t;
     let curve = match stack {
-        Some(stack) => table.stack_curve(point.material.e1_over_e2(), stack.stack().shape())?,
+        Some(stack) => table.stack_curve(point.material.e1_over_e2(), stack.shape())?,
         None if gradient => table.curve_with_gradient(&point.material)?,
         None => table.curve(&point.material)?,
     };

@@ -6,13 +6,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::Context;
-use interp::Curve;
+use interp::{Curve, Table};
 
 use super::note;
 use super::quantity::PLAIN_MODULUS;
 use super::table_name::TableName;
 use crate::stack::NamedStack;
-use crate::table::StackTable;
+use crate::table::stack_of;
 use crate::{Error, printable};
 use solve::stack::Stack;
 use solve::stack_curve;
@@ -33,15 +33,14 @@ pub enum Layers {
     /// Of a TOML file. Contacts are solved.
     Text(NamedStack),
     /// Of a table. Contacts are looked up.
-    Table(Arc<StackTable<'static>>),
+    Table(NamedStack, Arc<Table>),
 }
 
 impl Layers {
     /// Returns the stack with the names of its layers.
     pub fn named(&self) -> &NamedStack {
         match self {
-            Self::Text(named) => named,
-            Self::Table(table) => table.named_stack(),
+            Self::Text(named) | Self::Table(named, _) => named,
         }
     }
 
@@ -59,7 +58,7 @@ impl Layers {
     ) -> Result<Curve, Error> {
         match self {
             Self::Text(named) => Ok(stack_curve(&named.stack, sphere_modulus, range, tolerance)?),
-            Self::Table(table) => table.curve(sphere_modulus),
+            Self::Table(named, table) => Ok(named.stack.curve_in(table, sphere_modulus)?),
         }
     }
 }
@@ -72,8 +71,9 @@ pub fn read(path: &Path) -> anyhow::Result<Layers> {
         return Ok(Layers::Text(named));
     }
     let table = TableName::File(path.to_owned()).read()?;
-    let table = StackTable::new(&table).with_context(|| printable::path(path))?;
-    Ok(Layers::Table(Arc::new(table.into_owned())))
+    let named = stack_of(&table).and_then(|named| Ok(named.ok_or(interp::Error::NotOfStack)?));
+    let named = named.with_context(|| printable::path(path))?;
+    Ok(Layers::Table(named, Arc::new(table.into_owned())))
 }
 
 /// Notes on standard error that a modulus is that of no usual solid: a stack file has no units.

@@ -6,10 +6,11 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::Error;
-use crate::table::of_stack::StackTable;
+use crate::table::of_stack::stack_of;
 use crate::table::scene::material;
 use crate::table::sweep::solve_for_table;
 use solve::parallel::try_map;
+use solve::stack::Stack;
 
 /// The error of a table at one point, measured against a direct solve.
 #[derive(Clone, Copy, Debug)]
@@ -118,7 +119,7 @@ pub fn measure(
     seed: u64,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Vec<Sample>, Error> {
-    let stack = stack_of(table)?;
+    let stack = stack_of(table)?.map(|named| named.stack);
     try_map(places(table, points, seed), |point| {
         let sample = sample_of(table, stack.as_ref(), point)?;
         progress(1);
@@ -237,32 +238,20 @@ impl<'a> Axis<'a> {
 /// # Errors
 /// Those of the solve; [`Error::Table`] for a point outside the table.
 pub fn sample(table: &Table, point: [f64; 4]) -> Result<Sample, Error> {
-    sample_of(table, stack_of(table)?.as_ref(), point)
-}
-
-/// Returns a table of a stack of layers with its stack; none for a table of films.
-fn stack_of(table: &Table) -> Result<Option<StackTable<'_>>, Error> {
-    table
-        .is_of_stack()
-        .then(|| StackTable::new(table))
-        .transpose()
+    let stack = stack_of(table)?.map(|named| named.stack);
+    sample_of(table, stack.as_ref(), point)
 }
 
 /// Compares a table, that of a `stack` if one is given, with the direct solve at one point.
-fn sample_of(
-    table: &Table,
-    stack: Option<&StackTable<'_>>,
-    point: [f64; 4],
-) -> Result<Sample, Error> {
+fn sample_of(table: &Table, stack: Option<&Stack>, point: [f64; 4]) -> Result<Sample, Error> {
     let [a_over_t, values @ ..] = point;
     let description = table.description();
     let material = material(table.parameters(), description.nu0, values)?;
-    let layers = stack.map(StackTable::stack);
     let tolerance = description.tolerance;
-    let solved = solve_for_table(a_over_t, &material, layers, tolerance)?;
+    let solved = solve_for_table(a_over_t, &material, stack, tolerance)?;
     let curve = match stack {
         None => table.curve(&material)?,
-        Some(stack) => stack.curve(stack.stack().surface().young() / material.e1_over_e2())?,
+        Some(stack) => stack.curve_in(table, stack.surface().young() / material.e1_over_e2())?,
     };
     let mut errors = [None; 4];
     for candidate in Quantity::ALL {

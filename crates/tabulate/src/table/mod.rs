@@ -7,7 +7,7 @@
 //! certificate: the largest error at sampled points. `file` writes the file, packed or by
 //! `archive` as HDF5. `generate` runs all of these within a `budget`; `build` names the program
 //! whose pieces a journal holds. `compress` makes the low-rank form of a finished table. `of_stack`
-//! looks up a table of one stack of layers.
+//! reads the stack of layers that a table is of.
 
 #[cfg(feature = "hdf5")]
 mod archive;
@@ -43,7 +43,7 @@ pub use file::{WRITES_HDF5, write};
 pub use generate::{
     Generated, Keep, Observer, Options, Solver, generate, generate_with, here, journal_of,
 };
-pub use of_stack::StackTable;
+pub use of_stack::stack_of;
 pub use plan::Plan;
 pub use scene::{Scene, random_points};
 pub use scene_text::DEFAULT_NU0;

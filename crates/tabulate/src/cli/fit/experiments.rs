@@ -312,9 +312,9 @@ fn is_of_shape(value: Value) -> bool {
 fn layers(layers: &Layers) -> anyhow::Result<(Vec<NamedLayer>, Solver)> {
     let solver = match layers {
         Layers::Text(_) => Solver::Direct,
-        Layers::Table(table) => Solver::Table {
-            stack: table.stack().clone(),
-            table: Arc::new(table.table().clone()),
+        Layers::Table(named, table) => Solver::Table {
+            stack: named.stack.clone(),
+            table: Arc::clone(table),
         },
     };
     let named = layers.named();
