@@ -150,7 +150,7 @@ impl BodiesArguments {
             None => {
                 let system = self.system.system()?;
                 let stack = self.interface.stack(&system)?;
-                (system, stack.map(Layers::Text))
+                (system, stack.map(|named| Layers { named, table: None }))
             }
         };
         let probe = &system.probe;
@@ -256,7 +256,7 @@ impl Bodies {
     /// stack that is looked up.
     pub fn reach_of_layers(&self) -> f64 {
         match &self.stack {
-            Some(Layers::Text(named)) => {
+            Some(Layers { named, table: None }) => {
                 named.stack.reach(MOST_A_OVER_TOP) * self.system.film_thickness
             }
             _ => f64::INFINITY,

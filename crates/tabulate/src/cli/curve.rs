@@ -14,7 +14,6 @@ use super::output::Output;
 use super::points::{evenly, number};
 use super::progress::progress_bar;
 use super::quantity::{self, length};
-use super::stack_file::Layers;
 use super::table_name::{self, TableName};
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
@@ -275,7 +274,7 @@ impl<'a> States<'a> {
             )?))
         } else if let Some(layers) = &bodies.stack {
             ensure!(
-                arguments.tolerance.is_none() || matches!(layers, Layers::Text(_)),
+                arguments.tolerance.is_none() || layers.table.is_none(),
                 "--tolerance is of direct solves, and --stack names a table, which is looked up: \
                  leave out --tolerance, or name a stack file"
             );

@@ -29,23 +29,15 @@ const HDF5: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// A stack of layers that the command line names.
 #[derive(Clone, Debug)]
-pub enum Layers {
-    /// Of a TOML file. Contacts are solved.
-    Text(NamedStack),
-    /// Of a table. Contacts are looked up.
-    Table(NamedStack, Arc<Table>),
+pub struct Layers {
+    pub named: NamedStack,
+    /// The table in which contacts are looked up; without one they are solved.
+    pub table: Option<Arc<Table>>,
 }
 
 impl Layers {
-    /// Returns the stack with the names of its layers.
-    pub fn named(&self) -> &NamedStack {
-        match self {
-            Self::Text(named) | Self::Table(named, _) => named,
-        }
-    }
-
     pub fn stack(&self) -> &Stack {
-        &self.named().stack
+        &self.named.stack
     }
 
     /// Makes the curve under a sphere of reduced modulus `sphere_modulus` (Pa): looks it up, or
@@ -56,10 +48,11 @@ impl Layers {
         range: [f64; 2],
         tolerance: f64,
     ) -> Result<Curve, Error> {
-        match self {
-            Self::Text(named) => Ok(stack_curve(&named.stack, sphere_modulus, range, tolerance)?),
-            Self::Table(named, table) => Ok(named.stack.curve_in(table, sphere_modulus)?),
-        }
+        let stack = self.stack();
+        Ok(match &self.table {
+            None => stack_curve(stack, sphere_modulus, range, tolerance)?,
+            Some(table) => stack.curve_in(table, sphere_modulus)?,
+        })
     }
 }
 
@@ -68,12 +61,13 @@ pub fn read(path: &Path) -> anyhow::Result<Layers> {
     if !is_table(path).unwrap_or(false) {
         let named = NamedStack::read(path)?;
         note_soft(path, &named);
-        return Ok(Layers::Text(named));
+        return Ok(Layers { named, table: None });
     }
     let table = TableName::File(path.to_owned()).read()?;
     let named = stack_of(&table).and_then(|named| Ok(named.ok_or(interp::Error::NotOfStack)?));
     let named = named.with_context(|| printable::path(path))?;
-    Ok(Layers::Table(named, Arc::new(table.into_owned())))
+    let table = Some(Arc::new(table.into_owned()));
+    Ok(Layers { named, table })
 }
 
 /// Notes on standard error that a modulus is that of no usual solid: a stack file has no units.

@@ -33,14 +33,19 @@ pub fn dist() -> Result<(), String> {
     let folder = workspace::target()?.join("dist");
     workspace::clear(&folder)?;
     workspace::make(&folder)?;
-    let zig = zig::Zig::fetch()?;
+    let zig = zig::fetch()?;
 
-    let [wheel, source] = wheel::release(zig.folder())?;
+    let [wheel, source] = wheel::release(&zig)?;
     let [wheel, source] = [put(&wheel, &folder)?, put(&source, &folder)?];
     metadata::recipe_of(&source, &folder.join("recipe.yaml"))?;
 
     let features = format!("{}/hdf5-static", selection::TABULATE);
-    let made = zig.build(STATIC, selection::TABULATE, &["--features", &features])?;
+    let made = zig::build(
+        &zig,
+        STATIC,
+        selection::TABULATE,
+        &["--features", &features],
+    )?;
     let program = archive(
         &folder,
         &format!("tabulate-{VERSION}-x86_64-linux"),
@@ -50,7 +55,7 @@ pub fn dist() -> Result<(), String> {
         ],
     )?;
 
-    let made = zig.build(OLD_LINUX, C, &[])?;
+    let made = zig::build(&zig, OLD_LINUX, C, &[])?;
     let library = archive(
         &folder,
         &format!("{C}-{VERSION}-x86_64-linux"),

@@ -310,14 +310,14 @@ fn is_of_shape(value: Value) -> bool {
 
 /// Returns the layers of a stack for fits, with what makes their contacts.
 fn layers(layers: &Layers) -> anyhow::Result<(Vec<NamedLayer>, Solver)> {
-    let solver = match layers {
-        Layers::Text(_) => Solver::Direct,
-        Layers::Table(named, table) => Solver::Table {
-            stack: named.stack.clone(),
+    let solver = match &layers.table {
+        None => Solver::Direct,
+        Some(table) => Solver::Table {
+            stack: layers.stack().clone(),
             table: Arc::clone(table),
         },
     };
-    let named = layers.named();
+    let named = &layers.named;
     let layers = NamedLayer::all(&named.stack, &named.names).context("--stack")?;
     Ok((layers, solver))
 }
