@@ -1,7 +1,6 @@
 """The correction for an attraction of short range: the full solution, JKR, and what is refused."""
 
 import pickle
-from dataclasses import replace
 from math import inf, pi
 
 import numpy as np
@@ -11,7 +10,6 @@ from coated_contact import (
     Contact,
     ContactError,
     Elastic,
-    FlatPunch,
     HalfSpace,
     InputError,
     NoContactError,
@@ -111,11 +109,6 @@ def test_what_is_not_short_is_named(contact, gel):
     error = refuses(InputError, "contact radius", lambda: corrected.state([2e-6, least * 0.999]))
     assert error.index == (1,)
     assert np.isnan(corrected.state([2e-6, least / 2], errors="nan").load).tolist() == [False, True]
-    for numbers in ({"w": 0.0, "stress": 1e8}, {"w": W, "stress": -1.0}, {"w": W, "stress": inf}):
-        with pytest.raises(InputError):
-            contact.cohesive_zone(**numbers)
-    punch = Table.embedded().contact(replace(contact.system, probe=FlatPunch(radius=1e-6)))
-    refuses(InputError, "finite range", lambda: punch.cohesive_zone(W, stress=1e8))
     with pytest.raises(NoContactError):
         corrected.equilibria(1.0)
     refuses(ContactError, "control", lambda: corrected.pull_off(control="weight"))

@@ -92,16 +92,8 @@ def test_a_child_computes_what_its_parent_computes(expected, number):
     assert in_child(WORK[number]) == expected[number]
 
 
-def test_a_child_of_a_child_computes_too(expected):
-    def child():
-        own = every()
-        return own == in_child(every) == expected
-
-    assert in_child(child)
-
-
-def test_the_parent_goes_on(expected):
-    in_child(every)
+def test_a_child_of_a_child_computes_too_and_the_parent_goes_on(expected):
+    assert in_child(lambda: every() == in_child(every) == expected)
     assert every() == expected
 
 

@@ -2,7 +2,7 @@
 
 import pickle
 from dataclasses import replace
-from math import inf, isnan, nan
+from math import inf, isnan
 
 import pytest
 
@@ -83,15 +83,7 @@ def test_files_and_tables_hold_the_interface(tmp_path):
     assert found == pytest.approx(solved, rel=1e-2)
 
 
-@pytest.mark.parametrize(
-    ("interface", "words"),
-    [
-        ("slippery", "slippery.*bonded.*sliding"),
-        (Springs(tangential_stiffness=-1.0), r"tangential.*-1\.0"),
-        (Springs(tangential_stiffness=nan), "tangential.*NaN"),
-        (Springs(tangential_stiffness=1.0, normal_stiffness=0.0), "normal.*does not touch"),
-        (Springs(tangential_stiffness=1.0, normal_stiffness=-2.0), r"normal.*-2\.0"),
-    ],
-)
-def test_what_is_no_interface_is_refused(interface, words):
-    refuses(InputError, words, lambda: film(interface))
+def test_what_is_no_interface_is_refused():
+    refuses(InputError, "slippery.*bonded.*sliding", lambda: film("slippery"))
+    wrong = Springs(tangential_stiffness=1.0, normal_stiffness=-2.0)
+    refuses(InputError, r"normal.*-2\.0", lambda: film(wrong))

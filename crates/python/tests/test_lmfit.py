@@ -150,25 +150,6 @@ def test_a_model_and_its_results_can_be_pickled(model_class):
     assert np.array_equal(again.eval(x=one.abscissa), found.best_fit)
 
 
-def test_a_cantilever_is_fitted_like_by_fit(model_class):
-    truth = retract(points=200, contact_point=4e-6)
-    made = simulate(truth, noise=1e-7, seed=2)
-    free = ["film_modulus", "work_of_adhesion", "contact_point", "baseline"]
-    expected = fit(made, free)
-    model = model_class(made, free)
-    params = model.make_params(film_modulus=4e5, work_of_adhesion=0.05, baseline=1e-7)
-    found = model.fit(made.ordinate, params, x=made.abscissa, weights=1e7)
-    assert found.success
-    for name in ("film_modulus", "work_of_adhesion", "contact_point"):
-        error = abs(found.best_values[name] - expected.params[name])
-        assert error < 0.5 * expected.stderr[name], name
-        assert abs(found.best_values[name] - value(truth, name)) < 4 * expected.stderr[name]
-
-
-def value(truth, name):
-    return truth.system.film.young_modulus if name == "film_modulus" else getattr(truth, name)
-
-
 def test_the_fit_is_drawn_on_a_finer_grid(model_class):
     one = lens(seed=1)
     model = model_class(one, WANTED)
@@ -254,35 +235,30 @@ def hinted(model, expression):
     return model
 
 
-def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack):
-    system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
+@pytest.mark.parametrize(
+    ("parameter", "start", "errors"),
+    [
+        ("primer.modulus", {"primer_modulus": 6e5}, (1e-3, 1e-2)),
+        ("elastomer.interface_stiffness", {}, (1e-2, 0.1)),
+    ],
+)
+def test_layers_of_a_stack_are_fitted_like_by_fit(model_class, stack, parameter, start, errors):
+    base, film = stack.layers
+    if "interface" in parameter:
+        film = replace(film, interface=Springs(tangential_stiffness=3e10))
+    on_layers = replace(stack, layers=(base, film))
+    system = StackSystem(stack=on_layers, sphere_radius=1e-3, sphere_modulus=2e6)
     made = simulate(loads_at(system, np.linspace(4e-5, 1.3e-4, 25)), noise=2e-6, seed=1)
-    free = ["primer.modulus", "work_of_adhesion"]
+    free = [parameter, "work_of_adhesion"]
     expected = fit(made, free)
     model = model_class(made, free)
     assert "elastomer_thickness" in model.param_names
-    assert "film_modulus" not in model.param_names
-    found = model.fit(made.ordinate, x=made.abscissa, weights=1 / 2e-6, primer_modulus=6e5)
-    for name, parameter in {"primer_modulus": free[0], "work_of_adhesion": free[1]}.items():
-        assert found.best_values[name] == pytest.approx(expected.params[parameter], rel=1e-3)
-        assert found.params[name].stderr == pytest.approx(expected.stderr[parameter], rel=1e-2)
-
-
-def test_the_stiffness_of_an_interface_is_fitted_like_by_fit(model_class, stack):
-    base, film = stack.layers
-    springs = Springs(tangential_stiffness=3e10)
-    on_springs = replace(stack, layers=(base, replace(film, interface=springs)))
-    system = StackSystem(stack=on_springs, sphere_radius=1e-3, sphere_modulus=2e6)
-    made = simulate(loads_at(system, np.linspace(4e-5, 1.3e-4, 25)), noise=2e-6, seed=1)
-    free = [f"{film.name}.interface_stiffness", "work_of_adhesion"]
-    expected = fit(made, free)
-    name = f"{film.name}_interface_stiffness"
-    model = model_class(made, free)
-    # A bonded layer has no such parameter.
-    assert f"{base.name}_interface_stiffness" not in model.param_names
-    found = model.fit(made.ordinate, x=made.abscissa, weights=1 / 2e-6)
-    assert found.best_values[name] == pytest.approx(expected.params[free[0]], rel=1e-2)
-    assert found.params[name].stderr == pytest.approx(expected.stderr[free[0]], rel=0.1)
+    # The layers are not one film, and a bonded layer has no springs.
+    assert not {"film_modulus", "primer_interface_stiffness"} & set(model.param_names)
+    found = model.fit(made.ordinate, x=made.abscissa, weights=1 / 2e-6, **start)
+    name = parameter.replace(".", "_")
+    assert found.best_values[name] == pytest.approx(expected.params[parameter], rel=errors[0])
+    assert found.params[name].stderr == pytest.approx(expected.stderr[parameter], rel=errors[1])
 
 
 def test_unknown_parameters_are_named(model_class):

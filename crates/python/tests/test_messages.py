@@ -124,21 +124,6 @@ def test_every_message_is_in_the_words_of_python(case, stack):
     in_python(getattr(error, "allowed", None) or "")
 
 
-def test_a_run_of_another_kind_is_not_resumed(tmp_path):
-    """What the program calls by flags, the keywords of generate name here."""
-    path = tmp_path / "table.bin"
-
-    def interrupt(*_):
-        raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        generate(RUBBER_ON_GLASS, path, progress=interrupt)
-    other = RUBBER_ON_GLASS | {"e1_over_e2": 2.0}
-    refuses(
-        ContactError, "cannot resume", lambda: generate(other, path, progress=False, resume=True)
-    )
-
-
 def test_points_far_off_are_called_by_their_numbers():
     one = lens(seed=1, noise=2e-6)
     load = one.ordinate.copy()

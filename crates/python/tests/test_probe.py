@@ -1,7 +1,7 @@
 """Probes of every shape: closed forms, independent values, Rust bit for bit, and every function."""
 
 from dataclasses import replace
-from math import inf, pi, sqrt
+from math import inf, pi
 
 import numpy as np
 import pytest
@@ -15,7 +15,6 @@ from coated_contact import (
     HalfSpace,
     InputError,
     Paraboloid,
-    PowerLaw,
     Probe,
     Profile,
     RoundedCone,
@@ -45,13 +44,6 @@ def radii(probe):
     if isinstance(probe, FlatPunch):
         return np.array([probe.radius])
     return np.linspace(1.2e-6, 4e-6, 5)
-
-
-def test_a_flat_punch_comes_off_at_once():
-    """Kendall, J. Phys. D 4, 1186 (1971): F = -sqrt(8 pi w E* a^3)."""
-    pull_off = on_half_space(FlatPunch(radius=3e-6)).pull_off(W)
-    assert pull_off.load == pytest.approx(-sqrt(8 * pi * W * MODULUS * 3e-6**3), rel=1e-13)
-    assert pull_off.penetration == pytest.approx(pull_off.load / (2 * 3e-6 * MODULUS), rel=1e-13)
 
 
 UNEVEN = Profile(points=[(1e-6, 2e-8), (3e-6, 1e-7), (3.5e-6, 3e-7), (9e-6, 4e-6)])
@@ -107,23 +99,7 @@ def test_every_function_takes_every_shape(probe):
     assert curve.unloading[-1].load.min() < 0
     gradient = contact.gradient(a, W)
     assert gradient.load == pytest.approx(load, rel=1e-12, abs=1e-9 * np.abs(load).max())
-    step = 1e-5
-    film = contact.system.film
-    either = [
-        on_film_of(contact.system, film.young_modulus * (1 + sign * step)).load(a, W)
-        for sign in (1, -1)
-    ]
-    slope = (either[0] - either[1]) / (2 * step * film.young_modulus)
-    scale = np.abs(load).max() / film.young_modulus
-    assert gradient.by("film_modulus").load == pytest.approx(slope, rel=1e-4, abs=1e-4 * scale)
-    validity = contact.validity(a)
-    assert validity.strain.shape == a.shape
-    assert set(validity.neglected) == {"sideways", "elastic_probe", "strain", "bending"}
-
-
-def on_film_of(system, film_modulus):
-    film = replace(system.film, young_modulus=film_modulus)
-    return Table.embedded().contact(replace(system, film=film))
+    assert contact.validity(a).strain.shape == a.shape
 
 
 def test_sphere_radius_is_the_paraboloid():
@@ -142,43 +118,24 @@ def test_sphere_radius_is_the_paraboloid():
 
 
 def test_shapes_that_cannot_be_are_refused():
-    cases = [
-        (lambda: Paraboloid(radius=0.0), "sphere_radius = 0"),
-        (lambda: Sphere(radius=-1.0), "sphere_radius = -1"),
-        (lambda: PowerLaw(coefficient=0.0, exponent=2), "coefficient of the power law"),
-        (lambda: PowerLaw(coefficient=1.0, exponent=0.9), "from 1 to 20"),
-        (lambda: Cone(half_angle=70.0), "between 0 and pi/2 rad"),
-        (lambda: RoundedCone(radius=inf, half_angle=1.0), "radius of the round end"),
-        (lambda: FlatPunch(radius=float("nan")), "radius of the punch"),
-        (lambda: FlatEndedCone(radius=0.0, half_angle=1.0), "radius of the flat end"),
-    ]
-    for make, words in cases:
-        with pytest.raises(InputError, match=words):
-            make()
+    refuses(InputError, "sphere_radius = -1", lambda: Sphere(radius=-1.0))
+    refuses(InputError, "between 0 and pi/2 rad", lambda: Cone(half_angle=70.0))
     refuses(TypeError, "two columns", lambda: Profile(points=[1.0, 2.0]))
     with pytest.raises(TypeError):
         Probe()
 
 
 def test_points_that_are_no_convex_shape_are_named():
-    with pytest.raises(InputError, match=r"row 3 .* convex") as caught:
-        Profile(points=[(0, 0), (1e-6, 1e-6), (2e-6, 1.5e-6)])
-    assert caught.value.value == 3.0
-    for points in ([(0, 0)], [(0, 0), (1e-6, -1e-9)], [(0, 0), (1e-6, np.nan)]):
-        with pytest.raises(InputError):
-            Profile(points=points)
+    points = [(0, 0), (1e-6, 1e-6), (2e-6, 1.5e-6)]
+    error = refuses(InputError, r"row 3 .* convex", lambda: Profile(points=points))
+    assert error.value == 3.0
 
 
 def test_questions_about_the_wrong_shape_are_errors():
-    punch, cone, end = (on_film(PROBES[i]) for i in (5, 3, 6))
+    punch, cone = (on_film(PROBES[i]) for i in (5, 3))
     error = refuses(InputError, "under a flat punch", lambda: punch.load([3e-6, 2e-6], W))
     assert (error.axis, error.value, error.index) == ("contact radius", 2e-6, (1,))
     assert "3e-6 m" in error.allowed
-    refuses(InputError, "flat-ended cone", lambda: end.load(0.5e-6, W))
-    refuses(InputError, "profile", lambda: on_film(PROBES[7]).load(9e-6, W))
-    refuses(InputError, "under a sphere", lambda: on_film(PROBES[1]).load(2e-5, W))
-    with pytest.raises(InputError):
-        on_film(PROBES[0]).load(2e-5, W)
     refuses(InputError, "contact line", lambda: punch.line(W, 3e-6))
     refuses(InputError, "Tabor's parameter makes no sense for a cone", lambda: cone.zone_size(W))
     refuses(InputError, "sphere radius", lambda: cone.gradient(2e-6, W).by("sphere_radius"))
@@ -199,27 +156,27 @@ def test_what_the_exact_shape_neglects_is_named():
     assert set(half_space.neglected.values()) == {False}
 
 
-FLAGS = {
-    "cone": {"half-angle": 60.0},
-    "sphere": {"sphere-radius": 1e-5},
-    "rounded-cone": {"sphere-radius": 2e-6, "half-angle": 45.0},
-    "power-law": {"coefficient": 2e9, "exponent": 3.0},
-    "flat-ended-cone": {"sphere-radius": 1e-6, "half-angle": 63.0},
-}
-
-
-@pytest.mark.parametrize("name", FLAGS)
-def test_numbers_are_those_of_rust_bit_for_bit(tabulate, name):
-    probe = {
-        "cone": Cone(half_angle=np.radians(60.0)),
-        "sphere": PROBES[1],
-        "rounded-cone": RoundedCone(radius=2e-6, half_angle=np.radians(45.0)),
-        "power-law": PROBES[2],
-        "flat-ended-cone": FlatEndedCone(radius=1e-6, half_angle=np.radians(63.0)),
-    }[name]
-    flags = {"film-thickness": 2e-6, "from": 1e-6, "to": 4e-6, "points": 10} | FLAGS[name]
-    arguments = [f"--{flag}={value!r}" for flag, value in flags.items()]
-    printed = tabulate("curve", "embedded", "--probe", name, *arguments)
+@pytest.mark.parametrize(
+    ("name", "probe", "flags"),
+    [
+        ("cone", Cone(half_angle=np.radians(60)), "--half-angle=60"),
+        ("sphere", PROBES[1], "--sphere-radius=1e-5"),
+        (
+            "rounded-cone",
+            RoundedCone(radius=2e-6, half_angle=np.radians(45)),
+            "--sphere-radius=2e-6 --half-angle=45",
+        ),
+        ("power-law", PROBES[2], "--coefficient=2e9 --exponent=3"),
+        (
+            "flat-ended-cone",
+            FlatEndedCone(radius=1e-6, half_angle=np.radians(63)),
+            "--sphere-radius=1e-6 --half-angle=63",
+        ),
+    ],
+)
+def test_numbers_are_those_of_rust_bit_for_bit(tabulate, name, probe, flags):
+    flags += " --film-thickness=2e-6 --from=1e-6 --to=4e-6 --points=10"
+    printed = tabulate("curve", "embedded", "--probe", name, *flags.split())
     a, load, penetration = (
         np.array([point[column] for point in printed])
         for column in ("contact_radius", "load", "penetration")

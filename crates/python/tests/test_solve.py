@@ -7,7 +7,6 @@ import pytest
 
 from coated_contact import (
     Cohesive,
-    InputError,
     SolveError,
     solve,
     solve_stack,
@@ -59,8 +58,6 @@ def test_errors():
         (1e-6, 1e6),
         (1,),
     )
-    refuses(InputError, "nu1", lambda: solve(1.0, 1.75, 0.6, 1e5))
-    refuses(SolveError, "tolerance", lambda: solve(1.0, 1.75, 0.5, 1e5, tolerance=1e-20))
     with pytest.raises(SolveError) as caught:
         solve(1e5, 1e20, 0.3, 1e-10, tolerance=1e-13)
     assert caught.value.range[0] > 1e-13

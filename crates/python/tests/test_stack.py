@@ -9,7 +9,6 @@ import pytest
 from coated_contact import (
     Cone,
     Contact,
-    ContactError,
     Elastic,
     FlatPunch,
     InputError,
@@ -129,14 +128,13 @@ def test_solves_broadcast(stack):
 
 def test_layers_that_cannot_be_are_named(stack):
     soft = Layer(material=Elastic(young_modulus=1e5, poisson_ratio=0.3), thickness=1e-6)
-    with pytest.raises(InputError, match=r"layer 2 of 2.*thickness is 0") as caught:
-        replace(stack, layers=[soft, replace(soft, thickness=0.0)])
-    assert (caught.value.axis, caught.value.value) == ("layer", 2.0)
-    rigid = replace(soft, material=Elastic(young_modulus=inf, poisson_ratio=0.3))
-    refuses(InputError, "give it as the base", lambda: replace(stack, layers=[rigid]))
-    refuses(InputError, "at least one layer", lambda: replace(stack, layers=[]))
-    with pytest.raises(InputError, match="two layers have the name 'primer'"):
-        replace(stack, layers=[replace(soft, name="primer"), replace(soft, name="primer")])
+    layers = [soft, replace(soft, thickness=0.0)]
+    words = "layer 2 of 2.*thickness is 0"
+    error = refuses(InputError, words, lambda: replace(stack, layers=layers))
+    assert (error.axis, error.value) == ("layer", 2.0)
+    named = [replace(soft, name="primer")] * 2
+    words = "two layers have the name 'primer'"
+    refuses(InputError, words, lambda: replace(stack, layers=named))
     refuses(TypeError, "layers must be Layer", lambda: replace(stack, layers=[3.0]))
     refuses(TypeError, "material must be an Elastic", lambda: Layer(material=1e6, thickness=1e-6))
     with pytest.raises(InputError, match="sphere_modulus"):
@@ -145,46 +143,16 @@ def test_layers_that_cannot_be_are_named(stack):
         StackSystem(stack=3, sphere_radius=1e-3, sphere_modulus=1e6)
     system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=1e6)
     assert system.sphere_radius == 1e-3
-    with pytest.raises(OutsideTableError, match="of films on substrates"):
-        Contact(system=system, table=Table.embedded())
     refuses(TypeError, "a contact needs", lambda: Contact(system=system, table=None))
     refuses(TypeError, "name must be a str", lambda: replace(soft, name=3))
 
 
-def test_ranges_that_cannot_be_are_refused(stack):
-    for ends in ((1.0, 0.1), (0.0, 1.0), (0.1, 1e4), (np.nan, 1.0)):
-        with pytest.raises(ContactError):
-            stack.contact(**KNOWN, a_over_t=ends)
-    with pytest.raises(SolveError, match="tolerance"):
-        stack.contact(**KNOWN, a_over_t=(0.1, 1), tolerance=1e-30)
-
-
-FILES = [
-    ("young_modulus = 5e5", "young_modulus = inf", '"primer", 1 of 2 .*give it as the base'),
-    ("young_modulus = 5e5", "young_modulus = -1.0", '"primer", 1 of 2 .*: Young\'s modulus'),
-    ("young_modulus = 5e5", 'young_modulus = "soft"', 'invalid type: string "soft"'),
-    ("young_modulus = 5e5\n", "", "missing field `young_modulus`"),
-    ("thickness = 7.5e-6", "height = 7.5e-6", "unknown field `height`"),
-    (", poisson_ratio = 0.25", "", "base: poisson_ratio is missing"),
-    ("base =", "[base", "expected|unclosed"),
-    ('name = "elastomer"', 'name = "primer"', "layer 1 has this name, too"),
-]
-
-
-@pytest.mark.parametrize(("old", "new", "words"), FILES)
-def test_files_that_are_no_stack_are_named(tmp_path, old, new, words):
-    text = PRIMER.read_text()
-    assert old in text
-    path = tmp_path / "stack.toml"
-    path.write_text(text.replace(old, new, 1))
-    with pytest.raises(InputError, match=words) as caught:
-        Stack.read(path)
-    assert str(path) in str(caught.value)
-
-
-def test_a_rigid_base_in_a_file_needs_no_poisson_ratio(tmp_path):
-    path = tmp_path / "stack.toml"
-    path.write_text(PRIMER.read_text().replace("2e11, poisson_ratio = 0.25", "inf"))
+def test_files_are_read_or_named(tmp_path):
+    path, text = tmp_path / "stack.toml", PRIMER.read_text()
+    path.write_text(text.replace("2e11, poisson_ratio = 0.25", "inf"))
     assert Stack.read(path).base.young_modulus == inf
+    path.write_text(text.replace("young_modulus = 5e5", "young_modulus = inf", 1))
+    error = refuses(InputError, '"primer", 1 of 2 .*give it as the base', lambda: Stack.read(path))
+    assert str(path) in str(error)
     with pytest.raises(FileNotFoundError):
         Stack.read(tmp_path / "missing.toml")

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from coated_contact import (
-    Cone,
     Elastic,
     FlatPunch,
     InputError,
@@ -84,22 +83,15 @@ def test_files_of_both_forms_hold_one_table(tmp_path, program, stack):
 
 def test_other_bodies_are_refused(table, stack):
     refuses(OutsideTableError, "of one stack of layers", lambda: table.contact(make_system()))
-    with pytest.raises(OutsideTableError, match="of another stack"):
-        table.contact(on(replace(stack, layers=stack.layers[:1])))
-    with pytest.raises(OutsideTableError, match="of films on substrates"):
-        Table.embedded().contact(on(stack))
-    refuses(OutsideTableError, "e1_over_e2", lambda: table.contact(on(stack, 2e8)))
-    with pytest.raises(InputError, match="paraboloid or a flat punch only"):
-        table.contact(StackSystem(stack=stack, probe=Cone(half_angle=1.2), sphere_modulus=2e6))
+    other = replace(stack, layers=stack.layers[:1])
+    refuses(OutsideTableError, "of another stack", lambda: table.contact(on(other)))
 
 
 def test_scenes_that_cannot_be_used_are_named(stack):
-    with pytest.raises(TableError, match="nu1 does not go with"):
-        generate({**scene(stack), "nu1": 0.3}, progress=False)
+    wrong = {**scene(stack), "nu1": 0.3}
+    refuses(TableError, "nu1 does not go with", lambda: generate(wrong, progress=False))
     rigid = Elastic(young_modulus=float("inf"), poisson_ratio=0.3)
     on_rigid = scene(replace(stack, base=rigid), 1e-2)
     assert generate(on_rigid, progress=False).stack.base.young_modulus == float("inf")
     surface = replace(stack, surface=stack.layers[0].material)
     refuses(InputError, "surface of its own", lambda: generate(scene(surface), progress=False))
-    given = {"base": {"young_modulus": 1e9, "poisson_ratio": 0.3}, "layers": []}
-    refuses(TableError, "needs at least one", lambda: generate(scene(given), progress=False))

@@ -133,8 +133,11 @@ def test_fits_are_tables():
     assert np.array_equal(table.by_sphere_modulus, predicted.derivatives["sphere_modulus"])
     pytest.importorskip("xarray")
     several = fit_map([lens(seed=seed) for seed in range(3)], WANTED)
-    data = several.to_xarray()
-    assert np.array_equal(data["work_of_adhesion_stderr"], several.stderr["work_of_adhesion"])
+    table, data = several.to_pandas(), several.to_xarray()
+    assert table.index.name == "curve"
+    for columns in (table, data):
+        errors = columns["work_of_adhesion_stderr"]
+        assert np.array_equal(errors, several.stderr["work_of_adhesion"])
     assert data["sphere_modulus"].attrs["units"] == "Pa"
     shown = forecast(replace(one, noise=1e-6), WANTED)._repr_html_()
     assert "expected error" in shown
@@ -271,14 +274,6 @@ def test_several_experiments_are_told_apart(axes):
     assert legend(axes) == ["curve 0", "curve 1", "curve 2", "fit"]
     colours = [line.get_color() for line in axes.get_lines()]
     assert len(set(colours)) == 4
-
-
-def test_a_map_is_a_table():
-    pytest.importorskip("pandas")
-    found = fit_map([lens(seed=seed) for seed in range(3)], WANTED)
-    table = found.to_pandas()
-    assert table.index.name == "curve"
-    assert np.array_equal(table.work_of_adhesion_stderr, found.stderr["work_of_adhesion"])
 
 
 def test_notebooks_show_a_contact_to_scale(contact):
