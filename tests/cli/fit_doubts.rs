@@ -1,6 +1,6 @@
 //! Doubts and errors of `tabulate fit`: what it says, and what to type next.
 
-use acceptance::{assert_close, assert_names, json, kinds, number, workdir};
+use acceptance::{assert_names, json, kinds, number, workdir};
 use serde_json::Value;
 
 /// Loads at penetrations of a rigid sphere of 10 um on a hard half-space, of which 60 nm remain.
@@ -82,21 +82,6 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
     let (plain, widened) = (run(""), run(known));
     let error = |found: &Value| number(found, "parameters/sphere_modulus/stderr");
     assert!(error(&widened) > 2.0 * error(&plain));
-    let fixed = widened["fixed_values"].as_array().expect("a list");
-    let named = |name: &str| {
-        fixed
-            .iter()
-            .find(|one| one["name"] == name)
-            .expect("listed")
-    };
-    let of_film = named("film_thickness");
-    assert_eq!(
-        ["error", "value"].map(|key| number(of_film, key)),
-        [3e-6, 3e-5]
-    );
-    let expected = 10.0 * number(of_film, "changes/0");
-    assert_close(error(&widened), error(&plain).hypot(expected), 1e-9);
-    assert!(named("sphere_radius")["error"].is_null());
     let all = format!(
         "fit data.csv --film-thickness 3e-5 --specimen paper {known} --known load-offset=0+-2uN"
     );

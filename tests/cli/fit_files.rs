@@ -86,37 +86,6 @@ fn a_column_named_by_its_number_is_told_by_its_number() {
     );
 }
 
-/// Four cells stand for two numbers: read by their places they would be other numbers.
-#[test]
-fn a_comma_that_is_the_decimal_mark_and_separates_the_cells_is_refused() {
-    let workdir = workdir!();
-    workdir.write(
-        "comma.csv",
-        "radius [um],load [mN]\n42,5,0,1\n50,1,0,2\n61,2,0,35\n70,9,0,5\n",
-    );
-    let by_places = "--column 'contact_radius=1 [um]' --column 'load=2 [mN]'";
-    for more in ["", by_places] {
-        workdir.refuses(format!(
-            "1 | fit comma.csv {LENS} {more} | line 2; 4 cells; 2 headings; semicolons or tabs; decimal points"
-        ));
-    }
-    // Numbers of which one has no decimals, and a column of words.
-    workdir.write(
-        "three.csv",
-        "radius [um],load [mN]\n42,0,1\n50,0,2\n61,0,35\n70,0,5\n",
-    );
-    workdir.write(
-        "five.csv",
-        "radius [um],load [mN],segment\n42,5,0,1,approach\n50,1,0,2,approach\n61,2,0,35,approach\n",
-    );
-    workdir.refuses(format!(
-        "
-        1 | fit three.csv {LENS} {by_places} | line 2; 3 cells; 2 headings; semicolons; a heading
-        1 | fit five.csv {LENS} | line 2; 5 cells; 3 headings; semicolons; a heading
-        "
-    ));
-}
-
 /// What is doubtful in a file is a warning of the fit, and is told with its errors.
 #[test]
 fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
@@ -236,20 +205,6 @@ fn without_segments(workdir: &Workdir, more: &str, slope: f64) -> String {
         Some(format!("{height:e},{:e}\n", load + slope * height))
     });
     format!("height,load\n{}", rows.collect::<String>())
-}
-
-/// The contact still pulls where the cantilever turns, so that the largest load is on the baseline.
-#[test]
-fn heights_without_segments_are_split_where_they_turn() {
-    let workdir = workdir!();
-    let known = "--work-of-adhesion 5e-4 --stiffness 0.1";
-    let plan = format!("{known} --from 2e-6 --to=-5e-8 --noise 2e-11");
-    workdir.write("pulls.csv", without_segments(&workdir, &plan, 0.0));
-    let found = workdir.json(fit("pulls.csv", &format!("{known} --json")));
-    assert_estimate(&found, "film_modulus", 5e3, 50.0);
-    let read = found["read"][0].as_str().expect("a line");
-    let words = "40 of approach and 40 of retract; split by the course of the height";
-    assert_names(read, words);
 }
 
 /// A tilted baseline is no wrong sign: the slope is to be free, and then there is no doubt.

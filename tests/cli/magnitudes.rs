@@ -1,61 +1,14 @@
 //! Numbers that no contact experiment has, and `--allow magnitudes`.
 
-use acceptance::{Data, Workdir, assert_cases, assert_names, workdir};
-
-/// Writes the lens of the paper on a film of 30 um, with its numbers times factors.
-fn lens(workdir: &Workdir, file: &str, factors: [f64; 2]) {
-    let simulate = "simulate --specimen paper --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN \
-                    -o exact.csv";
-    workdir.succeed(simulate);
-    let text = String::from_utf8(workdir.read("exact.csv")).expect("UTF-8");
-    let mut scaled = String::from("contact_radius,load\n");
-    for case in Data::parse("exact", &text).cases() {
-        let [radius, load] = ["contact_radius", "load"].map(|name| case.get(name));
-        scaled += &format!("{:?},{:?}\n", radius * factors[0], load * factors[1]);
-    }
-    workdir.write(file, scaled);
-}
-
-/// The command of a fit of the lens with more flags.
-fn fit(file: &str, more: &str) -> String {
-    let is_given = more.contains("--film-thickness");
-    let thickness = if is_given {
-        ""
-    } else {
-        "--film-thickness 30um"
-    };
-    format!("fit {file} --specimen paper --noise 2uN {thickness} {more}")
-}
-
-#[test]
-fn a_wrong_unit_does_not_pass() {
-    let workdir = workdir!();
-    lens(&workdir, "lens.csv", [1.0, 1.0]);
-    lens(&workdir, "mm.csv", [1e3, 1.0]);
-    lens(&workdir, "mn.csv", [1.0, 1e3]);
-    let cases = "
-        lens.csv | --sphere-radius 2 | radius of the sphere = 2 m; 2 mm
-        lens.csv | --film-thickness 30 | film thickness = 30 m; 30 um
-        lens.csv | --sphere-radius 150um | half the radius of the sphere
-        mm.csv |  | contact radius; below the radius of the sphere
-        mn.csv |  | sphere-modulus; mN or uN taken for N
-        ";
-    assert_cases(cases, |[file, more, _]| {
-        let message = workdir.fail(1, fit(file, more));
-        let allows = message.contains("--allow magnitudes");
-        assert!(allows || file == "mm.csv", "{message}");
-        message
-    });
-    let sound = fit("lens.csv", "");
-    let expected = workdir.succeed(&sound);
-    let allowing = format!("{sound} --allow magnitudes");
-    assert_eq!(workdir.succeed(&allowing), expected);
-}
+use acceptance::{assert_cases, assert_names, shipped, workdir};
 
 #[test]
 fn a_person_who_means_it_can_go_on() {
     let workdir = workdir!();
+    let lens = shipped("../crates/fit/data/lens.csv");
+    let fit = format!("fit {} --specimen paper", lens.display());
     let commands = [
+        &*format!("{fit} --film-thickness 30um --sphere-radius 2"),
         "curve embedded --specimen paper --sphere-radius 2 --points 3",
         "pull-off embedded --specimen paper --film-modulus 3e12",
         "simulate --specimen paper --kind load-radius --from 1mm --to 2mm --noise 0 --sphere-radius 0.5 --film-thickness 1mm",

@@ -122,7 +122,7 @@ fn few_points_of_a_retract_are_not_taken_for_noise() {
 fn short_files_have_their_noise_together() {
     let lens = |thickness: f64| {
         let mut lens = Imagined::lens(Kind::LoadRadius, thickness, 2e-6, &LENS);
-        lens.points[0] = 6;
+        (lens.points[0], lens.noise_is_known) = (6, false);
         lens
     };
     let lenses = [3e-6, 6e-6, 14e-6, 30e-6].map(lens);
@@ -130,14 +130,9 @@ fn short_files_have_their_noise_together() {
     let mut squares = 0.0;
     const SETS: u64 = 100;
     for set in 0..SETS {
-        let experiments: Vec<Experiment> = (0..)
-            .zip(lenses.iter().zip(&exact))
-            .map(|(i, (lens, exact))| {
-                let mut experiment = lens.measured(exact, 4 * set + i);
-                experiment.noise = None;
-                experiment
-            })
-            .collect();
+        let measured = (4 * set..).zip(lenses.iter().zip(&exact));
+        let measured = measured.map(|(seed, (lens, exact))| lens.measured(exact, seed));
+        let experiments: Vec<Experiment> = measured.collect();
         let found = fit_all(&experiments, &lenses[0].free).expect("sound");
         squares += off(&found, Parameter::SphereModulus, 2e6).powi(2);
     }

@@ -8,12 +8,18 @@ use interp::Table;
 
 use crate::imagined::{Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement};
 
-/// The branches of a fit are those of its model, and not only of data.
-#[test]
-fn predictions_on_the_branches_of_a_fit_are_those_of_the_fit() {
-    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
-    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
+/// A force curve with hysteresis, some of whose points are pinned.
+fn hysteretic(free: &[Parameter]) -> Imagined {
+    let mut probe = Imagined::probe(Course::Cycle, 5e-5, free);
     probe.truth.work_of_adhesion_receding = Some(1.5e-4);
+    probe
+}
+
+/// The branches of a fit are those of its model, and not only of data. Pinned points count in the likelihood as in the
+/// fit.
+#[test]
+fn predictions_and_likelihoods_on_the_branches_of_a_fit_are_those_of_the_fit() {
+    let probe = hysteretic(&[Parameter::FilmModulus, Parameter::ContactPoint]);
     let mut experiment = probe.measured(&probe.exact(), 1);
     let found = fitted(&experiment, &probe.free);
     for one in &found.estimates {
@@ -21,6 +27,7 @@ fn predictions_on_the_branches_of_a_fit_are_those_of_the_fit() {
     }
     let points = &found.experiments[0].points;
     let branches: Vec<Branch> = points.iter().map(|point| point.branch).collect();
+    assert!(branches.contains(&Branch::Pinned));
     let predicted = experiment.predictions(Table::embedded(), Some(&branches), &[]);
     let predicted = predicted.expect("sound");
     assert_eq!(predicted.branches, branches);
@@ -32,18 +39,6 @@ fn predictions_on_the_branches_of_a_fit_are_those_of_the_fit() {
             );
         }
     }
-}
-
-#[test]
-fn pinned_points_count_in_the_likelihood_as_in_the_fit() {
-    let free = [Parameter::FilmModulus, Parameter::ContactPoint];
-    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
-    probe.truth.work_of_adhesion_receding = Some(1.5e-4);
-    let experiment = probe.measured(&probe.exact(), 1);
-    let found = fitted(&experiment, &probe.free);
-    let points = &found.experiments[0].points;
-    let branches: Vec<Branch> = points.iter().map(|point| point.branch).collect();
-    assert!(branches.contains(&Branch::Pinned));
     let (table, experiments) = (Table::embedded(), [experiment]);
     let likelihood = Likelihood::new(table, &experiments, &probe.free, Some(&[branches]));
     let values: Vec<f64> = found.estimates.iter().map(|one| one.value).collect();
@@ -171,18 +166,11 @@ fn at_the_end_of_the_sphere_the_other_side_stands_for_both() {
 
 #[test]
 fn derivatives_of_pinned_points_are_differences() {
-    let free = [Parameter::FilmModulus];
-    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &free);
-    probe.truth.work_of_adhesion_receding = Some(1.5e-4);
+    let mut probe = hysteretic(&[Parameter::FilmModulus]);
     probe.truth.baseline_slope = 2e-4;
-    let experiment = Experiment {
-        measurement: probe.exact(),
-        ..probe.truth
-    };
+    let experiment = probe.planned();
     let branches = experiment.branches(&[]).expect("sound");
-    let mut known = experiment.clone();
-    known.noise = Some(1e-10);
-    let found = fitted(&known, &free_of(&free));
+    let found = fitted(&experiment, &probe.free);
     let points = &found.experiments[0].points;
     let is_pinned = |&i: &usize| points[i].branch == Branch::Pinned;
     let pinned: Vec<usize> = (0..branches.len()).filter(is_pinned).collect();

@@ -16,7 +16,6 @@ from coated_contact import (
     Free,
     HalfSpace,
     Paraboloid,
-    System,
     fit,
     fit_map,
     forecast,
@@ -231,41 +230,6 @@ def test_young_s_modulus_of_the_sphere_follows_from_the_reduced_one():
     refuses(FitError, r"poisson_ratio = 0\.6", lambda: found.young_modulus_of_sphere(0.6))
     with pytest.raises(FitError, match='free "sphere_modulus"'):
         fit(lens(1), ["work_of_adhesion"]).young_modulus_of_sphere(0.5)
-
-
-def viscous():
-    """A retract whose tension grows in proportion to the height, which no contact does."""
-    i = np.arange(200)
-    height = -1e-6 + 3e-8 * i
-    noise = 1e-11 * ((i * 7919 + 13) % 101 / 101 - 0.5)
-    return Experiment(
-        kind="force-height",
-        abscissa=height,
-        ordinate=np.where(height < 2e-6, -5e-3 * height, 0.0) + noise,
-        retract=np.ones(200, dtype=bool),
-        system=System(
-            sphere_radius=20e-6,
-            sphere_modulus=np.inf,
-            film=Elastic(young_modulus=2e4, poisson_ratio=0.45),
-            film_thickness=1e-5,
-            substrate=Elastic(young_modulus=7e10, poisson_ratio=0.2),
-        ),
-        stiffness=0.2,
-    )
-
-
-def test_most_points_left_out_are_an_error_unless_allowed():
-    with pytest.raises(FitError, match="of 101 points in contact are left out, more than a third"):
-        fit(viscous(), ["work_of_adhesion"])
-    found = fit(viscous(), ["work_of_adhesion"], allow=["left-out"])
-    (points,) = found.experiments
-    assert points.left_out["beyond-end"] > 33
-    assert sum(points.left_out.values()) == points.branch.count("left-out")
-    assert "left-out" in {warning.kind for warning in found.warnings}
-    failed = fit_map([viscous()], ["work_of_adhesion"], errors="nan")
-    assert list(failed.failures) == [0]
-    with pytest.raises(FitError, match=r"allow.*left-out"):
-        fit(viscous(), ["work_of_adhesion"], allow=["leftout"])
 
 
 def test_fixed_values_are_left_out_or_refused():

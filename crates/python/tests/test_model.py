@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import subprocess
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -19,6 +20,7 @@ from coated_contact import (
     InputError,
     branches,
     fit,
+    fit_map,
     forecast,
     predict,
     simulate,
@@ -73,6 +75,21 @@ def test_branches_come_from_the_data():
     assert len(differ) < 4
     found = predict(made, branches=from_data)
     assert np.array_equal(np.isnan(found.ordinate), [b == "left-out" for b in from_data])
+
+
+def test_most_points_left_out_are_an_error_unless_allowed():
+    """A work of adhesion that is taken for far smaller than it is."""
+    made = simulate(retract(points=100, contact_point=4e-6), noise=1e-7, seed=1)
+    weak, free = replace(made, work_of_adhesion=1e-3), ["contact_point"]
+    words = "points in contact are left out, more than a third"
+    refuses(FitError, words, lambda: fit(weak, free))
+    found = fit(weak, free, allow=["left-out"])
+    (points,) = found.experiments
+    assert points.left_out["beyond-end"] > 20
+    assert sum(points.left_out.values()) == points.branch.count("left-out")
+    assert "left-out" in {warning.kind for warning in found.warnings}
+    assert list(fit_map([weak], free, errors="nan").failures) == [0]
+    refuses(FitError, "allow.*left-out", lambda: fit(weak, free, allow=["leftout"]))
 
 
 def test_what_would_not_be_determined_is_named():

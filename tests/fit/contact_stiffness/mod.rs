@@ -129,59 +129,28 @@ pub fn at_loads(system: &System, radii: [f64; 2], count: usize) -> Experiment {
 }
 
 #[test]
-fn stiffness_at_contact_radii() {
-    use Parameter::{FilmModulus, FilmThickness};
-    let exact = [at_radii(&oxide(), [5e-8, 1.5e-6], 30)];
-    let expected = [WarningKind::Friction];
-    let [known, unknown] = [true, false].map(|is_known| (0.02, is_known));
-    recover(
-        "stiffness, radius",
-        &exact,
-        known,
-        &[FilmModulus],
-        &expected,
-    );
-    let both = [FilmModulus, FilmThickness];
-    recover(
-        "stiffness, radius, thickness",
-        &exact,
-        unknown,
-        &both,
-        &expected,
-    );
-}
-
-/// A first fit takes some of them.
-#[test]
-fn many_stiffnesses_at_loads_with_errors() {
-    let mut exact = at_loads(&oxide(), [2e-7, 1e-6], 100);
-    exact.abscissa_noise = 1e-4;
-    recover(
-        "stiffness, load errors",
-        &[exact],
-        (0.01, true),
-        &[Parameter::FilmModulus],
-        &[WarningKind::Friction],
-    );
-}
-
-#[test]
-fn stiffness_at_loads_with_one_hardness() {
-    use Parameter::{FilmModulus, Hardness};
-    let mut exact = at_loads(&oxide(), [5e-8, 1e-6], 30);
-    exact.indentation.beta = 1.034;
-    for point in &mut exact.measurement.points {
+fn stiffness_at_contact_radii_and_loads() {
+    use Parameter::{FilmModulus, FilmThickness, Hardness};
+    let radii = at_radii(&oxide(), [5e-8, 1.5e-6], 30);
+    // Of so many loads with errors a first fit takes some.
+    let mut many_loads = at_loads(&oxide(), [2e-7, 1e-6], 100);
+    many_loads.abscissa_noise = 1e-4;
+    let mut loads = at_loads(&oxide(), [5e-8, 1e-6], 30);
+    loads.indentation.beta = 1.034;
+    for point in &mut loads.measurement.points {
         point.ordinate *= 1.034;
     }
-    let free = [FilmModulus, Hardness];
-    let expected = [WarningKind::Friction];
-    recover(
-        "stiffness, load, hardness",
-        &[exact],
-        (0.01, true),
-        &free,
-        &expected,
-    );
+    let both = [FilmModulus, FilmThickness];
+    for (name, exact, noise, free) in [
+        ("radius", &radii, (0.02, true), &[FilmModulus][..]),
+        ("radius, thickness", &radii, (0.02, false), &both),
+        ("load errors", &many_loads, (0.01, true), &[FilmModulus]),
+        ("hardness", &loads, (0.01, true), &[FilmModulus, Hardness]),
+    ] {
+        let exact = std::slice::from_ref(exact);
+        let name = format!("stiffness, {name}");
+        recover(&name, exact, noise, free, &[WarningKind::Friction]);
+    }
 }
 
 /// A rigid substrate tells no hardness to start from, and neither does a film whose modulus is unknown.
@@ -215,16 +184,10 @@ fn stiffness_at_loads_of_an_elastic_contact() {
         (0.0, &[Parameter::FilmModulus][..]),
         (5e-3, &[Parameter::FilmModulus, Parameter::WorkOfAdhesion]),
     ] {
-        let exact = at_elastic_loads(&film, &contact, radii, w);
+        let exact = [at_elastic_loads(&film, &contact, radii, w)];
         // The widest contacts are as wide as this nearly incompressible film is thick.
         let expected = [WarningKind::LargeStrain, WarningKind::Friction];
-        recover(
-            "stiffness, elastic load",
-            &[exact],
-            (0.01, true),
-            free,
-            &expected,
-        );
+        recover("elastic load", &exact, (0.01, true), free, &expected);
     }
 }
 
@@ -296,22 +259,9 @@ fn stiffness_at_depths_with_a_reference_sample() {
     let reference = at_depths(on_layers(&system, &[]), &bare, &known, 1.2e10);
     let definition = [WarningKind::ContactDepth, WarningKind::Friction];
     let both = [film, reference];
-    let one = [FilmModulus];
-    recover(
-        "stiffness, depth",
-        &both[..1],
-        (0.01, true),
-        &one,
-        &definition,
-    );
     let free = [FilmModulus, TipRounding, FrameCompliance];
-    recover(
-        "stiffness, depth, reference",
-        &both,
-        (0.005, false),
-        &free,
-        &definition,
-    );
+    recover("depth", &both[..1], (0.01, true), &free[..1], &definition);
+    recover("reference", &both, (0.005, false), &free, &definition);
 }
 
 /// A stack of one layer gives the fit of the film, for each kind.

@@ -26,7 +26,8 @@ fn an_error_names_line_column_value_and_next_step() {
         contact_radius,load\n1,2\n-2,3\n | line 3, column 1; -2; below 0
         contact_radius,load\n1,2\n2,3\n4,5,6\n | line 4; 3 cells; 2; decimal
         contact_radius,load\n1,2\n2,3\n4\n | line 4; 1 cell
-        contact_radius,load\n1,5,2,5\n1,6,2,7\n1,8,2,9\n | line 2; 4 cells; headings
+        contact_radius,load\n1,5,2,5\n1,6,2,7\n1,8,2,9\n | line 2; 4 cells; 2 headings; semicolons or tabs; decimal points
+        contact_radius,load,segment\n1,5,2,5,approach\n1,6,2,7,approach\n1,8,2,9,approach\n | line 2; 5 cells; 3 headings; a heading
         contact_radius,load\n1,2\n1,3\n | column 1; all 2 values are 1.0
         contact_radius,load\n1,2\n2,2\n | column 2; all 2 values are 2.0
         a [nm];F [uN]\n60,000;-413.6\n | line 2, column 2; "-413.6"; if ',' parts thousands, remove it
@@ -86,6 +87,10 @@ fn a_column_that_is_not_there_is_refused() {
         let columns: Vec<&str> = columns.split(", ").collect();
         refused(three, &named(&columns), &words);
     }
+    // Numbers of which one has no decimals would be others by their places.
+    let by_places = named(&["contact_radius=1 [um]", "load=2 [mN]"]);
+    let commas = "radius [um],load [mN]\n42,0,1\n50,0,2\n61,0,35\n70,0,5\n";
+    refused(commas, &by_places, "line 2; 3 cells; 2 headings; a heading");
     let text = "a [um],Force (x10 nN)\n1,2\n2,3\n";
     let unknown = named(&["load=Force (x10 nN)"]);
     refused(text, &unknown, "\"x10 nN\", which is not a known unit; mN");
