@@ -2,7 +2,7 @@
 
 use acceptance::{
     Contacts, Data, Refused, assert_cases, assert_names, json, material, paper_system,
-    relative_error, solid, table, workdir,
+    relative_error, solid, table, value, workdir,
 };
 use contact::{Contact, Input};
 use interp::{Probe, System};
@@ -46,15 +46,10 @@ fn solve_prints_one_point_to_the_last_bit() {
             ("error", expected.error),
         ];
         let plain = workdir.succeed(&arguments);
-        let lines: Vec<(&str, &str)> = plain
-            .lines()
-            .map(|line| line.split_once(" = ").expect("name = value"))
-            .collect();
-        let numbers = lines[..5].iter();
-        let numbers = numbers.map(|(name, value)| (name.trim(), value.parse().expect("a number")));
-        assert_eq!(numbers.collect::<Vec<(&str, f64)>>(), rows);
+        let printed = rows.map(|(name, _)| (name, value(&plain, name)));
+        assert_eq!(printed, rows);
         let symbol = given.normalisation().symbol();
-        assert_eq!(lines[5..], [("normalised_by", symbol)]);
+        assert!(plain.ends_with(&format!("normalised_by = {symbol}\n")));
 
         arguments += " --json";
         let text = workdir.succeed(&arguments);
@@ -132,27 +127,21 @@ fn query_prints_what_the_library_looks_up_and_the_certificate() {
     assert_names(&run.stderr, why);
     assert_eq!(run.stderr.lines().count(), 1);
     let answer = run.stdout;
-    let mut lines = answer.lines();
-    assert_eq!(lines.next(), Some(COLUMNS));
-    for (line, [x, e1]) in lines.by_ref().zip([[0.1, 1.0], [3.3, 1.9]]) {
-        let fields: Vec<&str> = line.split(',').collect();
+    let data = Data::parse("query", &answer);
+    assert_eq!(data.columns().join(","), COLUMNS);
+    assert_eq!(data.cases().count(), 2);
+    for (case, [x, e1]) in data.cases().zip([[0.1, 1.0], [3.3, 1.9]]) {
         // The table's substrate stands in where the points have none.
-        let curve = table
-            .curve(&material([e1, 0.5, f64::INFINITY, 0.1]))
-            .expect("inside");
-        let point = [x, e1, 0.5, f64::INFINITY, 0.1].map(Some);
-        let held = |quantity| table.holds(quantity);
-        let quantities =
-            interp::Quantity::ALL.map(|q| held(q).then(|| curve.quantity(q, x).expect("inside")));
+        let point = [x, e1, 0.5, f64::INFINITY, 0.1];
+        let [_, material @ ..] = point;
+        let curve = table.curve(&acceptance::material(material));
+        let curve = curve.expect("inside");
+        let quantities = interp::Quantity::ALL.map(|of| curve.quantity(of, x).ok());
         let error = Some(table.description().certificate.max_error);
-        let expected = [&point[..], &quantities, &[error]].concat();
-        let found: Vec<Option<f64>> = fields
-            .iter()
-            .map(|field| (!field.is_empty()).then(|| field.parse().expect("a number")))
-            .collect();
-        assert_eq!(found, expected);
+        let expected = [&point.map(Some)[..], &quantities, &[error]].concat();
+        let found = COLUMNS.split(',').map(|name| case.text(name).parse().ok());
+        assert_eq!(found.collect::<Vec<Option<f64>>>(), expected);
     }
-    assert_eq!(lines.next(), None);
     let to_file = "query table.bin --points points.csv -o out.csv";
     assert_eq!(workdir.run(to_file).stdout, "");
     assert_eq!(workdir.read("out.csv"), answer.as_bytes());

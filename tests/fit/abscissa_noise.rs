@@ -281,9 +281,7 @@ fn noise_in_the_height_that_is_not_given_is_seen_beside_the_baseline() {
     };
     let noise = 1e-8;
     let mut named = 0;
-    let exact = probe.exact();
-    for seed in 0..20 {
-        let mut plain = probe.measured(&exact, seed);
+    for (seed, mut plain) in probe.data(0..20) {
         plain.noise = None;
         let experiment = blurred(plain.clone(), |_| noise, seed);
         let mut given = experiment.clone();

@@ -34,9 +34,7 @@ fn ends(experiment: &Experiment) -> [f64; 2] {
 #[test]
 fn readings_at_the_end_of_the_range_are_doubted() {
     let probe = probe();
-    let exact = probe.exact();
-    for seed in 0..20 {
-        let experiment = probe.measured(&exact, seed);
+    for (_, experiment) in probe.data(0..20) {
         let [least, most] = ends(&experiment);
         let at_the_bottom = through(&experiment, &probe.free, |y| y.max(0.85 * least));
         let at_the_top = through(&experiment, &probe.free, |y| y.min(0.8 * most));
@@ -50,9 +48,7 @@ fn readings_at_the_end_of_the_range_are_doubted() {
 #[test]
 fn coarse_steps_are_doubted() {
     let probe = probe();
-    let exact = probe.exact();
-    for seed in 0..20 {
-        let experiment = probe.measured(&exact, seed);
+    for (_, experiment) in probe.data(0..20) {
         let step = 5.0 * probe.noise;
         let found = through(&experiment, &probe.free, |y| step * (y / step).round());
         let words = "values of the force, in steps of 7.500e-10 N";

@@ -185,9 +185,7 @@ fn a_small_offset_that_misleads_is_named() {
     (lens.radii, lens.points) = ([42e-6, 130e-6], [20, 0]);
     lens.truth.load_offset = 25e-6;
     let (mut named, mut hinted, mut wrong) = (0, 0, 0);
-    let exact = lens.exact();
-    for seed in 0..40 {
-        let mut experiment = lens.measured(&exact, seed);
+    for (_, mut experiment) in lens.data(0..40) {
         experiment.load_offset = 0.0;
         let found = fitted(&experiment, &lens.free);
         let work = found.estimate(Parameter::WorkOfAdhesion).expect("free");

@@ -174,38 +174,24 @@ fn frees(random: &mut Contacts, truth: &Experiment, count: usize) -> Option<Vec<
         WorkOfAdhesion,
     };
     let kind = truth.measurement.kind;
-    let rigid = truth.get(SphereModulus) == Some(f64::INFINITY);
-    let mut chosen = Vec::new();
-    for (parameter, chance) in [
-        (SphereModulus, if rigid { 0.0 } else { 0.5 }),
-        (FilmModulus, if rigid { 0.8 } else { 0.5 }),
-        (FilmThickness, 0.25),
-        (
-            WorkOfAdhesion,
-            if truth.work_of_adhesion > 0.0 {
-                0.7
-            } else {
-                0.0
-            },
-        ),
-        (LoadOffset, if kind == Kind::LoadRadius { 0.4 } else { 0.0 }),
-        (
-            ContactPoint,
-            if kind == Kind::LoadRadius { 0.0 } else { 0.6 },
-        ),
-        (
-            Baseline,
-            if matches!(kind, Kind::LoadPenetration | Kind::ForceHeight) {
-                0.5
-            } else {
-                0.0
-            },
-        ),
-    ] {
-        if random.uniform(0.0, 1.0) < chance {
-            chosen.push(parameter);
-        }
-    }
+    let is_soft = truth.get(SphereModulus) != Some(f64::INFINITY);
+    let of_radii = kind == Kind::LoadRadius;
+    let has_baseline = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
+    let choices = [
+        (SphereModulus, is_soft, 0.5),
+        (FilmModulus, true, if is_soft { 0.5 } else { 0.8 }),
+        (FilmThickness, true, 0.25),
+        (WorkOfAdhesion, truth.work_of_adhesion > 0.0, 0.7),
+        (LoadOffset, of_radii, 0.4),
+        (ContactPoint, !of_radii, 0.6),
+        (Baseline, has_baseline, 0.5),
+    ];
+    let chosen = choices
+        .into_iter()
+        .filter_map(|(parameter, is_possible, chance)| {
+            (random.uniform(0.0, 1.0) < chance && is_possible).then_some(parameter)
+        });
+    let chosen: Vec<Parameter> = chosen.collect();
     (!chosen.is_empty() && 3 * chosen.len() <= count).then_some(chosen)
 }
 

@@ -44,6 +44,11 @@ fn found(experiment: &Experiment, free: &[Free], change: impl FnOnce(&mut Option
     fit_with(experiment, free, change).expect("sound")
 }
 
+/// Fits by default options, and tells what the fixed values do.
+fn told(experiment: &Experiment, free: &[Free]) -> Fit {
+    found(experiment, free, |options| options.fixed_values = true)
+}
+
 /// Asserts that every change listed is that of fits with other values.
 fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Loss, names: &str) {
     let here = found(experiment, free, |options| {
@@ -86,12 +91,12 @@ fn assert_as_refits(name: &str, experiment: &Experiment, free: &[Free], loss: Lo
 
 #[test]
 fn changes_are_those_of_fits_with_other_values() {
-    let coated = "sphere-radius substrate-modulus substrate-poisson-ratio film-modulus \
+    let of_film = "sphere-radius substrate-modulus substrate-poisson-ratio film-modulus \
                   film-poisson-ratio film-thickness";
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
     for loss in [Loss::Squares, Loss::HUBER, Loss::SOFT_L1] {
-        assert_as_refits("lens", &experiment, &lens.free, loss, coated);
+        assert_as_refits("lens", &experiment, &lens.free, loss, of_film);
     }
     // On an approach no point is left out for being near a jump, so that all fits have one set of
     // points.
@@ -121,9 +126,7 @@ fn changes_are_those_of_fits_with_other_values() {
     let names =
         "sphere-radius substrate-modulus substrate-poisson-ratio film-poisson-ratio film-thickness";
     assert_as_refits("gel", &experiment, &gel.free, Loss::Squares, names);
-    let here = found(&experiment, &gel.free, |options| {
-        options.fixed_values = true
-    });
+    let here = told(&experiment, &gel.free);
     let of_poisson = &here.fixed_values[3];
     let mut less = experiment;
     less.set_fixed(of_poisson.quantity, 0.49).expect("physical");
@@ -134,9 +137,7 @@ fn changes_are_those_of_fits_with_other_values() {
     // is -0.5 % of the modulus in closed form.
     let free = [Parameter::FilmModulus];
     let mut hertz = Imagined::probe(Course::Approach, 0.0, &free);
-    let Bodies::Coated(system) = &hertz.truth.bodies else {
-        unreachable!("a gel on glass")
-    };
+    let system = coated(&mut hertz.truth);
     let half_space = interp::HalfSpace {
         solid: system.film,
         ..system.without_film()
@@ -144,9 +145,7 @@ fn changes_are_those_of_fits_with_other_values() {
     hertz.truth.bodies = Bodies::HalfSpace(half_space);
     hertz.truth.measurement.kind = Kind::LoadPenetration;
     let experiment = hertz.measured(&hertz.exact(), 1);
-    let here = found(&experiment, &hertz.free, |options| {
-        options.fixed_values = true
-    });
+    let here = told(&experiment, &hertz.free);
     let value = here.estimates[0].value;
     let change = |quantity: Fixed| {
         let one = here
@@ -196,9 +195,7 @@ fn of_a_deflection_the_stiffness_scales_the_modulus() {
 fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);
     let experiment = lens.measured(&lens.exact(), 1);
-    let here = found(&experiment, &lens.free, |options| {
-        options.fixed_values = true
-    });
+    let here = told(&experiment, &lens.free);
     let poisson = Fixed::Parameter(Parameter::FilmPoissonRatio);
     let one = here.fixed_values.iter().find(|one| one.quantity == poisson);
     let one = one.expect("listed");
@@ -212,9 +209,7 @@ fn a_poisson_ratio_at_its_end_moves_to_the_other_side() {
     let mut near = lens.clone();
     let system = coated(&mut near.truth);
     system.film = acceptance::solid(system.film.young(), 0.495);
-    let near = found(&near.measured(&near.exact(), 1), &lens.free, |options| {
-        options.fixed_values = true
-    });
+    let near = told(&near.measured(&near.exact(), 1), &lens.free);
     let mut values = near.fixed_values.iter();
     let one = values.find(|one| one.quantity == poisson);
     assert_eq!(one.map(|one| (one.value, one.step)), Some((0.495, -0.01)));

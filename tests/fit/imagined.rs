@@ -1,6 +1,7 @@
 //! Imagined experiments. Their data are made by direct solves, along contact radii: neither the
 //! table nor a search for equilibria takes part.
 
+use std::ops::Range;
 use std::path::Path;
 use std::slice;
 
@@ -8,8 +9,8 @@ use acceptance::{Contacts, Words, assert_names, paper_system, rigid_probe, solid
 use contact::Contact;
 use fit::data::Format;
 use fit::{
-    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Loss, Measurement, Numbering, Options,
-    Parameter, Point, Warning, WarningKind,
+    Bodies, Direction, Error, Experiment, Fit, Free, Kind, Layered, Loss, Measurement, Numbering,
+    Options, Parameter, Point, Warning, WarningKind,
 };
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 
@@ -188,6 +189,14 @@ pub fn coated(experiment: &mut Experiment) -> &mut System {
     match &mut experiment.bodies {
         Bodies::Coated(system) => system,
         other => panic!("not coated: {other:?}"),
+    }
+}
+
+/// Returns the bodies of an experiment on layers.
+pub fn layered(experiment: &mut Experiment) -> &mut Layered {
+    match &mut experiment.bodies {
+        Bodies::Layered(layered) => layered,
+        other => panic!("not on layers: {other:?}"),
     }
 }
 
@@ -412,6 +421,14 @@ impl Imagined {
             experiment.set(free.parameter, start).expect("physical");
         }
         experiment
+    }
+
+    /// Returns an experiment for each of the seeds, as [`Imagined::measured`] makes it.
+    pub fn data(&self, seeds: Range<u64>) -> Vec<(u64, Experiment)> {
+        let exact = self.exact();
+        seeds
+            .map(|seed| (seed, self.measured(&exact, seed)))
+            .collect()
     }
 
     /// Returns the experiment with the true values and its noise, at the points to be measured.

@@ -6,7 +6,7 @@ use interp::{System, Table};
 use solve::solve_stack;
 use solve::stack::{self, Interface, Stack};
 
-use crate::imagined::{Imagined, assert_silent};
+use crate::imagined::{Imagined, assert_silent, layered};
 use crate::layers::{fit_of, layer, modulus_of, named, on_layers, recover, with_reach};
 
 const INFINITY: f64 = f64::INFINITY;
@@ -109,9 +109,7 @@ fn a_fit_that_assumes_bonding_says_what_sliding_would_change() {
         system.substrate = solid(INFINITY, 0.25);
     });
     let found = fit_of(bonded.measured(&bonded.exact(), 0), &bonded);
-    let Bodies::Layered(layered) = &bonded.truth.bodies else {
-        unreachable!("it has layers")
-    };
+    let layered = layered(&mut bonded.truth).clone();
     let widest = bonded.radii[1] / layered.thickness();
     let eeq = |interface| {
         let film = stack::Layer {

@@ -9,7 +9,7 @@ use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
 
 use crate::imagined::{
-    self, Course, FORCE_CURVE, Imagined, LENS, assert_warned, fit_all, measurement_at, off,
+    self, Course, FORCE_CURVE, Imagined, LENS, assert_warned, coated, fit_all, measurement_at, off,
 };
 use crate::recovery::assert_recovers;
 
@@ -51,24 +51,20 @@ pub fn on_layers(system: &System, layers: &[NamedLayer]) -> Bodies {
 /// A lens on an elastomer on a softer primer on silicon.
 pub fn lens(free: &[Parameter]) -> Imagined {
     let mut lens = Imagined::lens(Kind::LoadRadius, 10e-6, 5e-6, free);
-    let Bodies::Coated(system) = &lens.truth.bodies else {
-        unreachable!("a lens is on a film")
-    };
+    let system = coated(&mut lens.truth).clone();
     let primer = layer("primer", solid(5e5, 0.5), 4e-6);
     let elastomer = layer("elastomer", solid(3.5e6, 0.5), 6e-6);
-    lens.truth.bodies = on_layers(system, &[primer, elastomer]);
+    lens.truth.bodies = on_layers(&system, &[primer, elastomer]);
     lens
 }
 
 /// A rigid colloidal probe on a gel on a stiffer primer on glass.
 fn probe(course: Course, work_of_adhesion: f64, free: &[Parameter]) -> Imagined {
     let mut probe = Imagined::probe(course, work_of_adhesion, free);
-    let Bodies::Coated(system) = &probe.truth.bodies else {
-        unreachable!("a gel is on glass")
-    };
+    let system = coated(&mut probe.truth).clone();
     let primer = layer("primer", solid(1e5, 0.4), 3e-6);
     let gel = layer("gel", system.film, 5e-6);
-    probe.truth.bodies = on_layers(system, &[primer, gel]);
+    probe.truth.bodies = on_layers(&system, &[primer, gel]);
     probe
 }
 
@@ -124,12 +120,10 @@ fn sphere_and_layer_are_found_together() {
 
 /// The film of an imagined experiment as a stack of one layer.
 fn as_one_layer(imagined: &Imagined) -> Imagined {
-    let Bodies::Coated(system) = &imagined.truth.bodies else {
-        unreachable!("a film")
-    };
     let mut layered = imagined.clone();
+    let system = coated(&mut layered.truth).clone();
     let film = layer("film", system.film, system.film_thickness);
-    layered.truth.bodies = on_layers(system, &[film]);
+    layered.truth.bodies = on_layers(&system, &[film]);
     for free in &mut layered.free {
         free.parameter = match free.parameter {
             Parameter::FilmModulus => modulus_of("film"),

@@ -164,9 +164,7 @@ fn a_work_of_adhesion_that_ends_at_0_is_told() {
 #[test]
 fn the_value_of_a_free_work_of_adhesion_does_not_count() {
     let probe = Imagined::probe(Course::Cycle, 5e-5, &FORCE_CURVE);
-    let exact = probe.exact();
-    for seed in 0..20 {
-        let mut experiment = probe.measured(&exact, seed);
+    for (seed, mut experiment) in probe.data(0..20) {
         let [none, other] = [0.0, 1.0].map(|work| {
             experiment.work_of_adhesion = work;
             let found = fit_all(std::slice::from_ref(&experiment), &probe.free).expect("sound");

@@ -12,9 +12,7 @@ use crate::imagined::{
 #[test]
 fn a_noise_that_is_given_too_large_is_doubted() {
     let lens = lens();
-    let exact = lens.exact();
-    for seed in 0..20 {
-        let mut experiment = lens.measured(&exact, seed);
+    for (_, mut experiment) in lens.data(0..20) {
         experiment.noise = Some(10.0 * lens.noise);
         let found = fitted(&experiment, &lens.free);
         let words = "imagined.csv; noise that is given for the load; scatter less; reduced chi^2; leave it out";
@@ -93,11 +91,9 @@ fn a_noise_that_errors_of_the_abscissae_hide_is_doubted_and_no_point_draws_the_f
         noise_is_known: false,
         ..lens()
     };
-    let exact = lens.exact();
     let truth = lens.truth.work_of_adhesion;
     let [mut within, mut told, mut doubted] = [0; 3];
-    for seed in 0..400 {
-        let mut experiment = lens.measured(&exact, seed);
+    for (_, mut experiment) in lens.data(0..400) {
         experiment.noise = None;
         experiment.abscissa_noise = 3e-7;
         let found = fitted(&experiment, &lens.free);
@@ -161,10 +157,8 @@ fn noise_that_is_not_independent_is_doubted_with_any_noise() {
 #[test]
 fn a_prior_that_the_data_contradict_is_named_with_its_distance() {
     let mut lens = lens();
-    let exact = lens.exact();
     for noise in [Some(lens.noise), None] {
-        for seed in 0..20 {
-            let mut experiment = lens.measured(&exact, seed);
+        for (_, mut experiment) in lens.data(0..20) {
             experiment.noise = noise;
             lens.free[0] = Free::new(LENS[0]).with_prior(3e6, 1e4);
             let found = fitted(&experiment, &lens.free);

@@ -38,14 +38,12 @@ fn an_offset_that_is_not_fitted_is_missed_with_and_without_the_noise() {
         }
     }
     let probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);
-    let exact = probe.exact();
     for (parameter, change) in [
         (Parameter::ContactPoint, 5e-8),
         (Parameter::Baseline, 4e-10),
         (Parameter::BaselineSlope, 2e-3),
     ] {
-        for seed in 0..10 {
-            let mut experiment = probe.measured(&exact, seed);
+        for (seed, mut experiment) in probe.data(0..10) {
             let truth = experiment.get(parameter).expect("a value");
             let wrong = truth + change;
             experiment.set(parameter, wrong).expect("any value");
@@ -63,9 +61,7 @@ fn an_offset_that_is_not_fitted_is_missed_with_and_without_the_noise() {
 #[test]
 fn a_model_that_does_not_describe_the_data_is_doubted_without_the_noise_too() {
     let lens = Imagined::lens(Kind::LoadRadius, 100e-6, 5e-6, &LENS);
-    let exact = lens.exact();
-    for seed in 0..20 {
-        let mut experiment = lens.measured(&exact, seed);
+    for (_, mut experiment) in lens.data(0..20) {
         // The true film is described.
         for found in both(&experiment, &lens.free, lens.noise) {
             assert_silent(&found, WarningKind::PoorFit);
@@ -146,10 +142,8 @@ fn short_files_have_their_noise_together() {
 fn a_noise_that_grows_with_the_load_is_named() {
     let mut lens = Imagined::lens(Kind::LoadRadius, 30e-6, 0.0, &LENS);
     lens.points[0] = 100;
-    let exact = lens.exact();
-    for seed in 0..10 {
+    for (seed, mut experiment) in lens.data(0..10) {
         let mut random = acceptance::Contacts::new(seed);
-        let mut experiment = lens.measured(&exact, seed);
         experiment.noise = None;
         for point in &mut experiment.measurement.points {
             point.ordinate *= 1.0 + 0.02 * random.normal();

@@ -85,6 +85,18 @@ fn columns_are_named_by_heading_by_number_and_with_a_minus() {
     let bare = "50;-0,1\n60;0,2\n";
     let numbers = ["contact_radius=1 [um]", "load=2 [mN]"];
     assert_values(&values(&sound(bare, &named(&numbers))), &TWO);
+    // A heading may hold the sign behind the role.
+    let text = "h,P,S=dP/dh\n1,2,3\n2,3,4\n";
+    let columns = [
+        "penetration=h [nm]",
+        "load=P [mN]",
+        "contact_stiffness=S=dP/dh [N/m]",
+    ];
+    let format = Format {
+        kind: Some(Kind::StiffnessDepth),
+        ..named(&columns)
+    };
+    assert_values(&values(&sound(text, &format)), &[[1e-9, 3.0], [2e-9, 4.0]]);
     // A column that is named decides the kind.
     let text = "contact_radius,load,penetration\n1,2,3\n2,3,4\n";
     let reading = sound(text, &named(&["load=load", "penetration=penetration"]));
