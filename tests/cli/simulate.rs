@@ -1,25 +1,12 @@
 //! `tabulate simulate`
 
-use acceptance::{Data, Workdir, assert_names, kinds, shipped, workdir};
+use acceptance::{Data, assert_names, kinds, shipped, workdir};
 
 /// The lens of the documentation: radii and loads, on a film of 10 um.
 const LENS: &str = "simulate --kind load-radius --film-thickness 1e-5 --from 4.2e-5 --to 1.3e-4";
 
 /// Contact stiffness on the same film.
 const STIFFNESS: &str = "simulate --specimen paper --kind stiffness-radius --to 1e-4 --noise 1%";
-
-fn simulate(workdir: &Workdir, more: &str) -> Data {
-    workdir.csv(format!("{LENS} {more}"))
-}
-
-#[test]
-fn a_seed_always_gives_the_same_data() {
-    let workdir = workdir!();
-    let loads = |more: &str| simulate(&workdir, &format!("--noise 5e-6 {more}")).column("load");
-    let [one, again, other] = ["--seed 1", "--seed 1", "--seed 2"].map(loads);
-    assert_eq!(one, again);
-    assert_ne!(one, other);
-}
 
 #[test]
 fn a_cycle_goes_there_and_back() {

@@ -83,7 +83,12 @@ fn settings_that_cannot_be_used_are_named() {
         fit_all(one, &[free]).refused(words);
     }
     let with = |change: fn(&mut Options)| fit_with(&measured, &lens.free, change);
-    with(|options| options.loss = Loss::Huber { threshold: 0.0 }).refused("threshold; 0.0");
+    for threshold in [0.0, f64::NAN, f64::INFINITY] {
+        for loss in [Loss::Huber { threshold }, Loss::SoftL1 { threshold }] {
+            fit_with(&measured, &lens.free, |options| options.loss = loss)
+                .refused("threshold; positive and finite");
+        }
+    }
     with(|options| options.profile_level = Some(1.0)).refused("profile-likelihood; 1.0");
     with(|options| options.interaction_range = -3e-10).refused("interaction range; -3e-10");
     let changed = |free: &[Free], change: &dyn Fn(&mut Experiment)| {

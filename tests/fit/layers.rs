@@ -2,8 +2,8 @@
 
 use acceptance::{larger, solid};
 use fit::{
-    Bodies, Experiment, Fit, Free, Interrupt, Kind, LayerName, LayerQuantity, Layered, Loss,
-    NamedLayer, Parameter, Reach, Solver, WarningKind,
+    Bodies, Experiment, Fit, Interrupt, Kind, LayerName, LayerQuantity, Layered, NamedLayer,
+    Parameter, Reach, Solver, WarningKind,
 };
 use interp::{Elastic, Probe, System, Table};
 use solve::stack::Layer;
@@ -256,27 +256,6 @@ fn without_the_layers_the_sphere_touches_the_base() {
     let modulus = without.modulus.expect("a modulus");
     assert_eq!(modulus.parameter, Parameter::SphereModulus);
     assert!(modulus.relative < -0.02 && modulus.matters(), "{modulus:?}");
-}
-
-#[test]
-fn bounds_priors_and_robust_losses_hold_for_layers() {
-    let primer = modulus_of("primer");
-    let mut lens = lens(&[primer, Parameter::WorkOfAdhesion]);
-    lens.outliers = true;
-    lens.loss = Loss::HUBER;
-    let robust = fit_of(lens.measured(&lens.exact(), 2), &lens);
-    assert_warned(&robust, WarningKind::Outliers);
-    let off_by = off(&robust, primer, 5e5);
-    assert!(robust.converged && off_by.abs() < 4.0, "{off_by}");
-    lens.outliers = false;
-    lens.loss = Loss::Squares;
-    lens.free[0] = Free::new(primer).within(6e5, 2e6);
-    let bounded = fit_of(lens.measured(&lens.exact(), 2), &lens);
-    assert_warned(&bounded, WarningKind::AtBound);
-    lens.free[0] = Free::new(primer).with_prior(5.5e5, 1e2);
-    let known = fit_of(lens.measured(&lens.exact(), 2), &lens);
-    let known = known.estimate(primer).expect("it is free");
-    assert!((known.value / 5.5e5 - 1.0).abs() < 1e-3 && known.standard_error < 1.1e2);
 }
 
 #[test]

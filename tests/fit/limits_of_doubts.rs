@@ -1,12 +1,12 @@
 //! Where doubts about works of adhesion, friction, scatter and losses begin and end.
 
-use acceptance::{Contacts, Refused, assert_names, rigid_probe, solid};
-use fit::{Bodies, Experiment, Kind, Loss, Parameter, WarningKind};
+use acceptance::{Contacts, assert_names, rigid_probe, solid};
+use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_warns, coated, fit_all, fit_with, fitted, free_of, lens,
-    measurement_at, number_after, text,
+    Course, Imagined, LENS, assert_warns, coated, fit_all, fitted, free_of, measurement_at,
+    number_after, text,
 };
 
 #[test]
@@ -17,18 +17,6 @@ fn a_work_of_adhesion_that_no_bodies_have_is_doubted() {
         probe.noise = 1e-13;
         let said = text(&probe.fit(1), WarningKind::Implausible);
         assert_eq!(said.contains("is outside 1e-6 to"), is_doubted, "{said}");
-    }
-}
-
-#[test]
-fn an_infinite_threshold_is_refused() {
-    let lens = lens();
-    let experiment = lens.measured(&lens.exact(), 1);
-    for threshold in [0.0, f64::NAN, f64::INFINITY] {
-        for loss in [Loss::Huber { threshold }, Loss::SoftL1 { threshold }] {
-            fit_with(&experiment, &lens.free, |options| options.loss = loss)
-                .refused("threshold; positive and finite");
-        }
     }
 }
 

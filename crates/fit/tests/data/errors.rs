@@ -20,8 +20,7 @@ fn an_error_names_line_column_value_and_next_step() {
         1,2\n3,4\n | line 1; 2 cells; by their numbers
         # lens\n\n1,2\n3,4\n | line 3; headings
         contact_radius,load\n1,2\n2,3\n3,x\n | line 4, column 2 "load"; "x"; not a number; #
-        contact_radius,load\n1,2\n2,\n | line 3, column 2; missing; #
-        contact_radius,load\n1,2\nNaN,3\n | line 3, column 1; missing
+        contact_radius,load\n1,2\nNaN,3\n | line 3, column 1; missing; #
         contact_radius,load\n1,2\n2,1e999\n | line 3, column 2; 1e999
         contact_radius,load\n1,2\n-2,3\n | line 3, column 1; -2; below 0
         contact_radius,load\n1,2\n2,3\n4,5,6\n | line 4; 3 cells; 2; decimal
@@ -47,7 +46,6 @@ fn an_error_names_line_column_value_and_next_step() {
         a [um],F [mN]\n1.2x10^-3,1\n2.2x10^-3,2\n | "a [um],F [mN]" are headings; "1.2x10^-3,1", in which "1.2x10^-3" is not a number; 1.5e-3
         a [um];F [mN]\n40 um;0.1 mN\n | "40 um;0.1 mN", in which "40 um" is not a number
         a [um];F [mN]\n40\n50\n | below is "40", which holds fewer than two numbers
-        contact_radius,load\n1,2\n2,3\nEnd of data\n | line 4; 1 cells; complete the row
         height,force,direction\n3,0,1\n2,1,1\n3,0,-1\n | line 4, column 3; "-1" is not a segment; split
         height,force,phase\n1,2,approach\n1,3,sideways\n | line 3, column 3; sideways; approach; split
         contact_radius,load\n,2,\n1,2\n2,3\n | line 2

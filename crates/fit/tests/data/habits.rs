@@ -40,7 +40,7 @@ const TEXTS: &str = r#"
     other columns and units | Radius [um],Load [mN]\n50,-0.1\n60,0.2\n\nLoad [uN],t [s],Radius [nm]\n-100,1,50000\n200,2,60000\n | twice
     no headings at the second segment | Radius [um],Load [mN]\n50,-0.1\n60,0.2\n\n1,50,-0.1\n2,60,0.2\n | line 5; 3 cells; 2
     words between rows | Radius [um],Load [mN]\n50,-0.1\nbad,row\n60,0.2\n | line 3, column 1; "bad"; not a number
-    words at the end | Radius [um],Load [mN]\n50,-0.1\n60,0.2\nend of test\n | line 4; 1 cells
+    words at the end | Radius [um],Load [mN]\n50,-0.1\n60,0.2\nend of test\n | line 4; 1 cells; complete the row
 "#;
 
 /// A table as UTF-16 with a byte order mark, as spreadsheets save "Unicode text".
