@@ -151,8 +151,8 @@ def test_files_are_read_or_named(tmp_path):
     path, text = tmp_path / "stack.toml", PRIMER.read_text()
     path.write_text(text.replace("2e11, poisson_ratio = 0.25", "inf"))
     assert Stack.read(path).base.young_modulus == inf
-    path.write_text(text.replace("young_modulus = 5e5", "young_modulus = inf", 1))
-    error = refuses(InputError, '"primer", 1 of 2 .*give it as the base', lambda: Stack.read(path))
+    path.write_text(text.replace("young_modulus = 5e5", "young_modulus = -5e5", 1))
+    error = refuses(InputError, '"primer", 1 of 2 .*: Young.s modulus', lambda: Stack.read(path))
     assert str(path) in str(error)
     with pytest.raises(FileNotFoundError):
         Stack.read(tmp_path / "missing.toml")
