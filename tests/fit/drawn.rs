@@ -1,11 +1,12 @@
 //! Experiments with random bodies, kinds, free parameters, courses and noise, made by the model
 //! itself.
 
-use contact::Contact;
 use std::f64::consts::PI;
 
 use acceptance::Contacts;
-use fit::{Bodies, Direction, Experiment, Free, Kind, Parameter, Point, simulate};
+use contact::{Contact, Control};
+use fit::Kind::{ForceHeight, LoadPenetration, LoadRadius, PenetrationRadius};
+use fit::{Bodies, Direction, Experiment, Free, Parameter, Point, simulate};
 use interp::{Elastic, Probe, System, Table};
 
 use crate::imagined::measurement;
@@ -34,15 +35,9 @@ impl Drawn {
 /// Draws an experiment; `None` if it is outside the table or has nothing to be found.
 fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     // Those with contacts of a sphere; a contact stiffness has data sets of its own.
-    let kind = *pick(
-        random,
-        &[
-            Kind::LoadRadius,
-            Kind::PenetrationRadius,
-            Kind::LoadPenetration,
-            Kind::ForceHeight,
-        ],
-    );
+    let kinds = [LoadRadius, PenetrationRadius, LoadPenetration, ForceHeight];
+    let kind = *pick(random, &kinds);
+    let at_radii = matches!(kind, LoadRadius | PenetrationRadius);
     let rigid = random.uniform(0.0, 1.0) < 0.5;
     let film = random.log_uniform(1e3, 1e11);
     let radius = random.log_uniform(5e-6, 5e-3);
@@ -61,7 +56,7 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     let bodies = Bodies::Coated(system.clone());
     let contact = Contact::in_table(Table::embedded(), &system).ok()?;
     let hertz = contact.load(largest, 0.0).ok()?;
-    let adhesive = kind == Kind::PenetrationRadius || random.uniform(0.0, 1.0) < 0.75;
+    let adhesive = kind == PenetrationRadius || random.uniform(0.0, 1.0) < 0.75;
     let w = if adhesive {
         hertz * random.log_uniform(3e-3, 0.3) / (1.5 * PI * radius)
     } else {
@@ -71,19 +66,18 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     let stiffness = load.abs() / penetration.abs() * random.log_uniform(0.1, 10.0);
     let mut truth = Experiment::new(measurement(kind, Vec::new()), bodies);
     truth.work_of_adhesion = w;
-    if kind == Kind::ForceHeight {
+    if kind == ForceHeight {
         truth.stiffness = Some(stiffness);
     }
     // Where the largest contact and the last one are.
-    let [most, least] = if matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius) {
+    let [most, least] = if at_radii {
         [largest, largest * random.uniform(0.1, 0.6)]
     } else {
         let spring = truth.stiffness.unwrap_or(f64::INFINITY);
-        let control = truth
-            .stiffness
-            .map_or(contact::Control::Displacement, |stiffness| {
-                contact::Control::Spring { stiffness }
-            });
+        let control = match truth.stiffness {
+            Some(stiffness) => Control::Spring { stiffness },
+            None => Control::Displacement,
+        };
         let most = penetration + load / spring;
         let least = if w > 0.0 {
             let end = contact.equilibria(w, control).ok()?.pull_off().ok()?;
@@ -98,33 +92,23 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     };
     let count = random.log_uniform(12.0, 200.0) as usize;
     let [approach, retract] = Direction::ALL.map(Some);
-    let directions = match kind {
-        Kind::LoadRadius | Kind::PenetrationRadius => vec![None],
-        _ => pick(
-            random,
-            &[vec![approach], vec![retract], vec![approach, retract]],
-        )
-        .clone(),
+    let ways = [vec![approach], vec![retract], vec![approach, retract]];
+    let directions = if at_radii {
+        vec![None]
+    } else {
+        pick(random, &ways).clone()
     };
     let free = frees(random, &truth, count)?;
     let is_free = |parameter| free.contains(&parameter);
     // Zeros that are free are not zero.
-    let ordinates = if kind == Kind::PenetrationRadius {
-        penetration.abs()
-    } else {
-        load.abs().max(1.5 * PI * w * radius)
+    let [ordinates, of_touch] = match kind {
+        PenetrationRadius => [penetration.abs(); 2],
+        _ => [load.abs().max(1.5 * PI * w * radius), most - least],
     };
     for (parameter, unit) in [
         (Parameter::LoadOffset, ordinates),
         (Parameter::Baseline, ordinates),
-        (
-            Parameter::ContactPoint,
-            if kind == Kind::PenetrationRadius {
-                ordinates
-            } else {
-                most - least
-            },
-        ),
+        (Parameter::ContactPoint, of_touch),
     ] {
         if is_free(parameter) {
             let value = unit * random.uniform(-0.3, 0.3);
@@ -135,8 +119,8 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
         for i in 0..count {
             let imposed = most + (least - most) * i as f64 / (count - 1) as f64;
             let abscissa = match kind {
-                Kind::ForceHeight => truth.contact_point - imposed,
-                Kind::LoadPenetration => truth.contact_point + imposed,
+                ForceHeight => truth.contact_point - imposed,
+                LoadPenetration => truth.contact_point + imposed,
                 _ => imposed,
             };
             truth.measurement.points.push(Point {
@@ -175,8 +159,8 @@ fn frees(random: &mut Contacts, truth: &Experiment, count: usize) -> Option<Vec<
     };
     let kind = truth.measurement.kind;
     let is_soft = truth.get(SphereModulus) != Some(f64::INFINITY);
-    let of_radii = kind == Kind::LoadRadius;
-    let has_baseline = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight);
+    let of_radii = kind == LoadRadius;
+    let has_baseline = matches!(kind, LoadPenetration | ForceHeight);
     let choices = [
         (SphereModulus, is_soft, 0.5),
         (FilmModulus, true, if is_soft { 0.5 } else { 0.8 }),

@@ -69,15 +69,20 @@ pub fn measurement(kind: Kind, points: Vec<Point>) -> Measurement {
     }
 }
 
-/// Makes a measurement whose ordinates are to be predicted.
-pub fn measurement_at(kind: Kind, abscissae: impl IntoIterator<Item = f64>) -> Measurement {
-    let point = |(line, abscissa)| Point {
+/// Makes a measurement of abscissae and ordinates.
+pub fn measurement_of(kind: Kind, points: impl IntoIterator<Item = [f64; 2]>) -> Measurement {
+    let point = |(line, [abscissa, ordinate]): (u64, [f64; 2])| Point {
         line,
         abscissa,
-        ordinate: 0.0,
+        ordinate,
         direction: None,
     };
-    measurement(kind, (1..).zip(abscissae).map(point).collect())
+    measurement(kind, (1..).zip(points).map(point).collect())
+}
+
+/// Makes a measurement whose ordinates are to be predicted.
+pub fn measurement_at(kind: Kind, abscissae: impl IntoIterator<Item = f64>) -> Measurement {
+    measurement_of(kind, abscissae.into_iter().map(|abscissa| [abscissa, 0.0]))
 }
 
 /// Returns the warnings of a fit but those of the `expected` kinds. Where the film is well determined,

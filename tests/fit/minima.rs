@@ -2,14 +2,12 @@
 //! warning.
 
 use acceptance::{paper_system, solid};
-use fit::{
-    Bodies, Direction, Experiment, Fit, Free, Kind, Parameter, Point, WarningKind, simulate,
-};
+use fit::{Bodies, Direction, Experiment, Fit, Free, Kind, Parameter, WarningKind, simulate};
 use interp::{System, Table};
 use rayon::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::imagined::{FORCE_CURVE, assert_warns, fit_all, fitted, free_of, measurement};
+use crate::imagined::{FORCE_CURVE, assert_warns, fit_all, fitted, free_of, measurement_at};
 
 /// The probability of a normal number beyond 5 standard deviations.
 const CHANCE: f64 = 5.733e-7;
@@ -140,13 +138,8 @@ fn starts_do_not_decide() {
 /// Loads hardly depend on a modulus of a few pascals, from where the first start does not lead back.
 #[test]
 fn a_start_in_the_wrong_unit_does_not_decide() {
-    let point = |i: u32| Point {
-        line: u64::from(i) + 1,
-        abscissa: 2e-5 + 1e-4 * f64::from(i) / 39.0,
-        ordinate: 0.0,
-        direction: None,
-    };
-    let measurement = measurement(Kind::LoadRadius, (0..40).map(point).collect());
+    let radii = (0..40).map(|i| 2e-5 + 1e-4 * f64::from(i) / 39.0);
+    let measurement = measurement_at(Kind::LoadRadius, radii);
     let bodies = Bodies::Coated(paper_system(1e-5));
     let planned = Experiment {
         work_of_adhesion: 0.04,
@@ -187,13 +180,11 @@ fn a_load_beyond_that_of_the_stiffest_film_is_no_reason_to_start_from_it() {
         film: solid(modulus, 0.45),
         ..paper_system(1e-5)
     };
-    let point = |i: u32| Point {
-        line: u64::from(i) + 1,
-        abscissa: -0.5e-6 + 6e-6 * f64::from(i) / 299.0,
-        ordinate: 0.0,
-        direction: Some(Direction::Retract),
-    };
-    let measurement = measurement(Kind::ForceHeight, (0..300).map(point).collect());
+    let heights = (0..300).map(|i| -0.5e-6 + 6e-6 * f64::from(i) / 299.0);
+    let mut measurement = measurement_at(Kind::ForceHeight, heights);
+    for point in &mut measurement.points {
+        point.direction = Some(Direction::Retract);
+    }
     let planned = Experiment {
         work_of_adhesion: 0.04,
         contact_point: 4e-6,

@@ -2,9 +2,9 @@
 
 use acceptance::{Contacts, Refused, solid};
 use contact::Relaxation;
-use fit::{Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind};
+use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
 
-use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement, text};
+use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement_of, text};
 use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
 
 use Parameter::{FilmModulus, Law};
@@ -149,20 +149,15 @@ fn a_held_load_is_found_in_noise_and_none_where_none_is_held() {
     ] {
         for seed in 0..20 {
             let mut random = Contacts::new(seed);
-            let point = |i: u32| {
+            let points = (0..count + held).map(|i: u32| {
                 let way = f64::from(i.min(count)) / f64::from(count);
                 let exact = DEEPEST * (1.3 * way - 0.3);
                 let crept = 0.2 * f64::from(i.saturating_sub(count)) / f64::from(held.max(1));
-                Point {
-                    line: u64::from(i) + 1,
-                    abscissa: exact + crept * DEEPEST,
-                    ordinate: hertz(exact) + noise * hertz(DEEPEST) * random.normal(),
-                    direction: None,
-                }
-            };
-            let points = (0..count + held).map(point).collect();
+                let load = hertz(exact) + noise * hertz(DEEPEST) * random.normal();
+                [exact + crept * DEEPEST, load]
+            });
             let bodies = half_space(1e-5, 5e4, solid(f64::INFINITY, 0.3));
-            let data = Experiment::new(measurement(Kind::LoadPenetration, points), bodies);
+            let data = Experiment::new(measurement_of(Kind::LoadPenetration, points), bodies);
             let free = free_of(&[Parameter::SphereModulus, Parameter::ContactPoint]);
             let found = fitted(&data, &free);
             assert_eq!(

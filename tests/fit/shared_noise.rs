@@ -1,9 +1,11 @@
 //! Penetrations that were computed from heights and deflections, against Hertz's formula.
 
-use acceptance::{Contacts, solid};
-use fit::{Experiment, Fit, Kind, Parameter, Point, WarningKind};
+use acceptance::{Contacts, assert_close, solid};
+use fit::{Experiment, Fit, Kind, Parameter, WarningKind};
 
-use crate::imagined::{fitted, free_of, half_space, measurement, number_after, off, text};
+use crate::imagined::{
+    assert_silent, fitted, free_of, half_space, measurement_of, number_after, off, text,
+};
 
 const RADIUS: f64 = 1e-5;
 const MODULUS: f64 = 5e4;
@@ -62,16 +64,11 @@ impl Made {
                 Kind::ForceHeight => -(penetration + load / stiffness),
                 _ => penetration,
             };
-            Point {
-                line: u64::from(i) + 1,
-                abscissa,
-                ordinate: load,
-                direction: None,
-            }
+            [abscissa, load]
         };
-        let points = (0..self.count).map(point).collect();
+        let points = (0..self.count).map(point);
         let bodies = half_space(RADIUS, MODULUS, solid(f64::INFINITY, 0.3));
-        let mut experiment = Experiment::new(measurement(kind, points), bodies);
+        let mut experiment = Experiment::new(measurement_of(kind, points), bodies);
         experiment.stiffness = (kind == Kind::ForceHeight).then_some(stiffness);
         let free = [Parameter::SphereModulus, Parameter::ContactPoint];
         fitted(&experiment, &free_of(&free))
@@ -96,10 +93,7 @@ fn a_deflection_that_was_taken_off_with_its_noise_is_named() {
         let shared = made.fit(Kind::LoadPenetration);
         let said = text(&shared, WarningKind::SharedNoise);
         let told = number_after(&said, "of a cantilever of ");
-        assert!(
-            (told / made.stiffness() - 1.0).abs() < 0.1,
-            "{count}, {own}: {said}"
-        );
+        assert_close(told, made.stiffness(), 0.1);
         let miss = 1.0 - shared.estimates[0].value / MODULUS;
         let part = 0.01 * number_after(&said, "here by ");
         // Of the noise of the penetrations, some is their own.
@@ -108,10 +102,10 @@ fn a_deflection_that_was_taken_off_with_its_noise_is_named() {
             part < miss && part > share * miss,
             "{count}, {own}, {miss}: {said}"
         );
-        assert!(!shared.warns_of(WarningKind::UnequalNoise));
+        assert_silent(&shared, WarningKind::UnequalNoise);
         // The remedy that it names.
         let heights = made.fit(Kind::ForceHeight);
-        assert!(!heights.warns_of(WarningKind::SharedNoise));
+        assert_silent(&heights, WarningKind::SharedNoise);
         let off = off(&heights, Parameter::SphereModulus, MODULUS);
         assert!(own > 0.0 || off.abs() < 4.0, "{count}: {off}");
     }
@@ -121,42 +115,23 @@ fn a_deflection_that_was_taken_off_with_its_noise_is_named() {
 /// together.
 #[test]
 fn noise_that_is_not_shared_or_does_not_matter_is_not_named() {
-    let own = Made {
-        is_shared: false,
-        own: 1.0,
-        ..SHARED
-    };
-    for made in [
-        own,
-        Made {
-            stiffness: 10.0,
-            ..SHARED
-        },
-        Made {
-            pull: 0.2,
-            own: 0.3,
-            ..own
-        },
-        Made {
-            pull: 0.2,
-            own: 0.3,
-            count: 60,
-            ..own
-        },
-        Made {
-            pull: 0.5,
-            own: 0.3,
-            count: 1000,
-            ..own
-        },
+    for (count, stiffness, is_shared, own, pull) in [
+        (300, 0.1, false, 1.0, 0.0),
+        (300, 10.0, true, 0.0, 0.0),
+        (300, 0.1, false, 0.3, 0.2),
+        (60, 0.1, false, 0.3, 0.2),
+        (1000, 0.1, false, 0.3, 0.5),
     ] {
         for seed in 0..10 {
-            let found = Made { seed, ..made }.fit(Kind::LoadPenetration);
-            assert!(
-                !found.warns_of(WarningKind::SharedNoise),
-                "{:?}",
-                found.warnings
-            );
+            let made = Made {
+                count,
+                stiffness,
+                is_shared,
+                own,
+                pull,
+                seed,
+            };
+            assert_silent(&made.fit(Kind::LoadPenetration), WarningKind::SharedNoise);
         }
     }
 }

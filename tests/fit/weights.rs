@@ -3,10 +3,12 @@
 use std::f64::consts::PI;
 
 use acceptance::solid;
-use fit::{Branch, Experiment, Fit, Fixed, Free, Kind, Known, Likelihood, Loss, Parameter, Point};
+use fit::{Branch, Experiment, Fit, Fixed, Free, Kind, Known, Likelihood, Loss, Parameter};
 use interp::Table;
 
-use crate::imagined::{Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement};
+use crate::imagined::{
+    Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement_of,
+};
 
 /// A force curve with hysteresis, some of whose points are pinned.
 fn hysteretic(free: &[Parameter]) -> Imagined {
@@ -125,14 +127,9 @@ fn the_ends_of_an_interval_under_a_robust_loss_are_equally_likely() {
 fn hertz(radii: &[f64], abscissa_noise: f64) -> Fit {
     let (radius, modulus) = (1e-3, 2e6);
     let load = |a: f64| 4.0 / 3.0 * modulus * a.powi(3) / radius;
-    let points = (1..).zip(radii).map(|(line, &abscissa)| Point {
-        line,
-        abscissa,
-        ordinate: load(abscissa),
-        direction: None,
-    });
+    let points = radii.iter().map(|&a| [a, load(a)]);
     let bodies = half_space(radius, modulus, solid(f64::INFINITY, 0.25));
-    let mut experiment = Experiment::new(measurement(Kind::LoadRadius, points.collect()), bodies);
+    let mut experiment = Experiment::new(measurement_of(Kind::LoadRadius, points), bodies);
     experiment.noise = Some(1e-6);
     experiment.abscissa_noise = abscissa_noise;
     fitted(&experiment, &free_of(&[Parameter::SphereModulus]))

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use acceptance::{Data, ends, workdir};
-use contact::{Contact, Control, Error};
+use contact::{Contact, Control};
 use interp::{Parameter, Probe, Quantity, Table};
 use serde_json::Value;
 use tabulate::report::report;
@@ -83,16 +83,8 @@ pub fn assert_shows(table: &Table, lines: &'static str, names: &str) -> Option<V
         let words = words.map(|word| if word == "TABLE" { "table.bin" } else { word });
         let arguments = words.collect::<Vec<_>>().join(" ");
         let csv = Data::parse("the page's", look["csv"].as_str().expect("CSV"));
-        assert_eq!(
-            csv.columns(),
-            [
-                "contact_radius",
-                "load",
-                "penetration",
-                "jkr_abscissa",
-                "jkr_ordinate"
-            ]
-        );
+        let columns = "contact_radius load penetration jkr_abscissa jkr_ordinate";
+        assert_eq!(csv.columns().join(" "), columns);
         assert_eq!(csv.cases().count(), 150);
         // The program may also say how much friction would change.
         let printed = || Data::parse("the program's", &workdir.run(&arguments).stdout);
@@ -124,24 +116,19 @@ pub fn assert_shows(table: &Table, lines: &'static str, names: &str) -> Option<V
 
         let points = look["points"].as_array().expect("points");
         for point in points.iter().filter(|_| setting.probe != "flat-punch") {
-            assert_load(
-                &contact,
-                setting.adhesion,
-                number(&point["contact_radius"]),
-                number(&point["load"]),
-                &what,
-            );
+            let [a, load] = ["contact_radius", "load"].map(|name| number(&point[name]));
+            assert_load(&contact, setting.adhesion, a, load, &what);
         }
-        let mut states: HashMap<&str, Result<contact::State, Error>> = HashMap::new();
-        if setting.adhesion > 0.0 && penetrates {
-            let pull_off = |control| contact.pull_off(setting.adhesion, control);
-            states.insert("pull-off-load", pull_off(Control::Load));
-            states.insert("pull-off-penetration", pull_off(Control::Displacement));
-            states.insert("zero-load", contact.zero_load(setting.adhesion));
-            let shown = look["states"].as_object().expect("states");
-            assert_eq!(shown.len(), states.len());
-        }
-        for (id, state) in states {
+        let pull_off = |control| contact.pull_off(setting.adhesion, control);
+        let states = [
+            ("pull-off-load", pull_off(Control::Load)),
+            ("pull-off-penetration", pull_off(Control::Displacement)),
+            ("zero-load", contact.zero_load(setting.adhesion)),
+        ];
+        let has_states = setting.adhesion > 0.0 && penetrates;
+        let shown = look["states"].as_object().map(serde_json::Map::len);
+        assert!(!has_states || shown == Some(states.len()), "{what}");
+        for (id, state) in states.into_iter().filter(|_| has_states) {
             let row = &look["states"][id];
             // The library goes on beyond the table's a/t where an expansion is accurate.
             let shown = |state: &contact::State| {
@@ -159,11 +146,8 @@ pub fn assert_shows(table: &Table, lines: &'static str, names: &str) -> Option<V
                     "{what}: {id}, {name} {value:e} {truth:e}"
                 );
             };
-            close(
-                "load",
-                state.load,
-                if id == "zero-load" { 1.0 } else { PICTURE },
-            );
+            let of_load = if id == "zero-load" { 1.0 } else { PICTURE };
+            close("load", state.load, of_load);
             close("penetration", state.penetration, PICTURE);
             close("contact_radius", state.contact_radius, PICTURE);
         }
@@ -172,67 +156,36 @@ pub fn assert_shows(table: &Table, lines: &'static str, names: &str) -> Option<V
         let separates = !look["states"]["pull-off-penetration"]["load"].is_null();
         if separates && setting.probe != "flat-punch" {
             let [dashed, whole] = [2, 3].map(|path| {
-                let place = look["paths"][path]
-                    .as_str()
-                    .and_then(|path| path.split(['M', ' ']).nth(1));
-                place
-                    .and_then(|place| place.parse::<f64>().ok())
-                    .expect("a curve")
+                let place = look["paths"][path].as_str()?.split(['M', ' ']).nth(1)?;
+                place.parse::<f64>().ok()
             });
-            assert!(
-                dashed < whole,
-                "{what}: dashed from {dashed}, whole from {whole}"
-            );
+            let is_left = dashed.is_some() && dashed < whole;
+            assert!(is_left, "{what}: {dashed:?} and {whole:?}");
         }
     }
-    let curves = if table.answers().contains(&Quantity::Delta0) {
-        4
-    } else {
-        2
-    };
+    let penetrates = table.answers().contains(&Quantity::Delta0);
+    let curves = if penetrates { 4 } else { 2 };
     let sliders = seen["sliders"].as_array().expect("sliders");
     let ids = sliders.iter().map(|slider| slider["id"].as_str());
     let ids: Option<Vec<&str>> = ids.collect();
     assert_eq!(ids.expect("names").join(" "), names);
     for slider in sliders {
-        let moved: Vec<bool> = slider["moved"]
-            .as_array()
-            .expect("flags")
-            .iter()
-            .map(|flag| flag == true)
-            .collect();
+        let moved = slider["moved"].as_array().expect("flags").iter();
+        let moved: Vec<bool> = moved.map(|flag| flag == true).collect();
         // Each drawing has a stable and an unstable path, one of which may be empty. The last entry
         // is the number.
-        assert!(
-            moved.len() == curves + 1
-                && moved[..curves]
-                    .chunks(2)
-                    .all(|pieces| pieces.contains(&true)),
-            "{slider}"
-        );
-        assert!(
-            moved[curves] && slider["label"] == 1 && slider["back"] == true,
-            "{slider}"
-        );
+        let (number, paths) = moved.split_last().expect("flags");
+        let are_drawn = paths.chunks(2).all(|pieces| pieces.contains(&true));
+        assert!(are_drawn && paths.len() == curves, "{slider}");
+        assert!(*number && slider["label"] == 1 && slider["back"] == true);
     }
-    let last = settings.last().expect("a setting").address(table);
-    let value =
-        |(name, text): (&str, &str)| (name.to_owned(), text.parse::<f64>().expect("a number"));
     let pairs = |address: &str| -> HashMap<String, f64> {
-        address
-            .split('&')
-            .filter_map(|pair| pair.split_once('='))
-            .map(value)
-            .collect()
+        let pairs = address.split('&').filter_map(|pair| pair.split_once('='));
+        let pairs = pairs.map(|(name, text)| (name.to_owned(), text.parse().expect("a number")));
+        pairs.collect()
     };
-    assert_eq!(
-        pairs(
-            seen["address"]
-                .as_str()
-                .and_then(|text| text.strip_prefix('#'))
-                .expect("an address")
-        ),
-        pairs(&last)
-    );
+    let last = settings.last().expect("a setting").address(table);
+    let address = seen["address"].as_str().expect("an address");
+    assert_eq!(pairs(address.trim_start_matches('#')), pairs(&last));
     Some(seen)
 }

@@ -10,13 +10,13 @@ use acceptance::{Contacts, assert_close, larger, rigid_probe, solid, solved_cont
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Parameter,
-    Point, PointErrors, WarningKind, simulate,
+    PointErrors, WarningKind, simulate,
 };
 use interp::{Probe, System, Table};
 
 use crate::imagined::{
-    assert_silent, assert_warned, assert_warns, fit_all, free_of, half_space, measurement,
-    measurement_at,
+    assert_silent, assert_warned, assert_warns, fit_all, free_of, half_space, measurement_at,
+    measurement_of,
 };
 use crate::layers::{layer, modulus_of, on_layers};
 use crate::recovery::{SETS, assert_recovers};
@@ -44,14 +44,7 @@ fn evenly([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
 
 /// Makes an experiment of points.
 fn experiment(kind: Kind, bodies: Bodies, points: Vec<[f64; 2]>) -> Experiment {
-    let points = points.into_iter().enumerate();
-    let points = points.map(|(i, [abscissa, ordinate])| Point {
-        line: i as u64 + 1,
-        abscissa,
-        ordinate,
-        direction: None,
-    });
-    Experiment::new(measurement(kind, points.collect()), bodies)
+    Experiment::new(measurement_of(kind, points), bodies)
 }
 
 /// Multiplies the stiffnesses by normal noise, and moves the abscissae by theirs.

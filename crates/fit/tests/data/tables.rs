@@ -187,7 +187,7 @@ fn a_contact_area_gives_the_radius_of_a_kind_that_is_asked_for() {
 }
 
 /// Loads of Hertz at depths from where the bodies are apart, at an even distance: `0` to `4`, with the
-/// first touch at 2.
+/// first touch at 2. `row` makes a row of depth and load.
 fn rising(heading: &str, row: impl Fn(f64, f64) -> [f64; 2]) -> String {
     let rows = (0..=20).map(|i| {
         let depth = 0.2 * f64::from(i);
@@ -201,14 +201,10 @@ fn rising(heading: &str, row: impl Fn(f64, f64) -> [f64; 2]) -> String {
 #[test]
 fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
     let (height, depth, radius) = ("height,force", "penetration,load", "contact_radius,load");
-    let pulled = |depth: f64, load: f64| {
-        if depth < 2.0 {
-            -0.1 * depth
-        } else {
-            load - 0.2
-        }
-    };
-    let attracted = |depth: f64, load: f64| if depth < 2.0 { 0.0 } else { load - 9.0 };
+    let both_of_height = "height=-height load=-force";
+    let both_of_depth = "penetration=-penetration load=-load";
+    let pulled = |x: f64, y: f64| if x < 2.0 { -0.1 * x } else { y - 0.2 };
+    let attracted = |x: f64, y: f64| if x < 2.0 { 0.0 } else { y - 9.0 };
     let mut spike = rising(height, |depth, load| [-depth, load]);
     spike = spike.replace("-0.4,0.0", "-0.4,-500.0");
     // The approach stays apart up to the deepest point, and the retract still pulls there.
@@ -219,54 +215,27 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
     let cycle = apart + &cycle.collect::<String>();
     for (text, opposite) in [
         (cycle, ""),
-        (rising(height, |depth, load| [-depth, load]), ""),
-        (rising(height, |depth, load| [9.0 - depth, load + 7.0]), ""),
+        (rising(height, |x, y| [-x, y]), ""),
+        (rising(height, |x, y| [9.0 - x, y + 7.0]), ""),
         (spike, ""),
-        (
-            rising(height, |depth, load| [depth, load]),
-            "height=-height",
-        ),
-        (rising(height, |depth, load| [-depth, -load]), "load=-force"),
-        (
-            rising(height, |depth, load| [depth, -load]),
-            "height=-height load=-force",
-        ),
-        (
-            rising(height, |depth, load| [depth, 1.0 - load]),
-            "height=-height load=-force",
-        ),
-        (rising(depth, |depth, load| [depth, load]), ""),
+        (rising(height, |x, y| [x, y]), "height=-height"),
+        (rising(height, |x, y| [-x, -y]), "load=-force"),
+        (rising(height, |x, y| [x, -y]), "height=-height load=-force"),
+        (rising(height, |x, y| [x, 1.0 - y]), both_of_height),
+        (rising(depth, |x, y| [x, y]), ""),
         // A contact that still pulls at its deepest, after the jump into it.
-        (
-            rising(depth, |depth, load| [depth, attracted(depth, load)]),
-            "",
-        ),
-        (
-            rising(height, |depth, load| [-depth, attracted(depth, load)]),
-            "",
-        ),
+        (rising(depth, |x, y| [x, attracted(x, y)]), ""),
+        (rising(height, |x, y| [-x, attracted(x, y)]), ""),
         // The drag of a liquid follows the root of the depth.
-        (rising(depth, |depth, _| [depth, depth.sqrt()]), ""),
-        (
-            rising(depth, |depth, load| [-depth, load]),
-            "penetration=-penetration",
-        ),
-        (rising(depth, |depth, load| [depth, -load]), "load=-load"),
-        (
-            rising(depth, |depth, load| [-depth, -load]),
-            "penetration=-penetration load=-load",
-        ),
+        (rising(depth, |x, _| [x, x.sqrt()]), ""),
+        (rising(depth, |x, y| [-x, y]), "penetration=-penetration"),
+        (rising(depth, |x, y| [x, -y]), "load=-load"),
+        (rising(depth, |x, y| [-x, -y]), both_of_depth),
         // Without points apart.
-        (
-            rising(depth, |depth, _| [-depth, -depth.powf(1.5)]),
-            "penetration=-penetration load=-load",
-        ),
-        (rising(radius, |depth, load| [depth, load]), ""),
-        (
-            rising(radius, |depth, load| [depth, pulled(depth, load)]),
-            "",
-        ),
-        (rising(radius, |depth, load| [depth, -load]), "load=-load"),
+        (rising(depth, |x, _| [-x, -x.powf(1.5)]), both_of_depth),
+        (rising(radius, |x, y| [x, y]), ""),
+        (rising(radius, |x, y| [x, pulled(x, y)]), ""),
+        (rising(radius, |x, y| [x, -y]), "load=-load"),
         ("height,force\n3,0\n2,0\n1,1\n".into(), ""),
         ("height,force\n1,0\n2,0\n3,1\n".into(), "height=-height"),
         ("height,force\n3,0\n2,0\n1,-1\n".into(), "load=-force"),
