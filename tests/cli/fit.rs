@@ -40,13 +40,11 @@ const GEL: Case = Case {
     ],
 };
 
-/// Writes the data of a case.
 fn simulate(workdir: &Workdir, case: &Case, file: &str, seed: u32) {
     let more = format!("--seed {seed} -o {file}");
     workdir.simulate(format!("{} {} {more}", case.simulate, case.system));
 }
 
-/// Fits a file as a case says.
 fn fit(workdir: &Workdir, case: &Case, more: &str) -> Value {
     workdir.json(format!("fit --json {} {} {more}", case.system, case.fit))
 }

@@ -184,7 +184,6 @@ fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
     assert_names(&report, words);
 }
 
-/// The scene of a table of a few nodes.
 fn scene(tolerance: f64, nodes: [&str; 2]) -> String {
     let [a_over_t, e1] = nodes;
     format!(

@@ -19,7 +19,6 @@ fn fit(file: &str, more: &str) -> String {
     format!("fit {file} {GEL} {more}")
 }
 
-/// The message says what is missing, what is there, and what to type; what it says to type works.
 #[test]
 fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
     let workdir = workdir!();
@@ -73,7 +72,6 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
     assert!(!run.stderr.contains("type --"), "{run:?}");
 }
 
-/// A column without a heading is named by its number.
 #[test]
 fn a_column_named_by_its_number_is_told_by_its_number() {
     let workdir = workdir!();
@@ -86,7 +84,6 @@ fn a_column_named_by_its_number_is_told_by_its_number() {
     );
 }
 
-/// What is doubtful in a file is a warning of the fit, and is told with its errors.
 #[test]
 fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
     let workdir = workdir!();
@@ -224,7 +221,6 @@ fn a_tilted_baseline_says_what_to_free() {
     assert!(!found.to_string().contains("may be tilted"), "{found}");
 }
 
-/// The report says which modulus each number is, and Young's modulus of the sphere on request.
 #[test]
 fn a_report_says_which_modulus_is_young_s_and_which_is_reduced() {
     let workdir = workdir!();

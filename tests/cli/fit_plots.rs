@@ -42,8 +42,8 @@ fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
     simulate(&workdir);
     fit(&workdir, "--plot jkr.svg --plot-kind jkr");
     let svg = String::from_utf8(workdir.read("jkr.svg")).expect("text");
-    let points = markers(&svg, COLOURS[0]);
-    assert_eq!(points.len(), 30);
+    let [points, back] = COLOURS.map(|colour| markers(&svg, colour));
+    assert_eq!([points.len(), back.len()], [30; 2]);
     let [[x0, y0], [x1, y1]] = [points[0], points[29]];
     assert!((x1 - x0).abs() > 3000.0 && (y0 - y1).abs() > 2000.0);
     for [x, y] in points {

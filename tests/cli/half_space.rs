@@ -10,7 +10,6 @@ const LENS: &str = "--half-space --sphere-radius 1mm --sphere-modulus 2MPa --fil
 const RADIUS: f64 = 1e-3;
 const WORK: f64 = 0.04;
 
-/// The compound modulus of the lens.
 fn modulus() -> f64 {
     1.0 / ((1.0 - 0.16) / 3.5e6 + 1.0 / 2e6)
 }

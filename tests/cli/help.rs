@@ -130,7 +130,6 @@ fn commands(help: &str) -> Vec<String> {
         .collect()
 }
 
-/// Returns the examples of a help.
 fn examples(help: &str) -> Vec<&str> {
     help.split_once("\nExamples")
         .map_or("", |(_, section)| section)

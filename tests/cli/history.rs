@@ -143,7 +143,6 @@ fn the_error_and_the_doubts_are_stated() {
     assert_names(&run.stderr, "warning; do not relax");
 }
 
-/// The wrong first calls.
 #[test]
 fn mistakes_are_told() {
     let workdir = workdir!();

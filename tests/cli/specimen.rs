@@ -4,35 +4,24 @@ use acceptance::{Data, Workdir, assert_close, assert_names, number, rows, workdi
 use serde_json::Value;
 
 /// The flags of the paper's system, and the questions that a fit asks without them.
-const PAPER: [(&str, &str, &str); 8] = [
-    ("--sphere-radius", "1mm", "radius of the sphere"),
-    ("--sphere-modulus", "2MPa", "how stiff is the sphere?"),
-    ("--film-thickness", "1um", "how thick is the film?"),
-    ("--film-modulus", "3.5MPa", "Young's modulus of the film?"),
-    ("--film-poisson-ratio", "0.5", "Poisson ratio of the film?"),
-    (
-        "--substrate-modulus",
-        "200GPa",
-        "Young's modulus of the substrate?",
-    ),
-    (
-        "--substrate-poisson-ratio",
-        "0.25",
-        "Poisson ratio of the substrate?",
-    ),
-    (
-        "--work-of-adhesion",
-        "40mJ/m^2",
-        "what is the work of adhesion?",
-    ),
-];
+const PAPER: &str = "
+    --sphere-radius | 1mm | radius of the sphere
+    --sphere-modulus | 2MPa | how stiff is the sphere?
+    --film-thickness | 1um | how thick is the film?
+    --film-modulus | 3.5MPa | Young's modulus of the film?
+    --film-poisson-ratio | 0.5 | Poisson ratio of the film?
+    --substrate-modulus | 200GPa | Young's modulus of the substrate?
+    --substrate-poisson-ratio | 0.25 | Poisson ratio of the substrate?
+    --work-of-adhesion | 40mJ/m^2 | what is the work of adhesion?
+    ";
 
 /// Returns the flags of the paper's system without some of them.
 fn without(left_out: &str) -> String {
     let is_left_out = |flag: &str| left_out.split(' ').any(|one| one == flag);
-    let flags = PAPER.iter().filter(|(flag, ..)| !is_left_out(flag));
+    let flags = rows::<3>(PAPER).into_iter();
+    let flags = flags.filter(|[flag, ..]| !is_left_out(flag));
     flags
-        .map(|(flag, value, _)| format!("{flag} {value} "))
+        .map(|[flag, value, _]| format!("{flag} {value} "))
         .collect()
 }
 
@@ -75,7 +64,7 @@ fn a_fit_lists_all_that_is_missing_at_once_and_no_more() {
     for [more, missing] in rows(cases) {
         let message = workdir.fail(1, format!("fit {more}"));
         let is_missing = |flag: &str| missing.split(' ').any(|name| flag == format!("--{name}"));
-        for (flag, _, question) in PAPER {
+        for [flag, _, question] in rows(PAPER) {
             let asked = message.contains(&format!("{flag} is missing: "));
             assert_eq!(asked, is_missing(flag), "{more:?}: {flag}: {message}");
             assert_eq!(message.contains(question), asked, "{more:?}: {message}");
@@ -137,7 +126,7 @@ fn other_commands_name_the_values_of_the_example_in_a_comment_line() {
         let plain = workdir.answer(command);
         assert_eq!(plain.stderr.lines().count(), 1, "{plain:?}");
         assert!(plain.stderr.starts_with("# "), "{plain:?}");
-        for (flag, value, _) in PAPER {
+        for [flag, value, _] in rows(PAPER) {
             let name = flag.trim_start_matches('-').replace('-', "_");
             assert_names(&plain.stderr, &[&format!("{name} = {value}")]);
         }

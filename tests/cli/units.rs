@@ -1,6 +1,6 @@
 //! Quantities with a unit behind the number, negative values, and other mistakes.
 
-use acceptance::workdir;
+use acceptance::{shipped, workdir};
 
 #[test]
 fn quantities_with_a_unit_are_those_in_si_units() {
@@ -55,12 +55,9 @@ fn quantities_with_a_unit_are_those_in_si_units() {
 #[test]
 fn a_fit_takes_units_in_every_setting() {
     let workdir = workdir!();
-    let data = "simulate --specimen paper --kind load-radius --film-thickness 30um --from 42um --to 130um --noise 2uN \
-                -o lens.csv";
-    workdir.succeed(data);
-    let fit = |settings: &str| {
-        workdir.succeed(format!("fit lens.csv --specimen paper --json {settings}"))
-    };
+    let lens = shipped("../crates/fit/data/lens.csv");
+    let fit = format!("fit {} --specimen paper --json", lens.display());
+    let fit = |settings: &str| workdir.succeed(format!("{fit} {settings}"));
     let free = "--free sphere-modulus,film-thickness,work-of-adhesion";
     let si = format!(
         "{free} --film-thickness 3e-5 --noise 2e-6 --bounds sphere-modulus=1e5..1e8 --prior film-thickness=3e-5+-1e-6 \

@@ -63,13 +63,7 @@ fn the_truth_is_within_the_intervals_with_noise_in_the_radius() {
         noise_is_known: false,
         ..lens()
     };
-    recover(
-        "radius noise, noise not known",
-        &unknown,
-        103,
-        &[],
-        with_noise,
-    );
+    recover("radius, not known", &unknown, 103, &[], with_noise);
     // Radii ten times as uncertain at one end as at the other, as columns give them.
     let of_point = |i: usize| 1e-7 * (1.0 + 0.25 * i as f64);
     recover(

@@ -132,20 +132,13 @@ fn a_film_that_relaxes_in_a_hold_is_named() {
     let probe = Imagined::probe(Course::Approach, 0.0, &hertz);
     let exact = probe.exact();
     for seed in 0..10 {
+        let fell = "height was held; load fell; the film relaxes; needs its time";
+        let crept =
+            "load was held; height changed; change in contact; the film creeps; needs its time";
         for (fall, creep, words) in [
             (0.0, 0.0, None),
-            (
-                0.1,
-                0.0,
-                Some("height was held; load fell; the film relaxes; needs its time"),
-            ),
-            (
-                0.0,
-                2e-7,
-                Some(
-                    "load was held; height changed; change in contact; the film creeps; needs its time",
-                ),
-            ),
+            (0.1, 0.0, Some(fell)),
+            (0.0, 2e-7, Some(crept)),
         ] {
             let mut held = probe.measured(&exact, seed);
             let mut random = Contacts::new(seed + 100);

@@ -57,31 +57,28 @@ fn settings_that_cannot_be_used_are_named() {
     fit_all(one, &[]).refused("no free parameter");
     let sphere = Free::new(Parameter::SphereModulus);
     fit_all(one, &[sphere, sphere]).refused("sphere-modulus is free twice");
-    for (free, words) in [
-        (
-            Free::new(Parameter::ContactPoint),
-            "contact-point; imagined.csv; neither penetration nor height",
-        ),
-        (Free::new(Parameter::Stiffness), "stiffness; no height"),
-        (Free::new(Parameter::Baseline), "baseline; not measured"),
-        (
-            sphere.starting_from(-1.0),
-            "start of sphere-modulus; -1.0; positive",
-        ),
-        (sphere.within(1e6, f64::NAN), "bound of sphere-modulus; NaN"),
-        (sphere.within(2e6, 1e6), "upper bound; 1000000.0; 2000000.0"),
-        (
-            sphere.within(1e6, 2e6).starting_from(3e6),
-            "start of sphere-modulus; 3000000.0; between the bounds",
-        ),
-        (sphere.with_prior(2e6, 0.0), "prior width; 0.0; positive"),
-        (
-            Free::new(Parameter::FilmPoissonRatio).within(0.0, 0.6),
-            "bound of film-poisson-ratio; 0.6; 0.5",
-        ),
-    ] {
-        fit_all(one, &[free]).refused(words);
-    }
+    let refused = |free: Free, words: &str| fit_all(one, &[free]).refused(words);
+    let contact_point = Free::new(Parameter::ContactPoint);
+    refused(
+        contact_point,
+        "contact-point; imagined.csv; neither penetration nor height",
+    );
+    refused(Free::new(Parameter::Stiffness), "stiffness; no height");
+    refused(Free::new(Parameter::Baseline), "baseline; not measured");
+    refused(
+        sphere.starting_from(-1.0),
+        "start of sphere-modulus; -1.0; positive",
+    );
+    refused(sphere.within(1e6, f64::NAN), "bound of sphere-modulus; NaN");
+    refused(sphere.within(2e6, 1e6), "upper bound; 1000000.0; 2000000.0");
+    let beside = sphere.within(1e6, 2e6).starting_from(3e6);
+    refused(
+        beside,
+        "start of sphere-modulus; 3000000.0; between the bounds",
+    );
+    refused(sphere.with_prior(2e6, 0.0), "prior width; 0.0; positive");
+    let ratio = Free::new(Parameter::FilmPoissonRatio).within(0.0, 0.6);
+    refused(ratio, "bound of film-poisson-ratio; 0.6; 0.5");
     let with = |change: fn(&mut Options)| fit_with(&measured, &lens.free, change);
     for threshold in [0.0, f64::NAN, f64::INFINITY] {
         for loss in [Loss::Huber { threshold }, Loss::SoftL1 { threshold }] {

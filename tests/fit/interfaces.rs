@@ -59,11 +59,8 @@ fn only(found: &Fit, kind: WarningKind) -> &str {
 #[test]
 fn the_stiffness_of_an_interface_is_found() {
     let lens = lens(springs(3e11, INFINITY), stiffness());
-    recover(
-        "lens, interface's stiffness",
-        &lens,
-        &[WarningKind::LargeStrain],
-    );
+    let expected = [WarningKind::LargeStrain];
+    recover("lens, interface's stiffness", &lens, &expected);
 }
 
 #[test]

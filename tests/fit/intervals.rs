@@ -8,7 +8,6 @@ use rayon::prelude::*;
 use crate::drawn::Drawn;
 use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, fit_with, of_file, profiled, text};
 
-/// The levels of the intervals.
 const LEVELS: [f64; 4] = [0.5, 0.68, 0.95, 0.99];
 
 /// Fits an experiment with intervals of each level.

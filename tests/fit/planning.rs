@@ -79,7 +79,6 @@ fn noise_is_normal_and_belongs_to_its_seed() {
     }
 }
 
-/// A plan is told of the assumptions of the model that its contacts leave, as a fit of its data is.
 #[test]
 fn a_plan_outside_the_model_is_told_as_its_fit_is() {
     let mut probe = Imagined::probe(Course::Retract, 1e-4, &[Parameter::FilmModulus]);

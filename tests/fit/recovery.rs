@@ -15,7 +15,6 @@ use Parameter::{
     WorkOfAdhesionReceding,
 };
 
-/// The number of data sets of each kind.
 pub const SETS: u64 = 200;
 /// The numbers of 50 and of 200 that a binomial distribution with 0.6827 and 0.95 exceeds on either
 /// side once in 20,000 times. The tests make some 100 such comparisons.

@@ -48,7 +48,6 @@ fn a_stiff_film_on_a_soft_base_that_relax_together_is_doubted() {
     }
 }
 
-/// Points that begin in contact have no history, with a level that is known, too.
 #[test]
 fn points_that_begin_in_contact_are_refused_with_a_level_that_is_known() {
     for seed in 0..10 {

@@ -14,7 +14,6 @@ use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
 const ADHESION: f64 = 0.04;
 /// The true reading of the penetration at first touch, m.
 const CONTACT_POINT: f64 = 1e-7;
-/// The number of points of a measurement.
 const POINTS: i32 = 60;
 /// The largest number of standard errors between a value and the truth. The tests below compare
 /// some 40 values; one of them is farther off by chance once in 400 times.

@@ -138,5 +138,7 @@ def test_points_far_off_are_called_by_their_numbers():
 def test_the_words_of_a_user_stay(tmp_path):
     """A name is shown as it was given, whatever it looks like."""
     name = "a::b --c"
-    refuses(ContactError, re.escape(name), lambda: fit(replace(at_end(1), name=name), WANTED))
-    refuses(OSError, re.escape(name), lambda: Table.read(tmp_path / name))
+    with pytest.raises(ContactError, match=re.escape(name)):
+        fit(replace(at_end(1), name=name), WANTED)
+    with pytest.raises(OSError, match=re.escape(name)):
+        Table.read(tmp_path / name)

@@ -104,7 +104,6 @@ def test_several_curves_and_directions_that_may_be_wrong_are_told(write):
 @pytest.mark.parametrize(
     ("text", "options", "words"),
     [
-        ("", {}, ["the file is empty"]),
         ("Depth [nm],Kraft [mN]\n1,2\n2,3\n", {}, ["Kraft", 'columns={"load": "Kraft [mN]"}']),
         (
             "Depth [nm],Kraft [mN]\n1,2\n2,3\n",
@@ -119,7 +118,6 @@ def test_several_curves_and_directions_that_may_be_wrong_are_told(write):
         ("z [nm],defl [nm]\n1,2\n2,1\n", {}, ["give stiffness=, N/m"]),
         ("z [nm],defl [V]\n1,2\n2,1\n", {"stiffness": 1.0}, ["sensitivity=, m/V"]),
         ("height,force,phase\n1,2,sideways\n2,3,sideways\n", {}, ['segments="split"', "sideways"]),
-        ("penetration,load\n1,2\n2,x\n", {}, ["line 3, column 2", '"x" is not a number']),
         ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "P"}}, ['no column is "P"']),
         ("penetration,load\n1,2\n2,3\n", {"columns": {"lode": "P"}}, ["lode", "contact_radius"]),
         ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "-"}}, ["empty"]),

@@ -18,7 +18,6 @@ fn with(first: &str, more: &str) -> String {
     format!("{first} {OXIDE} {more}")
 }
 
-/// Returns value and standard error of a parameter, in SI units.
 fn found(workdir: &Workdir, args: &str, parameter: &str) -> [f64; 2] {
     estimate(&workdir.json(format!("{args} --json")), parameter)
 }
@@ -156,7 +155,6 @@ fn files_of_nanoindenters_are_read() {
     assert_names(&workdir.succeed(&args), words);
 }
 
-/// The wrong first call says what is wrong and what to type.
 #[test]
 fn wrong_first_calls_are_answered() {
     let workdir = workdir!();
