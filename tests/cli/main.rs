@@ -35,7 +35,6 @@ mod plot;
 mod points;
 mod pull_off;
 mod readme;
-mod reference_sample;
 mod relaxing;
 mod simulate;
 mod specimen;

@@ -4,9 +4,8 @@ use acceptance::{
     Workdir, assert_close, assert_estimate, assert_names, layer, number, solid, stack, value,
     workdir,
 };
-use contact::Contact;
+use solve::solve_stack;
 use solve::stack::Stack;
-use solve::{solve_stack, stack_curve};
 
 const TEXT: &str = "base = { young_modulus = 2e11, poisson_ratio = 0.25 }\n\
     [[layers]]\nname = \"primer\"\nyoung_modulus = 5e5\npoisson_ratio = 0.5\nthickness = 2.5e-6\n\
@@ -40,22 +39,6 @@ fn solve_prints_the_solution_of_the_library() {
         assert_eq!(object["method"], "Galerkin");
         let text = workdir.succeed(&arguments);
         assert_names(&text, &format!("normalised_by = {unit}"));
-    }
-}
-
-#[test]
-fn curve_prints_the_contact_of_the_stack() {
-    let workdir = workdir!();
-    let stack = written(&workdir);
-    let rows = workdir.csv("curve --stack stack.toml --from 1e-5 --to 1e-4 --points 7");
-    let t = stack.thickness();
-    let curve = stack_curve(&stack, 2e6, [1e-5 / t, 1e-4 / t], 1e-8).expect("within reach");
-    let contact = Contact::new(&stack.system(1e-3, 2e6), curve).expect("its curve");
-    assert_eq!(rows.cases().count(), 7);
-    for row in rows.cases() {
-        let expected = contact.load_and_penetration(row.get("contact_radius"), 0.04);
-        let found = (row.get("load"), row.get("penetration"));
-        assert_eq!(found, expected.expect("in range"));
     }
 }
 

@@ -14,15 +14,13 @@ from coated_contact import (
     InputError,
     Layer,
     OutsideTableError,
-    SolvedCurve,
     SolveError,
     Spring,
     Stack,
     StackSystem,
-    Table,
     solve_stack,
 )
-from conftest import ROOT, make_system, refuses
+from conftest import ROOT, refuses
 
 PRIMER = ROOT / "tables" / "stacks" / "primer.toml"
 KNOWN = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
@@ -85,14 +83,6 @@ def test_a_punch_on_a_stack(stack):
     assert pulled.penetration**2 * slope / (4 * pi * 2e-5) == pytest.approx(0.04, rel=1e-5)
     with pytest.raises(InputError, match="paraboloid or a flat punch only"):
         stack.contact(probe=Cone(half_angle=1.2), sphere_modulus=2e6, a_over_t=(1, 4))
-
-
-def test_a_solved_film_is_that_of_the_table():
-    system, a = make_system(film_poisson_ratio=0.3), np.linspace(2e-6, 1.9e-4, 20)
-    solved = SolvedCurve(a_over_t=(0.1, 20), tolerance=1e-10).contact(system)
-    assert solved.stiffness(a) == pytest.approx(
-        Table.embedded().contact(system).stiffness(a), rel=1e-6
-    )
 
 
 def test_a_graded_film_has_the_solids_of_the_middles_of_its_layers():

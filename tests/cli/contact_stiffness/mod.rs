@@ -41,11 +41,7 @@ fn curves_have_both_stiffnesses() {
         }
         assert!(worst < 3e-5, "{worst:e}");
     }
-    // Without adhesion they are one, and a punch has no second.
-    let none = "--work-of-adhesion 0";
-    for row in workdir.csv(format!("curve {film} {range} {none}")).cases() {
-        assert_eq!(row.get("contact_stiffness"), row.get("moving_stiffness"));
-    }
+    // A punch has no second.
     let punch = "--probe flat-punch --sphere-radius 20um";
     let rows = workdir.csv(format!("curve {film} {punch}"));
     let system = System {
@@ -245,4 +241,26 @@ fn simulated_phases_give_their_loss_tangent_back() {
         1 | {plan} --kind load-radius --noise 1uN --loss-tangent 0.5 | --loss-tangent; contact stiffness
         "
     ));
+}
+
+/// A film, and a film of the material of its substrate, so thick that it is a bare reference.
+#[test]
+fn a_reference_has_the_poisson_ratio_of_the_substrate() {
+    let workdir = workdir!();
+    let depth = "--kind stiffness-depth";
+    let plan = "simulate --from 40nm --to 220nm --noise 0.01% --hardness 10GPa --tip-rounding 6nm";
+    workdir.succeed(with(plan, &format!("{depth} -o film.csv")));
+    let bare = with(plan, depth)
+        .replace("72GPa", "170GPa")
+        .replace("0.17", "0.28")
+        .replace("500nm", "1mm");
+    workdir.succeed(format!("{bare} --seed 2 -o bare.csv"));
+    let found = |more: &str| {
+        let free = "--free film-modulus,tip-rounding --json";
+        let fit = with("fit film.csv --reference bare.csv", depth);
+        workdir.json(format!("{fit} {free} {more}"))
+    };
+    let given = "--reference-modulus 170GPa --reference-poisson-ratio 0.28";
+    assert_eq!(found(""), found(given));
+    assert_ne!(found(""), found("--reference-poisson-ratio 0.4"));
 }
