@@ -8,7 +8,7 @@ use std::process::Command;
 use fit::data::{Cantilever, Format, Reading, read};
 use fit::{Direction, Kind};
 
-use crate::rows;
+use crate::{assert_told, rows};
 
 /// Invented, for the files that tell nothing of the cantilever.
 const GIVEN: Cantilever = Cantilever {
@@ -108,58 +108,41 @@ fn all_texts_of_afmformats_are_read_or_refused_with_the_reason() {
 }
 
 fn check([_, cantilever, asked, outcome, what]: &[String; 5], name: &str, path: &Path) {
-    let mut format = Format::default();
-    match &**cantilever {
-        "" => (),
-        "given" => format.cantilever = GIVEN,
-        other => panic!("{other}"),
+    let mut format = Format {
+        kind: Kind::of_name(asked),
+        ..Format::default()
+    };
+    if cantilever == "given" {
+        format.cantilever = GIVEN;
     }
-    match &**asked {
-        "" => (),
-        "force-height" => format.kind = Some(Kind::ForceHeight),
-        "load-penetration" => format.kind = Some(Kind::LoadPenetration),
-        columns => {
-            let columns = columns
-                .split("; ")
-                .map(|text| text.parse().expect("a column"));
-            format.columns = columns.collect();
-        }
+    if format.kind.is_none() {
+        let columns = asked.split("; ").filter(|column| !column.is_empty());
+        format.columns = columns
+            .map(|text| text.parse().expect("a column"))
+            .collect();
     }
-    match (&**outcome, read(path, &format)) {
-        (
-            "read",
-            Ok(Reading {
-                measurement, notes, ..
-            }),
-        ) => {
-            let count = |direction| {
-                let points = measurement.points.iter();
-                points.filter(|point| point.direction == direction).count()
-            };
-            let [approach, retract] = Direction::ALL.map(Some);
-            let mut found = [approach, retract, None]
-                .map(count)
-                .map(|count| count as f64)
-                .to_vec();
-            if !notes.from_head().is_empty() {
-                found.extend(notes.head.stiffness.as_ref().map(|named| named.value));
-            }
-            let numbers = what
-                .split(' ')
-                .map(|number| number.parse().expect("a number"));
-            let expected: Vec<f64> = numbers.collect();
-            assert_eq!(found, expected, "{name}");
-            if measurement.kind == Kind::ForceHeight && format.columns.is_empty() {
-                assert_eq!(notes.doubts, [], "{name}");
-            }
-        }
-        ("refused", Err(error)) => {
-            let message = error.to_string();
-            assert_eq!(message.lines().count(), 1, "{message}");
-            for word in what.split("; ") {
-                assert!(message.contains(word), "{word:?} is not in: {message}");
-            }
-        }
-        (_, found) => panic!("{name}: {found:?}"),
+    let found = read(path, &format);
+    if outcome == "refused" {
+        return assert_told(found, what);
+    }
+    let Reading {
+        measurement, notes, ..
+    } = found.unwrap_or_else(|error| panic!("{name}: {error}"));
+    let count = |direction| {
+        let points = measurement.points.iter();
+        points.filter(|point| point.direction == direction).count() as f64
+    };
+    let [approach, retract] = Direction::ALL.map(Some);
+    let mut found = [approach, retract, None].map(count).to_vec();
+    if !notes.from_head().is_empty() {
+        found.extend(notes.head.stiffness.as_ref().map(|named| named.value));
+    }
+    let numbers = what.split(' ');
+    let expected: Vec<f64> = numbers
+        .map(|text| text.parse().expect("a number"))
+        .collect();
+    assert_eq!(found, expected, "{name}");
+    if measurement.kind == Kind::ForceHeight && format.columns.is_empty() {
+        assert_eq!(notes.doubts, [], "{name}");
     }
 }
