@@ -1,11 +1,8 @@
 //! States at many imposed values, and their derivatives at a fixed imposed value.
 
-use std::f64::consts::PI;
-
-use acceptance::{Contacts, assert_names, looked_up, paper_system, solid};
-use contact::Error;
-use contact::{Branch, Contact, Control, Derivatives, Input, State};
-use interp::{HalfSpace, Probe, System, Table};
+use acceptance::{Contacts, assert_names, looked_up, paper_system, solid, solved_contact};
+use contact::{Branch, Contact, Control, Derivatives, Error, Input, State};
+use interp::{System, Table};
 
 const SPRING: Control = Control::Spring { stiffness: 40.0 };
 
@@ -76,126 +73,71 @@ fn a_branch_holds_the_states_found_one_by_one() {
     }
 }
 
-#[test]
-fn derivatives_on_a_half_space_are_those_of_jkr() {
-    let (radius, modulus, w) = (1e-3, 2e6, 0.04);
-    let system = HalfSpace {
-        probe: Probe::Paraboloid { radius },
-        sphere_modulus: modulus,
-        solid: solid(f64::INFINITY, 0.25),
-    };
-    let contact = Contact::half_space(&system).expect("physical");
-    let equilibria = contact.equilibria(w, Control::Displacement).expect("JKR");
-    let values: Vec<f64> = (0..50).map(|i| -1e-6 + 2e-7 * f64::from(i)).collect();
-    let inputs = [Input::SphereModulus, Input::WorkOfAdhesion];
-    let mut states = vec![State::ORIGIN; values.len()];
-    let mut derivatives = vec![Derivatives::ZERO; 3 * values.len()];
-    let unloading = Branch::Unloading;
-    equilibria
-        .branch_with_gradient(&values, unloading, &inputs, &mut states, &mut derivatives)
-        .expect("JKR");
-    for (state, rows) in states.iter().zip(derivatives.chunks(3)) {
-        // Johnson, Kendall and Roberts (1971): F and delta as functions of a.
-        let a = state.contact_radius;
-        let (root_w, root_e) = (w.sqrt(), modulus.sqrt());
-        let attraction = (8.0 * PI * a.powi(3)).sqrt();
-        let load_by_a = 4.0 * modulus * a * a / radius - 1.5 * attraction * root_w * root_e / a;
-        let depth = (2.0 * PI * a).sqrt();
-        let depth_by_a = 2.0 * a / radius - 0.5 * depth * root_w / root_e / a;
-        let stiffness = load_by_a / depth_by_a;
-        let by_modulus = 4.0 * a.powi(3) / (3.0 * radius) - 0.5 * attraction * root_w / root_e;
-        let depth_by_modulus = 0.5 * depth * root_w / (root_e * modulus);
-        let by_work = -0.5 * attraction * root_e / root_w;
-        let depth_by_work = -0.5 * depth / (root_e * root_w);
-        // Each derivative is a difference of two terms, which is 0 for the modulus at delta = 0.
-        let expected = [
-            [stiffness, 0.0],
-            [by_modulus, stiffness * depth_by_modulus],
-            [by_work, stiffness * depth_by_work],
-        ];
-        for (found, [one, other]) in rows.iter().zip(expected) {
-            let off = (found.load - (one - other)).abs();
-            assert!(off < 1e-9 * (one.abs() + other.abs()), "{a}: {off:e}");
-        }
-        assert!((rows[0].penetration - 1.0).abs() < 1e-12);
-        let sizes = [depth_by_modulus, depth_by_work];
-        for (by, size) in rows[1..].iter().zip(sizes) {
-            assert!(by.penetration.abs() < 1e-9 * size.abs(), "delta is imposed");
-        }
-    }
-}
-
 /// Derivatives by differences of contacts by direct solves, without the table.
 #[test]
 fn derivatives_on_a_film_are_those_of_direct_solves() {
-    let solved = |system: &System| {
-        let material = system.material().expect("physical");
-        let range = [1e-5 / system.film_thickness, 2e-4 / system.film_thickness];
-        let curve = solve::curve(&material, range, 1e-10).expect("within reach");
-        Contact::new(system, curve).expect("its own curve")
-    };
-    let w = 0.04;
+    const STEP: f64 = 1e-3;
+    const W: f64 = 0.04;
+    let inputs = [
+        Input::SphereModulus,
+        Input::FilmModulus,
+        Input::FilmThickness,
+        Input::WorkOfAdhesion,
+    ];
     for system in [paper_system(1e-5), paper_system(3e-4)] {
         let contact =
             Contact::in_table_with_gradient(Table::embedded(), &system).expect("in the table");
-        let inputs = [
-            Input::SphereModulus,
-            Input::FilmModulus,
-            Input::FilmThickness,
-        ];
+        // Returns the contact and the work of adhesion with an input that is changed by a factor.
+        let changed = |input: Input, factor: f64| {
+            let (mut system, mut w) = (system.clone(), W);
+            match input {
+                Input::SphereModulus => system.sphere_modulus *= factor,
+                Input::FilmThickness => system.film_thickness *= factor,
+                Input::WorkOfAdhesion => w *= factor,
+                _ => system.film = solid(factor * system.film.young(), system.film.poisson()),
+            }
+            let range = [1e-5, 2e-4].map(|a| a / system.film_thickness);
+            (solved_contact(&system, range, 1e-10), w)
+        };
+        let near =
+            inputs.map(|input| [1.0 + STEP, 1.0 - STEP].map(|factor| changed(input, factor)));
         for control in [Control::Load, Control::Displacement, SPRING] {
-            let equilibria = contact.equilibria(w, control).expect("a table to 0");
-            let values: Vec<f64> = [6e-5, 9e-5, 1.3e-4]
-                .iter()
-                .map(|&a| {
-                    let (load, penetration) = contact.load_and_penetration(a, w).expect("inside");
-                    control.imposed(load, penetration)
-                })
-                .collect();
-            let mut states = vec![State::ORIGIN; 3];
-            let mut derivatives = vec![Derivatives::ZERO; 12];
+            let equilibria = contact.equilibria(W, control).expect("a table to 0");
+            let values = [6e-5, 9e-5, 1.3e-4].map(|a| {
+                let (load, penetration) = contact.load_and_penetration(a, W).expect("inside");
+                control.imposed(load, penetration)
+            });
+            let mut states = [State::ORIGIN; 3];
+            let mut derivatives = [Derivatives::ZERO; 15];
             let unloading = Branch::Unloading;
             equilibria
                 .branch_with_gradient(&values, unloading, &inputs, &mut states, &mut derivatives)
                 .expect("in range");
-            for (k, input) in inputs.into_iter().enumerate() {
-                let changed = |factor: f64| {
-                    let mut system = system.clone();
-                    let film = system.film;
-                    match input {
-                        Input::SphereModulus => system.sphere_modulus *= factor,
-                        Input::FilmThickness => system.film_thickness *= factor,
-                        _ => {
-                            system.film = solid(factor * film.young(), film.poisson());
-                        }
-                    }
-                    solved(&system)
-                };
-                let size = match input {
-                    Input::SphereModulus => system.sphere_modulus,
-                    Input::FilmThickness => system.film_thickness,
-                    _ => system.film.young(),
-                };
-                let step = 1e-3;
-                let [more, less] = [1.0 + step, 1.0 - step].map(changed);
-                for (i, &value) in values.iter().enumerate() {
-                    let at = |contact: &Contact| {
-                        let equilibria = contact.equilibria(w, control).expect("in range");
-                        equilibria.unloading(value).expect("in range")
+            for (i, (&value, state)) in values.iter().zip(&states).enumerate() {
+                let found = &derivatives[5 * i..][..5];
+                // What is imposed is the first of the inputs.
+                let by_itself = control.imposed(found[0].load, found[0].penetration);
+                assert!((by_itself - 1.0).abs() < 1e-12, "{control:?}: {by_itself}");
+                for ((input, near), by) in inputs.iter().zip(&near).zip(&found[1..]) {
+                    let size = match input {
+                        Input::SphereModulus => system.sphere_modulus,
+                        Input::FilmThickness => system.film_thickness,
+                        Input::WorkOfAdhesion => W,
+                        _ => system.film.young(),
                     };
-                    let (up, down) = (at(&more), at(&less));
-                    let found = derivatives[4 * i + 1 + k];
-                    let scale = [
-                        states[i].load.abs() + 1e-4,
-                        states[i].penetration.abs() + 1e-7,
-                    ];
-                    for ((up, down), (found, scale)) in
-                        [(up.load, down.load), (up.penetration, down.penetration)]
-                            .into_iter()
-                            .zip([found.load, found.penetration].into_iter().zip(scale))
-                    {
-                        let expected = (up - down) / (2.0 * step);
-                        let off = (found * size - expected).abs() / scale;
+                    let [up, down] = near.each_ref().map(|(contact, w)| {
+                        let equilibria = contact.equilibria(*w, control).expect("in range");
+                        equilibria.unloading(value).expect("in range")
+                    });
+                    for (found, difference, scale) in [
+                        (by.load, up.load - down.load, state.load.abs() + 1e-4),
+                        (
+                            by.penetration,
+                            up.penetration - down.penetration,
+                            state.penetration.abs() + 1e-7,
+                        ),
+                    ] {
+                        let off = (found * size - difference / (2.0 * STEP)).abs() / scale;
                         assert!(off < 2e-5, "{control:?} {input:?}: {off:e}");
                     }
                 }

@@ -1,8 +1,7 @@
 //! Equilibria beyond what a curve or a table holds.
 
 use acceptance::{larger, looked_up, paper_system, rigid_probe, solid, table};
-use contact::Error;
-use contact::{Contact, Control, State};
+use contact::{Contact, Control, Error, State};
 use interp::{Probe, System, Table};
 
 use crate::equilibria::CONTROLS;

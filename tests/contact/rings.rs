@@ -6,8 +6,7 @@ use std::f64::consts::PI;
 use acceptance::{looked_up, rigid_probe, solid};
 use contact::Control;
 use interp::{Probe, System};
-use solve::Compliance;
-use solve::SurfaceCompliance;
+use solve::{Compliance, SurfaceCompliance};
 
 /// The number of rings, and the radius where the last one ends.
 const RINGS: usize = 160;

@@ -1,11 +1,8 @@
 //! A stack of layers answers what a film answers; what would assume one film is an error, or is of
 //! all layers.
 
-use acceptance::{
-    assert_matches, geometric, larger, layer, paper_system, solid, solved_contact, stack,
-};
-use contact::Error;
-use contact::{Contact, Control};
+use acceptance::{assert_matches, layer, paper_system, solid, solved_contact, stack};
+use contact::{Contact, Error};
 use interp::Quantity;
 use solve::stack::Stack;
 use solve::stack_curve;
@@ -26,61 +23,6 @@ fn contact(stack: &Stack) -> Contact {
     let range = RADII.map(|a| a / stack.thickness());
     let curve = stack_curve(stack, SPHERE, range, 1e-10).expect("within reach");
     Contact::new(&stack.system(RADIUS, SPHERE), curve).expect("the curve of this stack")
-}
-
-/// Equal films, one of them cut into layers. Measured: 2.2e-14.
-#[test]
-fn a_film_cut_into_layers_gives_the_answers_of_the_film() {
-    let system = paper_system(1e-4);
-    let range = RADII.map(|a| a / 1e-4);
-    let film = solved_contact(&system, range, 1e-10);
-    let parts = [layer(3.5e6, 0.5, 2e-5), layer(3.5e6, 0.5, 8e-5)];
-    let cut = contact(&stack(solid(2e11, 0.25), &parts));
-    let mut worst = 0.0;
-    let mut compare = |film: f64, cut: f64| worst = larger(worst, (cut / film - 1.0).abs());
-    for a in [1e-5, 6e-5, 1.5e-4] {
-        let answers = |contact: &Contact| {
-            let (load, penetration) = contact.load_and_penetration(a, W).expect("in range");
-            let validity = contact.validity(a).expect("in range").film.expect("a film");
-            [
-                load,
-                penetration,
-                contact.stiffness(a).expect("in range"),
-                contact.stress_intensity(a, W).expect("in range"),
-                validity.a_over_t,
-                1.0 + validity.compressibility,
-            ]
-        };
-        let (film, cut) = (answers(&film), answers(&cut));
-        film.into_iter()
-            .zip(cut)
-            .for_each(|(film, cut)| compare(film, cut));
-    }
-    for control in [Control::Load, Control::Displacement] {
-        let [film, cut] = [&film, &cut].map(|contact| contact.pull_off(W, control).expect("there"));
-        compare(film.load, cut.load);
-        compare(film.contact_radius, cut.contact_radius);
-    }
-    println!("film in layers: {worst:.1e}");
-    assert!(worst <= 1e-10);
-}
-
-/// Pull-off is the least load, and the energy release rate of a load is the work of adhesion.
-#[test]
-fn the_equilibria_of_a_stack_are_consistent() {
-    let contact = contact(&two_layers());
-    let pull_off = contact.pull_off(W, Control::Load).expect("there is one");
-    for a in geometric(RADII, 200) {
-        let load = contact.load(a, W).expect("in range");
-        assert!(load >= pull_off.load * (1.0 + 1e-12), "{load} at {a}");
-        let g = contact
-            .energy_release_rate_at_load(a, load)
-            .expect("in range");
-        assert!((g / W - 1.0).abs() <= 1e-6, "{g} at {a}");
-    }
-    let zero = contact.zero_load(W).expect("there is one");
-    let load = contact.load(zero.contact_radius, W).expect("in range");
-    assert!(load.abs() <= 1e-9 * pull_off.load.abs());
 }
 
 /// Film bias is redefined only in name: it is relative to the bare base.

@@ -1,14 +1,12 @@
 //! Curves made without a table, from solves or from samples.
 
 use acceptance::{
-    Contacts, Refused, assert_matches, larger, material, paper_system, relative_error, shipped,
-    solid, solved,
+    Contacts, Refused, assert_matches, larger, material, paper_system, relative_error, solid,
+    solved,
 };
 use contact::Contact;
-use interp::{Curve, Material, Probe, Quantities, System, Table};
-use solve::Error;
-use solve::{A_OVER_T, solve};
-use solve::{CURVE_TOLERANCE as TOLERANCE, curve};
+use interp::{Curve, Material, Quantities, System};
+use solve::{A_OVER_T, CURVE_TOLERANCE as TOLERANCE, Error, curve, solve};
 
 const RANGE: [f64; 2] = [1e-3, 1e3];
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];
@@ -65,10 +63,18 @@ fn a_curve_keeps_its_tolerance_between_its_ends() {
                     share = larger(share, worst);
                 }
                 Err(Error::NotConverged {
-                    tolerance: asked,
+                    tolerance: 1e-10,
                     reached,
+                    a_over_t,
                     ..
-                }) if asked == 1e-10 && reached > asked => refused += 1,
+                }) => {
+                    assert!(
+                        1e-10 < reached && reached < 1e-3,
+                        "{material:?}: {reached:e}"
+                    );
+                    assert!((RANGE[0]..=RANGE[1]).contains(&a_over_t), "{a_over_t}");
+                    refused += 1;
+                }
                 Err(error) => panic!("{material:?} to {tolerance:e}: {error}"),
             }
         }
@@ -76,7 +82,7 @@ fn a_curve_keeps_its_tolerance_between_its_ends() {
     println!("at most {share:.2} of the tolerance, {refused} refusals");
     // Measured: 0.09, and 2 refusals.
     assert!(share <= 1.0);
-    assert!(refused <= 2);
+    assert!((1..=2).contains(&refused));
 }
 
 /// Also on ranges so short that a curve has the least number of keys, and on the whole domain.
@@ -179,96 +185,6 @@ fn ranges_and_tolerances_out_of_reach_are_refused_by_name_value_and_range() {
         error,
         "E1/E0 = 1.0715086071862673e301 is outside the domain of the solve, 0.0 to 1e200"
     );
-}
-
-#[test]
-fn an_impossible_tolerance_is_refused_with_the_numbers() {
-    let soft = material([1e-8, 0.5, f64::INFINITY, 0.25]);
-    let error = curve(&soft, RANGE, 1e-11).expect_err("double precision holds no 11 digits here");
-    let Error::NotConverged {
-        tolerance,
-        reached,
-        a_over_t,
-        ..
-    } = error
-    else {
-        panic!("{error}")
-    };
-    println!("{error}");
-    assert_eq!(tolerance, 1e-11);
-    assert!(
-        reached > tolerance && reached < 1e-3 && (RANGE[0]..=RANGE[1]).contains(&a_over_t),
-        "{error}"
-    );
-}
-
-#[test]
-fn the_curve_of_a_table_is_the_same_within_the_tables_error() {
-    let table = Table::open(shipped("paper.h5")).expect("a sound table");
-    let mut contacts = Contacts::new(84);
-    let mut worst = 0.0;
-    for e1 in [0.01, 0.1, 1.75, 30.0, 100.0] {
-        let material = material([e1, 0.5, 1e5, 0.25]);
-        let (looked_up, direct) = (
-            table.curve(&material).expect("in the table"),
-            curve(&material, RANGE, 1e-10).expect("converges"),
-        );
-        for _ in 0..500 {
-            let x = contacts.log_uniform(RANGE[0], RANGE[1]);
-            let [a, b] = [&looked_up, &direct].map(|curve| curve.quantities(x).expect("in range"));
-            worst = larger(worst, relative_error(&a, &b));
-        }
-    }
-    println!(
-        "table and direct curves differ by {worst:.1e}, certified {:.1e}",
-        table.description().certificate.max_error
-    );
-    assert!(worst <= table.description().tolerance);
-}
-
-/// The two terms of eq. 9 each have the relative error of the curve.
-#[test]
-fn force_curves_need_no_table() {
-    let rigid_sphere = System {
-        sphere_modulus: f64::INFINITY,
-        ..paper_system(1e-6)
-    };
-    let thick_film = System {
-        probe: Probe::Paraboloid { radius: 1e-2 },
-        ..paper_system(30e-6)
-    };
-    for system in [paper_system(1e-6), thick_film, rigid_sphere] {
-        let tolerance = 1e-8;
-        let material = system.material().expect("physical");
-        let curve = curve(&material, [0.1, 200.0], tolerance).expect("moderate contrasts converge");
-        let contact = Contact::new(&system, curve).expect("its own curve");
-        let [from, to] = contact.contact_radius_range();
-        assert!(
-            (from / (0.1 * system.film_thickness) - 1.0).abs() < 1e-15
-                && (to / (200.0 * system.film_thickness) - 1.0).abs() < 1e-15
-        );
-        for i in 0..=50 {
-            let (a, w) = (from * (to / from).powf(0.01 + 0.0196 * f64::from(i)), 0.04);
-            let solved = solved(a / system.film_thickness, &material, 1e-10);
-            let mechanics = contact.mechanics();
-            let edge = mechanics.edge_singularity(a, w).expect("physical");
-            let (load, penetration) = mechanics.load_and_penetration(a, edge, &solved);
-            // With the same edge, twice the adhesionless term less the load is the sum of both
-            // terms' sizes.
-            let sizes = |adhesionless: f64, whole: f64| 2.0 * adhesionless - whole;
-            let (f0, d0) = mechanics.load_and_penetration(a, 0.0, &solved);
-            let (found, depth) = contact.load_and_penetration(a, w).expect("in range");
-            assert!(
-                (found - load).abs() <= 2.0 * tolerance * sizes(f0, load),
-                "{a}: {found} for {load}"
-            );
-            assert!(
-                (depth - penetration).abs() <= 2.0 * tolerance * sizes(d0, penetration),
-                "{a}: {depth} for {penetration}"
-            );
-            assert_eq!(contact.load(a, w).expect("in range"), found);
-        }
-    }
 }
 
 #[test]

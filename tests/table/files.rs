@@ -8,8 +8,7 @@ use acceptance::{
     Workdir, all_bits, assert_names, nothing_starts, table, with_payload, workdir, write_hdf5,
 };
 use hdf5::types::VarLenUnicode;
-use interp::Parameter;
-use interp::{Certificate, Error, Quantity, Table};
+use interp::{Certificate, Error, Parameter, Quantity, Table};
 
 const BOX: &str = "
     title      = 'Four axes: µm'

@@ -2,8 +2,7 @@
 //! pieces of its curves.
 
 use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, geometric, larger, low_rank, material, table};
-use interp::{Description, Quantity, Table};
-use interp::{MaterialParameter, Parameter};
+use interp::{Description, MaterialParameter, Parameter, Quantity, Table};
 
 /// What a lookup drops, and how long its pieces are, depends on the tolerance of the table.
 /// Derivatives with respect to `nu1` magnify it most near 0.5.

@@ -6,8 +6,7 @@ use acceptance::{
     BOX, Contacts, RIGID_SPHERE, all_bits, assert_names, error_at, larger, low_rank, shipped,
     table, workdir, write_hdf5,
 };
-use interp::{Description, Quantity, Table};
-use interp::{MaterialParameter, Parameter};
+use interp::{Description, MaterialParameter, Parameter, Quantity, Table};
 use tabulate::table::compress;
 
 const TWO_AXES: &str = "
@@ -38,6 +37,17 @@ const ONE_RADIUS: &str = "
     e0_over_e2 = inf
 ";
 
+/// A scene whose other quantities are integrals of `Gamma`.
+const GAMMA_ALONE: &str = "
+    title      = 'Gamma alone'
+    tolerance  = 1e-6
+    quantities = ['gamma']
+    a_over_t   = { from = 1e-3, to = 100 }
+    e1_over_e2 = { from = 0.5, to = 2, nodes = 14 }
+    nu1        = { from = 0.4, to = 0.5, nodes = 12 }
+    e0_over_e2 = { from = 20, to = 60, nodes = 10 }
+";
+
 pub static FOUR_AXES: LazyLock<Table> = LazyLock::new(|| table(BOX));
 
 /// Returns the largest relative difference between the values of two tables at their nodes.
@@ -60,15 +70,13 @@ fn apart(found: &Table, expected: &Table) -> f64 {
 
 #[test]
 fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
-    for scene in [BOX, RIGID_SPHERE, TWO_AXES] {
-        // A gradient is that of all quantities.
-        let dense = table(
-            &scene
-                .lines()
-                .filter(|line| !line.contains("quantities"))
-                .collect::<Vec<_>>()
-                .join("\n"),
-        );
+    // A gradient is that of all quantities: held, or derived from `Gamma`.
+    let of_all = [BOX, RIGID_SPHERE, TWO_AXES].map(|scene| {
+        let is_kept = |line: &&str| !line.contains("quantities");
+        scene.lines().filter(is_kept).collect::<Vec<_>>().join("\n")
+    });
+    for scene in of_all.into_iter().chain([GAMMA_ALONE.to_owned()]) {
+        let dense = table(&scene);
         let low_rank = low_rank(&dense, 1e-9);
         let (mut contacts, mut worst, mut known) = (Contacts::new(61), 0.0, 0);
         for _ in 0..100 {
@@ -89,7 +97,7 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
                     );
                     continue;
                 };
-                for quantity in dense.quantities() {
+                for quantity in Quantity::ALL {
                     let unit = theirs.values().get(quantity).abs() + by.get(quantity).abs();
                     worst = larger(worst, (ours.get(quantity) - by.get(quantity)).abs() / unit);
                 }
@@ -101,8 +109,9 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
             dense.description().title
         );
         // The truncation of a form changes the values by a small part of the tolerance, and the
-        // derivatives by a larger one. Measured: 1.2e-7, 2.8e-6, 1.7e-7.
-        assert!(known >= 100 && worst <= 1e-5);
+        // derivatives by a larger one. Measured: 9.8e-8, 4.0e-6, 5.4e-7; 4.6e-5 where `Gamma` alone is held.
+        let most = if scene == GAMMA_ALONE { 1e-4 } else { 1e-5 };
+        assert!(known >= 100 && worst <= most, "{worst:e}");
     }
 }
 
@@ -152,12 +161,6 @@ fn a_low_rank_table_has_the_error_it_was_given_at_the_nodes_and_little_more_betw
                 }
             }
             let packed = low_rank.to_packed().expect("a small table");
-            println!(
-                "{}: error {error:e}: {reached:.1e} with ranks {:?} in {} bytes; the curves differ by {different:.1e}",
-                dense.description().title,
-                ranks,
-                packed.len()
-            );
             // Rounding of logarithm and exponential.
             assert!(reached <= error * (1.0 + error) + 1e-14, "{reached:.1e}");
             assert!(

@@ -1,4 +1,4 @@
-"""Opens a table with xarray, netCDF4 and h5netcdf, runs the example of tables/README.md, and prints what they find as JSON.
+"""Opens a table with xarray by both of its libraries, runs the example of tables/README.md, and prints what they find as JSON.
 
 Arguments: the table, the README, and a file with points in JSON, `[{"a_over_t": 65, ...}, ...]`. The example runs as it stands,
 on the table that it names or, where that is the one given, on the table given.
@@ -7,8 +7,6 @@ on the table that it names or, where that is the one given, on the table given.
 import json
 import sys
 
-import h5netcdf
-import netCDF4
 import numpy as np
 import xarray
 
@@ -28,12 +26,6 @@ def by_xarray(engine):
             "coordinates": {name: variable(table[name]) for name in table.coords},
             "quantities": {name: variable(table[name]) for name in table.data_vars},
         }
-
-
-def by_netcdf(dataset):
-    with dataset as file:
-        names = {name: list(file.variables[name].dimensions) for name in file.variables}
-        return {name: {"dimensions": names[name], "bits": bits(file.variables[name][...])} for name in names}
 
 
 def looked_up(source, quantity):
@@ -61,8 +53,6 @@ json.dump(
     {
         "h5netcdf": by_xarray("h5netcdf"),
         "netcdf4": by_xarray("netcdf4"),
-        "netCDF4 alone": by_netcdf(netCDF4.Dataset(path)),
-        "h5netcdf alone": by_netcdf(h5netcdf.File(path, "r")),
         "degree 9": {quantity: looked_up(shown, quantity) for quantity in quantities},
         "degree 3": {quantity: looked_up(shown.replace("k=9", "k=3"), quantity) for quantity in quantities},
         "linear": {quantity: linear(quantity) for quantity in quantities},

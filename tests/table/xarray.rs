@@ -1,4 +1,4 @@
-//! The HDF5 file of a table as netCDF: as xarray, netCDF4 and h5netcdf read it, and as the example
+//! The HDF5 file of a table as netCDF: as xarray reads it by netCDF4 and by h5netcdf, and as the example
 //! of `tables/README.md` interpolates it, by `read_xarray.py`.
 
 use std::env;
@@ -90,21 +90,6 @@ fn assert_reads(table: &Table, found: &Value) {
             Value::Object(quantities.collect()),
             "{engine}"
         );
-    }
-    for library in ["netCDF4 alone", "h5netcdf alone"] {
-        let axes = Parameter::ALL.map(|parameter| {
-            let contents = json!({ "dimensions": [parameter.name()], "bits": hexadecimal(table.axis(parameter)) });
-            (parameter.name().to_owned(), contents)
-        });
-        let quantities = table.quantities().into_iter().map(|quantity| {
-            let values = hexadecimal(table.values(quantity).expect("held"));
-            (
-                quantity.name().to_owned(),
-                json!({ "dimensions": all, "bits": values }),
-            )
-        });
-        let variables = axes.into_iter().chain(quantities).collect();
-        assert_eq!(found[library], Value::Object(variables), "{library}");
     }
 }
 

@@ -2,8 +2,7 @@
 //! `q = 1`.
 
 use acceptance::{Data, larger};
-use solve::Compliance;
-use solve::SurfaceCompliance;
+use solve::{Compliance, SurfaceCompliance};
 
 /// Largest relative error of `x`. Measured: 2.0 rounding units.
 const X: f64 = 6.0 * f64::EPSILON;

@@ -4,8 +4,7 @@
 use std::sync::LazyLock;
 
 use acceptance::{Data, larger, relative_error};
-use solve::Error;
-use solve::{Method, solve};
+use solve::{Error, Method, solve};
 
 /// The decades of tolerance: `10^-3` to `10^-12`.
 const DECADES: std::ops::RangeInclusive<i32> = 3..=12;

@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 
 use acceptance::{larger, material, relative_error, solved};
 use interp::{Material, Quantities};
-use solve::Error;
-use solve::{A_OVER_T, Solution, TOLERANCE, solve};
+use solve::{A_OVER_T, Error, Solution, TOLERANCE, solve};
 
 /// The smallest positive double.
 const DENORMAL: f64 = 5e-324;
@@ -111,6 +110,9 @@ fn points_outside_the_domain_of_the_solve_are_refused_by_name_value_and_range() 
         ),
     ];
     for (name, [from, to], values) in ranges {
+        for end in [from, to] {
+            solve_with(name, end).unwrap_or_else(|error| panic!("{name} = {end}: {error}"));
+        }
         for &value in values.iter().chain(&[from.next_down(), to.next_up()]) {
             match solve_with(name, value) {
                 Err(error @ Error::Domain { .. }) => {
@@ -154,93 +156,6 @@ fn ratios_of_moduli_that_overflow_are_refused_by_name_value_and_range() {
     }
 }
 
-/// A steel ball on a layer of cells on glass: `E1/E2* = 8.7e-9`. The ball is as good as rigid.
-#[test]
-fn a_steel_ball_on_a_layer_of_cells_is_a_rigid_sphere_but_for_its_compliance() {
-    let (ratio, nu1, glass) = (8.7e-9, 0.49, 0.3);
-    for x in [1e-3, 0.5, 5.0, 50.0] {
-        let cells = material([ratio, nu1, glass, 0.22]);
-        let rigid = material([0.0, nu1, glass / ratio, 0.22]);
-        let [under_steel, under_rigid] =
-            [&cells, &rigid].map(|material| solved(x, material, 1e-11));
-        let in_units = in_units_of_the_film(&under_steel, &cells);
-        let departure = relative_error(&in_units, &under_rigid);
-        // In units of E1*, the compliance of the sphere is E1*/E2*; a stiffness Eeq changes by
-        // Eeq times as much, in part.
-        let share = cells.film_modulus() * under_rigid.eeq;
-        println!(
-            "a/t = {x}: {departure:.1e} from the rigid sphere, {:.2} of Eeq/E2*",
-            departure / share
-        );
-        // Measured: 1.0 to 3.1.
-        assert!((0.5 * share..5.0 * share).contains(&departure));
-    }
-}
-
-/// Returns quantities in units of `E2*` in units of `E1*`.
-pub fn in_units_of_the_film(quantities: &Quantities, material: &Material) -> Quantities {
-    let unit = material.film_modulus();
-    Quantities {
-        pi0: quantities.pi0 / unit,
-        eeq: quantities.eeq / unit,
-        gamma: quantities.gamma / unit,
-        delta0: quantities.delta0,
-    }
-}
-
-/// The limits `E1*/E2* -> 0` and `-> inf` and `E0 -> inf` are approached to first order in the
-/// small ratio, over sixteen decades, and reached to rounding.
-#[test]
-fn the_limits_of_the_moduli_are_approached_to_first_order() {
-    const TOLERANCE: f64 = 1e-12;
-    type Family = (&'static str, fn(f64) -> Material, fn(f64) -> Quantities);
-    const X: f64 = 2.0;
-    fn quantities(material: &Material) -> Quantities {
-        solved(X, material, TOLERANCE)
-    }
-    let families: [Family; 3] = [
-        (
-            "rigid sphere",
-            |small| material([small, 0.4, 10.0 * small, 0.2]),
-            |small| {
-                let rigid = quantities(&material([0.0, 0.4, 10.0, 0.2]));
-                let unit = material([small, 0.4, 10.0 * small, 0.2]).film_modulus();
-                Quantities {
-                    pi0: rigid.pi0 * unit,
-                    eeq: rigid.eeq * unit,
-                    gamma: rigid.gamma * unit,
-                    delta0: rigid.delta0,
-                }
-            },
-        ),
-        (
-            "soft sphere",
-            |small| material([1.0 / small, 0.4, 10.0 / small, 0.2]),
-            |_| Quantities::homogeneous(1.0),
-        ),
-        (
-            "rigid substrate",
-            |small| material([0.3, 0.4, 1.0 / small, 0.2]),
-            |_| quantities(&material([0.3, 0.4, f64::INFINITY, 0.2])),
-        ),
-    ];
-    for (name, at, limit) in families {
-        let departure = |small| relative_error(&quantities(&at(small)), &limit(small));
-        let first = departure(1e-4) / 1e-4;
-        for exponent in [-6, -8, -10, -12, -14, -16, -20, -100] {
-            let small = 10_f64.powi(exponent);
-            let departure = departure(small);
-            println!("{name}, {small:e}: {departure:.1e}");
-            // Within the tolerance of two solves and 1 %.
-            assert!(
-                (departure - first * small).abs() <= 2.0 * TOLERANCE + 0.01 * first * small,
-                "{name}, {small:e}: {departure:e}, expected {:e}",
-                first * small
-            );
-        }
-    }
-}
-
 /// A plate on a soft base, small contacts: the compliance of the plate as a whole adds to that of
 /// the contact. Its integral is known from the theory of plates: with `X = 1/(q^3/6 + 1/Xb)`, `Xb =
 /// 4 m g0/((1+g1)(1+g0))` the compliance of the base under an inextensible film,
@@ -272,7 +187,6 @@ fn stiff_films_on_soft_bases_bend_like_plates() {
             };
             worst = larger(worst, relative_error(&solved(x, &film, 1e-9), &expected));
         }
-        println!("E1/E0 = {contrast:e}: {worst:.1e} from the theory of plates");
         // The theory leaves out terms of relative order m^{-1/3}. Measured: 4.8e-4, 5.0e-5, 5.1e-6,
         // 5.1e-8, and 5e-11 from 1e40 on.
         assert!(
@@ -280,109 +194,6 @@ fn stiff_films_on_soft_bases_bend_like_plates() {
             "{contrast:e}: {worst:e}"
         );
     }
-}
-
-pub fn finite_and_positive(solution: &Solution) -> bool {
-    solution
-        .quantities
-        .to_array()
-        .iter()
-        .all(|quantity| quantity.is_finite() && *quantity > 0.0)
-}
-
-#[test]
-fn the_ends_of_the_domain_are_solved() {
-    let ends: [(&str, &[f64]); 4] = [
-        ("a_over_t", &A_OVER_T),
-        ("e1_over_e2", &[0.0, 1e-300, 1e-20, 1e20, 1e190]),
-        (
-            "e0_over_e2",
-            &[1e-190, 1e-20, 1e20, f64::MAX, f64::INFINITY],
-        ),
-        ("tolerance", &TOLERANCE),
-    ];
-    for (name, values) in ends {
-        for &value in values {
-            let solution =
-                solve_with(name, value).unwrap_or_else(|error| panic!("{name} = {value}: {error}"));
-            assert!(
-                finite_and_positive(&solution),
-                "{name} = {value}: {solution:?}"
-            );
-        }
-    }
-}
-
-/// Materials at which double precision is strained: soft incompressible films between stiff bodies,
-/// stiff films on soft bases, films close to the lower limit of Poisson's ratio.
-const HARD: [[f64; 4]; 20] = [
-    [1e-14, 0.5, f64::INFINITY, 0.25],
-    [1e-30, 0.4999999, 1e30, 0.0],
-    [1e14, 0.5, 1.0, 0.0],
-    [1.0, 0.3, 1e-14, 0.25],
-    [0.0, 0.3, 1e-14, 0.5],
-    [1e100, 0.3, 1e86, 0.25],
-    [1e-3, 0.0, 1e-40, 0.5],
-    [1e20, 0.5, 1e-20, 0.0],
-    [1e-8, 0.5, f64::INFINITY, 0.25],
-    [1e-8, 0.5, 1e12, 0.5],
-    [1e-8, 0.4999999, 1e12, 0.0],
-    [1e-6, 0.5, f64::INFINITY, 0.25],
-    [0.0, 0.5, f64::INFINITY, 0.25],
-    [0.0, 0.499999, 1e12, 0.25],
-    [1e8, 0.3, 1e-6, 0.25],
-    [1e8, 0.5, 1e-6, 0.5],
-    [1e4, -0.9, 1e-6, 0.25],
-    [1e-8, -0.9, 1e12, -0.9],
-    [1.0, -0.9, 1.0, 0.5],
-    [1e8, -0.999999, 1e-6, -0.999999],
-];
-
-#[test]
-fn hard_corners_are_answered_honestly_or_refused_with_what_was_reached() {
-    let (mut refused, mut answered, mut worst) = (0, 0, 0.0);
-    for parameters in HARD {
-        let material = material(parameters);
-        for x in [1e-6, 1e-2, 1.0, 30.0, 300.0, 1e6] {
-            let mut best: Option<Solution> = None;
-            // From the tightest tolerance to the loosest: each answer is compared with the best
-            // one.
-            for tolerance in [1e-12, 1e-10, 1e-8, 1e-6, 1e-4] {
-                match solve(x, &material, tolerance) {
-                    Ok(solution) => {
-                        answered += 1;
-                        assert!(
-                            solution.error > 0.0 && solution.error <= tolerance,
-                            "{parameters:?} at {x}: {solution:?}"
-                        );
-                        assert!(
-                            finite_and_positive(&solution),
-                            "{parameters:?} at {x}: {solution:?}"
-                        );
-                        let best = best.get_or_insert(solution);
-                        let difference = relative_error(&solution.quantities, &best.quantities);
-                        worst = larger(worst, difference / (solution.error + best.error));
-                    }
-                    Err(Error::NotConverged {
-                        tolerance: asked,
-                        reached,
-                        ..
-                    }) => {
-                        refused += 1;
-                        assert_eq!(asked, tolerance);
-                        assert!(reached > tolerance, "{parameters:?} at {x}: {reached:e}");
-                    }
-                    Err(other) => panic!("{parameters:?} at {x}: {other}"),
-                }
-            }
-        }
-    }
-    println!(
-        "hard corners: {answered} answers, {refused} refusals, largest difference over stated error {worst:.2}"
-    );
-    // Measured: 568 answers, 32 refusals, 0.45.
-    assert!(answered > refused && refused > 0);
-    assert!(worst <= 1.0);
 }
 
 #[test]

@@ -1,6 +1,4 @@
-//! Dundurs-equivalent materials, and Gao's exact first-order solution.
-
-use std::f64::consts::PI;
+//! Dundurs-equivalent materials.
 
 use acceptance::{Contacts, assert_names, larger, material, relative_error, solved};
 use interp::{Error, Material, SubstratePoissonRatio};
@@ -15,20 +13,21 @@ const TOLERANCE: f64 = 1e-10;
 /// Largest change of `nu1`, and largest relative change of a modulus, by a round trip, and of a reduced
 /// modulus by one way. Measured: 6.7e-16.
 const ROUND_TRIP: f64 = 1e-14;
-/// Largest error of the derivative that Gao gives. Measured: 1.3e-12.
-const GAO: f64 = 2e-11;
 
-/// Draws `count` random materials and their equivalents on a substrate of another Poisson ratio.
+/// Draws `count` random materials, one of seven under a rigid sphere, and their equivalents on a substrate of another
+/// Poisson ratio.
 fn equivalents(seed: u64, count: usize) -> impl Iterator<Item = (Contacts, Material, Material)> {
     let mut contacts = Contacts::new(seed);
-    std::iter::repeat_with(move || {
-        let material = contacts.material([1e-2, 1e4], [1e-2, 1e6]);
-        let nu0 = contacts.poisson_ratio();
-        let equivalent = material.with_substrate_poisson_ratio(nu0).ok()?;
-        Some((contacts.clone(), material, equivalent))
-    })
-    .flatten()
-    .take(count)
+    (0..)
+        .filter_map(move |i| {
+            let drawn = contacts.material([1e-2, 1e4], [1e-2, 1e6]);
+            let e1 = if i % 7 == 0 { 0.0 } else { drawn.e1_over_e2() };
+            let material = material([e1, drawn.nu1(), drawn.e0_over_e2(), drawn.nu0()]);
+            let nu0 = contacts.poisson_ratio();
+            let equivalent = material.with_substrate_poisson_ratio(nu0).ok()?;
+            Some((contacts.clone(), material, equivalent))
+        })
+        .take(count)
 }
 
 #[test]
@@ -105,10 +104,12 @@ fn reduced_moduli_make_the_material_that_they_describe() {
             given.nu0(),
         )
         .expect("physical");
-        let close = |found: f64, given: f64| found == given || (found / given - 1.0).abs() < 1e-14;
+        let changes = [
+            change(found.e1_over_e2(), given.e1_over_e2()),
+            change(found.e0_over_e2(), given.e0_over_e2()),
+        ];
         assert!(
-            close(found.e1_over_e2(), given.e1_over_e2())
-                && close(found.e0_over_e2(), given.e0_over_e2()),
+            changes.iter().all(|&change| change < 1e-14),
             "{found:?}, not {given:?}"
         );
     }
@@ -133,6 +134,15 @@ fn reduced_moduli_make_the_material_that_they_describe() {
     }
 }
 
+/// Returns the relative difference, 0 of equal numbers, which may be 0 or infinite.
+fn change(found: f64, given: f64) -> f64 {
+    if found == given {
+        0.0
+    } else {
+        (found / given - 1.0).abs()
+    }
+}
+
 #[test]
 fn an_equivalent_has_the_same_moduli_and_the_round_trip_gives_the_material_back() {
     let mut worst = 0.0;
@@ -140,60 +150,26 @@ fn an_equivalent_has_the_same_moduli_and_the_round_trip_gives_the_material_back(
     for (_, material, equivalent) in
         equivalents(31, 1000).filter(|(_, material, _)| material.nu1() < 0.5)
     {
-        let back = equivalent
-            .with_substrate_poisson_ratio(material.nu0())
-            .expect("the way back exists");
+        let again = |of: &Material| {
+            let again = of.with_substrate_poisson_ratio(material.nu0());
+            again.expect("the way back exists")
+        };
+        assert_eq!(again(&material), material);
+        assert_eq!(equivalent.normalisation(), material.normalisation());
+        let back = again(&equivalent);
         assert_eq!(back.nu0(), material.nu0());
-        let mut differences = vec![
-            back.nu1() - material.nu1(),
-            back.e1_over_e2() / material.e1_over_e2() - 1.0,
-            equivalent.film_modulus() / material.film_modulus() - 1.0,
-        ];
-        if material.e0_over_e2() == f64::INFINITY {
-            assert_eq!(back.e0_over_e2(), f64::INFINITY);
-        } else {
-            differences.push(back.e0_over_e2() / material.e0_over_e2() - 1.0);
-            let modulus = material.substrate_modulus();
-            differences.push(equivalent.substrate_modulus() / modulus - 1.0);
-        }
-        worst = differences.iter().map(|d| d.abs()).fold(worst, larger);
+        worst = [
+            (back.nu1() - material.nu1()).abs(),
+            change(back.e1_over_e2(), material.e1_over_e2()),
+            change(back.e0_over_e2(), material.e0_over_e2()),
+            change(equivalent.film_modulus(), material.film_modulus()),
+            change(equivalent.substrate_modulus(), material.substrate_modulus()),
+        ]
+        .into_iter()
+        .fold(worst, larger);
     }
     println!("round trip: largest change {worst:.1e}");
     assert!(worst <= ROUND_TRIP);
-}
-
-#[test]
-fn an_equivalent_keeps_the_reduced_moduli_and_the_normalisation() {
-    for e1_over_e2 in [0.0, 3.0] {
-        let given = material([e1_over_e2, 0.4, 20.0, 0.1]);
-        let equivalent = given.with_substrate_poisson_ratio(0.35).expect("reachable");
-        assert!(equivalent != given);
-        assert_eq!(equivalent.normalisation(), given.normalisation());
-        assert!(
-            (equivalent.film_modulus() / given.film_modulus() - 1.0).abs() <= 4.0 * f64::EPSILON
-        );
-        assert!(
-            (equivalent.substrate_modulus() / given.substrate_modulus() - 1.0).abs()
-                <= 4.0 * f64::EPSILON
-        );
-        assert_eq!(
-            given.with_substrate_poisson_ratio(0.1).expect("its own"),
-            given
-        );
-    }
-}
-
-#[test]
-fn a_rigid_sphere_has_equivalents_too() {
-    let given = material([0.0, 0.4, 0.7, 0.1]);
-    let equivalent = given.with_substrate_poisson_ratio(0.0).expect("reachable");
-    let mut worst = 0.0;
-    for x in [0.01, 0.5, 3.0, 40.0] {
-        let solved = |material| solved(x, material, TOLERANCE);
-        worst = larger(worst, relative_error(&solved(&equivalent), &solved(&given)));
-    }
-    println!("rigid sphere: largest difference {worst:.1e}");
-    assert!(worst <= EQUAL);
 }
 
 #[test]
@@ -240,32 +216,4 @@ fn an_unreachable_equivalent_is_an_error_that_names_nu1() {
             Err(Error::Unphysical { name: "nu0", .. })
         ));
     }
-}
-
-/// Returns `phi(y)` of Gao, Chiu and Lee (1992) at `y = t/a`. To first order in the mismatch and at
-/// equal Poisson ratios, a rigid punch on a coated substrate has
-/// `S/(2 a E1*) = 1 + (1 - phi(t/a)) (E0/E1 - 1)`.
-fn gao(y: f64, nu: f64) -> f64 {
-    let logarithm = (1.0 - 2.0 * nu) * y * (1.0 / (y * y)).ln_1p();
-    2.0 / PI * y.atan() + (logarithm - y / (1.0 + y * y)) / (2.0 * PI * (1.0 - nu))
-}
-
-#[test]
-fn the_stiffness_is_gaos_to_first_order_in_the_modulus_mismatch() {
-    const STEP: f64 = 0.01;
-    let mut worst = 0.0;
-    for nu in [-0.4, 0.0, 0.25, 0.3, 0.49, 0.5] {
-        for x in [0.01, 0.1, 0.5, 1.0, 3.0, 10.0, 100.0] {
-            let stiffness = |steps: f64| {
-                let material = material([0.0, nu, 1.0 + steps * STEP, nu]);
-                solved(x, &material, 1e-12).eeq
-            };
-            let difference = |n: f64| (stiffness(n) - stiffness(-n)) / (2.0 * STEP);
-            // Sixth order.
-            let slope = 1.5 * difference(1.0) - 0.3 * difference(2.0) + difference(3.0) / 30.0;
-            worst = larger(worst, (slope - (1.0 - gao(1.0 / x, nu))).abs());
-        }
-    }
-    println!("Gao's derivative: largest error {worst:.1e}");
-    assert!(worst <= GAO);
 }

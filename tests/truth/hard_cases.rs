@@ -4,10 +4,7 @@
 
 use acceptance::{Contacts, Data, larger, material, relative_error};
 use interp::{Material, Quantities};
-use solve::Error;
-use solve::{A_OVER_T, solve};
-
-use crate::domain::finite_and_positive;
+use solve::{A_OVER_T, Error, Solution, solve};
 
 const INF: f64 = f64::INFINITY;
 /// A Poisson ratio just below 0.5.
@@ -16,6 +13,14 @@ const NEARLY: f64 = 0.499_999_999_999;
 const AUXETIC: f64 = (-1.0_f64).next_up();
 /// The ratio of two moduli that are equal but for rounding.
 const APART: f64 = 1.0 + 1e-15;
+
+/// Whether all quantities are finite and positive.
+fn finite_and_positive(solution: &Solution) -> bool {
+    let quantities = solution.quantities.to_array();
+    quantities
+        .iter()
+        .all(|quantity| quantity.is_finite() && *quantity > 0.0)
+}
 
 /// Returns the quantities of a contact from `data/contacts.csv` or `data/hard_cases.csv`.
 ///
@@ -194,8 +199,7 @@ fn hostile_moduli_are_answered_with_finite_numbers_or_an_error() {
                         Err(Error::Domain { .. } | Error::NotConverged { .. }) => {
                             refused += 1;
                             let contrast = material.film_over_substrate();
-                            let ordinary = x <= 30.0
-                                && contrast < 1e80
+                            let ordinary = contrast < if x <= 30.0 { 1e80 } else { 1e14 }
                                 && (e1 == 0.0
                                     || (1e-200..1e290).contains(&material.film_modulus()));
                             assert!(!ordinary, "{material:?} at {x}");
@@ -208,34 +212,4 @@ fn hostile_moduli_are_answered_with_finite_numbers_or_an_error() {
     }
     println!("hostile moduli: {answered} answers, {refused} refusals");
     assert!(answered > refused && refused > 0);
-}
-
-/// The largest contrasts of a table of all systems, at the tolerance of its solves.
-#[test]
-fn the_largest_contrasts_are_answered() {
-    for x in [
-        A_OVER_T[0],
-        1e-3,
-        0.1,
-        1.0,
-        30.0,
-        300.0,
-        1000.0,
-        A_OVER_T[1],
-    ] {
-        for nu1 in [-0.99, 0.0, 0.5] {
-            for e1 in [0.0, 1e-14, 1.0, 1e14, 1e100] {
-                for contrast in [1e-14, 1e-100, 1e14] {
-                    let e0 = if e1 == 0.0 { 1.0 } else { e1 } / contrast;
-                    let material = material([e1, nu1, e0, 0.25]);
-                    let solution =
-                        solve(x, &material, 1e-9).unwrap_or_else(|error| panic!("{error}"));
-                    assert!(
-                        finite_and_positive(&solution) && solution.error <= 1e-9,
-                        "{material:?} at {x}: {solution:?}"
-                    );
-                }
-            }
-        }
-    }
 }

@@ -53,7 +53,6 @@ fn wide_contacts_of_a_sliding_film_on_a_rigid_base_are_springs() {
             2.0 * x * (delta0 - 0.5),
             0.5 * (pi0 / FRAC_PI_2 - x),
         ];
-        println!("c at {x}: {found:?}");
         assert!(found.iter().all(|c| (c - C).abs() <= 1.0 / x), "{found:?}");
     }
 }

@@ -4,9 +4,8 @@ use acceptance::{
     larger, layer, random_stack, relative_error, solid, springs, stack, with_interfaces,
 };
 use interp::{Elastic, Quantities};
-use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
-use solve::{LayeredCompliance, Method};
+use solve::{LayeredCompliance, Method, solve_stack};
 
 pub const INFINITY: f64 = f64::INFINITY;
 
@@ -248,6 +247,16 @@ pub fn slope_at_zero(stack: &Stack) -> f64 {
     0.5 * stack.surface().reduced() * (total + close(group))
 }
 
+/// A plate on a soft interlayer on a stiff base: three layers of very different moduli.
+pub fn sandwich(base: Elastic) -> Stack {
+    let layers = [
+        layer(1.0, 0.4, 0.3),
+        layer(0.02, 0.5, 0.5),
+        layer(5.0, 0.25, 0.2),
+    ];
+    stack(base, &layers)
+}
+
 /// Stacks of every kind of interface, on an elastic or a rigid base.
 pub fn samples(base: Elastic) -> Vec<Stack> {
     use Interface::{Bonded, Sliding};
@@ -276,7 +285,7 @@ pub fn samples(base: Elastic) -> Vec<Stack> {
 #[test]
 fn long_waves_feel_the_base_and_the_groups_of_layers() {
     for base in [solid(3.0, 0.3), solid(0.5, 0.5), rigid()] {
-        for stack in samples(base) {
+        for stack in samples(base).into_iter().chain([sandwich(base)]) {
             let x = compliance(&stack);
             let limit = stack.surface().reduced() / base.reduced();
             let slope = slope_at_zero(&stack);

@@ -6,10 +6,7 @@ use std::f64::consts::PI;
 
 use acceptance::{Contacts, larger, material, relative_error, relative_errors, solved};
 use interp::{Material, Quantities};
-use solve::Compliance;
-use solve::SurfaceCompliance;
-
-use crate::domain::in_units_of_the_film;
+use solve::{Compliance, SurfaceCompliance};
 
 /// The film and the substrate of Barthel's figures.
 const PAPER: [f64; 4] = [1.75, 0.5, 1e5, 0.25];
@@ -106,44 +103,6 @@ fn thin_film(x: f64, material: &Material) -> (Quantities, f64, f64) {
     (quantities, a, c)
 }
 
-#[test]
-fn thin_films_approach_the_bare_substrate_like_the_first_order_expansion() {
-    let [mut worst, mut second_order, mut distance, mut first_order] = [0.0; 4];
-    // The soft film of the list is not yet thin at a/t = 1000: A/x is 6 % there.
-    for material in MODERATE
-        .map(material)
-        .into_iter()
-        .filter(|material| material.e1_over_e2() != 1e-2)
-    {
-        let limit = material.thin_film_limit();
-        let [near, far] = [1000.0, 100.0].map(|x| {
-            let quantities = solved(x, &material, 1e-11);
-            (
-                relative_errors(&quantities, &thin_film(x, &material).0),
-                relative_errors(&quantities, &limit),
-            )
-        });
-        for i in 0..4 {
-            worst = larger(worst, near.0[i]);
-            second_order = larger(second_order, near.0[i] / far.0[i]);
-            distance = larger(distance, near.1[i]);
-            first_order = larger(first_order, near.1[i] / far.1[i]);
-        }
-    }
-    println!(
-        "thin films at x = 1000: from the limit {distance:.1e}, {first_order:.3} of that at 100"
-    );
-    println!(
-        "                        from the expansion {worst:.1e}, {second_order:.3} of that at 100"
-    );
-    // Measured 5.9e-3 and 0.155, 1.3e-5 and 0.044: ln x / x falls to 0.15 and its square to 0.0225
-    // of their former values.
-    assert!(distance <= 1e-2);
-    assert!(first_order <= 0.2);
-    assert!(worst <= 5e-5);
-    assert!(second_order <= 0.06);
-}
-
 /// Up to the end of the domain, the error of the first-order expansion is of second order:
 /// `(ln x/x)^2` times a number that converges.
 #[test]
@@ -151,20 +110,18 @@ fn thin_films_approach_the_bare_substrate_to_second_order_up_to_the_end_of_the_d
     let (_, a, c) = thin_film(1e6, &material(PAPER));
     println!("the paper's material: A = {a:.2e}, C = {c:.5}");
     assert!((c - 0.10293).abs() <= 5e-6);
-    for parameters in [PAPER, [10.0, 0.0, 1.0, 0.5], [1.0, 0.3, 10.0, 0.0]] {
+    // The soft film of the list is not yet thin at a/t = 100: A/x is 60 % there.
+    for parameters in MODERATE.into_iter().filter(|[e1, ..]| *e1 != 1e-2) {
         let material = material(parameters);
-        let misses = [1e4, 1e5, 1e6].map(|x: f64| {
-            let miss = relative_error(&solved(x, &material, 1e-12), &thin_film(x, &material).0);
-            let of_second_order = miss / (x.ln() / x).powi(2);
-            println!(
-                "{parameters:?} at x = {x:e}: {miss:.1e}, {of_second_order:.1e} of (ln x/x)^2"
-            );
-            of_second_order
+        let misses = [1e2, 1e3, 1e4, 1e5, 1e6].map(|x: f64| {
+            let miss = relative_error(&solved(x, &material, 1e-11), &thin_film(x, &material).0);
+            miss / (x.ln() / x).powi(2)
         });
-        // Measured: 0.039, 0.037 and 0.035 for the softest of them, below 5e-4 for the others,
-        // whose A is small.
-        assert!(misses.iter().all(|miss| *miss <= 0.1));
-        assert!(misses[2] < misses[0], "{misses:?}");
+        println!("{parameters:?}: {misses:?} of (ln x/x)^2");
+        // Measured: 0.056 to 0.035 for the softest of them, 0.33 to 0.22 for the auxetic one.
+        let most = if parameters[1] < 0.0 { 0.4 } else { 0.1 };
+        assert!(misses.iter().all(|miss| *miss <= most), "{misses:?}");
+        assert!(misses[4] < misses[2], "{misses:?}");
     }
 }
 
@@ -185,130 +142,89 @@ fn a_film_of_the_substrates_own_material_makes_no_difference() {
     assert_eq!(solved(3.0, &rigid, 1e-13), Quantities::homogeneous(1.0));
 }
 
+/// Returns quantities in units of `E2*` in units of `E1*`.
+pub fn in_units_of_the_film(quantities: &Quantities, material: &Material) -> Quantities {
+    let unit = material.film_modulus();
+    Quantities {
+        pi0: quantities.pi0 / unit,
+        eeq: quantities.eeq / unit,
+        gamma: quantities.gamma / unit,
+        delta0: quantities.delta0,
+    }
+}
+
+/// Limits are approached to first order in the small number, over many decades, and reached to rounding.
 #[test]
-fn nearly_equal_film_and_substrate_differ_by_their_difference() {
-    let [mut rounding, mut nonlinearity] = [0.0; 2];
-    for (e, nu) in [(1e-3, 0.5), (1.0, 0.3), (1e3, 0.0), (30.0, -0.5)] {
-        for x in [1e-3, 1.0, 100.0] {
-            let distance = |factor: f64| {
-                let material = material([e, nu, e * factor, nu]);
-                relative_error(
-                    &solved(x, &material, 1e-12),
-                    &Quantities::homogeneous(material.sphere_film_modulus()),
-                )
+fn limits_of_moduli_and_of_the_poisson_ratio_are_approached_to_first_order() {
+    const TOLERANCE: f64 = 1e-11;
+    const RIGID: f64 = f64::INFINITY;
+    /// A name, the materials with a small number, and the material of the limit, for which `None` is a half-space.
+    type Family = (&'static str, fn(f64) -> [f64; 4], Option<[f64; 4]>);
+    let families: [Family; 8] = [
+        (
+            "rigid sphere",
+            |small| [small, 0.4, 10.0 * small, 0.2],
+            Some([0.0, 0.4, 10.0, 0.2]),
+        ),
+        (
+            "rigid sphere and base",
+            |small| [small, 0.0, RIGID, 0.2],
+            Some([0.0, 0.0, RIGID, 0.2]),
+        ),
+        (
+            "rigid sphere, incompressible film",
+            |small| [small, 0.5, 1e3 * small, 0.2],
+            Some([0.0, 0.5, 1e3, 0.2]),
+        ),
+        (
+            "soft sphere",
+            |small| [1.0 / small, 0.4, 10.0 / small, 0.2],
+            None,
+        ),
+        (
+            "rigid substrate",
+            |small| [0.3, 0.4, 1.0 / small, 0.2],
+            Some([0.3, 0.4, RIGID, 0.2]),
+        ),
+        (
+            "rigid substrate, incompressible film",
+            |small| [1.0, 0.5, 1.0 / small, 0.2],
+            Some([1.0, 0.5, RIGID, 0.2]),
+        ),
+        (
+            "incompressible film",
+            |small| [0.1, 0.5 - small, 1e6, 0.25],
+            Some([0.1, 0.5, 1e6, 0.25]),
+        ),
+        (
+            "incompressible stiff film",
+            |small| [100.0, 0.5 - small, 1.0, 0.25],
+            Some([100.0, 0.5, 1.0, 0.25]),
+        ),
+    ];
+    for (name, at, limit) in families {
+        for x in [0.1, 2.0, 10.0] {
+            let limit = limit.map(|limit| solved(x, &material(limit), TOLERANCE));
+            let departure = |small: f64| {
+                let material = material(at(small));
+                let found = solved(x, &material, TOLERANCE);
+                let limit = limit.unwrap_or(Quantities::homogeneous(1.0));
+                if name.starts_with("rigid sphere") {
+                    relative_error(&in_units_of_the_film(&found, &material), &limit)
+                } else {
+                    relative_error(&found, &limit)
+                }
             };
-            for factor in [1.0 + f64::EPSILON, 1.0 + 1e-15, 1.0 - 1e-15] {
-                rounding = larger(rounding, distance(factor));
+            let first = departure(1e-6) / 1e-6;
+            for exponent in [-5, -7, -8, -10, -12, -14, -16, -20, -100] {
+                let small = 10_f64.powi(exponent);
+                let (departure, expected) = (departure(small), first * small);
+                // Within the tolerance of two solves and 1 %.
+                assert!(
+                    (departure - expected).abs() <= 2.0 * TOLERANCE + 0.01 * expected,
+                    "{name} at {x}, {small:e}: {departure:e}, expected {expected:e}"
+                );
             }
-            nonlinearity = larger(
-                nonlinearity,
-                (0.1 * distance(1.0 + 1e-5) / distance(1.0 + 1e-6) - 1.0).abs(),
-            );
         }
     }
-    println!("nearly equal: 1e-15 apart {rounding:.1e}, off proportionality {nonlinearity:.1e}");
-    assert!(rounding <= 1e-14);
-    // Measured 5.8e-15 and 7.0e-5.
-    assert!(nonlinearity <= 1e-3);
-}
-
-/// The measured approach to a limit.
-#[derive(Default)]
-struct Approach {
-    /// The largest distance from the limit at the last point.
-    end: f64,
-    /// The largest distance from the limit a chosen step before it.
-    start: f64,
-    /// The largest relative deviation from a distance that is proportional to the step.
-    nonlinearity: f64,
-}
-
-impl Approach {
-    /// Measures the approach of `quantities(s)` to `limit` from `s = start` to `s = end`.
-    fn add(
-        &mut self,
-        start: f64,
-        end: f64,
-        limit: Quantities,
-        quantities: impl Fn(f64) -> Quantities,
-    ) {
-        let distances = |s: f64| relative_errors(&quantities(s), &limit);
-        self.end = distances(end).into_iter().fold(self.end, larger);
-        for (far, near) in distances(start).into_iter().zip(distances(0.1 * start)) {
-            self.start = larger(self.start, far);
-            self.nonlinearity = larger(self.nonlinearity, (0.1 * far / near - 1.0).abs());
-        }
-    }
-
-    /// Prints the approach and asserts its bounds.
-    fn assert(&self, what: &str, end: f64, start: f64, nonlinearity: f64) {
-        println!(
-            "{what}: {:.1e} at the end, {:.1e} before, {:.1e} off linear",
-            self.end, self.start, self.nonlinearity
-        );
-        assert!(self.end <= end && self.start <= start && self.nonlinearity <= nonlinearity);
-    }
-}
-
-#[test]
-fn a_very_stiff_substrate_is_a_rigid_one() {
-    let mut approach = Approach::default();
-    for (e1, nu1) in [(0.1, 0.3), (1.0, 0.5), (100.0, 0.0)] {
-        for x in [0.1, 1.0, 30.0] {
-            let at = |e0: f64| solved(x, &material([e1, nu1, e0, 0.25]), 1e-12);
-            approach.add(
-                1e-7,
-                1e-12,
-                at(f64::INFINITY),
-                |softness| at(1.0 / softness),
-            );
-        }
-    }
-    // Measured 9.3e-13, 9.3e-8 and 1.2e-4, which is the rounding of differences of 1e-11.
-    approach.assert("rigid substrate, E2/E0 = 1e-7 to 1e-12", 3e-12, 3e-7, 1e-3);
-}
-
-#[test]
-fn a_very_soft_film_makes_the_sphere_rigid() {
-    let mut approach = Approach::default();
-    for (nu1, e0_over_e1) in [
-        (0.5, 1e3),
-        (0.3, 300.0),
-        (0.0, f64::INFINITY),
-        (0.5, f64::INFINITY),
-    ] {
-        for x in [0.1, 1.0, 10.0] {
-            let soft = |e1: f64| {
-                let material = material([e1, nu1, e0_over_e1 * e1, 0.25]);
-                in_units_of_the_film(&solved(x, &material, 1e-11), &material)
-            };
-            approach.add(
-                1e-5,
-                1e-8,
-                solved(x, &material([0.0, nu1, e0_over_e1, 0.25]), 1e-11),
-                soft,
-            );
-        }
-    }
-    // Measured 4.0e-6, 4.0e-3 and 3.6e-3, all for the incompressible film on a rigid substrate at x
-    // = 10, where Eeq = 300 E1*.
-    approach.assert("rigid sphere, E1/E2* = 1e-5 to 1e-8", 1e-5, 1e-2, 1e-2);
-}
-
-#[test]
-fn a_nearly_incompressible_film_is_an_incompressible_one() {
-    let mut approach = Approach::default();
-    for (e1, e0) in [(0.1, 1e6), (1.0, f64::INFINITY), (100.0, 1.0)] {
-        for x in [0.1, 1.0, 30.0] {
-            let film = |defect: f64| solved(x, &material([e1, 0.5 - defect, e0, 0.25]), 1e-12);
-            approach.add(1e-7, 1e-12, film(0.0), film);
-        }
-    }
-    // Measured 3.6e-12, 3.6e-7 and 3.2e-6.
-    approach.assert(
-        "incompressible, 0.5 - nu1 = 1e-7 to 1e-12",
-        1e-11,
-        1e-6,
-        1e-4,
-    );
 }

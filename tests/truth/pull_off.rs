@@ -101,37 +101,25 @@ fn random(seed: u64, zone: [f64; 2]) -> Case {
 /// in the length of the zone, which is of second order in the range.
 #[test]
 fn the_pull_off_of_soft_confined_films_tends_to_that_of_jkr() {
-    let system = |radius, sphere_modulus, film, film_thickness, substrate| System {
-        probe: Probe::Paraboloid { radius },
-        sphere_modulus,
-        film,
-        film_thickness,
-        substrate,
+    let rigid = |radius, film, thickness, base| {
+        rigid_probe(
+            Probe::Paraboloid { radius },
+            film,
+            thickness,
+            solid(base, 0.25),
+        )
     };
-    let glass = solid(7e10, 0.25).reduced();
+    let glass = System {
+        sphere_modulus: solid(7e10, 0.25).reduced(),
+        ..rigid(3.734e-3, solid(9.9e6, 0.5), 1.24e-7, 1.47e11)
+    };
     let cases = [
         (
-            system(
-                9.5e-4,
-                f64::INFINITY,
-                solid(2.65e7, 0.49),
-                2.6e-8,
-                solid(5.9e10, 0.25),
-            ),
+            rigid(9.5e-4, solid(2.65e7, 0.49), 2.6e-8, 5.9e10),
             0.0184,
             4.2e-10,
         ),
-        (
-            system(
-                3.734e-3,
-                glass,
-                solid(9.9e6, 0.5),
-                1.24e-7,
-                solid(1.47e11, 0.25),
-            ),
-            0.062,
-            4e-10,
-        ),
+        (glass, 0.062, 4e-10),
     ];
     for (system, work_of_adhesion, first) in cases {
         for control in [Control::Displacement, Control::Spring { stiffness: 1e5 }] {
@@ -153,7 +141,6 @@ fn the_pull_off_of_soft_confined_films_tends_to_that_of_jkr() {
                     .unwrap_or_else(|e| panic!("{e}"));
                 case.imposed(&found) / jkr - 1.0
             });
-            println!("{control:?}: {excess:?}");
             assert!(excess[0].abs() < 0.02, "{excess:?}");
             let ratio = excess[1] / excess[2];
             assert!((ratio / 16.0 - 1.0).abs() < 0.1, "{excess:?}");
@@ -191,7 +178,6 @@ fn compared(seed: u64, case: &Case) -> Compared {
         Err(solve::Error::PullOffReach { .. }) => {
             let wide = state.outer_radius / case.system.film_thickness;
             let of_sphere = state.contact_radius / case.sphere_radius();
-            println!("{seed}: refused at a/t = {wide:.3}, a/R = {of_sphere:.3}");
             assert!(
                 wide > 80.0 || of_sphere > 0.6,
                 "{seed}: {wide}, {of_sphere}"
@@ -244,9 +230,6 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
                 let Some((factor, smaller)) = shorter else {
                     panic!("{seed}: {error:e} at the zone {zone:.1e}");
                 };
-                println!(
-                    "{seed}: {error:.1e} at the zone {zone:.1e}, then {smaller:.1e} at {factor}"
-                );
                 assert!(
                     smaller < 2.0 * factor.powi(4) * error,
                     "{seed}: {error:e}, then {smaller:e} at {factor} of the range"
@@ -289,11 +272,6 @@ fn no_state_is_lower_than_the_pull_off() {
             .chain(before)
             .map(|state| case.imposed(&state))
             .fold(f64::INFINITY, f64::min);
-        println!(
-            "{seed}: {value:e}, scan {:.1e}, a {:e}",
-            lowest / value - 1.0,
-            found.contact_radius
-        );
         assert!(
             value <= lowest + 1e-9 * value.abs(),
             "{seed}: {value:e}, {lowest:e}"
@@ -356,45 +334,6 @@ fn scales_and_a_divided_film_change_nothing() {
         compared += 1;
     }
     assert!(compared >= 6, "{compared}");
-}
-
-/// Two different layers, from a thick to a thin stack under one sphere.
-#[test]
-fn stacks_have_the_pull_off_of_the_first_order() {
-    let (radius, w) = (1e-4, 0.02);
-    let mut compared = 0;
-    for thickness in [2e-7, 2e-6, 2e-5] {
-        for control in [Control::Load, Control::Displacement] {
-            let layers = [(2e5, 0.5, 0.4), (2e6, 0.49, 0.6)].map(|(young, poisson, part)| {
-                Layer::bonded(solid(young, poisson), part * thickness)
-            });
-            let stack = Stack::new(solid(1e10, 0.25), layers).expect("physical");
-            let top = 0.6 * thickness;
-            let curve = solve::stack_curve(&stack, 1e8, [1e-3, 60.0], 1e-8).expect("within reach");
-            let jkr = Contact::new(&stack.system(radius, 1e8), curve).expect("its curve");
-            let zone = 0.01 * top.min(1e-6);
-            let es = jkr.mechanics().sphere_film_modulus();
-            let stress = (0.25 * PI * es * w / zone).sqrt();
-            let short = jkr
-                .cohesive_zone(w, CohesiveZone { stress })
-                .expect("a short zone");
-            let Ok(expected) = short.pull_off(control) else {
-                continue;
-            };
-            let found = Cohesive::on_stack(&stack, radius, 1e8, w, w / stress)
-                .and_then(|cohesive| cohesive.pull_off(control))
-                .unwrap_or_else(|e| panic!("{e}"));
-            let [found, expected] =
-                [found, expected].map(|state| control.imposed(state.load, state.penetration));
-            println!("{thickness:e} {control:?}: {:.1e}", found / expected - 1.0);
-            assert!(
-                (found / expected - 1.0).abs() < 1e-4,
-                "{found:e} {expected:e}"
-            );
-            compared += 1;
-        }
-    }
-    assert!(compared >= 4, "{compared}");
 }
 
 /// The refusal of a contact wider than is solved names lengths of the bodies, not a radius that nobody

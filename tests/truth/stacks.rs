@@ -3,8 +3,7 @@
 
 use acceptance::{Case, Data, larger, random_stack, relative_error};
 use solve::stack::Stack;
-use solve::{LayeredCompliance, SurfaceCompliance};
-use solve::{solve_stack, stack_curve};
+use solve::{LayeredCompliance, SurfaceCompliance, solve_stack, stack_curve};
 
 /// Largest error of `X - 1` relative to `max(X, 1)`. Measured: 2.1e-15 over the first 2000 random
 /// stacks, 2.6e-15 over the first 20,000, 9.0e-16 at the other values.

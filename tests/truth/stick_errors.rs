@@ -120,7 +120,6 @@ fn stiff_films_on_soft_bases_are_solved() {
         for tolerance in [1e-2, 1e-4, 1e-6, 3e-8] {
             let (tip, stated) = sticking.tip(x, 2.0, tolerance).expect("converges");
             let error = relative(tip.eeq_g, eeq_g);
-            println!("{x} {tolerance:.0e}: {error:.1e} of {stated:.1e}");
             assert!(
                 error <= stated && error < 1e-9,
                 "{x}: {error:e} > {stated:e}"

@@ -182,7 +182,6 @@ fn thin_incompressible_films_approach_lubrication() {
         let of_edge = relative(punch.gamma_eff.powi(2), exact);
         let [normal, shear] = punch.edge.expect("beta is 0");
         let ratio = shear / normal;
-        println!("{x}: {error:.1e}, {of_edge:.1e}, {ratio:.4}");
         assert!(
             error < allowed && of_edge < allowed,
             "{error:e}, {of_edge:e}"
@@ -206,7 +205,6 @@ fn narrow_contacts_do_not_feel_friction() {
         let film = Sticking::on_film(&material([e1, 0.5, e0, 0.25]), 0.5).expect("physical");
         let effect = |x: f64| film.stiffening(x, 1e-13).expect("converges") - 1.0;
         let order = (effect(0.04) / effect(0.02)).log2();
-        println!("{e1}, {e0}: order {order:.3}");
         assert!((order - 4.0).abs() < 0.1, "{order}");
     }
 }

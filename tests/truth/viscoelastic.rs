@@ -288,26 +288,6 @@ fn approach_and_retract_at_constant_speeds() {
     }
 }
 
-/// A ramp and a hold under the standard linear solid, by quadrature of Lee and Radok's integral.
-#[test]
-fn a_hold_relaxes_by_the_law() {
-    let contact = half_space(PARABOLOID);
-    let law = solid_law();
-    let program = [(0.0, 0.0), (1.0, 1e-2)];
-    let times = [0.3, 1.0, 1.5, 4.0, 50.0];
-    let relaxing = (&contact, &law);
-    for at in &states(relaxing, Control::Displacement, &program, &times, 1e-10) {
-        let t1 = at.time.min(1.0);
-        let f = |x: f64, rest: f64| {
-            law.modulus(at.time - t1 + rest).expect("a time") * 2.0 * (1e-2 * x).sqrt() * 1e-2
-        };
-        let exact = integral(f, t1);
-        let error = (at.state.load / exact - 1.0).abs();
-        assert!(error < 1e-9, "at {}: {error:.1e}", at.time);
-        assert!((at.state.contact_radius - (1e-2 * t1).sqrt()).abs() < 1e-11);
-    }
-}
-
 /// A load that grows and is held: `(4/3) a^3 = int J dF` on a half-space.
 #[test]
 fn creep_under_a_load() {
@@ -410,32 +390,4 @@ fn a_load_that_falls() {
     let pulled = [loads[0], loads[1], (3.0, -1e-3)];
     let apart = states(relaxing, Control::Load, &pulled, &[2.5], 1e-5)[0].state;
     assert_eq!((apart.load, apart.contact_radius), (0.0, 0.0));
-}
-
-/// On a thick film the contact is that of the half-space.
-#[test]
-fn a_thick_film() {
-    let film = solid(0.75, 0.5);
-    let substrate = solid(f64::INFINITY, 0.25);
-    let law = power_law(0.3);
-    let program = [(0.0, 0.0), (1.0, 1e-4), (2.0, 0.0)];
-    let times = [0.5, 1.0, 1.1];
-    let of = |contact: &Contact| {
-        let history = contact.history(&law).expect("a law");
-        let course = history.at(Control::Displacement, &program, &times, None);
-        course.expect("a course").states
-    };
-    let bare = of(&half_space(PARABOLOID));
-    for thickness in [1e1, 1e2] {
-        let system = rigid_probe(PARABOLOID, film, thickness, substrate);
-        let film = of(&solved_contact(&system, [1e-6, 1e-2], 1e-10));
-        for (film, bare) in film.iter().zip(&bare) {
-            let error = film.state.load / bare.state.load - 1.0;
-            // The first effect of the substrate is of the order of a/t.
-            assert!(
-                error > 0.0 && error < 3.0 * 1e-2 / thickness,
-                "{thickness}: {error:.1e}"
-            );
-        }
-    }
 }

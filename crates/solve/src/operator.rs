@@ -414,7 +414,7 @@ pub fn missing_modes(y: &[f64]) -> f64 {
 }
 
 /// The factor that brings the extrapolation above the true truncation error.
-/// `tests/truth/reference.rs` and `tests/truth/domain.rs` measure how far above.
+/// `tests/truth/reference.rs` and `tests/truth/hard_cases.rs` measure how far above.
 pub const TRUNCATION_SAFETY: f64 = 20.0;
 
 /// The rounding error of the assembled matrices, for a film that is not stiffer than its substrate.

@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::larger;
-use contact::Error;
-use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State, TimedState};
+use contact::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State, TimedState};
 
 use crate::contact::half_space;
 use crate::crack_tip::jkr::{Jkr, R, W};
@@ -55,45 +54,6 @@ fn speed_and_energy_are_each_others_inverse() {
             [0.0, -1.0].map(|energy| law.speed(energy)),
             [f64::NEG_INFINITY; 2]
         );
-    }
-}
-
-/// At speeds far below `v0` the line is that of JKR but for `(v/v0)^n`, and the contact parts where
-/// JKR's contact does.
-#[test]
-fn a_line_much_faster_than_its_ramp_is_jkr() {
-    let contact = half_space();
-    let jkr = Jkr::of(&contact);
-    let (_, apart) = jkr.pull_off(W);
-    for (v0, n) in [(1e10, 0.3), (1e5, 0.5), (1e2, 1.0), (1e-1, 2.0)] {
-        let (law, turns) = (rate_dependent(v0, n), [1e-5, 2.0 * apart]);
-        let ways = loop_of(
-            &contact,
-            law,
-            60e-6,
-            Control::Displacement,
-            turns,
-            1.0,
-            1e-8,
-        );
-        let mut worst = 0.0;
-        let moves = |at: &&TimedState| at.time > 0.0 && at.state.penetration > 0.9 * apart;
-        for moment in ways.iter().flatten().filter(moves) {
-            let a = moment.state.contact_radius;
-            // The excess energy release rate in closed form, at the speed of the line.
-            let rate = 1e-5 - 2.0 * apart;
-            let slope = 2.0 * a / R - (0.5 * PI * W / (a * jkr.e)).sqrt();
-            let excess = (rate / slope / v0).powf(n);
-            worst = larger(worst, relative(moment.energy_release_rate, W) / excess);
-        }
-        let parted = ways[1].last().expect("a moment").state.penetration / apart;
-        let loads = ways[1].iter().map(|moment| moment.state.load);
-        let load = loads.fold(0.0, f64::min) / (PI * W * R);
-        println!(
-            "v0 = {v0:e}, n = {n}: excess {worst:.2}, parted at {parted:.6}, least load {load:.6}, {} moments",
-            ways[1].len()
-        );
-        assert!(worst <= 1.1 && (parted - 1.0).abs() < 0.01 && (load + 1.5).abs() < 0.01);
     }
 }
 
@@ -286,36 +246,6 @@ fn a_pinned_line_does_not_move_in_time() {
     }
     let slow = impose(&mut slow, Control::Load, load - 5e-5);
     assert_eq!(slow.contact_radius, 60e-6);
-}
-
-/// Films from the table: slow loading and unloading is the slow motion, and the pull-off load grows
-/// with the rate.
-#[test]
-fn films_are_like_half_spaces() {
-    for t in [1e-6, 10e-6, 100e-6] {
-        let contact = film(t);
-        let mut slow = contact.line(W, 60e-6).expect("physical");
-        let line = contact.line(rate_dependent(1e3, 0.5), 60e-6);
-        let mut line = line.expect("physical");
-        for load in [1e-3, -1e-4] {
-            line.ramp(Control::Load, load, 1.0, 1e-6).expect("solved");
-            let expected = impose(&mut slow, Control::Load, load);
-            let found = line.state().expect("in contact");
-            let apart = relative(found.contact_radius, expected.contact_radius);
-            println!("{t:e} m, {load:e} N: {apart:.1e} off the slow motion");
-            // `(v/v0)^n` is 3e-4.
-            assert!(apart < 3e-4);
-        }
-        let mut before = -1.5 * PI * W * R;
-        for duration in [1e4, 1e2, 1.0] {
-            let (law, turns) = (rate_dependent(1e-6, 0.6), [1e-3, -1e-2]);
-            let ways = loop_of(&contact, law, 60e-6, Control::Load, turns, duration, 1e-6);
-            let load = ways[1].last().expect("a moment").state.load;
-            println!("{t:e} m, {duration:e} s: pulled off at {load:e} N");
-            assert!(load < 1.2 * before);
-            before = load;
-        }
-    }
 }
 
 #[test]

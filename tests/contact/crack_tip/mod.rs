@@ -7,8 +7,7 @@ mod ramps;
 mod slow;
 
 use acceptance::{looked_up, paper_system};
-use contact::Error;
-use contact::{Contact, Control, CrackTip, Hysteresis, RateDependent, State};
+use contact::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State};
 
 use jkr::W;
 

@@ -1,8 +1,7 @@
 //! Ramps of every speed: times rise, slow ramps are the slow motion, and nothing ends in a failure of
 //! the integration.
 
-use contact::Error;
-use contact::{Contact, Control, Hysteresis, RateDependent, State, TimedState};
+use contact::{Contact, Control, Error, Hysteresis, RateDependent, State, TimedState};
 use interp::{Probe, System, Table};
 
 use acceptance::{Contacts, cases, larger, looked_up, paper_system};

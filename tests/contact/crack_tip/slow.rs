@@ -52,20 +52,6 @@ fn a_constant_work_of_adhesion_is_jkr() {
 }
 
 #[test]
-fn equal_energies_are_no_hysteresis() {
-    let contact = film(10e-6);
-    let mut constant = contact.line(W, 60e-6).expect("physical");
-    let equal = contact.line(Hysteresis::new(W, W).expect("in order"), 60e-6);
-    let mut equal = equal.expect("physical");
-    for load in steps(0.0, 1e-3, 20).chain(steps(1e-3, -1e-3, 50)) {
-        let one = constant.impose(Control::Load, load).expect("in range");
-        let other = equal.impose(Control::Load, load).expect("in range");
-        assert_eq!(one, other);
-    }
-    assert_eq!(constant.state(), None);
-}
-
-#[test]
 fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
     let contact = half_space();
     let jkr = Jkr::of(&contact);

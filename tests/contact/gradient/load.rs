@@ -1,8 +1,7 @@
 //! Load and penetration as functions of every input in SI units.
 
 use acceptance::{assert_matches, derivatives, larger, paper_system, shipped, solid};
-use contact::Error;
-use contact::{Contact, Input};
+use contact::{Contact, Error, Input};
 use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 

@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, Data, larger, rigid_probe, solid};
-use contact::Contact;
-use contact::Error;
+use contact::{Contact, Error};
 use interp::{Probe, System, Table};
 use solve::solve_power_laws;
 

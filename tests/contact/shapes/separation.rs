@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use acceptance::{Contacts, assert_matches, geometric, on_half_space, rigid_probe, solid};
-use contact::Error;
-use contact::{Branch, Contact, Control, Derivatives, Input, State};
+use contact::{Branch, Contact, Control, Derivatives, Error, Input, State};
 use interp::{Probe, Profile};
 
 use super::{HALF_ANGLE, W, contact};
