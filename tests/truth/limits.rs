@@ -118,8 +118,12 @@ fn thin_films_approach_the_bare_substrate_to_second_order_up_to_the_end_of_the_d
             miss / (x.ln() / x).powi(2)
         });
         println!("{parameters:?}: {misses:?} of (ln x/x)^2");
-        // Measured: 0.056 to 0.035 for the softest of them, 0.33 to 0.22 for the auxetic one.
-        let most = if parameters[1] < 0.0 { 0.4 } else { 0.1 };
+        // Measured: at most 0.33 for the auxetic film, 0.13 under the rigid sphere and 0.056 for the others.
+        let most = match parameters {
+            [_, ..0.0, _, _] => 0.4,
+            [0.0, ..] => 0.15,
+            _ => 0.1,
+        };
         assert!(misses.iter().all(|miss| *miss <= most), "{misses:?}");
         assert!(misses[4] < misses[2], "{misses:?}");
     }
