@@ -118,13 +118,13 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
             ordinate: 1.0,
         }; 2],
     ] {
-        assert!(matches!(
+        assert_matches!(
             JkrFit::through(points),
             Err(Error::Table(interp::Error::InvalidArgument {
                 name: "spread of the JKR plot's abscissas",
                 ..
             }))
-        ));
+        );
     }
     let falling = [0.0, 1.0].map(|x| JkrPoint {
         abscissa: x,
@@ -136,13 +136,13 @@ fn the_jkr_fit_of_a_half_space_gives_its_modulus_and_work_of_adhesion_back() {
         ordinate: 1.5e308 * x,
     });
     for points in [falling, steep] {
-        assert!(matches!(
+        assert_matches!(
             JkrFit::through(&points),
             Err(Error::Table(interp::Error::Unphysical {
                 name: "slope of the JKR plot",
                 ..
             }))
-        ));
+        );
     }
 }
 
@@ -185,13 +185,13 @@ fn under_a_rigid_sphere_there_is_a_jkr_fit_but_no_film_bias() {
     let bias = bare.film_bias(0.04, radii, 15).expect("a half-space");
     assert!(!bias.exceeds(1e-12), "{bias:?}");
     // Without adhesion there is no error of the work of adhesion, either.
-    assert!(matches!(
+    assert_matches!(
         bare.film_bias(0.0, radii, 15),
         Err(Error::Table(interp::Error::InvalidArgument {
             name: "work of adhesion",
             ..
         }))
-    ));
+    );
 }
 
 #[test]

@@ -1,25 +1,20 @@
 //! The slope of the force curve, against differences of the curve and closed forms.
 
 use acceptance::{
-    Contacts, assert_matches, larger, looked_up, on_half_space, paper_system, rigid_probe, solid,
+    Contacts, assert_matches, larger, looked_up, on_half_space, paper_system, rigid_probe, slopes,
+    solid,
 };
 use contact::{Contact, Control, Error};
 use interp::{HalfSpace, Probe, System};
 
 use crate::shapes::shapes;
 
-/// Returns `dF/d delta` along the force curve, by differences of fourth order.
+/// Returns `dF/d delta` along the force curve, by differences.
 fn by_differences(contact: &Contact, a: f64, w: f64) -> f64 {
-    const STEP: f64 = 5e-3;
-    let slopes = [1.0, 2.0].map(|times| {
-        let at = |sign: f64| {
-            let radius = a * (1.0 + sign * times * STEP);
-            contact.load_and_penetration(radius, w).expect("in range")
-        };
-        let (above, below) = (at(1.0), at(-1.0));
-        [(above.0 - below.0) / times, (above.1 - below.1) / times]
+    let [load, penetration] = slopes(5e-3 * a, |change| {
+        let at = contact.load_and_penetration(a + change, w);
+        at.expect("in range").into()
     });
-    let [load, penetration] = [0, 1].map(|i| 4.0 * slopes[0][i] - slopes[1][i]);
     load / penetration
 }
 

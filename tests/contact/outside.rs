@@ -1,6 +1,6 @@
 //! Equilibria beyond what a curve or a table holds.
 
-use acceptance::{larger, looked_up, paper_system, rigid_probe, solid, table};
+use acceptance::{assert_matches, larger, looked_up, paper_system, rigid_probe, solid, table};
 use contact::{Contact, Control, Error, State};
 use interp::{Probe, System, Table};
 
@@ -81,13 +81,13 @@ fn a_state_out_of_range_is_an_error_with_the_radii() {
     let apart = equilibria.loading(-1e-9);
     assert!(matches!(apart, Err(Error::NoContact { least: 0.0, .. })));
     for points in [0, 1, 1_000_001, usize::MAX] {
-        assert!(matches!(
+        assert_matches!(
             equilibria.force_displacement(1e-4, points),
             Err(Error::Table(interp::Error::InvalidArgument {
                 name: "number of points",
                 ..
             }))
-        ));
+        );
     }
 }
 
@@ -115,12 +115,12 @@ fn without_adhesion_a_table_needs_no_stiffness() {
         let found = equilibria.unloading(at).expect("in range");
         worst = larger(worst, relative(found.contact_radius, 2e-5));
         assert_eq!(equilibria.pull_off().expect("the origin"), State::ORIGIN);
-        assert!(matches!(
+        assert_matches!(
             contact.equilibria(0.04, control),
             Err(Error::Table(interp::Error::MissingQuantity(
                 "eeq" | "gamma"
             )))
-        ));
+        );
         // Before the curve begins.
         let before = equilibria.unloading(1e-6 * at);
         assert!(matches!(before, Err(Error::OutsideRadii { .. })));

@@ -1,5 +1,6 @@
 //! Measured shapes of probes.
 
+use acceptance::assert_matches;
 use interp::{Error, Profile};
 
 #[test]
@@ -85,10 +86,7 @@ fn what_is_not_convex_is_refused() {
     let mut cone: Vec<[f64; 2]> = radii.map(|r| [r, rounded(r)]).collect();
     assert!(Profile::new(&cone).is_ok());
     cone[30][1] += 0.03;
-    assert!(matches!(
-        Profile::new(&cone),
-        Err(Error::Profile { row: 32, .. })
-    ));
+    assert_matches!(Profile::new(&cone), Err(Error::Profile { row: 32, .. }));
     // The end of a tip of 7 um is not rewritten.
     let tip = [
         [0.0, 0.0],
@@ -97,10 +95,7 @@ fn what_is_not_convex_is_refused() {
         [60e-3, 12e-3],
         [20.0, 7.0],
     ];
-    assert!(matches!(
-        Profile::new(&tip),
-        Err(Error::Profile { row: 3, .. })
-    ));
+    assert_matches!(Profile::new(&tip), Err(Error::Profile { row: 3, .. }));
     let bump =
         |height: f64| Profile::new(&[[0.0, 0.0], [1.0, 1.0 + height], [2.0, 2.0], [3.0, 3.0]]);
     assert!(bump(2.9e-3).is_ok());

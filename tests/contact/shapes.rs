@@ -3,7 +3,7 @@
 mod direct;
 mod separation;
 
-use acceptance::{Refused, looked_up, on_half_space, rigid_probe, solid};
+use acceptance::{Refused, assert_matches, looked_up, on_half_space, rigid_probe, solid};
 use contact::{Branch, Contact, Control, Input, Neglected, State};
 use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
 
@@ -432,10 +432,7 @@ fn every_shape_is_made_of_its_name_and_numbers() {
     }
     assert!(Probe::of_numbers("pyramid", &[1e-6]).is_none());
     // A profile says itself what is wrong with it.
-    assert!(matches!(
-        Probe::of_numbers("profile", &[1.0, 0.0]),
-        Some(Err(_))
-    ));
+    assert_matches!(Probe::of_numbers("profile", &[1.0, 0.0]), Some(Err(_)));
 }
 
 /// A flat end that is wide beside the film leaves few contact radii, and is no punch.

@@ -1,4 +1,4 @@
-//! Derivatives by differences of direct solves.
+//! Derivatives by differences, also of direct solves, and integrals.
 
 use interp::Quantities;
 use solve::solve;
@@ -34,4 +34,26 @@ pub fn direct(x: f64, parameters: [f64; 4]) -> Quantities {
         .or_else(|_| solved(1e-9))
         .expect("solved")
         .quantities
+}
+
+/// Returns the derivatives of `N` functions at 0, by central differences of eighth order.
+pub fn slopes<const N: usize>(step: f64, f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
+    let mut slopes = [0.0; N];
+    for (weight, k) in [0.8, -0.2, 4.0 / 105.0, -1.0 / 280.0].into_iter().zip(1..) {
+        let [after, before] = [1.0, -1.0].map(|sign| f(sign * f64::from(k) * step));
+        for (i, slope) in slopes.iter_mut().enumerate() {
+            *slope += weight * (after[i] - before[i]) / step;
+        }
+    }
+    slopes
+}
+
+/// Integrates a function by Simpson's rule with `2 n` intervals.
+pub fn simpson(f: impl Fn(f64) -> f64, from: f64, to: f64, n: u32) -> f64 {
+    let step = (to - from) / f64::from(2 * n);
+    let at = |i: u32| f(from + f64::from(i) * step);
+    let inner: f64 = (1..2 * n)
+        .map(|i| if i % 2 == 1 { 4.0 } else { 2.0 } * at(i))
+        .sum();
+    (at(0) + inner + at(2 * n)) * step / 3.0
 }

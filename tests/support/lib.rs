@@ -18,7 +18,7 @@ mod workdir;
 
 pub use contacts::Contacts;
 pub use data::{Case, Data};
-pub use differences::{derivatives, direct};
+pub use differences::{derivatives, direct, simpson, slopes};
 pub use error::{
     TRUTH, all_bits, assert_close, assert_near, bits, error_at, larger, relative_error,
     relative_errors,

@@ -251,10 +251,10 @@ fn where_nothing_tells_the_error_or_there_is_no_limit_it_is_refused() {
         .expect("inside");
     for x in [1e-5, 1e5] {
         assert!(adhesionless.quantity(Quantity::Delta0, x).is_ok(), "{x}");
-        assert!(matches!(
+        assert_matches!(
             adhesionless.quantity(Quantity::Eeq, x),
             Err(Error::MissingQuantity("eeq"))
-        ));
+        );
     }
     // Between rigid bodies a thin film has no limit.
     let rigid = scene(

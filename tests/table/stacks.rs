@@ -2,8 +2,8 @@
 //! form of the file, and lookups of films are refused.
 
 use acceptance::{
-    Refused, Workdir, assert_cases, assert_names, estimate, forged, larger, layer, material,
-    relative_error, solid, stack, table, with_interfaces, workdir,
+    Refused, Workdir, assert_cases, assert_matches, assert_names, estimate, forged, larger, layer,
+    material, relative_error, solid, stack, table, with_interfaces, workdir,
 };
 use interp::{Description, Error, Parameter, Quantity, Table};
 use solve::stack::{Interface, Stack};
@@ -152,10 +152,7 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
     let dense = table(&scene());
     let film = material([1.75, 0.49, 1e5, 0.25]);
     assert!(matches!(dense.curve(&film), Err(Error::OfStack)));
-    assert!(matches!(
-        dense.curve_with_gradient(&film),
-        Err(Error::OfStack)
-    ));
+    assert_matches!(dense.curve_with_gradient(&film), Err(Error::OfStack));
     let found = of(&dense);
     let curve = found.curve_in(&dense, 2e6).expect("inside");
     // There is an estimate of the error between the nodes, and no expansion beyond them.
@@ -164,14 +161,14 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
         dense.description().certificate.max_error
     );
     for beyond in [0.0299, 30.1] {
-        assert!(matches!(
+        assert_matches!(
             curve.quantities(beyond),
             Err(Error::OutsideTable {
                 from: 0.03,
                 to: 30.0,
                 ..
             })
-        ));
+        );
         assert!(curve.error(beyond).is_err());
     }
     assert!(matches!(curve.gradient(1.0), Err(Error::NoGradient)));
@@ -180,24 +177,24 @@ fn what_a_table_of_a_stack_does_not_answer_is_an_error() {
     }
     let shape = found.shape();
     for e1_over_e2 in [f64::NAN, -1.0, f64::INFINITY] {
-        assert!(matches!(
+        assert_matches!(
             dense.stack_curve(e1_over_e2, shape),
             Err(Error::Unphysical { .. })
-        ));
+        );
     }
-    assert!(matches!(
+    assert_matches!(
         Table::embedded().stack_curve(1.0, shape),
         Err(Error::NotOfStack)
-    ));
+    );
     assert_eq!(stack_of(Table::embedded()).expect("sound"), None);
     // One quantity does not give the others: the expansion that they begin with is a film's.
     let gamma = table(&format!("quantities = ['gamma']\n{}", scene()));
     let curve = gamma.stack_curve(1.0, shape).expect("inside");
     assert!(curve.quantity(Quantity::Gamma, 1.0).is_ok());
-    assert!(matches!(
+    assert_matches!(
         curve.quantity(Quantity::Eeq, 1.0),
         Err(Error::MissingQuantity("eeq"))
-    ));
+    );
 }
 
 /// A forged file whose scene is that of another stack would look up another `t` and shape.

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Refused, larger, material, solved};
+use acceptance::{Refused, larger, material, simpson, slopes, solved};
 use cost::approximations::{
     bulk_jkr, dimitriadis, dimitriadis_incompressible, film_jkr, gao, garcia, hay_crawford,
     springs_in_series,
@@ -60,13 +60,6 @@ fn jkr_of_sphere_and_film_is_the_limit_of_thick_films_and_bulk_jkr_that_of_thin_
     assert!(thick <= 5e-6 && thin <= 2e-4);
 }
 
-/// Returns the derivative of `f` at 0, to sixth order.
-fn derivative(f: impl Fn(f64) -> f64) -> f64 {
-    const STEP: f64 = 0.01;
-    let difference = |n: f64| (f(n * STEP) - f(-n * STEP)) / (2.0 * STEP);
-    1.5 * difference(1.0) - 0.3 * difference(2.0) + difference(3.0) / 30.0
-}
-
 #[test]
 fn gaos_weights_are_exact_to_first_order_in_either_difference_under_any_sphere() {
     let mut worst = 0.0;
@@ -89,8 +82,13 @@ fn gaos_weights_are_exact_to_first_order_in_either_difference_under_any_sphere()
             };
             let [stiffer, other]: [&dyn Fn(f64) -> Material; 2] = [&stiffer, &other];
             for changed in [stiffer, other] {
-                let exact = derivative(|s| solved(x, &changed(s), 1e-12).eeq);
-                let weighted = derivative(|s| gao(x, &changed(s)).expect("in the domain"));
+                let [exact, weighted] = slopes(0.01, |s| {
+                    let changed = changed(s);
+                    [
+                        solved(x, &changed, 1e-12).eeq,
+                        gao(x, &changed).expect("in the domain"),
+                    ]
+                });
                 worst = larger(worst, (exact - weighted).abs());
             }
         }
@@ -138,15 +136,9 @@ fn coefficients(polynomial: impl Fn(f64) -> f64) -> [f64; 4] {
 
 /// Returns `int_0^inf (X(q) - 1) q^power dq` of a layer bonded to a rigid base, by Simpson's rule.
 fn moment(nu: f64, power: i32) -> f64 {
-    const STEPS: u32 = 8000;
     let compliance = Compliance::new(&material([0.0, nu, f64::INFINITY, 0.25]));
-    let step = 20.0 / f64::from(STEPS);
-    let at =
-        |i: u32| compliance.sample(f64::from(i) * step).excess * (f64::from(i) * step).powi(power);
-    let inner: f64 = (1..STEPS)
-        .map(|i| if i % 2 == 1 { 4.0 } else { 2.0 } * at(i))
-        .sum();
-    (at(0) + inner + at(STEPS)) * step / 3.0
+    let integrand = |q: f64| compliance.sample(q).excess * q.powi(power);
+    simpson(integrand, 0.0, 20.0, 4000)
 }
 
 /// Returns the coefficients of the exact series to the fourth power. The kernel is `k0 + k2 y^2` to

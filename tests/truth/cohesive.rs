@@ -1,7 +1,7 @@
 //! The attraction of finite range against values by two other programs, Maugis' closed form, the
 //! energy balance and the limit of long ranges.
 
-use acceptance::{Case, Data, Refused, larger, layer, solid, stack};
+use acceptance::{Case, Data, Refused, larger, layer, slopes, solid, stack};
 use contact::Control;
 use interp::Elastic;
 use solve::cohesive::{Cohesive, CohesiveState, REACH};
@@ -220,8 +220,6 @@ fn integral(values: &[f64], radii: &[f64], steps: &[f64], weight: impl Fn(f64) -
 #[test]
 fn the_load_is_the_slope_of_the_energy() {
     const POINTS: u32 = 200;
-    // The differences of eighth order.
-    const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     let [mut worst, mut worst_sum] = [0.0; 2];
     for confined in [false, true] {
         for (lambda, a) in [(0.3, 3.0), (1.0, 2.0), (3.0, 4.0), (8.0, 2.0)] {
@@ -253,15 +251,10 @@ fn the_load_is_the_slope_of_the_energy() {
                 (energy, load, state)
             };
             let a = a * THICKNESS;
-            let step = 0.01 * a;
-            let [mut rise, mut descent] = [0.0; 2];
-            for (weight, k) in WEIGHTS.into_iter().zip(1..) {
-                for sign in [1.0, -1.0] {
-                    let (energy, _, state) = energy(a + sign * f64::from(k) * step);
-                    rise += sign * weight * energy / step;
-                    descent += sign * weight * state.penetration / step;
-                }
-            }
+            let [rise, descent] = slopes(0.01 * a, |change| {
+                let (energy, _, state) = energy(a + change);
+                [energy, state.penetration]
+            });
             let (_, load, state) = energy(a);
             let scale = PI * w * radius;
             let errors = [

@@ -2,7 +2,8 @@
 //! under several probes, values by two other programs, and solves of the whole annulus on films.
 
 use acceptance::{
-    Data, Refused, larger, looked_up, on_half_space, rigid_probe, solid, solved_contact, stack,
+    Data, Refused, larger, looked_up, on_half_space, rigid_probe, simpson, solid, solved_contact,
+    stack,
 };
 use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
 use interp::{Elastic, Probe};
@@ -33,19 +34,7 @@ fn stress(modulus: f64, w: f64, zone: f64) -> f64 {
 /// ```
 fn dugdale(b: &dyn Fn(f64) -> f64, a: f64, stress: f64) -> [f64; 3] {
     let tau = 2.0 * stress / MODULUS;
-    // Simpson's rule.
-    let integral = |f: &dyn Fn(f64) -> f64, to: f64| {
-        const HALVES: u32 = 400;
-        let step = to / f64::from(2 * HALVES);
-        let weight = |i: u32| match i {
-            0 => 1.0,
-            _ if i == 2 * HALVES => 1.0,
-            _ if i % 2 == 1 => 4.0,
-            _ => 2.0,
-        };
-        let terms = (0..=2 * HALVES).map(|i| weight(i) * f(f64::from(i) * step));
-        terms.sum::<f64>() * step / 3.0
-    };
+    let integral = |f: &dyn Fn(f64) -> f64, to: f64| simpson(f, 0.0, to, 400);
     let gap = |tangent: f64| {
         let (c, phi, r) = (a * tangent.hypot(1.0), tangent.atan(), a * tangent);
         let shape = integral(&|psi: f64| b(c * psi.cos()) - b(a), phi);

@@ -1,6 +1,6 @@
 //! Curves from `Gamma` alone: the other three quantities are integrals of it over `a/t`.
 
-use acceptance::{geometric, larger, material, relative_error, solved, table};
+use acceptance::{assert_matches, geometric, larger, material, relative_error, solved, table};
 use interp::{Curve, Description, Error, Parameter, Quantity, Table};
 
 /// The tolerance of the tables of one material.
@@ -161,13 +161,13 @@ fn a_table_that_begins_too_late_says_so_with_an_estimate_that_holds() {
     for range in [[1e-3, 3e-3], [1.0, 100.0]] {
         let curve = curve_of(&table_of(MATERIALS[0], 1e-2, range));
         curve.quantity(Quantity::Gamma, range[0]).expect("held");
-        assert!(matches!(
+        assert_matches!(
             curve.quantity(Quantity::Eeq, range[0]),
             Err(Error::BeginsTooLate {
                 estimate: f64::INFINITY,
                 ..
             })
-        ));
+        );
     }
 }
 

@@ -1,5 +1,4 @@
-//! The domain of the solve: errors that name value and range, and the corners where double
-//! precision is strained.
+//! The domain of the solve: errors that name value and range, and the largest contrasts.
 
 use std::f64::consts::PI;
 

@@ -1,6 +1,8 @@
 //! Dundurs-equivalent materials.
 
-use acceptance::{Contacts, assert_names, larger, material, relative_error, solved};
+use acceptance::{
+    Contacts, assert_matches, assert_names, larger, material, relative_error, solved,
+};
 use interp::{Error, Material, SubstratePoissonRatio};
 
 /// Largest relative difference of equivalent materials' quantities. Measured: 6.2e-15; 2.0e-15
@@ -127,10 +129,10 @@ fn reduced_moduli_make_the_material_that_they_describe() {
         (1.0, -1.0),
         (f64::NAN, 1.0),
     ] {
-        assert!(matches!(
+        assert_matches!(
             Material::of_reduced_moduli(film, 0.3, substrate, 0.3),
             Err(Error::Unphysical { .. })
-        ));
+        );
     }
 }
 
@@ -211,9 +213,9 @@ fn an_unreachable_equivalent_is_an_error_that_names_nu1() {
     let r = incompressible.film_modulus() / incompressible.substrate_modulus();
     assert!((k(nu1) - r * (k(0.2) - k(0.25))).abs() <= 1e-15, "{nu1}");
     for nu0 in [f64::NAN, f64::INFINITY, -1.0, 0.5000000000000001] {
-        assert!(matches!(
+        assert_matches!(
             incompressible.with_substrate_poisson_ratio(nu0),
             Err(Error::Unphysical { name: "nu0", .. })
-        ));
+        );
     }
 }

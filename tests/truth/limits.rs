@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, larger, material, relative_error, relative_errors, solved};
+use acceptance::{Contacts, larger, material, relative_error, relative_errors, simpson, solved};
 use interp::{Material, Quantities};
 use solve::{Compliance, SurfaceCompliance};
 
@@ -20,16 +20,6 @@ const MODERATE: [[f64; 4]; 6] = [
     [0.5, -0.4, f64::INFINITY, 0.25],
     [0.0, 0.3, 0.5, 0.25],
 ];
-
-/// Integrates `f` by Simpson's rule with `2 n` intervals.
-fn simpson(f: impl Fn(f64) -> f64, from: f64, to: f64, n: u32) -> f64 {
-    let step = (to - from) / f64::from(2 * n);
-    let at = |i: u32| f(from + f64::from(i) * step);
-    let inner: f64 = (1..2 * n)
-        .map(|i| if i % 2 == 1 { 4.0 } else { 2.0 } * at(i))
-        .sum();
-    (at(0) + inner + at(2 * n)) * step / 3.0
-}
 
 /// Returns the quantities of a thick film with errors of order `x^3`. The kernel is then the
 /// constant `k(0)`, for which eq. 3 has the solution `Eeq = Gamma = es/(1 + beta)`,
@@ -147,7 +137,7 @@ fn a_film_of_the_substrates_own_material_makes_no_difference() {
 }
 
 /// Returns quantities in units of `E2*` in units of `E1*`.
-pub fn in_units_of_the_film(quantities: &Quantities, material: &Material) -> Quantities {
+fn in_units_of_the_film(quantities: &Quantities, material: &Material) -> Quantities {
     let unit = material.film_modulus();
     Quantities {
         pi0: quantities.pi0 / unit,

@@ -1,6 +1,8 @@
 //! Probes with the profile `c r^n` against values in 80-bit arithmetic, identities and limits.
 
-use acceptance::{Contacts, Data, larger, layer, material, solid, springs, with_interfaces};
+use acceptance::{
+    Contacts, Data, larger, layer, material, slopes, solid, springs, with_interfaces,
+};
 use interp::Material;
 use solve::stack::Interface;
 use solve::{Error, PowerLaw, Solution, solve_power_laws, solve_stack_power_laws};
@@ -102,26 +104,15 @@ fn the_error_of_few_modes_bounds_the_true_one() {
     assert!(share <= 1.0);
 }
 
-/// Returns the numbers at `x`, and their derivatives with respect to `ln x` by the differences of
-/// eighth order.
+/// Returns the numbers at `x`, and their derivatives with respect to `ln x`.
 fn with_rates(x: f64, material: &Material, exponent: f64) -> ([f64; 4], [f64; 4]) {
-    const STEP: f64 = 0.05;
-    const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
-    let values = |steps: f64| {
-        let x = x * (steps * STEP).exp();
-        let (solution, power_laws) = solve_power_laws(x, material, &[exponent], 1e-11)
+    let values = |log: f64| {
+        let (solution, power_laws) = solve_power_laws(x * log.exp(), material, &[exponent], 1e-11)
             .unwrap_or_else(|e| panic!("n = {exponent}: {e}"));
         let q = solution.quantities;
         [power_laws[0].pi, power_laws[0].delta, q.eeq, q.gamma]
     };
-    let mut rates = [0.0; 4];
-    for (weight, k) in WEIGHTS.into_iter().zip(1..) {
-        let [after, before] = [1.0, -1.0].map(|sign| values(sign * f64::from(k)));
-        for (i, rate) in rates.iter_mut().enumerate() {
-            *rate += weight * (after[i] - before[i]) / STEP;
-        }
-    }
-    (values(0.0), rates)
+    (values(0.0), slopes(0.05, values))
 }
 
 /// The load follows from the penetration, `dF0 = S d(delta0)`, and `Delta_{n+2}` from

@@ -7,7 +7,6 @@ use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use solve::cohesive::{Cohesive, CohesiveState};
-use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
 
 /// Bodies with an attraction, and what is imposed on them.
@@ -286,9 +285,9 @@ fn no_state_is_lower_than_the_pull_off() {
     assert!(without_contact > 0);
 }
 
-/// All lengths a thousand times as large at the same moduli, and a film in two halves.
+/// All lengths a thousand times as large at the same moduli.
 #[test]
-fn scales_and_a_divided_film_change_nothing() {
+fn scales_change_nothing() {
     let mut compared = 0;
     for seed in 2000..2012 {
         let case = random(seed, [1e-3, 3.0]);
@@ -323,14 +322,6 @@ fn scales_and_a_divided_film_change_nothing() {
             (scaled / expected - 1.0).abs() < 1e-8,
             "{seed}: {scaled:e}, {expected:e}"
         );
-        let half = Layer::bonded(case.system.film, 0.5 * case.system.film_thickness);
-        let stack = Stack::new(case.system.substrate, [half, half]).expect("physical");
-        let (radius, sphere) = (case.sphere_radius(), case.system.sphere_modulus);
-        let divided = Cohesive::on_stack(&stack, radius, sphere, case.work_of_adhesion, case.range)
-            .and_then(|divided| divided.pull_off(case.control))
-            .unwrap_or_else(|e| panic!("{seed}: {e}"));
-        let divided = case.imposed(&divided) / case.imposed(&found) - 1.0;
-        assert!(divided.abs() < 1e-9, "{seed}: {divided:e}");
         compared += 1;
     }
     assert!(compared >= 6, "{compared}");

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{material, paper_system, rigid_probe, solid, solved};
+use acceptance::{assert_matches, material, paper_system, rigid_probe, solid, solved};
 use contact::{Contact, Control};
 use interp::{Curve, Material, Probe, System};
 use solve::Error;
@@ -190,10 +190,7 @@ fn what_is_not_solved_is_refused() {
     // A film that is nearly incompressible is not taken for an incompressible one.
     let nearly = Material::new(0.0, 0.49, f64::INFINITY, 0.25).expect("physical");
     let nearly = Sticking::on_film(&nearly, 0.5).expect("physical");
-    assert!(matches!(
-        nearly.tip(1.0, 2.0, 1e-6),
-        Err(Error::Coupled { .. })
-    ));
+    assert_matches!(nearly.tip(1.0, 2.0, 1e-6), Err(Error::Coupled { .. }));
     let curves = StickCurves::new(&confined(), [0.1, 1.0], 1e-6).expect("converges");
     let error = curves.receding(1.5).expect_err("more than one");
     assert!(error.to_string().contains("1.5"), "{error}");

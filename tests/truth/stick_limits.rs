@@ -2,24 +2,16 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, material};
+use acceptance::{larger, material, slopes};
 use solve::stick::Sticking;
 
 use crate::stick::{confined, relative};
 
-/// `Gamma_eff^2 = es d(x Eeq_s)/dx`, by differences of ten points, for every Poisson ratio; where
+/// `Gamma_eff^2 = es d(x Eeq_s)/dx`, by differences, for every Poisson ratio; where
 /// `beta = 0`, `Gamma_eff` is also what the equation gives at the edge. Measured: 1.5e-13 and
 /// 2.4e-15.
 #[test]
 fn the_energy_release_rate_is_that_of_the_compliance() {
-    /// Central differences of ten points.
-    const WEIGHTS: [f64; 5] = [
-        5.0 / 6.0,
-        -5.0 / 21.0,
-        5.0 / 84.0,
-        -5.0 / 504.0,
-        1.0 / 1260.0,
-    ];
     let mut worst = [0.0; 2];
     for (e1, nu1, e0, nu2) in [
         (0.0, 0.5, f64::INFINITY, 0.5),
@@ -33,14 +25,7 @@ fn the_energy_release_rate_is_that_of_the_compliance() {
         let es = of.sphere_film_modulus();
         for x in [0.3, 3.0] {
             let compliance = |x: f64| x * sticking.punch(x, 1e-12).expect("converges").eeq_s;
-            let step = 0.03 * x;
-            let slope: f64 = (1..)
-                .zip(WEIGHTS)
-                .map(|(i, weight)| {
-                    let h = f64::from(i) * step;
-                    weight * (compliance(x + h) - compliance(x - h)) / step
-                })
-                .sum();
+            let [slope] = slopes(0.03 * x, |change| [compliance(x + change)]);
             let punch = sticking.punch(x, 1e-12).expect("converges");
             worst[0] = larger(worst[0], relative(punch.gamma_eff.powi(2), es * slope));
             if let Some([normal, shear]) = punch.edge {
@@ -68,27 +53,19 @@ fn growing_contacts_obey_their_identities() {
         let es = of.sphere_film_modulus();
         let grown = sticking.grown(4.0, 2.0, 1e-10).expect("converges");
         for x in [0.3_f64, 1.0, 3.0] {
-            let step = 0.02 * x;
-            // Central differences of eight points.
-            let slope = |value: &dyn Fn(f64) -> f64| -> f64 {
-                [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0]
-                    .into_iter()
-                    .zip(1..)
-                    .map(|(weight, i)| {
-                        let h = f64::from(i) * step;
-                        weight * (value(x + h) - value(x - h)) / step
-                    })
-                    .sum()
-            };
             let grown = |x: f64| grown.at(x).expect("inside");
             let at = grown(x);
-            let left = 3.0 * at.pi_s + x * slope(&|x| grown(x).pi_s);
-            let right = 4.0 * at.eeq_s * (2.0 * at.delta_s + x * slope(&|x| grown(x).delta_s));
-            worst[0] = larger(worst[0], relative(left, right));
             let u = |x: f64| x.sqrt() / grown(x).gamma_g;
-            let left = slope(&|x| x * grown(x).eeq_g * u(x));
-            let right = x * at.eeq_s * slope(&u) + at.gamma_s / es * x.sqrt();
-            worst[1] = larger(worst[1], relative(left, right));
+            let [pi_rate, delta_rate, energy_rate, u_rate] = slopes(0.02 * x, |change| {
+                let x = x + change;
+                let at = grown(x);
+                [at.pi_s, at.delta_s, x * at.eeq_g * u(x), u(x)]
+            });
+            let left = 3.0 * at.pi_s + x * pi_rate;
+            let right = 4.0 * at.eeq_s * (2.0 * at.delta_s + x * delta_rate);
+            worst[0] = larger(worst[0], relative(left, right));
+            let right = x * at.eeq_s * u_rate + at.gamma_s / es * x.sqrt();
+            worst[1] = larger(worst[1], relative(energy_rate, right));
         }
     }
     println!("load {:.1e}, work of adhesion {:.1e}", worst[0], worst[1]);

@@ -288,6 +288,26 @@ fn approach_and_retract_at_constant_speeds() {
     }
 }
 
+/// A ramp and a hold under the standard linear solid, by quadrature of Lee and Radok's integral.
+#[test]
+fn a_hold_relaxes_by_the_law() {
+    let contact = half_space(PARABOLOID);
+    let law = solid_law();
+    let program = [(0.0, 0.0), (1.0, 1e-2)];
+    let times = [0.3, 1.0, 1.5, 4.0, 50.0];
+    let relaxing = (&contact, &law);
+    for at in &states(relaxing, Control::Displacement, &program, &times, 1e-10) {
+        let t1 = at.time.min(1.0);
+        let f = |x: f64, rest: f64| {
+            law.modulus(at.time - t1 + rest).expect("a time") * 2.0 * (1e-2 * x).sqrt() * 1e-2
+        };
+        let exact = integral(f, t1);
+        let error = (at.state.load / exact - 1.0).abs();
+        assert!(error < 1e-9, "at {}: {error:.1e}", at.time);
+        assert!((at.state.contact_radius - (1e-2 * t1).sqrt()).abs() < 1e-11);
+    }
+}
+
 /// A load that grows and is held: `(4/3) a^3 = int J dF` on a half-space.
 #[test]
 fn creep_under_a_load() {

@@ -123,16 +123,6 @@ fn values_and_slopes_keep_the_error() {
     }
 }
 
-/// Four sums are those of one function, so the last index of each bond has little to add.
-#[test]
-fn a_looser_error_takes_fewer_bytes() {
-    let bytes = [1e-2, 1e-4, 1e-6].map(|error| {
-        let train = compressed([0, COUNT - 1], error).expect("it reaches the error");
-        train.coded_integers().len()
-    });
-    assert!(bytes.is_sorted_by(|a, b| a < b), "{bytes:?}");
-}
-
 #[test]
 fn an_error_below_rounding_is_not_reached() {
     let result = compressed([0, COUNT - 1], 1e-18);

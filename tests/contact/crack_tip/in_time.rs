@@ -3,27 +3,12 @@
 use std::f64::consts::PI;
 
 use acceptance::larger;
-use contact::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State, TimedState};
+use contact::{Control, CrackTip, Error, Hysteresis, RateDependent, State};
 
 use crate::contact::half_space;
 use crate::crack_tip::jkr::{Jkr, R, W};
 use crate::crack_tip::{film, impose, integral, rate_dependent, steps};
 use crate::half_space::relative;
-
-/// Returns the timed states of a ramp, and of a second one back, until the contact parts or the
-/// ramp ends.
-fn loop_of<L: CrackTip>(
-    contact: &Contact,
-    law: L,
-    a: f64,
-    control: Control,
-    turns: [f64; 2],
-    time: f64,
-    tolerance: f64,
-) -> [Vec<TimedState>; 2] {
-    let mut line = contact.line(law, a).expect("physical");
-    turns.map(|turn| line.ramp(control, turn, time, tolerance).expect("solved"))
-}
 
 #[test]
 fn speed_and_energy_are_each_others_inverse() {
@@ -72,7 +57,9 @@ fn a_ramp_keeps_the_energy() {
     ] {
         for (v0, n) in [(1e-5, 0.6), (1e-3, 0.3), (1e-6, 1.0)] {
             let law = rate_dependent(v0, n);
-            for mut moments in loop_of(&contact, law, 60e-6, control, turns, 1.0, 1e-8) {
+            let mut line = contact.line(law, 60e-6).expect("physical");
+            for turn in turns {
+                let mut moments = line.ramp(control, turn, 1.0, 1e-8).expect("solved");
                 // In the end the energy release rate has no bound.
                 moments.retain(|moment| moment.state.contact_radius > 20e-6);
                 let states = || moments.iter().map(|moment| &moment.state);

@@ -6,7 +6,7 @@ mod jkr;
 mod ramps;
 mod slow;
 
-use acceptance::{looked_up, paper_system};
+use acceptance::{assert_matches, looked_up, paper_system};
 use contact::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State};
 
 use jkr::W;
@@ -50,10 +50,10 @@ fn a_line_that_leaves_the_table_is_an_error_and_stays() {
     let load = 2.0 * contact.load(most, W).expect("in range");
     let mut line = contact.line(W, 60e-6).expect("physical");
     let before = line.state();
-    assert!(matches!(
+    assert_matches!(
         line.impose(Control::Load, load),
         Err(Error::OutsideRadii { .. })
-    ));
+    );
     assert_eq!(line.state(), before);
     let line = contact.line(rate_dependent(1e-3, 0.6), 60e-6);
     let mut line = line.expect("physical");

@@ -159,10 +159,7 @@ fn what_is_not_known_is_an_error_that_names_it() {
         Input::SphereModulus,
     ] {
         let error = gradient.by(input).expect_err("fixed");
-        assert!(
-            matches!(error, Error::Table(interp::Error::FixedParameter(name)) if name == input.name()),
-            "{error}"
-        );
+        assert_matches!(error, Error::Table(interp::Error::FixedParameter(name)) if name == input.name());
     }
     for input in [
         Input::ContactRadius,
@@ -190,10 +187,10 @@ fn what_is_not_known_is_an_error_that_names_it() {
     }
 
     let plain = Contact::in_table(&paper, &paper_system(1e-6)).expect("inside");
-    assert!(matches!(
+    assert_matches!(
         plain.gradient(65e-6, 0.04),
         Err(Error::Table(interp::Error::NoGradient))
-    ));
+    );
     for (a, w) in [
         (0.0, 0.04),
         (f64::NAN, 0.04),
@@ -269,9 +266,7 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
         }
     }
     for input in [Input::FilmThickness, Input::FilmModulus, Input::FilmPoisson] {
-        assert!(
-            matches!(gradient.by(input), Err(Error::Table(interp::Error::FixedParameter(name))) if name == input.name())
-        );
+        assert_matches!(gradient.by(input), Err(Error::Table(interp::Error::FixedParameter(name))) if name == input.name());
     }
     let rigid = HalfSpace {
         sphere_modulus: f64::INFINITY,

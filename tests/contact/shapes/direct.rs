@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Data, larger, rigid_probe, solid};
+use acceptance::{Contacts, Data, assert_matches, larger, rigid_probe, solid};
 use contact::{Contact, Error};
 use interp::{Probe, System, Table};
 use solve::solve_power_laws;
@@ -268,10 +268,7 @@ fn the_sphere_is_the_sum_of_its_powers() {
             assert!(error < bound, "{alpha} at {x}: {error:e}, {system:?}");
         }
         // Farther out nothing is computed.
-        assert!(matches!(
-            of_table.load_and_penetration(0.56 * r, 0.0),
-            Err(Error::Table(interp::Error::BeyondProbe { limit, .. })) if (limit / (0.55 * r) - 1.0).abs() < 1e-12
-        ));
+        assert_matches!(of_table.load_and_penetration(0.56 * r, 0.0), Err(Error::Table(interp::Error::BeyondProbe { limit, .. })) if (limit / (0.55 * r) - 1.0).abs() < 1e-12);
     }
     println!(
         "by the table {:.1e}, directly {:.1e}; {unsolved} not solved",

@@ -230,10 +230,10 @@ fn a_flat_punch_has_one_contact_radius() {
                 );
             }
         }
-        assert!(matches!(
+        assert_matches!(
             contact.load(0.9 * radius, W),
             Err(Error::Table(interp::Error::BeyondProbe { .. }))
-        ));
+        );
         for result in [
             contact.line(W, radius).map(drop),
             contact.radius_and_energy_release_rate(0.0, 0.0).map(drop),
@@ -289,9 +289,9 @@ fn a_flat_end_separates_like_a_punch() {
         let equilibria = cone.equilibria(w, Control::Displacement).expect("in range");
         let curve = equilibria.force_displacement(1e-6, 20).expect("in range");
         assert_eq!(curve.unloading.len(), 1);
-        assert!(matches!(
+        assert_matches!(
             equilibria.unloading(2.0 * cone_off.penetration),
             Err(Error::NoContact { .. })
-        ));
+        );
     }
 }
