@@ -12,7 +12,6 @@ mod hostile;
 mod moving_stiffness;
 mod outside;
 mod profile;
-mod rings;
 mod shapes;
 mod sphere_radius;
 mod stacks;

@@ -5,58 +5,37 @@ use acceptance::{Case, Data, Refused, larger, layer, slopes, solid, stack};
 use contact::Control;
 use interp::Elastic;
 use solve::cohesive::{Cohesive, CohesiveState, REACH};
-use solve::stack::{Layer, Stack};
+use solve::stack::Layer;
 use std::f64::consts::PI;
 
 /// The thickness of the films, m, and the modulus of the sphere, Pa: units of the file.
 pub const THICKNESS: f64 = 1e-6;
-pub const MODULUS: f64 = 1e6;
+const MODULUS: f64 = 1e6;
 
-/// The bodies of a row.
-pub struct Bodies {
-    pub stack: Stack,
-    pub sphere_radius: f64,
-    pub sphere_modulus: f64,
-    pub work_of_adhesion: f64,
-    pub range: f64,
-    /// The unit of the loads, `pi w R`.
-    pub load: f64,
-}
-
-impl Bodies {
-    pub fn new(case: &Case<'_>) -> Self {
-        let in_units = case.stack();
-        let scaled = |one: Elastic| solid(one.young() * MODULUS, one.poisson());
-        let layers: Vec<Layer> = in_units
-            .layers()
-            .iter()
-            .map(|one| Layer::bonded(scaled(one.solid), one.thickness * THICKNESS))
-            .collect();
-        let rigid = case.text("sphere") == "rigid";
-        let top = layers.last().expect("a layer").solid;
-        let unit = if rigid { top.reduced() } else { MODULUS };
-        let sphere_radius = case.get("r_over_t") * THICKNESS;
-        let work_of_adhesion = case.get("w") * unit * THICKNESS;
-        Self {
-            stack: stack(scaled(in_units.base()), &layers),
-            sphere_radius,
-            sphere_modulus: if rigid { f64::INFINITY } else { MODULUS },
-            work_of_adhesion,
-            range: work_of_adhesion / (case.get("sigma0") * unit),
-            load: PI * work_of_adhesion * sphere_radius,
-        }
-    }
-
-    pub fn cohesive(&self) -> Cohesive {
-        Cohesive::on_stack(
-            &self.stack,
-            self.sphere_radius,
-            self.sphere_modulus,
-            self.work_of_adhesion,
-            self.range,
-        )
-        .expect("physical")
-    }
+/// Returns the attraction of a row, and the unit of its loads, `pi w R`.
+fn of_row(case: &Case<'_>) -> (Cohesive, f64) {
+    let in_units = case.stack();
+    let scaled = |one: Elastic| solid(one.young() * MODULUS, one.poisson());
+    let layers: Vec<Layer> = in_units
+        .layers()
+        .iter()
+        .map(|one| Layer::bonded(scaled(one.solid), one.thickness * THICKNESS))
+        .collect();
+    let (unit, sphere_modulus) = match case.text("sphere") {
+        "rigid" => (
+            layers.last().expect("a layer").solid.reduced(),
+            f64::INFINITY,
+        ),
+        _ => (MODULUS, MODULUS),
+    };
+    let (radius, w) = (
+        case.get("r_over_t") * THICKNESS,
+        case.get("w") * unit * THICKNESS,
+    );
+    let stack = stack(scaled(in_units.base()), &layers);
+    let range = w / (case.get("sigma0") * unit);
+    let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, range);
+    (cohesive.expect("physical"), PI * w * radius)
 }
 
 /// Loads count relative to `pi w R`, penetrations and outer radii relative to their size.
@@ -65,15 +44,14 @@ fn states_and_pull_offs_agree_with_reference_values() {
     let data = Data::read("cohesive");
     let (mut worst, mut count) = (0.0, 0);
     for case in data.cases() {
-        let bodies = Bodies::new(&case);
-        let cohesive = bodies.cohesive();
+        let (cohesive, unit) = of_row(&case);
         let a = case.get("a_over_t") * THICKNESS;
         let at_radius = cohesive.state(a).unwrap_or_else(|e| panic!("{e}"));
         let [load, penetration, outer] =
             ["load_over_piwR", "penetration_over_t", "c_over_t"].map(|name| case.get(name));
         let errors = |state: &CohesiveState| {
             [
-                state.load / bodies.load - load,
+                state.load / unit - load,
                 (state.penetration / THICKNESS - penetration) / penetration,
                 (state.outer_radius / THICKNESS - outer) / outer,
             ]

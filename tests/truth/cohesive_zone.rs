@@ -1,9 +1,8 @@
 //! The correction of JKR for an attraction of short range, against Dugdale's law on a half-space
-//! under several probes, values by two other programs, and solves of the whole annulus on films.
+//! under several probes, and solves of the whole annulus on films.
 
 use acceptance::{
-    Data, Refused, larger, looked_up, on_half_space, rigid_probe, simpson, solid, solved_contact,
-    stack,
+    Refused, larger, looked_up, on_half_space, rigid_probe, simpson, solid, solved_contact, stack,
 };
 use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
 use interp::{Elastic, Probe};
@@ -11,7 +10,7 @@ use solve::cohesive::Cohesive;
 use solve::stack::{Layer, Stack};
 use std::f64::consts::PI;
 
-use super::cohesive::{Bodies, THICKNESS};
+use super::cohesive::THICKNESS;
 
 /// The reduced modulus of the half-space, Pa, and the work of adhesion, J/m^2.
 const MODULUS: f64 = 1e6;
@@ -107,47 +106,6 @@ fn contact_of(stack: &Stack, sphere_radius: f64, sphere_modulus: f64) -> Contact
     let curve = solve::stack_curve(stack, sphere_modulus, [1e-2, 45.0], 1e-8);
     let curve = curve.unwrap_or_else(|e| panic!("{e}"));
     Contact::new(&stack.system(sphere_radius, sphere_modulus), curve).expect("its curve")
-}
-
-/// Rows of the file whose zone is short: the remainder is of second order in the zone.
-#[test]
-fn short_ranges_agree_with_reference_values() {
-    let data = Data::read("cohesive");
-    let mut count = 0;
-    for case in data.cases() {
-        let bodies = Bodies::new(&case);
-        let contact = contact_of(&bodies.stack, bodies.sphere_radius, bodies.sphere_modulus);
-        let range = CohesiveZone {
-            stress: bodies.work_of_adhesion / bodies.range,
-        };
-        let Ok(attraction) = contact.cohesive_zone(bodies.work_of_adhesion, range) else {
-            continue;
-        };
-        let a = case.get("a_over_t") * THICKNESS;
-        let state = match case.text("kind") {
-            "pull_off_load" => attraction.pull_off(Control::Load),
-            "pull_off_displacement" => attraction.pull_off(Control::Displacement),
-            _ => attraction.state(a),
-        };
-        let Ok(state) = state else { continue };
-        let load = state.load / bodies.load - case.get("load_over_piwR");
-        let outer = state.outer_radius / THICKNESS / case.get("c_over_t") - 1.0;
-        let thickness = bodies.stack.layers().last().expect("a layer").thickness;
-        let zone = attraction.zone() / a.min(thickness);
-        println!(
-            "{} {} l/a {:.3} zone {zone:.3}: load {load:.1e}, outer radius {outer:.1e}",
-            case.text("kind"),
-            case.text("system"),
-            attraction.zone() / a
-        );
-        let bound = zone * zone;
-        assert!(
-            load.abs() < 0.5 * bound && outer.abs() < bound,
-            "{load} {outer}"
-        );
-        count += 1;
-    }
-    assert!(count >= 7, "{count}");
 }
 
 /// Stacks under a sphere: the stack, the radius and the modulus of the sphere and the work of

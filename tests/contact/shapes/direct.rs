@@ -268,7 +268,12 @@ fn the_sphere_is_the_sum_of_its_powers() {
             assert!(error < bound, "{alpha} at {x}: {error:e}, {system:?}");
         }
         // Farther out nothing is computed.
-        assert_matches!(of_table.load_and_penetration(0.56 * r, 0.0), Err(Error::Table(interp::Error::BeyondProbe { limit, .. })) if (limit / (0.55 * r) - 1.0).abs() < 1e-12);
+        let beyond = of_table.load_and_penetration(0.56 * r, 0.0);
+        assert_matches!(
+            beyond,
+            Err(Error::Table(interp::Error::BeyondProbe { limit, .. }))
+                if (limit / (0.55 * r) - 1.0).abs() < 1e-12
+        );
     }
     println!(
         "by the table {:.1e}, directly {:.1e}; {unsolved} not solved",
