@@ -4,6 +4,8 @@ use acceptance::{Contacts, assert_names, looked_up, paper_system, solid, solved_
 use contact::{Branch, Contact, Control, Derivatives, Error, Input, State};
 use interp::{System, Table};
 
+use crate::gradient::{value, with};
+
 const SPRING: Control = Control::Spring { stiffness: 40.0 };
 
 /// Returns systems of soft and rigid spheres on films from thin to thick.
@@ -89,13 +91,12 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
             Contact::in_table_with_gradient(Table::embedded(), &system).expect("in the table");
         // Returns the contact and the work of adhesion with an input that is changed by a factor.
         let changed = |input: Input, factor: f64| {
-            let (mut system, mut w) = (system.clone(), W);
-            match input {
-                Input::SphereModulus => system.sphere_modulus *= factor,
-                Input::FilmThickness => system.film_thickness *= factor,
-                Input::WorkOfAdhesion => w *= factor,
-                _ => system.film = solid(factor * system.film.young(), system.film.poisson()),
-            }
+            let system = with(&system, input, factor * value(&system, input));
+            let w = if input == Input::WorkOfAdhesion {
+                factor * W
+            } else {
+                W
+            };
             let range = [1e-5, 2e-4].map(|a| a / system.film_thickness);
             (solved_contact(&system, range, 1e-10), w)
         };
@@ -113,21 +114,19 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
             equilibria
                 .branch_with_gradient(&values, unloading, &inputs, &mut states, &mut derivatives)
                 .expect("in range");
-            for (i, (&value, state)) in values.iter().zip(&states).enumerate() {
+            for (i, (&imposed, state)) in values.iter().zip(&states).enumerate() {
                 let found = &derivatives[5 * i..][..5];
                 // What is imposed is the first of the inputs.
                 let by_itself = control.imposed(found[0].load, found[0].penetration);
                 assert!((by_itself - 1.0).abs() < 1e-12, "{control:?}: {by_itself}");
                 for ((input, near), by) in inputs.iter().zip(&near).zip(&found[1..]) {
-                    let size = match input {
-                        Input::SphereModulus => system.sphere_modulus,
-                        Input::FilmThickness => system.film_thickness,
+                    let size = match *input {
                         Input::WorkOfAdhesion => W,
-                        _ => system.film.young(),
+                        input => value(&system, input),
                     };
                     let [up, down] = near.each_ref().map(|(contact, w)| {
                         let equilibria = contact.equilibria(*w, control).expect("in range");
-                        equilibria.unloading(value).expect("in range")
+                        equilibria.unloading(imposed).expect("in range")
                     });
                     for (found, difference, scale) in [
                         (by.load, up.load - down.load, state.load.abs() + 1e-4),

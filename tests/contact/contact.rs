@@ -3,12 +3,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_matches, larger, looked_up, paper_system, rigid_probe, solid};
+use acceptance::{
+    Contacts, assert_matches, larger, looked_up, paper_system, relative, rigid_probe, solid,
+};
 use contact::{Contact, Error, JkrFit, JkrPoint, Neglected};
 use interp::{HalfSpace, Material, Probe, System};
 use solve::solve;
-
-use crate::half_space::relative;
 
 pub fn bare() -> HalfSpace {
     paper_system(1e-6).without_film()

@@ -3,13 +3,11 @@
 use std::f64::consts::PI;
 
 use acceptance::{
-    Contacts, assert_matches, geometric, larger, looked_up, paper_system, rigid_probe, solid,
-    solved_contact,
+    Contacts, assert_matches, geometric, larger, looked_up, paper_system, relative, rigid_probe,
+    solid, solved_contact,
 };
 use contact::{Contact, Control, Error, ForceDisplacement, State, work_of_adhesion_at_pull_off};
 use interp::{Curve, Probe, Quantities, System};
-
-use crate::half_space::relative;
 
 pub const CONTROLS: [Control; 3] = [
     Control::Load,

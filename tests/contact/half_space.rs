@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused as _, larger, on_half_space, solid};
+use acceptance::{Contacts, Refused as _, larger, on_half_space, relative, solid};
 use contact::{Contact, Control, State};
 use interp::{HalfSpace, Probe};
 
@@ -72,10 +72,6 @@ fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
         let jkr = Jkr { r, e, w };
         (Contact::half_space(&system).expect("physical"), jkr)
     })
-}
-
-pub fn relative(found: f64, expected: f64) -> f64 {
-    (found / expected - 1.0).abs()
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! Equilibria beyond what a curve or a table holds.
 
-use acceptance::{assert_matches, larger, looked_up, paper_system, rigid_probe, solid, table};
+use acceptance::{
+    assert_matches, larger, looked_up, paper_system, relative, rigid_probe, solid, table,
+};
 use contact::{Contact, Control, Error, State};
 use interp::{Probe, System, Table};
 
 use crate::equilibria::CONTROLS;
-use crate::half_space::relative;
 
 /// Returns a table that begins at an `a/t` of 1.
 pub fn thin_films() -> Table {

@@ -3,11 +3,11 @@
 mod direct;
 mod separation;
 
-use acceptance::{Refused, assert_matches, looked_up, on_half_space, rigid_probe, solid};
+use acceptance::{Refused, assert_matches, looked_up, on_half_space, relative, rigid_probe, solid};
 use contact::{Branch, Contact, Control, Input, Neglected, State};
 use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
 
-use crate::half_space::relative;
+use crate::gradient::{value, with};
 
 /// Work of adhesion, J/m^2.
 const W: f64 = 0.04;
@@ -91,20 +91,6 @@ fn on_a_homogeneous_body_shapes_are_those_of_the_closed_forms() {
 fn derivatives_are_differences() {
     const STEP: f64 = 1e-3;
     let table = Table::embedded();
-    let shape = |probe: &Probe, factor: f64| match *probe {
-        Probe::Sphere { radius } => Probe::Sphere {
-            radius: radius * factor,
-        },
-        Probe::RoundedCone { radius, half_angle } => Probe::RoundedCone {
-            radius: radius * factor,
-            half_angle,
-        },
-        Probe::FlatEndedCone { radius, half_angle } => Probe::FlatEndedCone {
-            radius: radius * factor,
-            half_angle,
-        },
-        _ => probe.clone(),
-    };
     for probe in shapes() {
         let own = System {
             sphere_modulus: 2e6,
@@ -113,45 +99,36 @@ fn derivatives_are_differences() {
         let contact = Contact::in_table_with_gradient(table, &own).expect("in the table");
         let a = 1.2e-5;
         let gradient = contact.gradient(a, W).expect("in range");
-        let with = |input: Input, factor: f64| {
-            let mut other = own.clone();
-            let scaled = |body: Elastic| solid(factor * body.young(), body.poisson());
-            match input {
-                Input::SphereRadius => other.probe = shape(&probe, factor),
-                Input::SphereModulus => other.sphere_modulus *= factor,
-                Input::FilmThickness => other.film_thickness *= factor,
-                Input::FilmModulus => other.film = scaled(own.film),
-                Input::SubstrateModulus => other.substrate = scaled(own.substrate),
-                Input::FilmPoisson => {
-                    other.film = solid(own.film.young(), factor * own.film.poisson());
-                }
-                _ => {}
-            }
+        let at = |input: Input, value: f64| {
             let a = if input == Input::ContactRadius {
-                a * factor
+                value
             } else {
                 a
             };
-            let contact = Contact::in_table(table, &other).expect("in the table");
-            contact.load_and_penetration(a, W).expect("in range")
+            let other = Contact::in_table(table, &with(&own, input, value)).expect("in the table");
+            other.load_and_penetration(a, W).expect("in range")
         };
-        let units = [
-            (Input::ContactRadius, a),
-            (Input::SphereRadius, probe.radius().unwrap_or(0.0)),
-            (Input::SphereModulus, own.sphere_modulus),
-            (Input::FilmThickness, own.film_thickness),
-            (Input::FilmModulus, own.film.young()),
-            (Input::FilmPoisson, own.film.poisson()),
-            (Input::SubstrateModulus, own.substrate.young()),
-        ];
         let (load, penetration) = contact.load_and_penetration(a, 0.0).expect("in range");
-        for (input, unit) in units {
+        for input in [
+            Input::ContactRadius,
+            Input::SphereRadius,
+            Input::SphereModulus,
+            Input::FilmThickness,
+            Input::FilmModulus,
+            Input::FilmPoisson,
+            Input::SubstrateModulus,
+        ] {
+            let unit = if input == Input::ContactRadius {
+                a
+            } else {
+                value(&own, input)
+            };
             if input == Input::SphereRadius && (unit == 0.0 || probe.name() == "paraboloid") {
                 assert_eq!(gradient.by(input).is_err(), unit == 0.0);
                 continue;
             }
             let found = gradient.by(input).expect("known");
-            let (more, less) = (with(input, 1.0 + STEP), with(input, 1.0 - STEP));
+            let [more, less] = [1.0 + STEP, 1.0 - STEP].map(|factor| at(input, factor * unit));
             let misses = [
                 (found.load * unit - (more.0 - less.0) / (2.0 * STEP)) / load,
                 (found.penetration * unit - (more.1 - less.1) / (2.0 * STEP)) / penetration,

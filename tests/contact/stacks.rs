@@ -44,23 +44,20 @@ fn the_film_bias_of_a_stack_is_that_of_all_layers() {
 }
 
 #[test]
-fn beyond_its_ends_the_curve_of_a_stack_is_an_error() {
+fn beyond_its_ends_and_for_derivatives_of_one_film_the_curve_of_a_stack_is_an_error() {
     let contact = contact(&two_layers());
     let curve = contact.curve().expect("a stack has one");
     for a in [0.9 * RADII[0], 1.1 * RADII[1]] {
-        let x = a / 1e-4;
         for error in [
-            curve.quantity(Quantity::Eeq, x).expect_err("beyond").into(),
+            curve
+                .quantity(Quantity::Eeq, a / 1e-4)
+                .expect_err("beyond")
+                .into(),
             contact.load(a, W).expect_err("beyond"),
         ] {
             assert_matches!(error, Error::Table(interp::Error::OutsideTable { .. }));
         }
     }
-}
-
-#[test]
-fn derivatives_with_respect_to_one_films_parameters_are_an_error() {
-    let contact = contact(&two_layers());
     let error = contact.gradient(5e-5, W).expect_err("none");
     assert_matches!(error, Error::Table(interp::Error::NoGradient));
 }

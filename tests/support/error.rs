@@ -19,6 +19,11 @@ pub fn larger(a: f64, b: f64) -> f64 {
     }
 }
 
+/// Returns the relative deviation of `found` from `expected`.
+pub fn relative(found: f64, expected: f64) -> f64 {
+    (found / expected - 1.0).abs()
+}
+
 /// Returns the relative deviation of each of the four quantities from `truth`.
 pub fn relative_errors(quantities: &Quantities, truth: &Quantities) -> [f64; 4] {
     let (values, truths) = (quantities.to_array(), truth.to_array());

@@ -20,7 +20,7 @@ pub use contacts::Contacts;
 pub use data::{Case, Data};
 pub use differences::{derivatives, direct, simpson, slopes};
 pub use error::{
-    TRUTH, all_bits, assert_close, assert_near, bits, error_at, larger, relative_error,
+    TRUTH, all_bits, assert_close, assert_near, bits, error_at, larger, relative, relative_error,
     relative_errors,
 };
 pub use forgery::{Checked, checksum, with_payload};

@@ -46,7 +46,7 @@ fn states_and_pull_offs_agree_with_reference_values() {
     for case in data.cases() {
         let (cohesive, unit) = of_row(&case);
         let a = case.get("a_over_t") * THICKNESS;
-        let at_radius = cohesive.state(a).unwrap_or_else(|e| panic!("{e}"));
+        let at_radius = cohesive.state(a).expect("solved");
         let [load, penetration, outer] =
             ["load_over_piwR", "penetration_over_t", "c_over_t"].map(|name| case.get(name));
         let errors = |state: &CohesiveState| {
@@ -72,7 +72,7 @@ fn states_and_pull_offs_agree_with_reference_values() {
             "pull_off_displacement" => Control::Displacement,
             _ => continue,
         };
-        let pull_off = cohesive.pull_off(control).unwrap_or_else(|e| panic!("{e}"));
+        let pull_off = cohesive.pull_off(control).expect("solved");
         let [load_error, penetration_error, _] = errors(&pull_off);
         // The imposed value is stationary, the other one is not.
         let error = if control == Control::Load {
@@ -118,7 +118,7 @@ fn states_on_a_half_space_are_those_of_maugis() {
         let k = 4.0 / 3.0 * MODULUS;
         let unit = (PI * w * radius * radius / k).cbrt();
         for a in [0.1, 0.4, 0.8, 1.2, 1.8, 2.5] {
-            let state = cohesive.state(a * unit).unwrap_or_else(|e| panic!("{e}"));
+            let state = cohesive.state(a * unit).expect("solved");
             let m = state.outer_radius / state.contact_radius;
             let t = ((m - 1.0) * (m + 1.0)).sqrt();
             let angle = t.atan();
@@ -145,24 +145,21 @@ fn states_on_a_half_space_are_those_of_maugis() {
 }
 
 /// The paper's film under a sphere of 100 times its thickness, and a rigid sphere on a confined
-/// incompressible film, at Dugdale's `lambda`.
-fn on_film(lambda: f64, confined: bool) -> (Cohesive, f64, f64) {
+/// incompressible film, at Dugdale's `lambda`, with the radius, the work of adhesion and the range.
+fn on_film(lambda: f64, confined: bool) -> (Cohesive, [f64; 3]) {
     let (young, base, sphere_modulus) = if confined {
         (0.75, f64::INFINITY, f64::INFINITY)
     } else {
         (1.75, 1e5, MODULUS)
     };
     let film = layer(young * MODULUS, 0.5, THICKNESS);
+    let k = 4.0 / 3.0 / (1.0 / film.solid.reduced() + 1.0 / sphere_modulus);
     let stack = stack(solid(base * MODULUS, 0.25), &[film]);
     let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
-    let cohesive = Cohesive::on_stack(
-        &stack,
-        radius,
-        sphere_modulus,
-        w,
-        range_of(lambda, confined),
-    );
-    (cohesive.expect("physical"), radius, w)
+    let stress = 0.5 * lambda / (radius / (PI * w * k * k)).cbrt();
+    let range = w / stress;
+    let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, range);
+    (cohesive.expect("physical"), [radius, w, range])
 }
 
 /// Returns the nodes of the midpoint rule on `[0, 1]`, and the weights, after a substitution whose
@@ -201,19 +198,17 @@ fn the_load_is_the_slope_of_the_energy() {
     let [mut worst, mut worst_sum] = [0.0; 2];
     for confined in [false, true] {
         for (lambda, a) in [(0.3, 3.0), (1.0, 2.0), (3.0, 4.0), (8.0, 2.0)] {
-            let (cohesive, radius, w) = on_film(lambda, confined);
-            let stress = w / range_of(lambda, confined);
+            let (cohesive, [radius, w, range]) = on_film(lambda, confined);
+            let stress = w / range;
             let energy = |a: f64| {
-                let state = cohesive.state(a).unwrap_or_else(|e| panic!("{e}"));
+                let state = cohesive.state(a).expect("solved");
                 let c = state.outer_radius;
                 // r = a sin(psi) in the contact.
                 let (inside, steps): (Vec<f64>, Vec<f64>) = nodes(POINTS)
                     .map(|(part, weight)| ((0.5 * PI * part).sin_cos(), 0.5 * PI * weight))
                     .map(|((sin, cos), step)| (a * sin, a * cos * step))
                     .unzip();
-                let pressure = cohesive
-                    .pressure(a, &inside)
-                    .unwrap_or_else(|e| panic!("{e}"));
+                let pressure = cohesive.pressure(a, &inside).expect("solved");
                 let load = 2.0 * PI * integral(&pressure, &inside, &steps, |r| r)
                     - stress * PI * (c - a) * (c + a);
                 let moment = integral(&pressure, &inside, &steps, |r| r.powi(3))
@@ -221,7 +216,7 @@ fn the_load_is_the_slope_of_the_energy() {
                 let (outside, steps): (Vec<f64>, Vec<f64>) = nodes(POINTS)
                     .map(|(part, weight)| (a + (c - a) * part, (c - a) * weight))
                     .unzip();
-                let gap = cohesive.gap(a, &outside).unwrap_or_else(|e| panic!("{e}"));
+                let gap = cohesive.gap(a, &outside).expect("solved");
                 let opening = 2.0 * PI * integral(&gap, &outside, &steps, |r| r);
                 let energy = 0.5 * state.load * state.penetration - 0.5 * PI / radius * moment
                     + 0.5 * stress * opening
@@ -250,28 +245,13 @@ fn the_load_is_the_slope_of_the_energy() {
     assert!(worst < 1e-9 && worst_sum < 1e-10, "{worst}, {worst_sum}");
 }
 
-/// Returns the range of the attraction of [`on_film`], m.
-fn range_of(lambda: f64, confined: bool) -> f64 {
-    let (young, sphere) = if confined {
-        (1.0, f64::INFINITY)
-    } else {
-        (1.75 / 0.75, 1.0)
-    };
-    let k = 4.0 / 3.0 * MODULUS / (1.0 / young + 1.0 / sphere);
-    let (radius, w) = (100.0 * THICKNESS, 2e-3 * MODULUS * THICKNESS);
-    let stress = 0.5 * lambda / (radius / (PI * w * k * k)).cbrt();
-    w / stress
-}
-
 /// The pull-off load of a long range is DMT's `-2 pi w R` on every film.
 #[test]
 fn a_long_range_is_the_limit_of_dmt() {
     for confined in [false, true] {
         let [far, farther] = [0.02, 0.01].map(|lambda| {
-            let (cohesive, radius, w) = on_film(lambda, confined);
-            let pull_off = cohesive
-                .pull_off(Control::Load)
-                .unwrap_or_else(|e| panic!("{e}"));
+            let (cohesive, [radius, w, _]) = on_film(lambda, confined);
+            let pull_off = cohesive.pull_off(Control::Load).expect("solved");
             pull_off.load / (-2.0 * PI * w * radius) - 1.0
         });
         println!("{far:.1e} {farther:.1e}");
@@ -283,18 +263,13 @@ fn a_long_range_is_the_limit_of_dmt() {
 #[test]
 fn the_contact_continues_the_attraction_before_it() {
     for confined in [false, true] {
-        let (cohesive, radius, w) = on_film(0.5, confined);
-        let range = range_of(0.5, confined);
+        let (cohesive, [radius, w, range]) = on_film(0.5, confined);
         let mut outer = (2.0 * radius * range).sqrt();
         while cohesive.without_contact(outer).is_err() {
             outer *= 0.999;
         }
-        let before = cohesive
-            .without_contact(outer)
-            .unwrap_or_else(|e| panic!("{e}"));
-        let after = cohesive
-            .state(2e-3 * outer)
-            .unwrap_or_else(|e| panic!("{e}"));
+        let before = cohesive.without_contact(outer).expect("solved");
+        let after = cohesive.state(2e-3 * outer).expect("solved");
         let error = (after.load - before.load) / (PI * w * radius);
         println!(
             "{error:.1e}, c {:.4}",
@@ -304,16 +279,14 @@ fn the_contact_continues_the_attraction_before_it() {
             error.abs() < 5e-3 && (after.outer_radius / before.outer_radius - 1.0).abs() < 2e-3
         );
         // Far before the contact the load vanishes and the gap in the middle is the range.
-        let first = cohesive
-            .without_contact(1e-4 * outer)
-            .unwrap_or_else(|e| panic!("{e}"));
+        let first = cohesive.without_contact(1e-4 * outer).expect("solved");
         assert!((first.penetration / -range - 1.0).abs() < 1e-3);
     }
 }
 
 #[test]
 fn values_outside_the_domain_are_named() {
-    let (cohesive, radius, _) = on_film(1.0, false);
+    let (cohesive, [radius, ..]) = on_film(1.0, false);
     for a in [0.0, -1.0, f64::NAN, f64::INFINITY, 1.001 * radius] {
         cohesive.state(a).refused("contact radius");
     }

@@ -104,7 +104,7 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
 /// The contact of a stack, with a curve of its own.
 fn contact_of(stack: &Stack, sphere_radius: f64, sphere_modulus: f64) -> Contact {
     let curve = solve::stack_curve(stack, sphere_modulus, [1e-2, 45.0], 1e-8);
-    let curve = curve.unwrap_or_else(|e| panic!("{e}"));
+    let curve = curve.expect("solved");
     Contact::new(&stack.system(sphere_radius, sphere_modulus), curve).expect("its curve")
 }
 
@@ -151,7 +151,7 @@ fn pull_offs_on_films_approach_those_of_the_whole_annulus() {
             let cohesive = Cohesive::on_stack(&stack, radius, sphere_modulus, w, w / stress);
             let whole = cohesive
                 .and_then(|cohesive| cohesive.pull_off(Control::Load))
-                .unwrap_or_else(|e| panic!("{e}"));
+                .expect("solved");
             let error = contact
                 .zone_size(w, w / stress)
                 .and_then(|range| range.pull_off_error())

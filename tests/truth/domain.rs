@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use acceptance::{larger, material, relative_error, solved};
 use interp::{Material, Quantities};
-use solve::{A_OVER_T, Error, Solution, TOLERANCE, solve};
+use solve::{A_OVER_T, Error, TOLERANCE, solve};
 
 /// The smallest positive double.
 const DENORMAL: f64 = 5e-324;
@@ -83,16 +83,6 @@ fn the_ends_of_the_physical_ranges_are_accepted() {
     }
 }
 
-/// Solves a contact with the parameter called `name` replaced.
-fn solve_with(name: &str, value: f64) -> Result<Solution, Error> {
-    let (a_over_t, tolerance) = (0.5, 1e-6);
-    match name {
-        "a_over_t" => solve(value, &material(parameters("nu1", 0.4)), tolerance),
-        "tolerance" => solve(a_over_t, &material(parameters("nu1", 0.4)), value),
-        _ => solve(a_over_t, &material(parameters(name, value)), tolerance),
-    }
-}
-
 #[test]
 fn points_outside_the_domain_of_the_solve_are_refused_by_name_value_and_range() {
     let (nan, inf) = (f64::NAN, f64::INFINITY);
@@ -108,6 +98,13 @@ fn points_outside_the_domain_of_the_solve_are_refused_by_name_value_and_range() 
             &[nan, inf, -inf, -1e-6, 0.0, DENORMAL, 1.0],
         ),
     ];
+    let solve_with = |name: &str, value: f64| {
+        let own = material(parameters("nu1", 0.4));
+        match name {
+            "a_over_t" => solve(value, &own, 1e-6),
+            _ => solve(0.5, &own, value),
+        }
+    };
     for (name, [from, to], values) in ranges {
         for end in [from, to] {
             solve_with(name, end).unwrap_or_else(|error| panic!("{name} = {end}: {error}"));

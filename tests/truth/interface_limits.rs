@@ -37,7 +37,7 @@ fn apart(a: &Stack, b: &Stack) -> f64 {
 
 pub fn solved(x: f64, stack: &Stack, sphere: f64) -> Quantities {
     let solution = solve_stack(x, stack, sphere, 1e-12);
-    solution.unwrap_or_else(|e| panic!("{e}")).quantities
+    solution.expect("solved").quantities
 }
 
 /// Replaces all interfaces of a random stack.

@@ -183,7 +183,7 @@ fn thin_films_approach_the_half_space_of_the_substrate() {
         let material = material(parameters);
         let exponents = [1.0, 3.0, 5.0];
         let (solution, power_laws) =
-            solve_power_laws(X, &material, &exponents, 1e-10).unwrap_or_else(|e| panic!("{e}"));
+            solve_power_laws(X, &material, &exponents, 1e-10).expect("solved");
         let logs: Vec<f64> = power_laws
             .iter()
             .map(|power_law| X * (1.0 - power_law.delta) / power_law.exponent)

@@ -300,7 +300,7 @@ fn wide_contacts_approach_the_bare_base_like_the_first_order_expansion() {
                 [of_gamma, (c[0] - c[1]) / x, (c[0] - c[2]) / x].map(f64::abs)
             });
             println!("remainders at x = {radii:?}: {remainders:?}");
-            let largest = |all: [f64; 3]| [all.into_iter().fold(0.0, f64::max); 3];
+            let largest = |all: [f64; 3]| [all.into_iter().fold(0.0, larger); 3];
             let [near, far] = if each {
                 remainders
             } else {

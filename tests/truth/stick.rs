@@ -2,7 +2,7 @@
 //! same code. `stick_errors` scans the stated errors, `stick_limits` has exact identities and limits,
 //! `stick_layers` stacks, and `stick_effects` what follows for a sphere.
 
-use acceptance::{Case, Data, larger, material};
+use acceptance::{Case, Data, larger, material, relative};
 use solve::solve_power_laws;
 use solve::stick::Sticking;
 
@@ -22,11 +22,6 @@ fn given(case: &Case<'_>, column: &str) -> Option<f64> {
 /// An incompressible film on a rigid base under a rigid sphere.
 pub fn confined() -> Sticking {
     Sticking::on_film(&material([0.0, 0.5, f64::INFINITY, 0.0]), 0.5).expect("physical")
-}
-
-/// Returns the relative difference.
-pub fn relative(a: f64, b: f64) -> f64 {
-    (a / b - 1.0).abs()
 }
 
 /// Measured: 1.8e-11 at the tolerance 1e-10, `Gamma_t` relative to `Gamma_eff`.

@@ -1,13 +1,12 @@
 //! The stated errors of contacts with full friction, over random systems of large contrasts.
 
-use acceptance::{larger, material, solid};
+use acceptance::{larger, material, relative, solid};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use solve::stack::Interface;
 use solve::stick::Sticking;
 
 use crate::interface_limits::film;
-use crate::stick::relative;
 
 /// Draws a system of any contrast, sphere included; every other one without coupling at the edge.
 fn random_system(random: &mut Pcg64Mcg, wide: bool) -> Sticking {

@@ -1,13 +1,12 @@
 //! Layers that stick on top: films cut into layers, the shift of Dundurs, and films on springs or that
 //! slide below.
 
-use acceptance::{larger, layer, material, solid, springs, stack};
+use acceptance::{larger, layer, material, relative, solid, springs, stack};
 use solve::solve_stack;
 use solve::stack::Interface;
 use solve::stick::Sticking;
 
 use crate::interface_limits::film;
-use crate::stick::relative;
 
 /// A film cut into layers, and the shift of Dundurs: with all `b_i/E_i*` shifted by one constant,
 /// that of the sphere included, nothing changes.

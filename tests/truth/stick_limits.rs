@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, material, slopes};
+use acceptance::{larger, material, relative, slopes};
 use solve::stick::Sticking;
 
-use crate::stick::{confined, relative};
+use crate::stick::confined;
 
 /// `Gamma_eff^2 = es d(x Eeq_s)/dx`, by differences, for every Poisson ratio; where
 /// `beta = 0`, `Gamma_eff` is also what the equation gives at the edge. Measured: 1.5e-13 and

@@ -8,8 +8,8 @@ mod refused;
 
 use std::f64::consts::PI;
 
-use acceptance::{Case, Data, on_half_space, rigid_probe, solid, solved_contact};
-use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation, TimedContact};
+use acceptance::{Case, Data, larger, on_half_space, rigid_probe, solid, solved_contact};
+use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation, State, TimedContact};
 use interp::{Probe, System};
 
 /// Returns a law as the file writes it.
@@ -31,22 +31,6 @@ fn law(text: &str) -> Relaxation {
         "power" => {
             let [exponent, time] = pair(words[1]);
             Relaxation::PowerLaw { exponent, time }
-        }
-        "modified-power" => {
-            let [exponent, time] = pair(words[2]);
-            Relaxation::ModifiedPowerLaw {
-                relaxed: number(words[1]),
-                exponent,
-                time,
-            }
-        }
-        "fractional-zener" => {
-            let [exponent, time] = pair(words[2]);
-            Relaxation::FractionalZener {
-                relaxed: number(words[1]),
-                exponent,
-                time,
-            }
         }
         other => panic!("{other}"),
     }
@@ -95,18 +79,6 @@ fn system(case: &Case<'_>) -> System {
     )
 }
 
-/// The protocols of the file, row after row.
-fn protocols(data: &Data) -> Vec<Vec<Case<'_>>> {
-    let mut protocols: Vec<Vec<Case<'_>>> = Vec::new();
-    for case in data.cases() {
-        match protocols.last_mut() {
-            Some(rows) if rows[0].text("protocol") == case.text("protocol") => rows.push(case),
-            _ => protocols.push(vec![case]),
-        }
-    }
-    protocols
-}
-
 /// Follows a protocol on a curve of direct solves.
 fn follow(rows: &[Case<'_>], tolerance: Option<f64>) -> Course {
     let first = &rows[0];
@@ -114,36 +86,34 @@ fn follow(rows: &[Case<'_>], tolerance: Option<f64>) -> Course {
     let contact = solved_contact(&system, [1e-4, 8.0], 1e-10);
     let times: Vec<f64> = rows.iter().map(|row| row.get("time")).collect();
     let (control, program) = program(first.text("program"), times[times.len() - 1]);
-    let history = contact.history(&law(first.text("law"))).expect("a law");
+    let mut history = contact.history(&law(first.text("law"))).expect("a law");
     let work = first.get("receding_work");
-    let course = if work > 0.0 {
+    if work > 0.0 {
         let law = Hysteresis::new(0.0, work).expect("a law");
-        let history = history.receding(law).expect("no growing adhesion");
-        history.at(control, &program, &times, tolerance)
-    } else {
-        history.at(control, &program, &times, tolerance)
-    };
+        history = history.receding(law).expect("no growing adhesion");
+    }
+    let course = history.at(control, &program, &times, tolerance);
     course.expect("a course")
 }
 
 /// Returns the largest errors of loads, radii and penetrations, each over the largest of the column.
 fn errors(rows: &[Case<'_>], course: &Course) -> [f64; 3] {
-    let of = |column: &str, own: &dyn Fn(usize) -> f64| {
-        let largest = rows
-            .iter()
-            .map(|row| row.get(column).abs())
-            .fold(0.0, f64::max);
-        let error = rows
-            .iter()
-            .enumerate()
-            .map(|(i, row)| (own(i) - row.get(column)).abs());
-        error.fold(0.0, f64::max) / largest
+    let of = |column: &str, own: fn(&State) -> f64| {
+        let found = course.states.iter().map(|at| own(&at.state));
+        let pairs = rows.iter().map(|row| row.get(column)).zip(found);
+        let largest = pairs
+            .clone()
+            .map(|(given, _)| given.abs())
+            .fold(0.0, larger);
+        pairs
+            .map(|(given, found)| (found - given).abs())
+            .fold(0.0, larger)
+            / largest
     };
-    let states = &course.states;
     [
-        of("load", &|i| states[i].state.load),
-        of("contact_radius", &|i| states[i].state.contact_radius),
-        of("penetration", &|i| states[i].state.penetration),
+        of("load", |state| state.load),
+        of("contact_radius", |state| state.contact_radius),
+        of("penetration", |state| state.penetration),
     ]
 }
 
@@ -152,11 +122,12 @@ fn errors(rows: &[Case<'_>], course: &Course) -> [f64; 3] {
 #[test]
 fn independent_series() {
     let data = Data::read("viscoelastic");
-    for rows in protocols(&data) {
+    let cases: Vec<Case<'_>> = data.cases().collect();
+    for rows in cases.chunk_by(|one, next| one.text("protocol") == next.text("protocol")) {
         let name = rows[0].text("protocol");
         for tolerance in [None, Some(1e-4), Some(1e-6)] {
-            let course = follow(&rows, tolerance);
-            let errors = errors(&rows, &course);
+            let course = follow(rows, tolerance);
+            let errors = errors(rows, &course);
             let allowed = match tolerance {
                 Some(tolerance) => tolerance,
                 None if name.starts_with("two-cycles") => 1e-5,

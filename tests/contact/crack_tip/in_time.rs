@@ -2,13 +2,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::larger;
+use acceptance::{larger, relative};
 use contact::{Control, CrackTip, Error, Hysteresis, RateDependent, State};
 
 use crate::contact::half_space;
 use crate::crack_tip::jkr::{Jkr, R, W};
 use crate::crack_tip::{film, impose, integral, rate_dependent, steps};
-use crate::half_space::relative;
 
 #[test]
 fn speed_and_energy_are_each_others_inverse() {

@@ -4,10 +4,9 @@
 use contact::{Contact, Control, Error, Hysteresis, RateDependent, State, TimedState};
 use interp::{Probe, System, Table};
 
-use acceptance::{Contacts, cases, larger, looked_up, paper_system};
+use acceptance::{Contacts, cases, larger, looked_up, paper_system, relative};
 
 use super::{W, film, impose, rate_dependent};
-use crate::half_space::relative;
 
 /// Checks what holds for every ramp.
 fn check(states: &[TimedState], a1: f64, duration: f64) {

@@ -2,13 +2,12 @@
 
 use std::f64::consts::PI;
 
-use acceptance::larger;
+use acceptance::{larger, relative};
 use contact::{Control, Hysteresis};
 
 use crate::contact::half_space;
 use crate::crack_tip::jkr::{Jkr, R, W};
 use crate::crack_tip::{film, impose, integral, steps};
-use crate::half_space::relative;
 
 #[test]
 fn a_constant_work_of_adhesion_is_jkr() {

@@ -5,45 +5,7 @@ use contact::{Contact, Error, Input};
 use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
 use solve::solve;
 
-use super::SHARES;
-
-/// Returns a system with one of its inputs replaced by `value` (SI units).
-fn with(system: System, input: Input, value: f64) -> System {
-    let System {
-        film, substrate, ..
-    } = system;
-    match input {
-        Input::SphereRadius => System {
-            probe: Probe::Paraboloid { radius: value },
-            ..system
-        },
-        Input::SphereModulus => System {
-            sphere_modulus: value,
-            ..system
-        },
-        Input::FilmThickness => System {
-            film_thickness: value,
-            ..system
-        },
-        Input::FilmModulus => System {
-            film: solid(value, film.poisson()),
-            ..system
-        },
-        Input::FilmPoisson => System {
-            film: solid(film.young(), value),
-            ..system
-        },
-        Input::SubstrateModulus => System {
-            substrate: solid(value, substrate.poisson()),
-            ..system
-        },
-        Input::SubstratePoisson => System {
-            substrate: solid(substrate.young(), value),
-            ..system
-        },
-        Input::ContactRadius | Input::WorkOfAdhesion => system,
-    }
-}
+use super::{SHARES, value, with};
 
 /// Returns load and penetration by a direct solve.
 fn solved(system: System, a: f64, w: f64) -> [f64; 2] {
@@ -95,13 +57,7 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 let own = match input {
                     Input::ContactRadius => a,
                     Input::WorkOfAdhesion => w,
-                    Input::SphereRadius => system.probe.radius().expect("a paraboloid"),
-                    Input::SphereModulus => system.sphere_modulus,
-                    Input::FilmThickness => system.film_thickness,
-                    Input::FilmModulus => system.film.young(),
-                    Input::FilmPoisson => system.film.poisson(),
-                    Input::SubstrateModulus => system.substrate.young(),
-                    Input::SubstratePoisson => system.substrate.poisson(),
+                    _ => value(&system, input),
                 };
                 if input == Input::WorkOfAdhesion && w == 0.0 {
                     let error = gradient.by(input).expect_err("infinite");
@@ -118,14 +74,14 @@ fn derivatives_of_load_and_penetration_are_those_of_direct_solves() {
                 }
                 let is_poisson = matches!(input, Input::FilmPoisson | Input::SubstratePoisson);
                 let (step, unit) = if is_poisson { (5e-4, 1.0) } else { (1e-2, own) };
-                let value = |h: f64| match input {
+                let at = |h: f64| match input {
                     Input::ContactRadius => solved(system.clone(), own * h.exp(), w),
                     Input::WorkOfAdhesion => solved(system.clone(), a, own * h.exp()),
-                    _ if is_poisson => solved(with(system.clone(), input, own + h), a, w),
-                    _ => solved(with(system.clone(), input, own * h.exp()), a, w),
+                    _ if is_poisson => solved(with(&system, input, own + h), a, w),
+                    _ => solved(with(&system, input, own * h.exp()), a, w),
                 };
                 let one_sided = is_poisson && own > 0.49;
-                let expected = derivatives(step, one_sided, value);
+                let expected = derivatives(step, one_sided, at);
                 for (k, found) in [found.load, found.penetration].into_iter().enumerate() {
                     let expected = expected[k];
                     let miss =

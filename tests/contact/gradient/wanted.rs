@@ -4,6 +4,8 @@ use acceptance::{larger, paper_system};
 use contact::{Contact, Derivatives, Error, Input};
 use interp::{System, Table};
 
+use super::value;
+
 /// The inputs that change the material.
 const ELASTIC: [Input; 5] = [
     Input::SphereModulus,
@@ -48,12 +50,8 @@ fn derivatives_that_are_asked_for_are_those_of_a_contact_with_all() {
             let size = match input {
                 Input::ContactRadius => RADIUS,
                 Input::WorkOfAdhesion => WORK,
-                Input::SphereRadius => system.probe.radius().expect("a paraboloid"),
-                Input::SphereModulus => system.sphere_modulus.min(1e12),
-                Input::FilmThickness => system.film_thickness,
-                Input::FilmModulus => system.film.young(),
-                Input::SubstrateModulus => system.substrate.young(),
                 Input::FilmPoisson | Input::SubstratePoisson => 0.5,
+                _ => value(&system, input).min(1e12),
             };
             let (found, expected) = (by(&one, input), by(&all, input));
             let (found, expected) = (found.expect("known"), expected.expect("known"));
