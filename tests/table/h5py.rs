@@ -113,54 +113,9 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         })
     );
 
-    let names = |group: &str| -> Vec<String> {
-        file["groups"][group]
-            .as_object()
-            .expect("a group")
-            .keys()
-            .cloned()
-            .collect()
-    };
-    assert_eq!(
-        file["groups"]
-            .as_object()
-            .expect("groups")
-            .keys()
-            .collect::<Vec<_>>(),
-        ["axes", "values"]
-    );
-    let links: Vec<String> = table
-        .parameters()
-        .map(|parameter| format!("/axes/{}", parameter.name()))
-        .into_iter()
-        .chain(
-            table
-                .quantities()
-                .iter()
-                .map(|quantity| format!("/values/{}", quantity.name())),
-        )
-        .collect();
-    let in_order = |mut names: Vec<String>| {
-        names.sort();
-        json!(names)
-    };
-    assert_eq!(
-        (&file["links"], &file["extra"]),
-        (&in_order(links), &json!([]))
-    );
-    let mut sorted = table.parameters().map(Parameter::name);
-    sorted.sort_unstable();
-    assert_eq!(names("axes"), sorted);
-    for (parameter, nodes) in &table.axes() {
-        let axis = &file["groups"]["axes"][parameter.name()];
-        assert_eq!(axis["dtype"], "float64");
-        assert_eq!(axis["shape"], json!([nodes.len()]));
-        assert_eq!(axis["is_scale"], true);
-        assert_eq!(
-            (&axis["fletcher32"], &axis["fillvalue"]),
-            (&json!(true), &json!("nan"))
-        );
-        assert_eq!(axis["bits"], hexadecimal(nodes), "{parameter:?}");
+    // Every dataset with the values and attributes that it is to have, and with all of its properties but the shape of
+    // its chunks.
+    let axes = table.axes().into_iter().map(|(parameter, nodes)| {
         let scale = match (nodes.len(), parameter) {
             (1, _) => "fixed",
             (_, Parameter::Nu1) => "-(1 - 2 nu1 + 1e-6)^(1/8)",
@@ -168,58 +123,61 @@ fn assert_reads(table: &Table, normalised_by: &str) {
             (_, Parameter::E0sOverE2s) => "ln((e0s_over_e2s + 1e-11)/(1 + 1e-11 e0s_over_e2s))",
             _ => "logarithmic",
         };
-        assert_eq!(
-            axis["attributes"],
-            json!({ "units": text("1"), "long_name": text(parameter.long_name()), "scale": text(scale) })
+        let attributes = json!({ "units": text("1"), "long_name": text(parameter.long_name()), "scale": text(scale) });
+        let properties = json!({
+            "shape": [nodes.len()], "shuffle": false, "compression": null,
+            "is_scale": true, "scales": [[]], "labels": [[]],
+        });
+        (format!("/axes/{}", parameter.name()), hexadecimal(&nodes), attributes, properties)
+    });
+    let named = |prefix: &str| -> Value {
+        let named = |p: Parameter| json!([format!("{prefix}{}", p.name())]);
+        table.parameters().map(named).into_iter().collect()
+    };
+    let values = table.quantities().into_iter().map(|quantity| {
+        let attributes = json!({
+            "units": text("1"),
+            "long_name": text(quantity.long_name()),
+            "equation": text(quantity.equation()),
+        });
+        let properties = json!({
+            "shape": table.shape(), "shuffle": true, "compression": "gzip",
+            "is_scale": false, "scales": named("/axes/"), "labels": named(""),
+        });
+        let bits = hexadecimal(table.values(quantity).expect("held"));
+        (format!("/values/{}", quantity.name()), bits, attributes, properties)
+    });
+    let mut links = Vec::new();
+    for (path, bits, attributes, mut expected) in axes.chain(values) {
+        let (group, name) = path[1..].split_once('/').expect("a group");
+        let group = file["groups"][group].as_object_mut().expect("a group");
+        let mut found = group.remove(name).unwrap_or_else(|| panic!("no {path}"));
+        let properties = found.as_object_mut().expect("properties");
+        assert!(
+            properties
+                .remove("chunks")
+                .is_some_and(|chunks| chunks.is_array()),
+            "{path}"
         );
+        assert_eq!(properties.remove("bits"), Some(bits), "{path}");
+        for (name, value) in [
+            ("dtype", json!("float64")),
+            ("fletcher32", json!(true)),
+            ("fillvalue", json!("nan")),
+            ("attributes", attributes),
+        ] {
+            expected[name] = value;
+        }
+        assert_eq!(found, expected, "{path}");
+        links.push(path);
     }
-
-    let mut quantities: Vec<&str> = table
-        .quantities()
-        .iter()
-        .map(|quantity| quantity.name())
-        .collect();
-    quantities.sort_unstable();
-    assert_eq!(names("values"), quantities);
-    for quantity in table.quantities() {
-        let values = &file["groups"]["values"][quantity.name()];
-        assert_eq!(values["dtype"], "float64");
-        assert_eq!(values["shape"], json!(table.shape()));
-        assert!(values["chunks"].is_array(), "{values:.200}");
-        assert_eq!(
-            (
-                &values["shuffle"],
-                &values["compression"],
-                &values["fletcher32"],
-                &values["fillvalue"],
-            ),
-            (&json!(true), &json!("gzip"), &json!(true), &json!("nan"))
-        );
-        assert_eq!(values["is_scale"], false);
-        let named = |prefix: &str| -> Value {
-            Parameter::ALL
-                .iter()
-                .map(|p| json!([format!("{prefix}{}", p.name())]))
-                .collect()
-        };
-        assert_eq!(values["scales"], named("/axes/"));
-        assert_eq!(values["labels"], named(""));
-        let long = [
-            ("units", "1"),
-            ("long_name", quantity.long_name()),
-            ("equation", quantity.equation()),
-        ];
-        let long: serde_json::Map<String, Value> = long
-            .into_iter()
-            .map(|(name, value)| (name.to_owned(), text(value)))
-            .collect();
-        assert_eq!(values["attributes"], Value::Object(long));
-        assert_eq!(
-            values["bits"],
-            hexadecimal(table.values(quantity).expect("held")),
-            "{quantity:?}"
-        );
-    }
+    // There is nothing else, and the root has each dataset under its name.
+    assert_eq!(file["groups"], json!({ "axes": {}, "values": {} }));
+    links.sort();
+    assert_eq!(
+        (&file["links"], &file["extra"]),
+        (&json!(links), &json!([]))
+    );
 }
 
 #[test]
