@@ -145,7 +145,12 @@ fn assert_reads(table: &Table, normalised_by: &str) {
             "is_scale": false, "scales": named("/axes/"), "labels": named(""),
         });
         let bits = hexadecimal(table.values(quantity).expect("held"));
-        (format!("/values/{}", quantity.name()), bits, attributes, properties)
+        (
+            format!("/values/{}", quantity.name()),
+            bits,
+            attributes,
+            properties,
+        )
     });
     let mut links = Vec::new();
     for (path, bits, attributes, mut expected) in axes.chain(values) {
