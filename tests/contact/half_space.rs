@@ -6,44 +6,10 @@ use acceptance::{Contacts, Refused as _, larger, on_half_space, relative, solid}
 use contact::{Contact, Control, State};
 use interp::{HalfSpace, Probe};
 
+use crate::jkr::Jkr;
+
 /// Largest relative error of everything.
 const EXACT: f64 = 1e-12;
-
-/// JKR with radius `R`, compound modulus `E*` and work of adhesion `w`.
-#[derive(Clone, Copy)]
-struct Jkr {
-    r: f64,
-    e: f64,
-    w: f64,
-}
-
-impl Jkr {
-    /// Returns load and penetration, each as its adhesionless and its flat-punch term.
-    fn terms(&self, a: f64) -> [[f64; 2]; 2] {
-        let Self { r, e, w } = *self;
-        [
-            [
-                4.0 * e * a.powi(3) / (3.0 * r),
-                (8.0 * PI * w * e * a.powi(3)).sqrt(),
-            ],
-            [a * a / r, (2.0 * PI * a * w / e).sqrt()],
-        ]
-    }
-
-    /// Returns the radii of the stable and the unstable contact at `load`, from `F = A y^2 - B y`
-    /// with `y = a^{3/2}`.
-    fn radii(&self, load: f64) -> [f64; 2] {
-        let Self { r, e, w } = *self;
-        let (a, b) = (4.0 * e / (3.0 * r), (8.0 * PI * w * e).sqrt());
-        let sum = b + (b * b + 4.0 * a * load).sqrt();
-        [sum / (2.0 * a), -2.0 * load / sum].map(|y| y.powf(2.0 / 3.0))
-    }
-
-    /// Returns the radius of least penetration.
-    fn least_penetration(&self) -> f64 {
-        (PI * self.w * self.r * self.r / (8.0 * self.e)).cbrt()
-    }
-}
 
 /// Draws 300 random spheres on random half-spaces. Some spheres or half-spaces are rigid. A contact
 /// a thousand times wider than that of least penetration is smaller than the sphere.
@@ -171,9 +137,8 @@ fn radii_at_a_penetration_are_those_of_jkr_with_their_stability() {
             (1e3, 1, true),
         ] {
             let a = ratio * contacts.uniform(0.98, 1.02) * unit;
-            let [_, [hertz, punch]] = jkr.terms(a);
             let found = equilibria
-                .at(hertz - punch)
+                .at(jkr.penetration(a))
                 .expect("all radii are in range");
             assert_eq!(found.len(), count, "{ratio}: {found:?}");
             let same = &found[usize::from(stable && count == 2)];

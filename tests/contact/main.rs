@@ -9,6 +9,7 @@ mod equilibria;
 mod gradient;
 mod half_space;
 mod hostile;
+mod jkr;
 mod moving_stiffness;
 mod outside;
 mod profile;

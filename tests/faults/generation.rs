@@ -63,7 +63,7 @@ pub static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
 static TABLE: LazyLock<Table> = LazyLock::new(|| {
     let workdir = workdir();
     workdir.write("table.h5", &*WHOLE);
-    Table::open(workdir.path("table.h5")).expect("a sound table")
+    workdir.table("table.h5")
 });
 
 /// The number of pieces of [`SCENE`].
@@ -185,8 +185,14 @@ fn send(signal: &str, child: &Child) {
 
 pub fn assert_finished(workdir: &Workdir) {
     assert_eq!(workdir.files(), ["scene.toml", "table.h5"]);
+    assert_equal(&workdir.read("table.h5"), &WHOLE);
+}
+
+/// Asserts that a file is that of an uninterrupted run.
+#[track_caller]
+pub fn assert_equal(found: &[u8], whole: &[u8]) {
     assert!(
-        workdir.read("table.h5") == *WHOLE,
+        found == whole,
         "the table differs from that of an uninterrupted run"
     );
 }
@@ -299,10 +305,7 @@ fn a_refined_run_is_resumed_with_its_own_certificate_only() {
     }
     assert!(refined());
     workdir.succeed(format!("{generate} --jobs 1"));
-    assert!(
-        workdir.read("table.h5") == whole,
-        "the table differs from that of an uninterrupted run"
-    );
+    assert_equal(&workdir.read("table.h5"), &whole);
 }
 
 /// Generates the table of [`COARSE`] without a budget. Returns the points of both rounds.
@@ -412,10 +415,7 @@ fn links_to_one_output_are_one_output_on_its_own_disk() {
         );
         assert_eq!(workdir.files(), ["folder", "scene.toml", "table.h5"]);
     });
-    assert!(
-        workdir.read("folder/real.h5") == *WHOLE,
-        "the table differs from that of an uninterrupted run"
-    );
+    assert_equal(&workdir.read("folder/real.h5"), &WHOLE);
     assert_eq!(
         fs::read_dir(workdir.path("folder"))
             .expect("a folder")
@@ -475,7 +475,7 @@ fn a_budget_that_does_not_allow_another_round_leaves_the_table_of_this_one() {
     assert!(twice.refined.is_empty() && twice.points == first);
     let certificate = twice.table.description().certificate;
     assert!(certificate.max_error > twice.table.description().tolerance);
-    let other = Table::open(workdir.path("other.h5")).expect("a sound table");
+    let other = workdir.table("other.h5");
     assert_eq!(other.description().certificate, certificate);
     // The second round is expected to take longer in proportion to its points.
     let expected = round + (round as f64 * second as f64 / first as f64).ceil() as usize;

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 use interp::{Description, Error, Parameter, Quantity, Table};
 use tabulate::table::{Plan, Scene, certify, sweep, write};
 
-use crate::nothing_starts;
+use crate::{Workdir, nothing_starts};
 
 /// A scene of four axes.
 pub const BOX: &str = "
@@ -88,6 +88,19 @@ pub fn low_rank(table: &Table, error: f64) -> Table {
     let form = tabulate::table::compress(table, error).expect("above rounding");
     let (description, quantities) = (table.description().clone(), table.quantities());
     Table::from_low_rank(description, table.axes(), quantities, form).expect("a form of this table")
+}
+
+impl Workdir {
+    /// Reads the table in the file `name`.
+    pub fn table(&self, name: &str) -> Table {
+        let path = self.path(name);
+        let table = if name.ends_with(".h5") {
+            Table::open(path)
+        } else {
+            Table::read(path)
+        };
+        table.unwrap_or_else(|e| panic!("{e}"))
+    }
 }
 
 /// Returns the path of a shipped table or scene, `tables/<name>`.

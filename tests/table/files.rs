@@ -40,10 +40,6 @@ pub fn with_table() -> Workdir {
     workdir
 }
 
-fn opened(workdir: &Workdir) -> Table {
-    Table::open(workdir.path("table.h5")).expect("a sound table")
-}
-
 pub fn assert_same(found: &Table, expected: &Table) {
     assert_eq!(found.description(), expected.description());
     assert_eq!(all_bits(found), all_bits(expected));
@@ -89,15 +85,12 @@ fn every_form_and_reader_gives_the_same_bits() {
         let (table, workdir) = (table(scene), workdir!());
         write_hdf5(&table, &workdir.path("table.h5"));
         assert_eq!(workdir.succeed("pack table.h5 -o table.bin"), "");
-        assert_same(&opened(&workdir), &table);
+        assert_same(&workdir.table("table.h5"), &table);
         assert_eq!(
             bits_by_c_library(&workdir.path("table.h5")),
             all_bits(&table)
         );
-        assert_same(
-            &Table::read(workdir.path("table.bin")).expect("a sound table"),
-            &table,
-        );
+        assert_same(&workdir.table("table.bin"), &table);
         assert_eq!(
             workdir.read("table.bin"),
             table.to_packed().expect("a small table")
@@ -130,7 +123,7 @@ fn a_certificate_is_kept_in_every_form() {
         let (workdir, mut table) = (with_table(), TABLE.clone());
         table.set_certificate(certificate);
         write_hdf5(&table, &workdir.path("table.h5"));
-        assert_same(&opened(&workdir), &table);
+        assert_same(&workdir.table("table.h5"), &table);
         let packed = table.to_packed().expect("a small table");
         assert_same(&Table::from_packed(&packed).expect("a sound table"), &table);
         workdir.succeed("pack table.h5 -o table.bin");

@@ -1,7 +1,6 @@
 //! `tabulate generate`: scenes, the file that it writes, and its certificate.
 
 use acceptance::{Workdir, all_bits, assert_cases, assert_names, table, workdir};
-use interp::Table;
 
 const SCENE: &str = "\
 title = 'A small box'
@@ -33,7 +32,7 @@ fn workdir() -> Workdir {
 fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
     let workdir = workdir();
     let summary = workdir.succeed("generate scene.toml --certificate-points 50 --seed 7");
-    let found = Table::open(workdir.path("scene.h5")).expect("a sound table");
+    let found = workdir.table("scene.h5");
     assert_eq!(all_bits(&found), all_bits(&table(SCENE)));
     let description = found.description();
     assert_eq!(
@@ -59,13 +58,7 @@ fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
 
     let other = "generate scene.toml -o other.h5 --certificate-points 50 --seed 7 --tolerance 5e-2";
     workdir.succeed(other);
-    assert_eq!(
-        Table::open(workdir.path("other.h5"))
-            .expect("a sound table")
-            .description()
-            .tolerance,
-        5e-2
-    );
+    assert_eq!(workdir.table("other.h5").description().tolerance, 5e-2);
     assert_eq!(
         workdir.files(),
         ["other.h5", "out_of_reach.toml", "scene.h5", "scene.toml"]
@@ -106,7 +99,7 @@ fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
     workdir.write("coarse.toml", SCENE.replace("nodes = 8", "nodes = 4"));
     let run = workdir.run("generate coarse.toml --tolerance 1e-5 --certificate-points 100");
     assert_eq!(run.status, 1, "{run:?}");
-    let table = Table::open(workdir.path("coarse.h5")).expect("a sound table");
+    let table = workdir.table("coarse.h5");
     let (error, tolerance) = (
         table.description().certificate.max_error,
         table.description().tolerance,
@@ -145,8 +138,8 @@ fn a_few_points_are_off_the_nodes() {
             1,
             "{points} points"
         );
-        let error = Table::open(workdir.path("scene.h5"))
-            .expect("a sound table")
+        let error = workdir
+            .table("scene.h5")
             .description()
             .certificate
             .max_error;
@@ -182,9 +175,7 @@ fn a_plan_says_what_is_made_and_makes_nothing() {
     let plan = workdir.succeed("generate box.toml --plan");
     assert_eq!(workdir.files(), before);
     workdir.succeed("generate box.toml --certificate-points 50");
-    let [n_a, n_e1, ..] = Table::open(workdir.path("box.h5"))
-        .expect("a sound table")
-        .shape();
+    let [n_a, n_e1, ..] = workdir.table("box.h5").shape();
     let nodes = [
         format!("0.1 to 10, {n_a} nodes"),
         format!("0.3 to 3, {n_e1} nodes"),

@@ -200,7 +200,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
         let summary = workdir.succeed(format!(
             "pack table.h5 -o table.bin --tolerance {tolerance} --points 1000"
         ));
-        let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
+        let packed = workdir.table("table.bin");
         let (value, ranks) = (
             tolerance.parse::<f64>().expect("a number"),
             packed.ranks().expect("low-rank")[0],
@@ -253,7 +253,7 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
 
         // The certificate holds for the values at the nodes as well.
         workdir.succeed("unpack table.bin -o unpacked.h5");
-        let unpacked = Table::open(workdir.path("unpacked.h5")).expect("a sound table");
+        let unpacked = workdir.table("unpacked.h5");
         assert_eq!(unpacked.description(), description);
         assert_eq!(
             all_bits(&unpacked),
@@ -309,7 +309,7 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
                 &format!("{tolerance:e}"),
             ],
         );
-        let packed = Table::read(workdir.path("table.bin")).expect("a sound table");
+        let packed = workdir.table("table.bin");
         let [tile] = packed.low_rank().expect("low-rank") else {
             panic!("such a table is not divided")
         };

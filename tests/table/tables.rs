@@ -2,8 +2,6 @@
 
 use contact::Contact;
 use std::sync::LazyLock;
-use std::thread;
-use std::time::{Duration, SystemTime};
 
 use acceptance::{
     Contacts, Refused, all_bits, error_at, forged, larger, material, shipped, solved, table,
@@ -178,40 +176,6 @@ fn only_the_quantities_of_the_scene_are_held_and_another_is_an_error_that_names_
         let error = result.expect_err("pi0 is not held");
         let is_missing = matches!(error, contact::Error::Table(Error::MissingQuantity("pi0")));
         assert!(is_missing, "{error}");
-    }
-}
-
-#[test]
-fn neither_the_table_nor_its_file_depends_on_the_number_of_threads_or_the_time() {
-    /// Reads the clock in seconds, which is the resolution of the time stamps in an HDF5 file.
-    fn second() -> u64 {
-        let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
-        since.expect("it is after 1970").as_secs()
-    }
-    let workdir = workdir!();
-    workdir.write("box.toml", BOX);
-    for (output, jobs) in [("one.h5", "1"), ("two.h5", "2"), ("again.h5", "2")] {
-        let before = second();
-        while output == "two.h5" && second() == before {
-            thread::sleep(Duration::from_millis(10));
-        }
-        workdir.succeed(format!(
-            "generate box.toml -o {output} --jobs {jobs} --certificate-points 300"
-        ));
-    }
-    let one = workdir.read("one.h5");
-    for other in ["two.h5", "again.h5"] {
-        let read = |name| all_bits(&Table::open(workdir.path(name)).expect("a sound table"));
-        assert_eq!(read(other), read("one.h5"));
-        let differing = one
-            .iter()
-            .zip(workdir.read(other))
-            .filter(|(a, b)| **a != *b)
-            .count();
-        assert!(
-            one == workdir.read(other),
-            "{differing} bytes of equal tables differ"
-        );
     }
 }
 

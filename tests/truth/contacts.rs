@@ -94,9 +94,10 @@ fn stated_errors_bound_the_true_ones() {
             Outcome {
                 contact, decade, ..
             },
-            Answer { stated, error, .. },
+            answer,
         ) in of_method()
         {
+            let Answer { stated, error, .. } = answer;
             assert!(
                 *error <= ROUNDED * stated,
                 "{contact}, tolerance 1e-{decade}: error {error:.1e}, stated {stated:.1e}, {method:?}"

@@ -1,7 +1,7 @@
 //! Pull-offs with an attraction of finite range: in the limit of short ranges those of JKR with their
 //! correction of first order, and otherwise the lowest value of a scan of all states.
 
-use acceptance::{assert_names, cases, larger, paper_system, rigid_probe, solid};
+use acceptance::{assert_names, cases, larger, paper_system, rigid_probe, rows, solid};
 use contact::{CohesiveZone, Contact, Control};
 use interp::{Probe, System};
 use rand::{RngExt, SeedableRng};
@@ -360,36 +360,28 @@ fn a_pull_off_as_wide_as_the_sphere_names_the_sphere() {
 }
 
 /// Contacts of a rigid sphere of 10 um that are far smaller than the attraction around them: what is imposed; modulus,
-/// Poisson ratio and thickness of the film, modulus of its substrate, work of adhesion and range.
-const LONG_RANGES: [(Control, [f64; 6]); 5] = [
-    (
-        Control::Displacement,
-        [5.85e10, 0.5, 1.87e-7, 1.21e4, 5.6e-3, 1.63e-9],
-    ),
-    (
-        Control::Load,
-        [3.31e8, 0.187, 9.73e-6, f64::INFINITY, 2.57e-3, 3.26e-8],
-    ),
-    (
-        Control::Load,
-        [3e9, 0.309, 3.78e-8, f64::INFINITY, 1.09e-2, 2.49e-8],
-    ),
-    (
-        Control::Spring { stiffness: 0.0456 },
-        [1.54e10, 0.256, 7.02e-8, 3.96e6, 2.52e-2, 3.4e-8],
-    ),
-    // The annulus of a contact four times as large is another one.
-    (
-        Control::Displacement,
-        [2.3354e6, 0.3, 1.3172e-8, f64::INFINITY, 6.48e-3, 3.928e-9],
-    ),
-];
+/// Poisson ratio and thickness of the film, modulus of its substrate, work of adhesion and range. In the last one the
+/// annulus of a contact four times as large is another one.
+const LONG_RANGES: &str = "
+    displacement | 5.85e10 | 0.5 | 1.87e-7 | 1.21e4 | 5.6e-3 | 1.63e-9
+    load | 3.31e8 | 0.187 | 9.73e-6 | inf | 2.57e-3 | 3.26e-8
+    load | 3e9 | 0.309 | 3.78e-8 | inf | 1.09e-2 | 2.49e-8
+    spring | 1.54e10 | 0.256 | 7.02e-8 | 3.96e6 | 2.52e-2 | 3.4e-8
+    displacement | 2.3354e6 | 0.3 | 1.3172e-8 | inf | 6.48e-3 | 3.928e-9
+";
 
 /// The lowest imposed value may be that of a contact a hundred times smaller than the attraction around it, lower than
 /// before the contact by some 1e-5 of itself.
 #[test]
 fn no_contact_is_below_the_pull_off() {
-    for (control, [young, poisson, thickness, base, work_of_adhesion, range]) in LONG_RANGES {
+    for [imposed, numbers @ ..] in rows::<7>(LONG_RANGES) {
+        let control = match imposed {
+            "load" => Control::Load,
+            "displacement" => Control::Displacement,
+            _ => Control::Spring { stiffness: 0.0456 },
+        };
+        let [young, poisson, thickness, base, work_of_adhesion, range] =
+            numbers.map(|number| number.parse().expect("a number"));
         let probe = Probe::Paraboloid { radius: 1e-5 };
         let case = Case {
             system: rigid_probe(probe, solid(young, poisson), thickness, solid(base, 0.25)),

@@ -2,14 +2,16 @@
 //! energy balances and an integration with fixed steps.
 
 mod in_time;
-mod jkr;
 mod ramps;
 mod slow;
 
 use acceptance::{assert_matches, looked_up, paper_system};
 use contact::{Contact, Control, CrackTip, Error, Hysteresis, RateDependent, State};
 
-use jkr::W;
+/// Work of adhesion, J/m^2.
+const W: f64 = 0.04;
+/// Radius of the sphere, m.
+const R: f64 = 1e-3;
 
 fn film(thickness: f64) -> Contact {
     looked_up(&paper_system(thickness))
