@@ -120,6 +120,15 @@ pub fn system(x: &[f64]) -> Result<System, Error> {
     })
 }
 
+/// Makes a half-space of four numbers.
+pub fn half_space(x: &[f64]) -> Result<HalfSpace, Error> {
+    Ok(HalfSpace {
+        probe: Probe::Paraboloid { radius: x[0] },
+        sphere_modulus: x[1],
+        solid: Elastic::new(x[2], x[3])?,
+    })
+}
+
 /// Makes a material of four numbers.
 pub fn material(x: &[f64]) -> Result<Material, Error> {
     Material::new(x[0], x[1], x[2], x[3])

@@ -9,15 +9,15 @@ use contact::{
     CohesiveZone, Contact, CrackTip, Hysteresis, JkrFit, JkrPoint, RateDependent, TimedState,
 };
 use interp::{
-    Certificate, Curve, Elastic, Error, HalfSpace, Material, MaterialParameter, Mechanics,
-    Parameter, Probe, Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
+    Certificate, Curve, Elastic, Error, Material, MaterialParameter, Mechanics, Parameter,
+    Quantities, Quantity, SubstratePoissonRatio, Table, Tile,
 };
 use low_rank::{IntegerTrain, Malformed};
 use piecewise::bspline::{Basis, LARGEST_DEGREE, TABLE_DEGREE};
 
 use crate::calls::{
-    GRADIENTS, Results, both, controls, curve, each, gradients, loads, material, moduli, numbers,
-    quantities, system,
+    GRADIENTS, Results, both, controls, curve, each, gradients, half_space, loads, material,
+    moduli, numbers, quantities, system,
 };
 use crate::tables::{self, AXES, look_up};
 
@@ -108,26 +108,12 @@ pub const FUNCTIONS: &[Function] = &[
     (
         "Contact::half_space",
         &[1e-3, 2e6, 2e11, 0.25, 6e-5, 0.04],
-        |x| {
-            let half_space = HalfSpace {
-                probe: Probe::Paraboloid { radius: x[0] },
-                sphere_modulus: x[1],
-                solid: Elastic::new(x[2], x[3])?,
-            };
-            loads(&Contact::half_space(&half_space)?, x[4], x[5])
-        },
+        |x| loads(&Contact::half_space(&half_space(x)?)?, x[4], x[5]),
     ),
     (
         "HalfSpace::compound_modulus",
         &[1e-3, 2e6, 2e11, 0.25],
-        |x| {
-            let half_space = HalfSpace {
-                probe: Probe::Paraboloid { radius: x[0] },
-                sphere_modulus: x[1],
-                solid: Elastic::new(x[2], x[3])?,
-            };
-            Ok(vec![half_space.compound_modulus()?])
-        },
+        |x| Ok(vec![half_space(x)?.compound_modulus()?]),
     ),
     ("Contact::quantities", &[6e-5], |x| {
         each(x, |contact| {

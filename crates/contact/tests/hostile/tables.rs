@@ -39,6 +39,14 @@ pub fn description() -> Description {
     }
 }
 
+/// Returns the description of tables with a small tolerance.
+fn strict() -> Description {
+    Description {
+        tolerance: 1e-12,
+        ..description()
+    }
+}
+
 /// Makes a dense table of three quantities.
 pub fn dense() -> Table {
     let count: usize = AXES.iter().map(|nodes| nodes.len()).product();
@@ -144,10 +152,7 @@ pub fn of_nodes(count: usize, a_over_t: [f64; 2]) -> Table {
     ];
     let form = form(4, [1, 1, 1, 30], [1; 3], 0.1, |i| 10 + i % 3);
     Table::from_low_rank(
-        Description {
-            tolerance: 1e-12,
-            ..description()
-        },
+        strict(),
         axes,
         Quantity::ALL.to_vec(),
         whole(form, [count, 1, 1, 1]),
@@ -169,10 +174,7 @@ pub fn demanding(terms: [usize; 4], ranks: [usize; 3], n_a: usize) -> Result<Tab
     let integer = |i: i64| i64::from(i % 4 == 0);
     let form = form(4, terms, ranks, 1e-3, integer);
     Table::from_low_rank(
-        Description {
-            tolerance: 1e-12,
-            ..description()
-        },
+        strict(),
         axes,
         Quantity::ALL.to_vec(),
         whole(form, [n_a, n_e1, n_nu, n_e0]),
@@ -198,10 +200,7 @@ pub fn of_shape(shape: [usize; 4], a_over_t: [f64; 2]) -> [Table; 2] {
         };
         (parameter, nodes)
     });
-    let description = Description {
-        tolerance: 1e-12,
-        ..description()
-    };
+    let description = strict();
     let noise = |i: usize| 1.0 + 0.1 * (i as f64).sin();
     let count: usize = shape.iter().product();
     let values = [3, 5, 7, 9].map(|factor| Some((0..count).map(|i| noise(factor * i)).collect()));
