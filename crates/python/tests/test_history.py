@@ -107,17 +107,3 @@ def test_laws_of_no_solid() -> None:
     refuses(InputError, "law = 'sls' cannot be used", lambda: replace(LAW, law="sls"))
     with pytest.raises(TypeError, match="Relaxation"):
         CONTACT.history(*PROGRAM[:1], "sls", penetration=PROGRAM[1])  # type: ignore[arg-type]
-
-
-def test_the_bound_for_unlike_bodies_does_not_need_many_times():
-    gel = Elastic(young_modulus=1e3, poisson_ratio=0.5)
-    soft, rigid = (
-        Contact.half_space(HalfSpace(sphere_radius=1e-5, sphere_modulus=modulus, solid=gel))
-        for modulus in (1.3e5, np.inf)
-    )
-    law = Relaxation.prony(0.5, [0.3], [0.5])
-    one, many = (
-        soft.history([0.0, 1.0, 3.0], law, penetration=[0.0, 1e-7, 1e-7], rigid=rigid, at=at)
-        for at in (3.0, np.linspace(0.0, 3.0, 3001))
-    )
-    assert one.unlike_bodies == pytest.approx(many.unlike_bodies, rel=5e-3)

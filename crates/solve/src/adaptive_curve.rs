@@ -94,8 +94,8 @@ pub fn check_order([from, to]: [f64; 2]) -> Result<(), Error> {
 
 /// Accepts the ends and the tolerance of a curve.
 pub fn check_range([from, to]: [f64; 2], tolerance: f64) -> Result<(), Error> {
-    check_order([from, to])?;
     Error::check("a_over_t", from, [A_OVER_T[0], A_OVER_T[1] / NARROWEST])?;
+    check_order([from, to])?;
     Error::check("a_over_t", to, [from * NARROWEST, A_OVER_T[1]])?;
     Error::check("tolerance", tolerance, CURVE_TOLERANCE)
 }

@@ -216,8 +216,7 @@ fn adhesion(
         }
     }
     let gain = score.gain(&change)?;
-    let least = if at_radii { BEYOND_CHANCE } else { HINT };
-    if gain.significance <= least * least || gain.change <= 0.0 {
+    if !gain.is_significant() || gain.change <= 0.0 {
         return None;
     }
     let of_zeros = |e: usize| {

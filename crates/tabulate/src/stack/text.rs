@@ -181,7 +181,7 @@ mod tests {
         // The text that is changed, the new one, and words of the message.
         let changes = "
             5e5 | inf | layer \"primer\", 1 of 2; give it as the base
-            5e5 | -1 | layer \"primer\", 1 of 2; Young's modulus
+            5e5 | -5e5 | layer \"primer\", 1 of 2; Young's modulus
             35e5 | 1e300 | layer 2 of 2; 1e9 times
             poisson_ratio = 0.5 | poisson_ratio = 0.51 | layer \"primer\", 1 of 2; (-1, 0.5]
             thickness | height | unknown field; height
