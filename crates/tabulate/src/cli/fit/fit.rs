@@ -168,13 +168,13 @@ pub struct Arguments {
     units: Vec<UnitOf>,
     /// Print a JSON object in SI units instead of the report
     ///
-    /// {"converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
+    /// {"read": [how each file was read], "converged": bool, "parameters": {"film_modulus": {"value", "stderr", "unit"}, ...},
     /// "sphere_young_modulus" with --sphere-poisson-ratio, "correlation": [[...]],
     /// "reduced_chi_squared", "noise", "abscissa_noise", "a_over_t": [least, most], "left_out", "loss": {"angle", "tangent", "stderr"} where
     /// phases are measured, "relaxation": {"law", "moduli": [{"time", "modulus"}, ...], "made_monotone",
     /// "unlike_bodies", "steps_error"} with --relaxation, "without_film": {...},
     /// "fixed_values": [{"name", "value", "unit", "step", "changes", "error"}], "warnings":
-    /// [{"kind", "text"}], "read": [how each file was read]}. A parameter of which each file has its
+    /// [{"kind", "text"}]}. A parameter of which each file has its
     /// own is a list, with null, which has no row of the correlation, for a file that has none. With --intervals each parameter has an "interval". An infinite number is the text
     /// "inf" or "-inf", and one that is not known null.
     #[arg(long)]
