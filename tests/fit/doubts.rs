@@ -447,6 +447,16 @@ fn adhesion_that_is_left_out_is_named_before_any_zero() {
         let words = "work-of-adhesion is 0; the data want adhesion; free it";
         assert_warns(&found, WarningKind::AdhesionWanted, words);
     }
+    // A contact point that is fixed wrongly explains the data better.
+    for shift in [-3e-8, 3e-8] {
+        let free = [Parameter::FilmModulus, Parameter::Baseline];
+        let probe = Imagined::probe(Course::Approach, 0.0, &free);
+        let mut experiment = probe.measured(&probe.exact(), 1);
+        experiment.contact_point += shift;
+        let found = fitted_of_few(&experiment, &probe.free);
+        assert_warns(&found, WarningKind::OffsetWanted, "contact-point; free it");
+        assert_silent(&found, WarningKind::AdhesionWanted);
+    }
     // Without adhesion nothing is said of it.
     for seed in 0..20 {
         let probe = Imagined::probe(Course::Approach, 0.0, &film);

@@ -169,10 +169,11 @@ pub(crate) fn power_of_ten(text: &str) -> Option<(Dimension, i32)> {
     if let Some((above, below)) = text.split_once('/') {
         return quotient(above.trim(), below.trim());
     }
-    if let Some((above, below)) = text.split_once([' ', '\u{b7}'])
-        && let Some((below, power)) = without_negative_power(below.trim())
+    let dots = [' ', '\u{b7}', '\u{22c5}'];
+    if let Some((above, below)) = text.split_once(dots)
+        && let Some((below, power)) = without_negative_power(below.trim_start_matches(dots))
     {
-        return quotient(above.trim(), &format!("{below}{power}"));
+        return quotient(above, &format!("{below}{power}"));
     }
     if let Some(length) = without_square(text) {
         return Some((Dimension::Area, 2 * prefixed(length, "m")?));
@@ -222,9 +223,9 @@ fn quotient(above: &str, below: &str) -> Option<(Dimension, i32)> {
 /// no such power.
 fn without_negative_power(symbol: &str) -> Option<(&str, &str)> {
     let powers = [
-        (["^-1", "-1", "\u{207b}\u{b9}"], ""),
-        (["^-2", "-2", "\u{207b}\u{b2}"], "^2"),
-        (["^-3", "-3", "\u{207b}\u{b3}"], "^3"),
+        (["^-1", "-1", "\u{2212}1", "\u{207b}\u{b9}"], ""),
+        (["^-2", "-2", "\u{2212}2", "\u{207b}\u{b2}"], "^2"),
+        (["^-3", "-3", "\u{2212}3", "\u{207b}\u{b3}"], "^3"),
     ];
     powers.into_iter().find_map(|(signs, power)| {
         let symbol = signs
@@ -284,6 +285,7 @@ mod tests {
             ("mJ m-2", Dimension::ForcePerLength, 1e-3),
             ("mN\u{b7}m\u{207b}\u{b9}", Dimension::ForcePerLength, 1e-3),
             ("N mm^-3", Dimension::ModulusPerLength, 1e9),
+            ("mJ \u{22c5} m\u{2212}2", Dimension::ForcePerLength, 1e-3),
             ("TPa", Dimension::Modulus, 1e12),
             ("J / cm\u{b2}", Dimension::ForcePerLength, 1e4),
             ("nm/V", Dimension::LengthPerVoltage, 1e-9),

@@ -55,11 +55,8 @@ const MIDDLE: f64 = 0.5;
 /// A piece whose radii have a larger ratio is halved at the geometric mean, whatever its middle says.
 const WIDE: f64 = 2.5;
 
-/// The number of elements of a shape without bends before any refinement, and the fewest between two bends.
+/// The number of elements before any refinement.
 const ELEMENTS: usize = 50;
-const FEWEST: f64 = 4.0;
-/// The most bends of a shape that count.
-const MOST_BENDS: usize = 4;
 
 /// The most steps of Newton's method on a piece, and the change of the place on it after which the
 /// next one would be below rounding.
@@ -350,9 +347,8 @@ fn first_touch(contact: &Contact) -> Result<Node, HistoryError> {
 
 /// Returns the elastic states of elements from the first touch up to `most` (m), `refined` times as many as at first.
 ///
-/// Their radii are equally spaced where the shape has no bend. Behind a bend, as behind the rim of a flat end, the
-/// penetration grows with the root of the distance: the elements lie closer to each other near it, on both sides, because the
-/// rim of the contact is found from elements on both. A measured profile has many small bends, which do not count.
+/// Their radii are equally spaced. Behind the rim of a flat end the penetration grows with the root of the distance from
+/// there, and so does the number of the element.
 pub(super) fn elements(
     contact: &Contact,
     most: f64,
@@ -361,32 +357,18 @@ pub(super) fn elements(
     let [smallest, _] = contact.search_range()?;
     let touch = first_touch(contact)?;
     let begin = touch.radius;
-    let bends = contact.bends();
-    let bends = bends.iter().filter(|_| bends.len() <= MOST_BENDS);
-    let mut ends = vec![begin];
-    ends.extend(bends.filter(|bend| (begin..most).contains(bend) && **bend > begin));
-    ends.push(most);
-    let mut nodes = vec![touch];
-    let sections = ends.len() - 1;
-    for (section, pair) in ends.windows(2).enumerate() {
-        let length = pair[1] - pair[0];
-        let share = ELEMENTS as f64 * length / (most - begin);
-        let count = share.round().max(FEWEST) as usize * refined;
-        for i in 1..=count {
-            let x = i as f64 / count as f64;
-            let part = match (section > 0 || begin > 0.0, section + 1 < sections) {
-                (false, false) => x,
-                (false, true) => x * (2.0 - x),
-                (true, false) => x * x,
-                (true, true) => x * x * (3.0 - 2.0 * x),
-            };
-            let radius = pair[0] + length * part;
-            nodes.push(if radius >= smallest {
-                node(contact, radius.min(most))?
-            } else {
-                smaller(&node(contact, smallest)?, radius / smallest)
-            });
-        }
+    let count = ELEMENTS * refined;
+    let mut nodes = Vec::with_capacity(count + 1);
+    nodes.push(touch);
+    for i in 1..=count {
+        let x = i as f64 / count as f64;
+        let part = if begin > 0.0 { x * x } else { x };
+        let radius = begin + (most - begin) * part;
+        nodes.push(if radius >= smallest {
+            node(contact, radius.min(most))?
+        } else {
+            smaller(&node(contact, smallest)?, radius / smallest)
+        });
     }
     Ok(nodes)
 }

@@ -314,46 +314,35 @@ mod tests {
 
     /// Until its second growth a contact is that of one turn, which integrals follow.
     #[test]
-    fn shapes_with_a_bend_are_followed_as_by_integrals() {
-        let half_angle = 1.2;
-        let end_radius = 1e-6;
-        for probe in [
-            Probe::FlatEndedCone {
-                radius: end_radius,
-                half_angle,
+    fn a_flat_end_is_followed_as_by_integrals() {
+        let system = HalfSpace {
+            probe: Probe::FlatEndedCone {
+                radius: 1e-6,
+                half_angle: 1.2,
             },
-            Probe::RoundedCone {
-                radius: end_radius,
-                half_angle,
-            },
-        ] {
-            let system = HalfSpace {
-                probe: probe.clone(),
-                sphere_modulus: f64::INFINITY,
-                solid: Elastic::new(1e4, 0.45).expect("a solid"),
-            };
-            let contact = Contact::half_space(&system).expect("a contact");
-            let law = Relaxation::Prony {
-                relaxed: 0.3,
-                terms: vec![[0.7, 0.3]],
-            };
-            let history = contact.history(&law).expect("a law");
-            let mut points = vec![(0.0, 0.0), (1.0, 3e-7), (1.5, 1.5e-7), (2.0, 3e-7)];
-            let times: Vec<f64> = (0..=30).map(|i| 0.05 * f64::from(i)).collect();
-            let loads = |points: &[(f64, f64)], tolerance: f64| -> Vec<f64> {
-                let control = Control::Displacement;
-                let course = history.at(control, points, &times, Some(tolerance));
-                let states = course.expect("within reach").states;
-                states.iter().map(|at| at.state.load).collect()
-            };
-            let by_elements = loads(&points, 1e-6);
-            points.pop();
-            let exact = loads(&points, 1e-10);
-            let largest = exact.iter().copied().fold(0.0, f64::max);
-            for (found, exact) in by_elements.iter().zip(&exact) {
-                let error = (found - exact).abs() / largest;
-                assert!(error < 1e-6, "{probe:?}: {found}, not {exact}");
-            }
+            sphere_modulus: f64::INFINITY,
+            solid: Elastic::new(1e4, 0.45).expect("a solid"),
+        };
+        let contact = Contact::half_space(&system).expect("a contact");
+        let law = Relaxation::Prony {
+            relaxed: 0.3,
+            terms: vec![[0.7, 0.3]],
+        };
+        let history = contact.history(&law).expect("a law");
+        let mut points = vec![(0.0, 0.0), (1.0, 3e-7), (1.5, 1.5e-7), (2.0, 3e-7)];
+        let times: Vec<f64> = (0..=30).map(|i| 0.05 * f64::from(i)).collect();
+        let loads = |points: &[(f64, f64)], tolerance: f64| -> Vec<f64> {
+            let course = history.at(Control::Displacement, points, &times, Some(tolerance));
+            let states = course.expect("within reach").states;
+            states.iter().map(|at| at.state.load).collect()
+        };
+        let by_elements = loads(&points, 1e-6);
+        points.pop();
+        let exact = loads(&points, 1e-10);
+        let largest = exact.iter().copied().fold(0.0, f64::max);
+        for (found, exact) in by_elements.iter().zip(&exact) {
+            let error = (found - exact).abs() / largest;
+            assert!(error < 1e-6, "{found}, not {exact}");
         }
     }
 }

@@ -46,8 +46,8 @@ pub enum Relaxation {
         time: f64,
     },
     /// `phi = relaxed + (1 - relaxed) E_exponent(-(t/time)^exponent)` with the Mittag-Leffler
-    /// function, which is `erfcx((t/time)^(1/2))` for the exponent 1/2. A history takes time in proportion to `exponent/(1 -
-    /// exponent)`: with 0.99 a few seconds to half a minute.
+    /// function, which is `erfcx((t/time)^(1/2))` for the exponent 1/2. A history by elements takes time in
+    /// proportion to `exponent/(1 - exponent)`: with 0.99 some ten seconds to a minute.
     FractionalZener {
         /// The part of the modulus that is left in the end, from 0 to below 1.
         relaxed: f64,

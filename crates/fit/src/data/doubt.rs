@@ -8,13 +8,11 @@ use super::number::Marks;
 use super::segment::Split;
 use super::sign::{Sign, opposite, sign};
 use super::tilt::is_tilted;
-use super::turns::{have_order, turns};
+use super::turns::{jumps, turns};
 use crate::{Direction, Kind, Point};
 
 /// The number of points that tell the course of a curve.
 const ENOUGH: usize = 10_000;
-/// The fewest points whose order is doubted: the ranks of fewer differ by much from row to row in any order.
-const FEWEST: usize = 20;
 
 /// A doubt about how a file was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,9 +96,9 @@ impl fmt::Display for Doubt {
             ),
             Self::Order { abscissa } => write!(
                 f,
-                "{abscissa:?} jumps to and fro from row to row, so that the rows are in no order, and those of approach and \
-                 retract cannot be told: sort the rows by time, or name the direction of each row in a column of segments, \
-                 approach or retract"
+                "{abscissa:?} jumps to and fro from row to row: the rows are in no order, or hold many short curves, and those of \
+                 approach and retract cannot be told; sort the rows by time, or name the direction of each row in a column of \
+                 segments, approach or retract"
             ),
             Self::Directions {
                 abscissa,
@@ -158,7 +156,7 @@ pub fn doubts(
     sign.into_iter().chain(marks).chain(course).collect()
 }
 
-/// Returns the doubt that the points are in no order, are several curves, or that their directions are wrong. A curve
+/// Returns the doubt that the points jump to and fro, are several curves, or that their directions are wrong. A curve
 /// goes there and back, and in one direction it does not turn.
 fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> {
     let heading = || pair.abscissa.heading.clone();
@@ -180,20 +178,11 @@ fn course(points: &[Point], pair: &Pair, split: Option<Split>) -> Option<Doubt> 
             _ => None,
         }
     };
-    if let Some(Split::Course(_)) = split
-        && points.len() >= FEWEST
-    {
-        let step = points.len() / ENOUGH + 1;
-        let abscissae: Vec<f64> = points
-            .iter()
-            .map(|point| point.abscissa)
-            .step_by(step)
-            .collect();
-        if !have_order(&abscissae) {
-            return Some(Doubt::Order {
-                abscissa: heading(),
-            });
-        }
+    let abscissae = || -> Vec<f64> { points.iter().map(|point| point.abscissa).collect() };
+    if matches!(split, Some(Split::Course(_))) && jumps(&abscissae()) {
+        return Some(Doubt::Order {
+            abscissa: heading(),
+        });
     }
     of(None)
         .or_else(|| of(Some(Direction::Approach)))

@@ -1,4 +1,4 @@
-//! How often a list of numbers turns back.
+//! How often a list of numbers turns back, and whether it is in an order at all.
 
 use crate::statistics::extremes;
 
@@ -43,8 +43,18 @@ pub fn turns(numbers: &[f64]) -> usize {
     turns
 }
 
+/// Tells whether numbers are in no order: they jump to and fro by much of their range, where those of a rest hardly change.
+pub fn jumps(numbers: &[f64]) -> bool {
+    /// The ranks of fewer differ by much from one to the next in any order.
+    const FEWEST: usize = 20;
+    let [least, most] = extremes(numbers.iter().copied());
+    let steps = numbers.windows(2).map(|two| (two[1] - two[0]).abs());
+    let mean = steps.sum::<f64>() / numbers.len() as f64;
+    numbers.len() >= FEWEST && mean > LARGEST_STEP * (most - least) && !have_order(numbers)
+}
+
 /// Tells whether neighbours have similar ranks.
-pub fn have_order(numbers: &[f64]) -> bool {
+fn have_order(numbers: &[f64]) -> bool {
     let mut by_size: Vec<usize> = (0..numbers.len()).collect();
     by_size.sort_by(|&a, &b| numbers[a].total_cmp(&numbers[b]));
     let mut ranks = vec![0.0; numbers.len()];
@@ -65,6 +75,7 @@ mod tests {
         let up = |n: i32| (0..n).map(f64::from);
         let down = |n: i32| (0..n).rev().map(f64::from);
         let noisy = |(i, x): (usize, f64)| x + 3.0 * ((i * 7919) % 11) as f64 / 11.0;
+        let rest = (0..200).map(|i| 0.1 * (f64::from(i * 7919 % 101) / 101.0));
         let with_a_spike = |mut numbers: Vec<f64>| {
             numbers[10..12].fill(1e3);
             numbers
@@ -93,8 +104,14 @@ mod tests {
                 4,
             ),
             ("no order", up(40).map(|i| (i * 17.0) % 40.0).collect(), 0),
+            (
+                "a long rest",
+                down(20).chain(rest).chain(up(20)).collect(),
+                0,
+            ),
         ] {
             assert_eq!(turns(&numbers), expected, "{name}");
+            assert_eq!(jumps(&numbers), name == "no order", "{name}");
         }
     }
 }

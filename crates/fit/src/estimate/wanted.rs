@@ -47,7 +47,8 @@ pub(super) fn add(
             WarningKind::AdhesionWanted,
             format!(
                 "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
-                 be some {work:.1e} J/m^2; free it, or a zero of the instrument where there is none",
+                 be some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
+                 the probe and the zeros of the instrument that are fixed",
                 gain.chi_squared
             ),
         );
@@ -188,7 +189,7 @@ fn adhesion(
     /// A work of adhesion that changes no contact by much.
     const SMALL: f64 = 1e-10;
     /// What adhesion leaves of the sum of squares at contact radii, over what the zeros leave, below which it explains the
-    /// data better. Against positions the zeros are fitted, or leave the same shape in the residuals.
+    /// data better. Against positions it takes a small part of the noise, and more than any zero suffices.
     const CLEARLY: f64 = 0.5;
     const WORK: Parameter = Parameter::WorkOfAdhesion;
     if problem.slots.iter().any(|slot| slot.parameter == WORK) {
@@ -219,22 +220,19 @@ fn adhesion(
     if !gain.is_significant() || gain.change <= 0.0 {
         return None;
     }
+    // The largest gain of a zero that is not fitted; 0 where all are.
     let of_zeros = |e: usize| {
-        let zero = [Parameter::LoadOffset, Parameter::ContactPoint]
-            .into_iter()
-            .find(|zero| {
-                problem.assigned[e]
-                    .experiment
-                    .why_without_effect(*zero)
-                    .is_none()
-            })?;
-        Some(
-            score
-                .gain(&column(problem, e, zero, |_| true)?)?
-                .chi_squared,
-        )
+        let zeros = Parameter::ZEROS.into_iter();
+        let has_effect = |zero: &Parameter| {
+            let experiment = &problem.assigned[e].experiment;
+            experiment.why_without_effect(*zero).is_none()
+        };
+        let gains = zeros
+            .filter(has_effect)
+            .filter_map(|zero| score.gain(&column(problem, e, zero, |_| true)?));
+        gains.map(|gain| gain.chi_squared).fold(0.0, f64::max)
     };
-    let zeros: f64 = (0..problem.assigned.len()).filter_map(of_zeros).sum();
+    let zeros: f64 = (0..problem.assigned.len()).map(of_zeros).sum();
     let left = |explained: f64| (score.residuals.norm_squared() - explained).max(0.0);
     let clearly = if at_radii { CLEARLY } else { 1.0 };
     let explains = left(gain.chi_squared) < clearly * left(zeros);

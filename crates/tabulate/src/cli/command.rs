@@ -97,7 +97,7 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Lets numbers begin with a minus, which is then that of no flag.
+/// Lets the value of a flag that takes a decimal number begin with a minus.
 fn with_signs(command: clap::Command) -> clap::Command {
     let numbers = [
         TypeId::of::<f64>(),
