@@ -1,7 +1,9 @@
 //! The errors that a lookup adds to those of a low-rank table: dropped terms, and the polynomial
 //! pieces of its curves.
 
-use acceptance::{BOX, Contacts, RIGID_SPHERE, ends, geometric, larger, low_rank, material, table};
+use acceptance::{
+    BOX, Contacts, RIGID_SPHERE, Refused, ends, geometric, larger, low_rank, material, table,
+};
 use interp::{Description, MaterialParameter, Parameter, Quantity, Table};
 
 /// What a lookup drops, and how long its pieces are, depends on the tolerance of the table.
@@ -123,4 +125,14 @@ fn the_pieces_of_a_curve_add_about_a_tenth_of_the_tolerance_at_most_to_any_mater
         // for cut each axis in two only.
         assert!(worst <= 0.1);
     }
+}
+
+/// A modulus that misses its unit by 25 decades is no fault of the table.
+#[test]
+fn the_softest_films_are_refused_by_their_moduli() {
+    let curve = |e1: f64| Table::embedded().curve(&material([e1, 0.3, 1.0, 0.25]));
+    for e1 in [1e-308, 1e-26] {
+        curve(e1).refused(&["1/(1 + E2*/E1*)", "at least 1e-25", "their units"]);
+    }
+    assert!(curve(1e-24).is_ok());
 }

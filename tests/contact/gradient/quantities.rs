@@ -95,8 +95,8 @@ fn faces() -> Vec<(f64, [f64; 4])> {
 }
 
 /// Draws points of everything that the embedded table answers: every ratio of moduli from 1e-9 to
-/// 1e9, nearly rigid spheres and substrates, and any pair of Poisson ratios.
-fn everywhere() -> Vec<(f64, [f64; 4])> {
+/// 1e9, nearly rigid spheres and substrates, and any pair of Poisson ratios. Returns those of `count` that it answers.
+fn everywhere(count: usize) -> Vec<(f64, [f64; 4])> {
     let mut contacts = Contacts::new(304);
     let point = |i: usize| {
         let mut nu = || match contacts.uniform(0.0, 3.0) as u32 {
@@ -117,21 +117,31 @@ fn everywhere() -> Vec<(f64, [f64; 4])> {
     };
     let answered =
         |&(_, parameters): &(f64, [f64; 4])| Table::embedded().curve(&material(parameters)).is_ok();
-    let points: Vec<_> = (0..120).map(point).filter(answered).collect();
-    assert!(points.len() > 80, "{} points", points.len());
+    let points: Vec<_> = (0..count).map(point).filter(answered).collect();
+    assert!(3 * points.len() > 2 * count, "{} points", points.len());
     points
+}
+
+fn assert_derivatives(points: &[(f64, [f64; 4])]) {
+    let worst = worst_misses(points);
+    println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
+    let mut pairs = worst.iter().zip(SHARES);
+    assert!(pairs.all(|(&worst, share)| worst <= share), "{worst:.1?}");
 }
 
 #[test]
 fn derivatives_are_those_of_direct_solves() {
-    // Measured: 1.3, 3.5, 43, 0.6, 1.5; 2.8, 0.7, 50, 0.2, 0.2; 1.9, 1.2, 51, 3.1, 2.3; 2.3, 1.2, 36, 1.1, 8.3; and at 2000
-    // points of all contrasts 2.7, 9.5, 57, 9.5, 18.
-    for points in [points(), softest(), faces(), everywhere()] {
-        let worst = worst_misses(&points);
-        println!("in tolerances, with respect to a/t, E1, nu1, E0, nu0: {worst:.1?}");
-        let mut pairs = worst.iter().zip(SHARES);
-        assert!(pairs.all(|(&worst, share)| worst <= share), "{worst:.1?}");
+    // Measured: 1.3, 3.5, 43, 0.6, 1.5; 2.8, 0.7, 50, 0.2, 0.2; 1.9, 1.2, 51, 3.1, 2.3; 2.3, 1.2, 36, 1.1, 8.3.
+    for points in [points(), softest(), faces(), everywhere(120)] {
+        assert_derivatives(&points);
     }
+}
+
+#[test]
+#[ignore = "takes 20 s, for the numbers of COST.md"]
+fn derivatives_at_two_thousand_contacts_are_those_of_direct_solves() {
+    // Measured: 2.7, 9.5, 57, 9.5, 18.
+    assert_derivatives(&everywhere(2400));
 }
 
 /// Returns the largest errors at `points`, in tolerances, in the order of [`SHARES`]: of curves with all

@@ -47,7 +47,7 @@ pub enum Relaxation {
     },
     /// `phi = relaxed + (1 - relaxed) E_exponent(-(t/time)^exponent)` with the Mittag-Leffler
     /// function, which is `erfcx((t/time)^(1/2))` for the exponent 1/2. A history by elements takes time in
-    /// proportion to `exponent/(1 - exponent)`: with 0.99 some ten seconds to a minute.
+    /// proportion to `exponent/(1 - exponent)`, which is 99 for the largest exponent.
     FractionalZener {
         /// The part of the modulus that is left in the end, from 0 to below 1.
         relaxed: f64,

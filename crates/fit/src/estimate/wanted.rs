@@ -40,8 +40,11 @@ pub(super) fn add(
     let pulls: Vec<Option<f64>> = (0..problem.assigned.len())
         .map(|e| unfitted_pull(problem, e))
         .collect();
-    let is_seen = pulls.iter().any(Option::is_some);
-    let adhesion = adhesion(problem, &score, residuals).filter(|_| !is_seen);
+    let adhesion = if pulls.iter().any(Option::is_some) {
+        None
+    } else {
+        adhesion(problem, &score, residuals)
+    };
     if let Some(Adhesion { gain, work }) = &adhesion {
         warnings.add(
             WarningKind::AdhesionWanted,

@@ -192,7 +192,7 @@ impl Lookup {
 /// Adds the expansions beyond the nodes to a curve of the table, and accepts its values between
 /// them.
 fn accept(curve: Curve, description: &Description) -> Result<Curve, Error> {
-    /// The softest film beside a sphere: the quantities are at least about `es/E2*`.
+    /// The least `es/E2*`, to which the quantities are proportional, so that they stay above 1e-30.
     const SOFTEST: f64 = 1e-25;
     let ratio = curve.material().sphere_film_modulus();
     let allowed = "at least 1e-25: check the moduli of film and sphere, and their units";

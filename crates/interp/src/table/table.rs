@@ -370,8 +370,8 @@ impl Table {
     /// [`Error::OfStack`] in a table of one stack of layers; [`Error::Normalisation`] for a rigid
     /// sphere in a table for compliant spheres, or the reverse; [`Error::OutsideTable`] for a
     /// material outside the box; [`Error::Equivalent`] if the equivalent does not exist or is
-    /// outside the box; [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, which happens
-    /// only in forged tables.
+    /// outside the box; [`Error::Unphysical`] if the film is softer than `1e-25 E2*`;
+    /// [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, which happens only in forged tables.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.accept_films()?;
         self.lookup().curve(&self.axes, &self.description, material)
