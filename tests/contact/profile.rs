@@ -1,7 +1,7 @@
 //! Measured shapes of probes.
 
-use acceptance::assert_matches;
-use interp::{Error, Profile};
+use acceptance::{Refused, assert_matches, on_half_space, solid};
+use interp::{Error, Probe, Profile};
 
 #[test]
 fn evenly_spaced_points_of_a_paraboloid_give_the_paraboloid() {
@@ -16,6 +16,23 @@ fn evenly_spaced_points_of_a_paraboloid_give_the_paraboloid() {
     assert_eq!(profile.end(), points[19][0]);
     let without_origin = Profile::new(&points[1..]).expect("convex");
     assert_eq!(without_origin, profile);
+}
+
+/// The slope rises from the middle between the last point of height 0 and the next one.
+#[test]
+fn the_flat_end_of_a_profile_bounds_its_contacts() {
+    let end = |points: &[[f64; 2]]| Profile::new(points).expect("convex").flat_end();
+    assert_eq!(end(&[[0.0, 0.0], [1.0, 0.5], [2.0, 2.0]]), 0.0);
+    let flat = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 1.0]];
+    assert_eq!(end(&flat), 1.5);
+    assert_eq!(end(&flat[2..]), 1.0);
+    let probe = Probe::Profile(Profile::new(&flat).expect("convex"));
+    let contact = on_half_space(probe, solid(1.0, 0.3));
+    assert_eq!(contact.contact_radius_range()[0], 1.5);
+    assert_eq!(contact.load(1.5, 0.0).expect("the smallest contact"), 0.0);
+    contact
+        .load(1.4, 0.0)
+        .refused("at least the radius of the flat end, 1.5 m");
 }
 
 #[test]

@@ -338,10 +338,9 @@ fn first_touch(contact: &Contact) -> Result<Node, HistoryError> {
         return Ok(Node::default());
     }
     Ok(Node {
-        radius,
-        stiffness: contact.stiffness(radius)?,
-        slope: f64::INFINITY,
-        ..Node::default()
+        penetration: 0.0,
+        load: 0.0,
+        ..node(contact, radius)?
     })
 }
 

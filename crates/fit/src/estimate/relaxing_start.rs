@@ -214,10 +214,10 @@ fn hidden(experiment: &Experiment) -> f64 {
     let noise = experiment.usual_noise().or_else(|| noise_of(&loads));
     // The power of the penetration like which the load grows.
     let power = match experiment.bodies.probe() {
-        Probe::FlatPunch { .. } | Probe::FlatEndedCone { .. } => 1.0,
+        flat if flat.contact_radii()[0] > 0.0 => 1.0,
         Probe::Paraboloid { .. } | Probe::Sphere { .. } | Probe::Profile(_) => 1.5,
         Probe::PowerLaw { exponent, .. } => 1.0 + 1.0 / exponent,
-        Probe::Cone { .. } | Probe::RoundedCone { .. } => 2.0,
+        _ => 2.0,
     };
     (noise.unwrap_or(0.0) / extremes(loads.into_iter())[1]).powf(1.0 / power)
 }

@@ -146,7 +146,7 @@ impl Probe {
             // The radius itself, and its rounding.
             Self::FlatPunch { radius } => [radius * (1.0 - ROUNDING), radius * (1.0 + ROUNDING)],
             Self::FlatEndedCone { radius, .. } => [*radius, LARGEST],
-            Self::Profile(profile) => [0.0, profile.end()],
+            Self::Profile(profile) => [profile.flat_end(), profile.end()],
             Self::PowerLaw { .. } | Self::Cone { .. } | Self::RoundedCone { .. } => [0.0, LARGEST],
         }
     }

@@ -110,6 +110,12 @@ impl Profile {
         self.end
     }
 
+    /// Returns the radius of the flat end, m, at which the slope begins to rise; 0 for a shape that rises from the axis.
+    pub fn flat_end(&self) -> f64 {
+        let flat = self.slopes.partition_point(|bend| bend[1] == 0.0);
+        self.slopes[flat - 1][0]
+    }
+
     /// Returns the slope at a radius (m).
     pub fn slope(&self, r: f64) -> f64 {
         let last = self.slopes.len() - 1;

@@ -193,11 +193,14 @@ fn note_no_disc(contact: &Contact, [from, to]: [f64; 2]) {
 impl Arguments {
     /// Returns the smallest and the largest contact radius (m): those asked for, or those of the
     /// paper's lens, reduced for a smaller sphere or profile and to those that are solved with stick, with an attraction
-    /// of finite range, or on layers.
+    /// of finite range, or on layers, and not below a flat end.
     fn radii(&self, bodies: &Bodies) -> [f64; 2] {
         const USUAL: [f64; 2] = [1e-6, 1.5e-4];
         /// The part of a profile beyond which it says little of its shape.
         const OF_PROFILE: f64 = 0.9;
+        /// The largest contact radius over that of a flat end, at least.
+        const BEYOND_END: f64 = 3.0;
+        let [least, _] = bodies.system.probe.contact_radii();
         let most = match &bodies.system.probe {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => {
                 Validity::WARNING_A_OVER_R * radius
@@ -212,13 +215,15 @@ impl Arguments {
         } else {
             most.min(bodies.reach_of_layers())
         };
-        let to = self.to.unwrap_or(USUAL[1].min(most));
+        let to = self
+            .to
+            .unwrap_or(USUAL[1].max(BEYOND_END * least).min(most));
         let scale = if self.to.is_none() || to <= USUAL[0] {
             to / USUAL[1]
         } else {
             1.0
         };
-        [self.from.unwrap_or(USUAL[0] * scale), to]
+        [self.from.unwrap_or((USUAL[0] * scale).max(least)), to]
     }
 }
 
