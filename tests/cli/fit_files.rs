@@ -163,6 +163,15 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
     let other = object("--stiffness 0.06");
     assert_ne!(other["parameters"], told["parameters"]);
     assert_names(&read(&other), "0.06 N/m as given, and line 4; 0.05");
+    let of_stiffness = |found: &Value| {
+        let warnings = found["warnings"].as_array().expect("a list").iter();
+        let mut warnings = warnings.filter(|one| one["kind"] == "stiffness");
+        warnings.next().map(|one| one["text"].to_string())
+    };
+    let doubt =
+        of_stiffness(&other).expect("forces in newtons were made with the stiffness of the file");
+    assert_names(&doubt, "line 4; 0.05; 0.06; 1.2; give the deflection");
+    assert_eq!(of_stiffness(&given), None);
 }
 
 /// The doubt says which flag turns the sign, whether the fit fails or not, and the flag does.

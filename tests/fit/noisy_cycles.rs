@@ -1,10 +1,10 @@
 //! Cycles of approach and retract whose noise hides where contacts begin and end.
 
-use acceptance::{rigid_probe, solid};
-use fit::{Bodies, Direction, Experiment, Kind, Parameter, simulate};
+use acceptance::{Contacts, rigid_probe, solid};
+use fit::{Bodies, Direction, Experiment, Kind, Parameter, WarningKind, simulate};
 use interp::{Elastic, Probe, System, Table};
 
-use crate::imagined::{FORCE_CURVE, fit_with, free_of, measurement_at, off};
+use crate::imagined::{FORCE_CURVE, assert_warned, fit_with, free_of, measurement_at, off};
 
 /// A rigid sphere on a film on a stiff substrate.
 fn system(radius: f64, film: Elastic, thickness: f64) -> System {
@@ -129,4 +129,64 @@ fn a_start_is_found_where_the_approach_is_short() {
     let squares = (0..20).map(|seed| off_by(&plan, seed).powi(2)).sum::<f64>() / 20.0;
     println!("mean square of errors in standard errors {squares:.2}");
     assert!(squares < 4.0, "{squares}");
+}
+
+/// A filter makes the noise of neighbours alike, and their differences show little of it: the scatter of the readings
+/// without contact tells which of them are in contact.
+#[test]
+fn filtered_noise_does_not_hide_the_baseline() {
+    const NOISE: f64 = 3e-11;
+    const WIDTH: f64 = 2.0;
+    const REACH: usize = 8;
+    let weights: Vec<f64> = (0..=2 * REACH)
+        .map(|i| (i as f64 - REACH as f64) / WIDTH)
+        .map(|x| (-0.5 * x * x).exp())
+        .collect();
+    let norm = weights
+        .iter()
+        .map(|weight| weight * weight)
+        .sum::<f64>()
+        .sqrt();
+    let plan = Experiment {
+        work_of_adhesion: 8e-5,
+        stiffness: Some(0.02),
+        ..cycle(
+            system(1e-5, solid(2e4, 0.5), 5e-6),
+            [0.6e-6, -0.5e-6],
+            400,
+            NOISE,
+        )
+    };
+    for seed in 0..6 {
+        let exact = simulate(Table::embedded(), &plan, 1e-20, seed).expect("in the table");
+        let mut numbers = Contacts::new(seed);
+        let white: Vec<f64> = (0..exact.measurement.points.len() + 2 * REACH)
+            .map(|_| numbers.normal())
+            .collect();
+        let mut measured = Experiment {
+            noise: None,
+            ..exact
+        };
+        let around = white.windows(weights.len());
+        for (point, around) in measured.measurement.points.iter_mut().zip(around) {
+            let sum: f64 = around
+                .iter()
+                .zip(&weights)
+                .map(|(x, weight)| x * weight)
+                .sum();
+            point.ordinate += NOISE * sum / norm;
+        }
+        let found = fit_with(&measured, &free_of(&FORCE_CURVE), |_| {}).expect("a fit");
+        for (parameter, truth, allowed) in [
+            (Parameter::FilmModulus, 2e4, 0.05),
+            (Parameter::WorkOfAdhesion, 8e-5, 0.05),
+        ] {
+            let value = found.estimate(parameter).expect("free").value;
+            assert!(
+                (value / truth - 1.0).abs() < allowed,
+                "{parameter:?}: {value}"
+            );
+        }
+        assert_warned(&found, WarningKind::PoorFit);
+    }
 }

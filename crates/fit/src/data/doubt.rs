@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use super::Notes;
 use super::assignment::Pair;
 use super::number::Marks;
 use super::segment::Split;
 use super::sign::{Sign, opposite, sign};
 use super::tilt::is_tilted;
 use super::turns::{jumps, turns};
+use super::{Notes, Role};
 use crate::{Direction, Kind, Point};
 
 /// The number of points that tell the course of a curve.
@@ -30,6 +30,15 @@ pub enum Doubt {
         ordinate: String,
         /// The heading of the abscissa.
         abscissa: String,
+    },
+    /// Forces are in newtons, and the file names another stiffness than the one given.
+    Stiffness {
+        /// The heading of the forces.
+        ordinate: String,
+        /// The stiffness in the head of the file, N/m, and its line.
+        of_head: (f64, u64),
+        /// The one given, N/m.
+        given: f64,
     },
     /// The abscissa turns back more often than that of one curve.
     Curves {
@@ -62,6 +71,7 @@ impl Doubt {
             Self::Commas => "commas",
             Self::Points => "points",
             Self::Tilt { .. } => "tilt",
+            Self::Stiffness { .. } => "stiffness",
             Self::Curves { .. } => "several-curves",
             Self::Order { .. } => "order",
             Self::Directions { .. } => "directions",
@@ -87,6 +97,17 @@ impl fmt::Display for Doubt {
                 f,
                 "{ordinate:?} falls along a straight line while {abscissa:?} says that the bodies come \
                  closer, and rises near the end: the baseline may be tilted"
+            ),
+            Self::Stiffness {
+                ordinate,
+                of_head: (of_head, line),
+                given,
+            } => write!(
+                f,
+                "{ordinate:?} holds forces, and line {line} names the stiffness {of_head} N/m, with which they were probably \
+                 made from the deflection; the stiffness as given, {given} N/m, leaves them as they are: multiply them by \
+                 {:.6}, or give the deflection in place of the forces",
+                given / of_head
             ),
             Self::Curves { abscissa, turns } => write!(
                 f,
@@ -153,7 +174,24 @@ pub fn doubts(
     };
     let course = || course(points, pair, notes.split);
     let course = if paused { None } else { course() };
-    sign.into_iter().chain(marks).chain(course).collect()
+    let stiffness = stiffness(pair, notes);
+    let all = sign.into_iter().chain(marks).chain(stiffness);
+    all.chain(course).collect()
+}
+
+/// Returns the doubt that forces were made with another stiffness than the one given.
+fn stiffness(pair: &Pair, notes: &Notes) -> Option<Doubt> {
+    const SAME: f64 = 1e-6;
+    /// A cantilever that is stiffer by this factor stands for a rigid one, of heights without the deflection.
+    const RIGID: f64 = 1e3;
+    let (named, given) = (notes.head.stiffness.as_ref()).zip(notes.cantilever.stiffness)?;
+    let are_forces = [pair.abscissa.role, pair.ordinate.role] == [Role::Height, Role::Load];
+    let differs = (given / named.value - 1.0).abs() > SAME && given < RIGID * named.value;
+    (are_forces && differs).then(|| Doubt::Stiffness {
+        ordinate: pair.ordinate.heading.clone(),
+        of_head: (named.value, named.line),
+        given,
+    })
 }
 
 /// Returns the doubt that the points jump to and fro, are several curves, or that their directions are wrong. A curve

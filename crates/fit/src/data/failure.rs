@@ -322,9 +322,14 @@ pub enum Problem {
     },
     /// A column has a unit that is not known.
     #[error(
-        "{heading:?}, read as {}, is in {unit:?}, which is not a known unit; convert the numbers, or \
+        "{heading:?}, read as {}, is in {unit:?}, which is not a known unit{}; convert the numbers, or \
          name a unit that {unit:?} stands for, such as {:?}",
         role.name(),
+        if unit.contains(|c: char| c.is_ascii_alphabetic()) && !unit.starts_with(char::is_alphanumeric) {
+            ": its first letter, such as that of micro, is lost"
+        } else {
+            ""
+        },
         role.example()
     )]
     UnknownUnit {

@@ -22,6 +22,8 @@ pub struct Heading {
 const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
 /// Units that end the names of other quantities: `depth h`.
 const IN_BRACKETS_ONLY: [&str; 5] = ["h", "min", "g", "mg", "kg"];
+/// The codes of the two letters for micro, which some programs write in their place.
+const MICRO_SIGNS: [&str; 2] = ["U.00B5", "U.03BC"];
 /// Words for what is no length or force of the contact itself.
 const OTHERS: [&str; 9] = [
     "diam", "area", "aire", "square", "squared", "width", "log", "sqrt", "\u{f8}",
@@ -75,7 +77,9 @@ impl Heading {
     pub fn parse(text: &str) -> Self {
         let text = text.trim();
         let (rest, mut unit) = bracketed_unit(text);
-        let unknown = unknown_unit(text).filter(|_| unit.is_none());
+        let unknown = unknown_unit(text)
+            .or_else(|| damaged_unit(text))
+            .filter(|_| unit.is_none());
         let may_end_in_unit = unit.is_none() && unknown.is_none();
         let mut words: Vec<&str> = rest
             .split(|c: char| !c.is_alphanumeric())
@@ -173,6 +177,27 @@ fn unknown_unit(text: &str) -> Option<String> {
     (!inner.is_empty() && (has_sign || is_short || is_square)).then(|| inner.to_owned())
 }
 
+/// Returns a unit that is the last word with the sign before it, where this is none that separates words: `?N`, as is
+/// left of `\u{b5}N` in a file that has been read with another encoding, or `U.00B5.N`.
+fn damaged_unit(text: &str) -> Option<String> {
+    let is_sign = |c: char| !c.is_alphanumeric();
+    let text = text.trim_end_matches(is_sign);
+    let before = text.trim_end_matches(char::is_alphanumeric);
+    Unit::parse(&text[before.len()..])?;
+    let words = before.trim_end_matches(is_sign);
+    if let Some(code) = MICRO_SIGNS.iter().find(|code| words.ends_with(*code)) {
+        return Some(text[words.len() - code.len()..].to_owned());
+    }
+    let (opens, signs) = match before[words.len()..].rsplit_once(['(', '[', '{']) {
+        Some((_, inside)) => (true, inside),
+        None => (false, &before[words.len()..]),
+    };
+    let separates = |c: char| c.is_whitespace() || !opens && "_/-,:;|=.".contains(c);
+    let signs = signs.trim_start_matches(separates);
+    let is_damaged = !words.is_empty() && !signs.is_empty();
+    is_damaged.then(|| text[before.len() - signs.len()..].to_owned())
+}
+
 /// Splits off the last pair of brackets that holds a unit.
 fn bracketed_unit(text: &str) -> (String, Option<Unit>) {
     let opens = text
@@ -222,6 +247,13 @@ mod tests {
             ("a [1e-6 m]", "a 1e 6 m", None),
             ("a [\\mu m]", "a mu m", None),
             ("F (k N)", "f k n", None),
+            // Nor is a unit one whose first letter is lost.
+            ("Load (?N)", "load n", None),
+            ("Load/\u{fffd}N", "load n", None),
+            ("Load..U.00B5.N.", "load u 00b5 n", None),
+            ("Load..N.", "load", Unit::parse("N")),
+            ("Load ( N)", "load", Unit::parse("N")),
+            ("contact.radius", "contact radius", None),
         ] {
             let heading = Heading::parse(text);
             assert_eq!(
@@ -250,6 +282,11 @@ mod tests {
             ("a^2 [um]", None, true),
             ("1e6*a [m]", None, true),
             ("a e6 m", None, true),
+            ("Load (?N)", Some("?N"), false),
+            ("Load_\u{200b}N", Some("\u{200b}N"), false),
+            ("Load (-N)", Some("-N"), false),
+            ("Load..U.00B5.N.", Some("U.00B5.N"), true),
+            ("contact.radius", None, false),
         ] {
             let heading = Heading::parse(text);
             let found = (heading.unknown.as_deref(), heading.is_derived());

@@ -135,6 +135,7 @@ impl Doubt {
             Self::Directions { .. }
             | Self::Order { .. }
             | Self::Commas
+            | Self::Stiffness { .. }
             | Self::Points
             | Self::Curves { .. } => None,
         }

@@ -3,7 +3,7 @@
 //! A model that jumps off within the residual has wrong optima, because the sum of squares then
 //! jumps where a point changes its branch. So each point has its branch before the fit.
 
-use super::split::{FEWEST, KnownBaseline};
+use super::split::{FEWEST, KnownBaseline, tail};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
 use crate::statistics::{MEDIAN, differences_of, median};
@@ -13,6 +13,8 @@ use crate::statistics::{MEDIAN, differences_of, median};
 const PINNED: f64 = 0.98;
 /// The noise over which a pull of the contact below the baseline is clear.
 const CLEAR: f64 = 10.0;
+/// The noise of the readings without a contact, over that which neighbours show, from which on neighbours are alike.
+const ALIKE: f64 = 3.0;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
 
@@ -77,7 +79,12 @@ impl Experiment {
             }
             Kind::LoadPenetration | Kind::ForceHeight => {
                 let segments = self.segments();
-                let noises: Vec<f64> = segments.iter().filter_map(|one| noise_in(one)).collect();
+                let of_way = |way: &Vec<usize>| {
+                    let near = noise_in(way)?;
+                    let far = rest_noise(&self.readings(way, 0.0));
+                    Some(far.filter(|far| *far > ALIKE * near).unwrap_or(near))
+                };
+                let noises: Vec<f64> = segments.iter().filter_map(of_way).collect();
                 let mean = noises.iter().sum::<f64>() / noises.len() as f64;
                 local_noise = (!noises.is_empty()).then_some(mean);
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
@@ -327,6 +334,32 @@ impl Experiment {
         let split = |readings: &[f64]| baseline.flat_end(readings);
         self.split(branches, &self.segments(), self.baseline_slope, split);
     }
+}
+
+/// Returns the noise of the last readings of a way about a straight line, which differences of neighbours do not show where
+/// a filter has made them alike; `None` where the readings do not cross the line often, but follow a course.
+fn rest_noise(readings: &[f64]) -> Option<f64> {
+    /// The fewest crossings of noise, and the distance from the line that is one, over the median distance.
+    const FEWEST_CROSSINGS: usize = 4;
+    const CROSSED: f64 = 0.5;
+    let last = &readings[readings.len() - tail(readings.len())..];
+    let middle = 0.5 * (last.len() - 1) as f64;
+    let places = || (0..last.len()).map(|i| i as f64 - middle);
+    let mean = last.iter().sum::<f64>() / last.len() as f64;
+    let product: f64 = places().zip(last).map(|(x, y)| x * y).sum();
+    let slope = product / places().map(|x| x * x).sum::<f64>();
+    let off: Vec<f64> = places()
+        .zip(last)
+        .map(|(x, y)| y - mean - slope * x)
+        .collect();
+    let usual = median(off.iter().map(|y| y.abs()).collect());
+    let mut sides: Vec<bool> = off
+        .iter()
+        .filter(|y| y.abs() > CROSSED * usual)
+        .map(|&y| y > 0.0)
+        .collect();
+    sides.dedup();
+    (sides.len() > FEWEST_CROSSINGS).then_some(usual / MEDIAN)
 }
 
 /// Estimates the standard deviation of independent noise from differences of readings in order: the second

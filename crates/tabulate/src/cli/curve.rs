@@ -200,7 +200,10 @@ impl Arguments {
         const OF_PROFILE: f64 = 0.9;
         /// The largest contact radius over that of a flat end, at least.
         const BEYOND_END: f64 = 3.0;
-        let [least, _] = bodies.system.probe.contact_radii();
+        let least = match &bodies.system.probe {
+            Probe::FlatPunch { .. } => 0.0,
+            other => other.contact_radii()[0],
+        };
         let most = match &bodies.system.probe {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => {
                 Validity::WARNING_A_OVER_R * radius
