@@ -7,6 +7,10 @@ use contact::root;
 /// The median of the absolute value of a normal number.
 pub(crate) const MEDIAN: f64 = 0.674_49;
 
+/// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
+/// deviations: one fit in 300,000 exceeds it.
+pub(crate) const BEYOND_CHANCE: f64 = 4.5;
+
 /// Returns the median; 0 of no values.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {

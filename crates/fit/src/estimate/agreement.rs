@@ -8,13 +8,13 @@
 use nalgebra::DVector;
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use super::{detector, shared_noise, unequal_noise};
 use crate::statistics::{
-    CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours, likeness_of_runs,
+    BEYOND_CHANCE, CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours,
+    likeness_of_runs,
 };
-use crate::{Branch, Direction, Fit, Loss, WarningKind};
+use crate::{Branch, Direction, Fit, Loss, Warning, WarningKind};
 
 /// The excess of squares over those of one outlier in ten points, in standard deviations, from which
 /// outliers are not the reason. One fit in a thousand with so many outliers exceeds it.
@@ -33,7 +33,7 @@ const SMALLER: f64 = 0.8;
 /// follows. Returns of each whether its noise
 /// is not the same in contact and off contact.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     problem: &Problem<'_>,
     (residuals, leverages): (&DVector<f64>, &[f64]),
@@ -87,7 +87,7 @@ pub(super) fn add(
 /// robust loss, which forgives outliers, squares of which none counts more than that of two
 /// deviations.
 fn poor(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     residuals: &DVector<f64>,
     [chi_squared, freedom, reduced]: [f64; 3],
@@ -107,16 +107,15 @@ fn poor(
         }
     };
     if let Some(how) = how {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!("the model does not describe the data to their noise: {how}"),
-        );
+        warnings.push(WarningKind::PoorFit.with(format!(
+            "the model does not describe the data to their noise: {how}"
+        )));
     }
 }
 
 /// Warns if the residuals of an experiment are smaller than the errors that are given by more than
 /// chance.
-fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, freedom: f64) {
+fn large_noise(warnings: &mut Vec<Warning>, assigned: &Assigned, chi_squared: f64, freedom: f64) {
     let reduced = chi_squared / freedom;
     let is_small = excess(chi_squared, freedom) < -BEYOND_CHANCE && reduced.sqrt() < SMALLER;
     if !is_small {
@@ -141,22 +140,19 @@ fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, f
             "those of these data, or none".to_string(),
         ),
     };
-    warnings.add(
-        WarningKind::LargeNoise,
-        format!(
-            "{}: the {too_large} too large, by a factor of some {:.1}, and the standard errors with \
-             it: the data scatter less, reduced chi^2 is {reduced:.2e}; give {remedy}",
-            experiment.measurement.name,
-            reduced.sqrt().recip()
-        ),
-    );
+    warnings.push(WarningKind::LargeNoise.with(format!(
+        "{}: the {too_large} too large, by a factor of some {:.1}, and the standard errors with \
+         it: the data scatter less, reduced chi^2 is {reduced:.2e}; give {remedy}",
+        experiment.measurement.name,
+        reduced.sqrt().recip()
+    )));
 }
 
 /// Warns if residuals whose noise is not given exceed the noise that neighbouring ones show, or else if
 /// neighbouring residuals of an experiment are alike, or the means of some of them far from 0, by more
 /// than independent noise is with the probability `chance`. Returns whether it warns.
 fn beside_neighbours(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     assigned: &Assigned,
     own: &[f64],
     chance: f64,
@@ -186,15 +182,12 @@ fn beside_neighbours(
         .max_by(|one, other| one[0].total_cmp(&other[0]));
     let is_known = assigned.experiment.usual_noise().is_some();
     if let Some([z, ratio, count]) = worst.filter(|[z, ..]| *z > BEYOND_CHANCE && !is_known) {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!(
-                "{name}: the model does not describe the data to the noise that neighbouring \
-                 points show: reduced chi^2 is {ratio:.3} with this noise; or the noise is not \
-                 independent, and then standard errors are too small by a factor of some {:.1}",
-                factor_of_errors(*z, *count)
-            ),
-        );
+        warnings.push(WarningKind::PoorFit.with(format!(
+            "{name}: the model does not describe the data to the noise that neighbouring \
+             points show: reduced chi^2 is {ratio:.3} with this noise; or the noise is not \
+             independent, and then standard errors are too small by a factor of some {:.1}",
+            factor_of_errors(*z, *count)
+        )));
         return true;
     }
     // An outlier would hide the others.
@@ -218,14 +211,11 @@ fn beside_neighbours(
     } else {
         return false;
     };
-    warnings.add(
-        WarningKind::StructuredResiduals,
-        format!(
-            "{name}: {what}, by {deviations:.1} standard deviations more than by chance. Either the \
-             model or its fixed values do not describe the data, or the noise is not independent, and \
-             then standard errors are too small by a factor of some {factor:.1}"
-        ),
-    );
+    warnings.push(WarningKind::StructuredResiduals.with(format!(
+        "{name}: {what}, by {deviations:.1} standard deviations more than by chance. Either the \
+         model or its fixed values do not describe the data, or the noise is not independent, and \
+         then standard errors are too small by a factor of some {factor:.1}"
+    )));
     true
 }
 

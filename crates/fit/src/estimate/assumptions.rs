@@ -4,7 +4,6 @@
 use contact::{Contact, Validity, ZoneSize};
 use interp::{Probe, Table};
 
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::{friction, no_adhesion};
 use crate::{Bodies, Error, Estimate, Experiment, Options, Parameter, Warning, WarningKind};
@@ -25,10 +24,10 @@ impl Experiment {
     pub fn broken_assumptions(&self, table: &Table) -> Result<Vec<Warning>, Error> {
         let contact = self.bodies.contact(table, None)?;
         let radii = self.predictions(table, None, &[])?.contact_radii;
-        let mut warnings = Warnings::default();
+        let mut warnings = Vec::new();
         let range = Options::default().interaction_range;
         add(&mut warnings, self, &contact, ends(radii), range, &[]);
-        Ok(warnings.into_list())
+        Ok(warnings)
     }
 }
 
@@ -42,7 +41,7 @@ pub(super) fn ends(radii: impl IntoIterator<Item = f64>) -> [f64; 2] {
 
 /// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values.
 pub(super) fn of_problem(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     e: usize,
     interaction_range: f64,
@@ -67,7 +66,7 @@ pub(super) fn of_problem(
 
 /// Warns of contacts outside the assumptions of the model. The radii are the smallest and the largest one, m.
 fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     experiment: &Experiment,
     contact: &Contact,
     [least, a]: [f64; 2],
@@ -84,16 +83,13 @@ fn add(
         return;
     };
     if a < SMALLEST_RADIUS {
-        warnings.add(
-            WarningKind::Implausible,
-            format!(
-                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
-                 m are smaller than atoms: check the units of the data"
-            ),
-        );
+        warnings.push(WarningKind::Implausible.with(format!(
+            "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
+             m are smaller than atoms: check the units of the data"
+        )));
     }
     if let Some(doubt) = experiment.doubt_of_film([least, a]) {
-        warnings.add(WarningKind::Implausible, format!("{name}: {doubt}"));
+        warnings.push(WarningKind::Implausible.with(format!("{name}: {doubt}")));
     }
     let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
@@ -108,64 +104,49 @@ fn add(
                                    and on one bonded film, without friction"
                 .into(),
         };
-        warnings.add(
-            WarningKind::LargeContact,
-            format!(
-                "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by up to 3 % at this limit, and more above it; {remedy}",
-                validity.a_over_r,
-                Validity::WARNING_A_OVER_R
-            ),
-        );
+        warnings.push(WarningKind::LargeContact.with(format!(
+            "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
+             which changes the penetration by up to 3 % at this limit, and more above it; {remedy}",
+            validity.a_over_r,
+            Validity::WARNING_A_OVER_R
+        )));
     }
     let slope = experiment.bodies.probe().slope(a);
     if !paraboloid && slope > Validity::WARNING_SLOPE {
-        warnings.add(
-            WarningKind::LargeContact,
-            format!(
-                "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
-                 {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
-                slope.recip().atan().to_degrees()
-            ),
-        );
+        warnings.push(WarningKind::LargeContact.with(format!(
+            "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
+             {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
+            slope.recip().atan().to_degrees()
+        )));
     }
     if let Some(film) = validity.film.filter(|film| film.strain > Validity::SMALL) {
         let what = match experiment.bodies {
             Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
             _ => "film",
         };
-        warnings.add(
-            WarningKind::LargeStrain,
-            format!(
-                "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
-                 its elasticity is not linear",
-                1e2 * film.strain,
-                1e2 * Validity::SMALL
-            ),
-        );
+        warnings.push(WarningKind::LargeStrain.with(format!(
+            "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
+             its elasticity is not linear",
+            1e2 * film.strain,
+            1e2 * Validity::SMALL
+        )));
     }
     if let Some(film) = validity
         .film
         .filter(|film| film.bending > Validity::WARNING_BENDING)
     {
-        warnings.add(
-            WarningKind::Bending,
-            format!(
-                "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
-                 It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
-                film.bending
-            ),
-        );
+        warnings.push(WarningKind::Bending.with(format!(
+            "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
+             It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
+            film.bending
+        )));
     }
     if validity.film.is_some_and(|film| film.no_disc) {
-        warnings.add(
-            WarningKind::NoDisc,
-            format!(
-                "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
-                 lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
-                 or measure with a sphere"
-            ),
-        );
+        warnings.push(WarningKind::NoDisc.with(format!(
+            "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
+             lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
+             or measure with a sphere"
+        )));
     }
     friction::add(warnings, experiment, contact, a, estimates);
     for parameter in Parameter::WORKS {
@@ -200,15 +181,12 @@ fn add(
             } else {
                 continue;
             };
-            warnings.add(
-                WarningKind::LongRange,
-                format!(
-                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
-                     {reason}: the attraction acts outside the contact, too. {}",
-                    interaction_range,
-                    error_of_jkr(&range)
-                ),
-            );
+            warnings.push(WarningKind::LongRange.with(format!(
+                "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
+                 {reason}: the attraction acts outside the contact, too. {}",
+                interaction_range,
+                error_of_jkr(&range)
+            )));
         }
     }
 }

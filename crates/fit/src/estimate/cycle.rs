@@ -12,12 +12,11 @@ use contact::Contact;
 use interp::Probe;
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::hold;
 use super::problem::Problem;
 use crate::model::ContactOf;
-use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, WarningKind};
+use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
+use crate::{Branch, Experiment, Kind, Warning, WarningKind};
 
 /// The part of the largest penetration, or of the largest area of contact, below which curves are
 /// not compared: there a contact forms and ends.
@@ -51,7 +50,7 @@ struct Sample {
 }
 
 /// Warns of a loop that the fitted model does not make, and of a depth that remains.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
+pub(super) fn add(warnings: &mut Vec<Warning>, problem: &Problem<'_>, e: usize) {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
     if matches!(experiment.bodies.probe(), Probe::FlatPunch { .. }) {
@@ -82,23 +81,17 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
     let size = format!("{:.2e} J{part}{at_half}", cycle.energy.abs());
     if experiment.relaxing.is_some() {
         let which = if cycle.energy < 0.0 { "less" } else { "more" };
-        warnings.add(
-            WarningKind::Hysteresis,
-            format!(
-                "{name}: between loading and unloading the data lose {which} energy than the fitted relaxation \
-                 function, by {size}: fit another one"
-            ),
-        );
+        warnings.push(WarningKind::Hysteresis.with(format!(
+            "{name}: between loading and unloading the data lose {which} energy than the fitted relaxation \
+             function, by {size}: fit another one"
+        )));
         return;
     }
     if cycle.energy < 0.0 {
-        warnings.add(
-            WarningKind::Hysteresis,
-            format!(
-                "{name}: unloading gives back more energy than loading took, by {size}: check the \
-                 directions of the points, and whether the position drifts"
-            ),
-        );
+        warnings.push(WarningKind::Hysteresis.with(format!(
+            "{name}: unloading gives back more energy than loading took, by {size}: check the \
+             directions of the points, and whether the position drifts"
+        )));
         return;
     }
     let directions = if experiment.measurement.points[0].direction.is_some() {
@@ -106,31 +99,25 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
     } else {
         "give the points their directions, then "
     };
-    warnings.add(
-        WarningKind::Hysteresis,
-        format!(
-            "{name}: between loading and unloading lies a loop that the fitted model does not \
-             make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
-             the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
-             reason, or fit one direction alone{}",
-            if experiment.times.is_empty() {
-                ""
-            } else {
-                "; the points have times: if the film relaxes, fit a relaxation function with them"
-            }
-        ),
-    );
+    warnings.push(WarningKind::Hysteresis.with(format!(
+        "{name}: between loading and unloading lies a loop that the fitted model does not \
+         make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
+         the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
+         reason, or fit one direction alone{}",
+        if experiment.times.is_empty() {
+            ""
+        } else {
+            "; the points have times: if the film relaxes, fit a relaxation function with them"
+        }
+    )));
     if let Some([depth, largest]) = remaining(assigned, &ways) {
-        warnings.add(
-            WarningKind::Plasticity,
-            format!(
-                "{name}: after unloading a depth of {depth:.2e} m remains, {:.0} % of the largest \
-                 penetration: the sample has deformed plastically, or recovers more slowly than it \
-                 was unloaded, and the loading tells no elastic modulus; fit the upper part of \
-                 the unloading alone (loads above half of the largest) with a free contact point",
-                1e2 * depth / largest
-            ),
-        );
+        warnings.push(WarningKind::Plasticity.with(format!(
+            "{name}: after unloading a depth of {depth:.2e} m remains, {:.0} % of the largest \
+             penetration: the sample has deformed plastically, or recovers more slowly than it \
+             was unloaded, and the loading tells no elastic modulus; fit the upper part of \
+             the unloading alone (loads above half of the largest) with a free contact point",
+            1e2 * depth / largest
+        )));
     }
 }
 

@@ -4,7 +4,6 @@ use interp::Table;
 
 use super::assigned::Assigned;
 use super::assumptions;
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
@@ -112,7 +111,7 @@ pub fn forecast(
     }
     let uncertainty = uncertainty(&problem)?;
     let estimates = estimates(&problem, Some(&uncertainty));
-    let mut warnings = Warnings::default();
+    let mut warnings = Vec::new();
     let range = Options::default().interaction_range;
     for e in 0..problem.assigned.len() {
         assumptions::of_problem(&mut warnings, &problem, e, range, &estimates);
@@ -121,7 +120,7 @@ pub fn forecast(
         estimates,
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&slot_names(&problem)),
-        warnings: warnings.into_list(),
+        warnings: warnings,
     })
 }
 

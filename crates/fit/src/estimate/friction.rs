@@ -5,8 +5,7 @@ use contact::Contact;
 use interp::Probe;
 use solve::stick::Sticking;
 
-use super::doubts::Warnings;
-use crate::{Bodies, Estimate, Experiment, Kind, Parameter, WarningKind};
+use crate::{Bodies, Estimate, Experiment, Kind, Parameter, Warning, WarningKind};
 
 /// The relative tolerance of the two punches.
 const TOLERANCE: f64 = 1e-6;
@@ -25,7 +24,7 @@ const USUAL_POISSON_RATIO: f64 = 0.5;
 /// bounds. At a given penetration or load friction changes the contact radius, too, and the load more than
 /// that of a punch; and where other bodies deform, the film has a part of the compliance only.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     experiment: &Experiment,
     contact: &Contact,
     a: f64,
@@ -80,15 +79,12 @@ pub(super) fn add(
     } else {
         ""
     };
-    warnings.add(
-        WarningKind::Friction,
-        format!(
-            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %, and \
-             changes {parameter} by more than its standard error: {bounds}; {both}use contacts that are less \
-             wide beside the film",
-            digits(1e2 * (ratio - 1.0)),
-        ),
-    );
+    warnings.push(WarningKind::Friction.with(format!(
+        "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %, and \
+         changes {parameter} by more than its standard error: {bounds}; {both}use contacts that are less \
+         wide beside the film",
+        digits(1e2 * (ratio - 1.0)),
+    )));
 }
 
 /// Returns the part of sphere and base in the compliance of the contact of radius `a` (m): that of

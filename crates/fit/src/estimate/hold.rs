@@ -4,10 +4,9 @@
 use std::ops::Range;
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
-use crate::WarningKind;
 use crate::model::noise_of;
 use crate::statistics::{extremes, median};
+use crate::{Warning, WarningKind};
 
 /// The part of the range of positions or loads within which they are held.
 const HELD: f64 = 0.02;
@@ -23,7 +22,7 @@ const FEWEST: usize = 5;
 const PART: usize = 20;
 
 /// Warns of a hold in which the film relaxes, and after which no retract was measured.
-pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
+pub(super) fn add(warnings: &mut Vec<Warning>, assigned: &Assigned) {
     let experiment = &assigned.experiment;
     let measurement = &experiment.measurement;
     let kind = measurement.kind;
@@ -82,13 +81,10 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
         } else {
             " with the times of the points"
         };
-        warnings.add(
-            WarningKind::Relaxes,
-            format!(
-                "{}: {told}; fit a relaxation function{needed}, or leave out the points of the hold",
-                measurement.name
-            ),
-        );
+        warnings.push(WarningKind::Relaxes.with(format!(
+            "{}: {told}; fit a relaxation function{needed}, or leave out the points of the hold",
+            measurement.name
+        )));
     }
 }
 

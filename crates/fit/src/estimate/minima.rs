@@ -6,7 +6,6 @@ use interp::Table;
 
 use super::assigned::Assigned;
 use super::basin::Basin;
-use super::doubts::BEYOND_CHANCE;
 use super::no_adhesion;
 use super::problem::{Ending, Problem};
 use super::search::{COARSE, PATIENCE, hold_back, is_bad, settle, thin};
@@ -14,6 +13,7 @@ use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
 use super::valley::{Bend, MARGIN, bend, doubtful, is_costly, other_sides};
+use crate::statistics::BEYOND_CHANCE;
 use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 
 /// The factors by which the start of a modulus, or of a quantity of a layer, is varied.

@@ -1,12 +1,11 @@
 //! The noise of the ordinates, estimated from the residuals where nobody gives it.
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::range;
 use super::uncertainty::Uncertainty;
 use crate::statistics::{MEDIAN, median, ratio_of_squares, student_deviations, weighted_median};
-use crate::{Fit, Kind, Loss, WarningKind};
+use crate::{Fit, Kind, Loss, Warning, WarningKind};
 
 /// The change of an estimated noise that needs another round.
 const CHANGE: f64 = 0.02;
@@ -230,7 +229,7 @@ fn most_told(leverages: &[f64]) -> f64 {
 /// Warns of an estimated noise that few points tell: because there are few, or because the errors of the abscissae hide it
 /// at the others.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
@@ -239,13 +238,10 @@ pub(super) fn add(
     let within = student_deviations(0.95, freedom.max(1));
     if fit.reduced_chi_squared.is_none() && within > UNCERTAIN {
         let plural = if freedom == 1 { "" } else { "s" };
-        warnings.add(
-            WarningKind::NoiseNotSeen,
-            format!(
-                "{freedom} degree{plural} of freedom tell the noise, so few that 95 % of the true values lie within \
-                 {within:.1} standard errors, not 2: give the noise, or measure more points"
-            ),
-        );
+        warnings.push(WarningKind::NoiseNotSeen.with(format!(
+            "{freedom} degree{plural} of freedom tell the noise, so few that 95 % of the true values lie within \
+             {within:.1} standard errors, not 2: give the noise, or measure more points"
+        )));
         return;
     }
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
@@ -259,18 +255,15 @@ pub(super) fn add(
         let within = student_deviations(0.95, freedom);
         if within > UNCERTAIN && told < HIDDEN * most_told(leverages) {
             let [abscissa, ordinate] = experiment.measurement.kind.names();
-            warnings.add(
-                WarningKind::NoiseNotSeen,
-                format!(
-                    "{}: the noise of the {ordinate} is estimated, and the errors given for the \
-                     {abscissa} hide it at most points. What is left tells the noise as well as \
-                     {freedom} point{} beyond the number of parameters would: 95 % of the true values \
-                     may need up to {within:.1} standard errors instead of 2. Give the noise of the \
-                     {ordinate}, too",
-                    experiment.measurement.name,
-                    if freedom == 1 { "" } else { "s" }
-                ),
-            );
+            warnings.push(WarningKind::NoiseNotSeen.with(format!(
+                "{}: the noise of the {ordinate} is estimated, and the errors given for the \
+                 {abscissa} hide it at most points. What is left tells the noise as well as \
+                 {freedom} point{} beyond the number of parameters would: 95 % of the true values \
+                 may need up to {within:.1} standard errors instead of 2. Give the noise of the \
+                 {ordinate}, too",
+                experiment.measurement.name,
+                if freedom == 1 { "" } else { "s" }
+            )));
         }
     }
 }

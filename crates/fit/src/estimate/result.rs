@@ -414,6 +414,13 @@ named! {
     }
 }
 
+impl WarningKind {
+    /// Returns the warning of this kind with a text.
+    pub(super) const fn with(self, text: String) -> Warning {
+        Warning { kind: self, text }
+    }
+}
+
 /// A doubt about the result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {

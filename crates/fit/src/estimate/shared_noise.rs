@@ -4,11 +4,10 @@
 //! of `F` against it find a slope `S` that is too small by the part `(1 + k/S) var(e/k)/var(delta)`, however many
 //! points there are (attenuation: Fuller, Measurement Error Models, 1987). Against the height `z` there is none.
 
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use crate::model::noise_of;
-use crate::statistics::{differences_of, median};
-use crate::{Estimate, Kind, LayerQuantity, Parameter, WarningKind};
+use crate::statistics::{BEYOND_CHANCE, differences_of, median};
+use crate::{Estimate, Kind, LayerQuantity, Parameter, Warning, WarningKind};
 
 /// The order of the differences of neighbours that are noise: a curve of few points has none of this order.
 const ORDER: u32 = 4;
@@ -21,7 +20,7 @@ const FAR: f64 = 5.0;
 /// Warns if the noise of the penetrations of experiment `e` is that of the loads with the opposite sign, and makes a modulus
 /// too small by more than its standard error. Returns whether it does.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     e: usize,
     estimates: &[Estimate],
@@ -81,17 +80,14 @@ pub(super) fn add(
     if !part.is_finite() || part <= error.fold(f64::INFINITY, f64::min) {
         return false;
     }
-    warnings.add(
-        WarningKind::SharedNoise,
-        format!(
-            "{}: the penetrations have the noise of the loads with the opposite sign, as where the deflection of a cantilever \
-             of {:.3e} N/m was taken off the heights. This makes the modulus too small, here by {:.1} % or more, whatever \
-             errors are given. Fit the loads against the heights instead, which are -(penetration + load/stiffness), with \
-             this stiffness",
-            measurement.name,
-            -yy / xy,
-            100.0 * part
-        ),
-    );
+    warnings.push(WarningKind::SharedNoise.with(format!(
+        "{}: the penetrations have the noise of the loads with the opposite sign, as where the deflection of a cantilever \
+         of {:.3e} N/m was taken off the heights. This makes the modulus too small, here by {:.1} % or more, whatever \
+         errors are given. Fit the loads against the heights instead, which are -(penetration + load/stiffness), with \
+         this stiffness",
+        measurement.name,
+        -yy / xy,
+        100.0 * part
+    )));
     true
 }

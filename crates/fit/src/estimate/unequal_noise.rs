@@ -6,10 +6,9 @@
 //! and the more so the longer the baseline is.
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
-use crate::WarningKind;
 use crate::model::Predicted;
-use crate::statistics::{far, ratio_of_squares};
+use crate::statistics::{BEYOND_CHANCE, far, ratio_of_squares};
+use crate::{Warning, WarningKind};
 
 /// The fewest degrees of freedom that tell the scatter of a part.
 const FEWEST: f64 = 10.0;
@@ -20,7 +19,7 @@ const FEWEST_OF_HALF: f64 = 4.0;
 /// contact by more than chance makes them, and returns whether it does. `predicted` are the fitted states of
 /// all points; the leverage of a point is the part of its noise that the fit follows.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     assigned: &Assigned,
     predicted: &Predicted,
     residuals: &[f64],
@@ -74,16 +73,13 @@ pub(super) fn add(
         "and those off contact do not".into()
     };
     let [abscissa, ordinate] = experiment.measurement.kind.names();
-    warnings.add(
-        WarningKind::UnequalNoise,
-        format!(
-            "{}: points in contact scatter {beside}, and the noise of the {ordinate} is estimated from both: the \
-             standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
-             right, errors of the {abscissa} are the reason, or the noise of the {ordinate} is larger in contact: give \
-             the errors of the {abscissa} their size, or each point its standard deviation",
-            experiment.measurement.name
-        ),
-    );
+    warnings.push(WarningKind::UnequalNoise.with(format!(
+        "{}: points in contact scatter {beside}, and the noise of the {ordinate} is estimated from both: the \
+         standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
+         right, errors of the {abscissa} are the reason, or the noise of the {ordinate} is larger in contact: give \
+         the errors of the {abscissa} their size, or each point its standard deviation",
+        experiment.measurement.name
+    )));
     true
 }
 
@@ -91,7 +87,7 @@ pub(super) fn add(
 /// ones by more than chance makes them, and returns whether it does. The ordinates are those of the fit,
 /// because an error makes a measured one larger.
 fn grows(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     assigned: &Assigned,
     fitted: &[f64],
     (residuals, leverages): (&[f64], &[f64]),
@@ -119,17 +115,14 @@ fn grows(
     }
     let [at_small, at_large] = [small, large].map(|part| scatter(part, far_of(part)));
     let [abscissa, ordinate] = experiment.measurement.kind.names();
-    warnings.add(
-        WarningKind::UnequalNoise,
-        format!(
-            "{}: points at the larger half of the {ordinate}s scatter {:.1} times as much as those at the smaller one, \
-             and one noise is estimated for all: standard errors and intervals are not right. If the model is right, \
-             the noise grows with the {ordinate}, or errors of the {abscissa} are the reason: give each point its \
-             standard deviation, or the errors of the {abscissa} their size",
-            experiment.measurement.name,
-            (at_large / at_small).sqrt(),
-        ),
-    );
+    warnings.push(WarningKind::UnequalNoise.with(format!(
+        "{}: points at the larger half of the {ordinate}s scatter {:.1} times as much as those at the smaller one, \
+         and one noise is estimated for all: standard errors and intervals are not right. If the model is right, \
+         the noise grows with the {ordinate}, or errors of the {abscissa} are the reason: give each point its \
+         standard deviation, or the errors of the {abscissa} their size",
+        experiment.measurement.name,
+        (at_large / at_small).sqrt(),
+    )));
     true
 }
 

@@ -7,12 +7,12 @@ use interp::Probe;
 use nalgebra::DVector;
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::fixed_values::residuals_with;
 use super::loss::influence;
 use super::problem::Problem;
 use super::uncertainty::Uncertainty;
-use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, WarningKind};
+use crate::statistics::BEYOND_CHANCE;
+use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -31,7 +31,7 @@ const TWO_KINDS: f64 = -1.2;
 const MANY: usize = 50;
 
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
     residuals: &DVector<f64>,
@@ -46,15 +46,12 @@ pub(super) fn add(
         adhesion(problem, &score, residuals)
     };
     if let Some(Adhesion { gain, work }) = &adhesion {
-        warnings.add(
-            WarningKind::AdhesionWanted,
-            format!(
-                "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
-                 be some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
-                 the probe and the zeros of the instrument that are fixed",
-                gain.chi_squared
-            ),
-        );
+        warnings.push(WarningKind::AdhesionWanted.with(format!(
+            "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
+             be some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
+             the probe and the zeros of the instrument that are fixed",
+            gain.chi_squared
+        )));
     }
     let explained = adhesion.map_or(0.0, |found| found.gain.significance);
     for (e, assigned) in problem.assigned.iter().enumerate() {
@@ -66,7 +63,7 @@ pub(super) fn add(
         let fitted = problem.parameters_of(e);
         if let Some(pull) = pulls[e] {
             // The zeros of the instrument would make up for it, and are not named.
-            warnings.add(WarningKind::AdhesionWanted, adhesion_seen(experiment, pull));
+            warnings.push(WarningKind::AdhesionWanted.with(adhesion_seen(experiment, pull)));
             continue;
         }
         let is_wanted = |parameter: &Parameter| {
@@ -90,16 +87,13 @@ pub(super) fn add(
             }
             if gain.is_significant() {
                 level_named |= is_level;
-                warnings.add(
-                    WarningKind::OffsetWanted,
-                    format!(
-                        "{name}: {parameter} is not fitted, but the data want it: it would lower \
-                         chi^2 by {:.0}, and be {:+.2e} {}; free it",
-                        gain.chi_squared,
-                        gain.change,
-                        parameter.unit()
-                    ),
-                );
+                warnings.push(WarningKind::OffsetWanted.with(format!(
+                    "{name}: {parameter} is not fitted, but the data want it: it would lower \
+                     chi^2 by {:.0}, and be {:+.2e} {}; free it",
+                    gain.chi_squared,
+                    gain.change,
+                    parameter.unit()
+                )));
             } else if gain.significance > HINT * HINT && parameter != Parameter::BaselineSlope {
                 let changes = uncertainty.changes_in_errors(&(column * gain.change));
                 let found = problem.slots.iter().zip(changes);
@@ -108,18 +102,15 @@ pub(super) fn add(
                     && change.abs() > MISLED
                 {
                     level_named |= is_level;
-                    warnings.add(
-                        WarningKind::OffsetHinted,
-                        format!(
-                            "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
-                             standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
-                            gain.change,
-                            parameter.unit(),
-                            gain.significance.sqrt(),
-                            slot.parameter,
-                            change
-                        ),
-                    );
+                    warnings.push(WarningKind::OffsetHinted.with(format!(
+                        "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
+                         standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
+                        gain.change,
+                        parameter.unit(),
+                        gain.significance.sqrt(),
+                        slot.parameter,
+                        change
+                    )));
                 }
             }
         }
@@ -249,7 +240,7 @@ fn adhesion(
 
 /// Warns if approach and retract, or loading and unloading in time, differ.
 fn mixed(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     e: usize,
     score: &Score<'_>,
@@ -293,15 +284,12 @@ fn mixed(
         && let Some(column) = column(problem, e, Parameter::WorkOfAdhesion, unloads)
         && let Some(gain) = score.gain(&column).filter(Gain::is_significant)
     {
-        warnings.add(
-            WarningKind::MixedBranches,
-            format!(
-                "{name}: loading and unloading do not have one work of adhesion: two would lower \
-                 chi^2 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
-                gain.chi_squared,
-                gain.change.abs()
-            ),
-        );
+        warnings.push(WarningKind::MixedBranches.with(format!(
+            "{name}: loading and unloading do not have one work of adhesion: two would lower \
+             chi^2 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
+            gain.chi_squared,
+            gain.change.abs()
+        )));
         return;
     }
     let rows = &problem.rows_of_experiments()[e];
@@ -309,13 +297,10 @@ fn mixed(
     let moment = |power: i32| own.iter().map(|r| r.powi(power)).sum::<f64>() / own.len() as f64;
     let are_one_way = has_directions && !has_both;
     if !are_one_way && own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS {
-        warnings.add(
-            WarningKind::MixedBranches,
-            format!(
-                "{name}: the residuals are of two kinds, as those of loading and unloading under \
-                 adhesion hysteresis; {advice}"
-            ),
-        );
+        warnings.push(WarningKind::MixedBranches.with(format!(
+            "{name}: the residuals are of two kinds, as those of loading and unloading under \
+             adhesion hysteresis; {advice}"
+        )));
     }
 }
 

@@ -4,7 +4,6 @@ use contact::LawParameter;
 use contact::magnitude::LARGEST_WORK;
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Ending, Problem};
@@ -37,7 +36,7 @@ pub(super) fn warnings(
     options: &Options,
     intervals: Option<&[[End; 2]]>,
 ) -> Vec<Warning> {
-    let mut warnings = Warnings::default();
+    let mut warnings = Vec::new();
     let problem = &found.problem;
     let names = slot_names(problem);
     method(&mut warnings, fit, found, &names);
@@ -87,11 +86,11 @@ pub(super) fn warnings(
         let may_be_zero = at_zero.contains(&i);
         open_ends(&mut warnings, problem, (i, &names[i]), ends, may_be_zero);
     }
-    warnings.into_list()
+    warnings
 }
 
 /// Says that a fit ended `short` of the least squares, by standard errors, because contacts are refused beyond.
-fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
+fn end_of_table(warnings: &mut Vec<Warning>, problem: &Problem<'_>, short: f64) {
     let reason = if problem.beyond_table {
         "the table ends there; fix a parameter or use a larger table"
     } else {
@@ -109,10 +108,9 @@ fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
             "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
         }
     };
-    warnings.add(
-        WarningKind::EndOfTable,
-        format!("the fit ended {short:.1} standard errors from the least squares: {reason}"),
-    );
+    warnings.push(WarningKind::EndOfTable.with(format!(
+        "the fit ended {short:.1} standard errors from the least squares: {reason}"
+    )));
 }
 
 /// Returns the unit of a parameter as it follows a number.
@@ -125,7 +123,7 @@ pub(super) fn after_number(parameter: Parameter) -> String {
 
 /// Says why the interval of a slot has no end on a side, or two. One that `may_be_zero` begins at 0.
 fn open_ends(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     (slot, name): (usize, &str),
     ends: &[End; 2],
@@ -143,18 +141,15 @@ fn open_ends(
                 format!("at {value:.3e}{unit} the other parameters have no fit")
             }
         };
-        warnings.add(
-            WarningKind::OpenInterval,
-            format!(
-                "the interval of {name} has no {side} end: {why}; fix a parameter, or \
-                 give it a prior"
-            ),
-        );
+        warnings.push(WarningKind::OpenInterval.with(format!(
+            "the interval of {name} has no {side} end: {why}; fix a parameter, or \
+             give it a prior"
+        )));
     }
 }
 
 /// Doubts about the way to the minimum.
-fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[String]) {
+fn method(warnings: &mut Vec<Warning>, fit: &Fit, found: &Minimum<'_>, names: &[String]) {
     if found.problem.ending != Ending::Converged {
         let how = match found.problem.ending {
             Ending::OutOfPatience => "was still moving",
@@ -166,13 +161,10 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[Stri
         } else {
             "free fewer parameters, or start from other values"
         };
-        warnings.add(
-            WarningKind::NotConverged,
-            format!(
-                "the fit did not converge: it {how} after {} evaluations; {advice}",
-                fit.evaluations
-            ),
-        );
+        warnings.push(WarningKind::NotConverged.with(format!(
+            "the fit did not converge: it {how} after {} evaluations; {advice}",
+            fit.evaluations
+        )));
     }
     for rival in &found.rivals {
         let estimates = fit.estimates.iter().zip(names).zip(&rival.values);
@@ -181,41 +173,35 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[Stri
                 format!("{name} = {value:.3e} {}", estimate.parameter.unit())
             })
             .collect();
-        warnings.add(
-            WarningKind::SeveralMinima,
-            format!(
-                "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
-                 chance: {}; fix a parameter, or give it a prior or bounds",
-                rival.excess.max(0.0),
-                values.join(", ")
-            ),
-        );
+        warnings.push(WarningKind::SeveralMinima.with(format!(
+            "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
+             chance: {}; fix a parameter, or give it a prior or bounds",
+            rival.excess.max(0.0),
+            values.join(", ")
+        )));
     }
 }
 
 /// Warns of a value that may be farther away than its standard error says.
-fn bend(warnings: &mut Warnings, problem: &Problem<'_>, name: &str, bend: &Bend) {
+fn bend(warnings: &mut Vec<Warning>, problem: &Problem<'_>, name: &str, bend: &Bend) {
     let parameter = problem.slots[bend.slot].parameter;
-    warnings.add(
-        WarningKind::NonlinearError,
-        format!(
-            "the standard error of {name} is too small on one side: {:.3e} {}, {} standard \
-             errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
-             profile likelihood, or give a prior",
-            bend.value,
-            parameter.unit(),
-            TESTED,
-            bend.growth,
-            TESTED * TESTED
-        ),
-    );
+    warnings.push(WarningKind::NonlinearError.with(format!(
+        "the standard error of {name} is too small on one side: {:.3e} {}, {} standard \
+         errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
+         profile likelihood, or give a prior",
+        bend.value,
+        parameter.unit(),
+        TESTED,
+        bend.growth,
+        TESTED * TESTED
+    )));
 }
 
 /// Warns of values that no experiment has, and of works of adhesion and stiffnesses that none
 /// measures.
-fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
+fn implausible(warnings: &mut Vec<Warning>, estimate: &Estimate) {
     if let Some(found) = magnitude::of_estimate(estimate) {
-        warnings.add(WarningKind::Implausible, found.to_string());
+        warnings.push(WarningKind::Implausible.with(found.to_string()));
         return;
     }
     let [least, most] = match estimate.parameter {
@@ -226,19 +212,16 @@ fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
     let determined = estimate.standard_error < UNDETERMINED * estimate.value;
     if determined && !(least..=most).contains(&estimate.value) {
         let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
-        warnings.add(
-            WarningKind::Implausible,
-            format!(
-                "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
-                 units of the data",
-                estimate.value
-            ),
-        );
+        warnings.push(WarningKind::Implausible.with(format!(
+            "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
+             units of the data",
+            estimate.value
+        )));
     }
 }
 
 /// Warns of values at their bounds. Tells whether there are any.
-fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> bool {
+fn at_bounds(warnings: &mut Vec<Warning>, problem: &Problem<'_>, names: &[String]) -> bool {
     let mut any = false;
     for (i, slot) in problem.slots.iter().enumerate() {
         let value = problem.value(i);
@@ -257,10 +240,8 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
                 "its bound: the data want a value beyond it"
             };
             let name = &names[i];
-            warnings.add(
-                WarningKind::AtBound,
-                format!("{name} = {value:.4e}{unit} is at {why}"),
-            );
+            warnings
+                .push(WarningKind::AtBound.with(format!("{name} = {value:.4e}{unit} is at {why}")));
         }
     }
     any
@@ -268,7 +249,7 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
 
 /// Warns of parameters and combinations that the data do not determine.
 fn undetermined(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     problem: &Problem<'_>,
     (uncertainty, names, at_zero): (&Uncertainty, &[String], &[usize]),
@@ -294,15 +275,12 @@ fn undetermined(
         } else {
             "more than 100 times".into()
         };
-        warnings.add(
-            WarningKind::Undetermined,
-            format!(
-                "{} is not determined by these data: its standard error is {size} \
-                 {of}, above {:.0} %; fix it or give a prior",
-                names[i],
-                1e2 * UNDETERMINED
-            ),
-        );
+        warnings.push(WarningKind::Undetermined.with(format!(
+            "{} is not determined by these data: its standard error is {size} \
+             {of}, above {:.0} %; fix it or give a prior",
+            names[i],
+            1e2 * UNDETERMINED
+        )));
         let is_other = matches!(
             parameter,
             Parameter::SphereModulus | Parameter::Layer(_, LayerQuantity::InterfaceStiffness)
@@ -313,17 +291,14 @@ fn undetermined(
     }
     let combinations = fit.undetermined.iter();
     for text in Combination::texts(combinations.filter(|one| one.weights.len() > 1)) {
-        warnings.add(
-            WarningKind::Undetermined,
-            format!(
-                "the data do not determine {text} apart from one another: fix one of them or give a prior"
-            ),
-        );
+        warnings.push(WarningKind::Undetermined.with(format!(
+            "the data do not determine {text} apart from one another: fix one of them or give a prior"
+        )));
     }
 }
 
 /// Says how large the contacts are beside a film that the data do not tell.
-fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Parameter) {
+fn film_not_seen(warnings: &mut Vec<Warning>, problem: &Problem<'_>, parameter: Parameter) {
     let of_experiment = |e: usize| {
         let thickness = problem.assigned[e].experiment.bodies.thickness()?;
         let radii = problem.contact_radii(e)?;
@@ -332,21 +307,18 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
     let ratios = (0..problem.assigned.len()).filter_map(of_experiment);
     let [least, most] = extremes(ratios.flatten());
     if most > 0.0 {
-        warnings.add(
-            WarningKind::FilmNotSeen,
-            format!(
-                "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
-                 a film is told from its substrate best by contacts from well below to well above \
-                 its thickness"
-            ),
-        );
+        warnings.push(WarningKind::FilmNotSeen.with(format!(
+            "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
+             a film is told from its substrate best by contacts from well below to well above \
+             its thickness"
+        )));
     }
 }
 
 /// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in one part
 /// than in another: a robust loss would take the quiet part for the rule, and the other one for outliers.
 fn outliers(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     data: &[Assigned],
     (unequal, loss): (&[bool], Loss),
@@ -364,36 +336,30 @@ fn outliers(
             continue;
         }
         let counting = fitted.points.iter().filter(|point| point.fit.is_some());
-        warnings.add(
-            WarningKind::Outliers,
-            format!(
-                "{}: {} of {} points are far from the fit, in {}{remedy}",
-                fitted.name,
-                far.len(),
-                counting.count(),
-                whole.experiment.measurement.numbering.names(&far)
-            ),
-        );
+        warnings.push(WarningKind::Outliers.with(format!(
+            "{}: {} of {} points are far from the fit, in {}{remedy}",
+            fitted.name,
+            far.len(),
+            counting.count(),
+            whole.experiment.measurement.numbering.names(&far)
+        )));
     }
 }
 
 /// Warns of points that are in contact in the data and clearly not in the fit.
-fn left_out(warnings: &mut Warnings, fit: &Fit, data: &[Assigned]) {
+fn left_out(warnings: &mut Vec<Warning>, fit: &Fit, data: &[Assigned]) {
     for (fitted, whole) in fit.experiments.iter().zip(data) {
         let beyond = fitted.left_out.iter();
         let beyond = beyond.filter(|group| group.reason == LeftOutReason::BeyondEnd);
         let [contacts, lost] = in_contact(whole, &fitted.left_out);
         let beyond: usize = beyond.map(|group| group.points).sum();
         if beyond > BEYOND_END {
-            warnings.add(
-                WarningKind::LeftOut,
-                format!(
-                    "{}: {lost} of {contacts} points in contact do not count; of all points are left \
-                     out: {}",
-                    fitted.name,
-                    text(&fitted.left_out, whole.experiment.measurement.numbering)
-                ),
-            );
+            warnings.push(WarningKind::LeftOut.with(format!(
+                "{}: {lost} of {contacts} points in contact do not count; of all points are left \
+                 out: {}",
+                fitted.name,
+                text(&fitted.left_out, whole.experiment.measurement.numbering)
+            )));
         }
     }
 }
