@@ -5,7 +5,7 @@
 use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
-use crate::statistics::extremes;
+use crate::statistics::range;
 use crate::{Bodies, Estimate, Experiment, Fit, Kind, LayerQuantity, Parameter};
 
 /// The stiffnesses of cantilevers and load cells, N/m.
@@ -70,12 +70,10 @@ impl Experiment {
         let kind = self.measurement.kind;
         let points = &self.measurement.points;
         // A number that is not finite is refused by its point.
-        let range = |value: fn(&crate::Point) -> f64| {
-            let ends = points.iter().map(value).filter(|value| value.is_finite());
-            let [least, most] = extremes(ends);
-            most - least
+        let of = |value: fn(&crate::Point) -> f64| {
+            range(points.iter().map(value).filter(|value| value.is_finite()))
         };
-        let ranges = [range(|point| point.abscissa), range(|point| point.ordinate)];
+        let ranges = [of(|point| point.abscissa), of(|point| point.ordinate)];
         for ((name, unit), value) in kind.names().into_iter().zip(kind.units()).zip(ranges) {
             let [_, most] = LENGTHS;
             let reason = match unit {

@@ -21,6 +21,13 @@ pub struct Pair {
     pub beside: Vec<Source>,
 }
 
+impl Pair {
+    /// Returns the columns of abscissa and ordinate.
+    pub const fn sources(&self) -> [&Source; 2] {
+        [&self.abscissa, &self.ordinate]
+    }
+}
+
 /// What the columns of a file hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
@@ -177,11 +184,14 @@ impl Columns<'_> {
     /// serves both; one at least must have it.
     fn pair(&self, kind: Kind, direction: Option<Direction>) -> Result<Option<Pair>, DataError> {
         let [abscissa, ordinate] = roles(kind);
-        let of = |role: Role| -> Result<Option<Source>, DataError> {
-            Ok(match self.force_or(role, direction)? {
-                None if direction.is_some() => self.force_or(role, None)?,
-                found => found,
-            })
+        let alone = |role: Role, direction| match self.find(role, direction)? {
+            // A deflection where there is no load.
+            None if role == Role::Load => self.find(Role::Deflection, direction),
+            found => Ok::<_, DataError>(found),
+        };
+        let of = |role: Role| match alone(role, direction)? {
+            None if direction.is_some() => alone(role, None),
+            found => Ok::<_, DataError>(found),
         };
         let abscissa = match of(abscissa)? {
             None if self.takes_area(kind) => of(Role::ContactArea)?,
@@ -204,18 +214,6 @@ impl Columns<'_> {
             errors,
             beside,
         }))
-    }
-
-    /// Returns the column of a role; a deflection where there is no load.
-    fn force_or(
-        &self,
-        role: Role,
-        direction: Option<Direction>,
-    ) -> Result<Option<Source>, DataError> {
-        Ok(match self.find(role, direction)? {
-            None if role == Role::Load => self.find(Role::Deflection, direction)?,
-            found => found,
-        })
     }
 
     /// Returns the error of columns that are not there.

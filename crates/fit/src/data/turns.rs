@@ -1,6 +1,6 @@
 //! How often a list of numbers turns back, and whether it is in an order at all.
 
-use crate::statistics::extremes;
+use crate::statistics::range;
 
 /// The part of the range by which the numbers go back where they turn.
 const BACK: f64 = 0.5;
@@ -21,8 +21,7 @@ pub fn turns(numbers: &[f64]) -> usize {
         sorted[NEIGHBOURS / 2]
     };
     let numbers: Vec<f64> = numbers.array_windows().map(middle).collect();
-    let [least, most] = extremes(numbers.iter().copied());
-    let back = BACK * (most - least);
+    let back = BACK * range(numbers.iter().copied());
     let mut turns = 0;
     // The least and the largest number since the last turn, and whether the numbers grow.
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -47,10 +46,10 @@ pub fn turns(numbers: &[f64]) -> usize {
 pub fn jumps(numbers: &[f64]) -> bool {
     /// The ranks of fewer differ by much from one to the next in any order.
     const FEWEST: usize = 20;
-    let [least, most] = extremes(numbers.iter().copied());
+    let range = range(numbers.iter().copied());
     let steps = numbers.windows(2).map(|two| (two[1] - two[0]).abs());
     let mean = steps.sum::<f64>() / numbers.len() as f64;
-    numbers.len() >= FEWEST && mean > LARGEST_STEP * (most - least) && !have_order(numbers)
+    numbers.len() >= FEWEST && mean > LARGEST_STEP * range && !have_order(numbers)
 }
 
 /// Tells whether neighbours have similar ranks.

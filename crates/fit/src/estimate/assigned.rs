@@ -1,8 +1,8 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
 use super::search::range;
-use crate::model::{AbscissaError, Assignment};
-use crate::{Branch, Experiment};
+use crate::model::{AbscissaError, Assignment, ContactOf};
+use crate::{Branch, Error, Experiment};
 
 /// An experiment with the branches of its points.
 #[derive(Clone, Debug)]
@@ -47,11 +47,21 @@ impl Assigned {
         let mut branches = self.branches.clone();
         let (experiment, noise) = (&self.experiment, self.noise);
         let kind = experiment.measurement.kind;
-        let works = [Branch::Advancing, Branch::Receding].map(|branch| experiment.work_of(branch));
+        let works = Branch::CONTACTS.map(|branch| experiment.work_of(branch));
         if !kind.at_radii() && !kind.is_stiffness() && works == [0.0; 2] {
             experiment.take_flat_ends(&mut branches, noise, level_is_free);
         }
         branches
+    }
+
+    /// Takes the errors of the abscissae and the factors of the deviations by the slopes of the model.
+    pub fn weigh(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
+        let (of, branches) = (&self.experiment, &self.branches);
+        let noise = |i| self.own_deviation(i);
+        let errors = of.abscissa_errors(contact_of, branches, &self.order, noise)?;
+        let factors = of.noise_factors(contact_of, branches)?;
+        (self.abscissa_errors, self.factors) = (errors, factors);
+        Ok(())
     }
 
     /// Returns the standard deviation of the ordinate of a point.

@@ -22,7 +22,7 @@ impl Experiment {
     /// # Errors
     /// As [`Experiment::predictions`].
     pub fn broken_assumptions(&self, table: &Table) -> Result<Vec<Warning>, Error> {
-        let contact = self.bodies.contact(table, None)?;
+        let contact = self.bodies.contact(table, &[])?;
         let radii = self.predictions(table, None, &[])?.contact_radii;
         let mut warnings = Vec::new();
         let range = Options::default().interaction_range;

@@ -14,7 +14,6 @@ use interp::Probe;
 use super::assigned::Assigned;
 use super::hold;
 use super::problem::Problem;
-use crate::model::ContactOf;
 use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
 use crate::{Branch, Experiment, Kind, Warning, WarningKind};
 
@@ -130,7 +129,7 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let at_radii = experiment.measurement.kind.at_radii();
     // Points that the fit leaves out are compared, too: all above the contact point.
     let mut branches = vec![Branch::LeftOut; points.len()];
-    for (way, branch) in ways.iter().zip([Branch::Advancing, Branch::Receding]) {
+    for (way, branch) in ways.iter().zip(Branch::CONTACTS) {
         for &i in way {
             let in_contact = at_radii || experiment.imposed(points[i].abscissa) > 0.0;
             if in_contact && points[i].abscissa != 0.0 {
@@ -146,8 +145,8 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let predicted = if at_radii {
         Vec::new()
     } else {
-        let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
-        let predicted = experiment.predict_with(contact_of, &branches, &assigned.order, None);
+        let predicted =
+            experiment.predict_with(&problem.contact_of(), &branches, &assigned.order, &[]);
         predicted.ok()?.values
     };
     let sample = |i: usize| {

@@ -77,7 +77,7 @@ pub(super) fn add(
 /// reading: the most of any [`FEWEST`] points or more.
 fn change_of_fit(fitted: &FittedExperiment, assigned: &Assigned, reading: f64) -> f64 {
     let mut most = 0.0_f64;
-    for branch in [Branch::Advancing, Branch::Receding] {
+    for branch in Branch::CONTACTS {
         let order = assigned.order.iter();
         let own: Vec<&FittedPoint> = order
             .filter(|&&i| assigned.branches[i] == branch)

@@ -13,7 +13,7 @@ use super::loss::influence;
 use super::problem::Problem;
 use super::slot::Slot;
 use super::uncertainty::Uncertainty;
-use crate::model::ContactOf;
+use crate::model::contacts_of;
 use crate::{Error, Fit, Fixed, FixedValue, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
@@ -244,9 +244,9 @@ pub(super) fn residuals_with(
         if let Some(own) = assigned.experiment.value_of(quantity) {
             let mut experiment = assigned.experiment.clone();
             experiment.replace_fixed(quantity, value(own)).ok()?;
-            let contact_of: &ContactOf<'_> = &|bodies, by| bodies.contact(problem.table, by);
+            let contact_of = contacts_of(problem.table);
             let branches = &assigned.branches;
-            let predicted = experiment.predict_with(contact_of, branches, &assigned.order, None);
+            let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, &[]);
             let predicted = predicted.ok()?;
             for (row, i) in rows.zip(assigned.counting_points()) {
                 residuals[row] =

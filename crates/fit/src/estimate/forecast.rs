@@ -78,7 +78,7 @@ pub fn forecast(
             let points = experiment.measurement.points.iter_mut();
             points.for_each(|point| point.ordinate = 0.0);
         }
-        let contact = experiment.bodies.contact(table, None)?;
+        let contact = experiment.bodies.contact(table, &[])?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
         let assignment = Assignment {
             branches,
@@ -120,7 +120,7 @@ pub fn forecast(
         estimates,
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&slot_names(&problem)),
-        warnings: warnings,
+        warnings,
     })
 }
 

@@ -103,7 +103,7 @@ fn main_branch(assigned: &Assigned) -> Branch {
             .filter(|&&own| own == branch)
             .count()
     };
-    let [advancing, receding] = [Branch::Advancing, Branch::Receding].map(count);
+    let [advancing, receding] = Branch::CONTACTS.map(count);
     let hysteretic = assigned.experiment.work_of_adhesion_receding.is_some();
     if (hysteretic && advancing > 2) || advancing >= receding {
         Branch::Advancing
@@ -121,8 +121,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
         ..
     } = &assigned.experiment;
     let contacts = measurement.points.iter().zip(&assigned.branches);
-    let contacts =
-        contacts.filter(|(_, branch)| matches!(branch, Branch::Advancing | Branch::Receding));
+    let contacts = contacts.filter(|(_, branch)| branch.is_contact());
     let [least, most] = extremes(contacts.map(|(point, _)| point.abscissa));
     match measurement.kind {
         Kind::LoadRadius | Kind::PenetrationRadius => bodies.paraboloid(most, false),

@@ -7,7 +7,8 @@ use interp::Table;
 use super::assigned::Assigned;
 use super::slot::Slot;
 use super::solve::prepare;
-use crate::{Bodies, Branch, Error, Experiment, Free, Parameter};
+use crate::model::contacts_of;
+use crate::{Branch, Error, Experiment, Free, Parameter};
 
 /// The logarithm of the likelihood of the free parameters of one or several experiments.
 ///
@@ -57,13 +58,8 @@ impl Likelihood {
                 own.branches = given.iter().map(|branch| branch.of_contact()).collect();
             }
         }
-        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
         for own in &mut assigned {
-            let (of, branches) = (&own.experiment, &own.branches);
-            let noise = |i| own.own_deviation(i);
-            let errors = of.abscissa_errors(&contact_of, branches, &own.order, noise)?;
-            let factors = of.noise_factors(&contact_of, branches)?;
-            (own.abscissa_errors, own.factors) = (errors, factors);
+            own.weigh(&contacts_of(table))?;
         }
         let of_experiment = |(e, own): (usize, &Assigned)| {
             let is_of = |&s: &usize| slots[s].is_of(e, &own.experiment);
@@ -157,10 +153,13 @@ impl Likelihood {
             for (&slot, &parameter) in slots.iter().zip(parameters) {
                 experiment.replace(parameter, values[slot]).ok()?;
             }
-            let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
-            let wanted = gradient.is_some().then_some(parameters.as_slice());
+            let wanted = if gradient.is_some() {
+                &parameters[..]
+            } else {
+                &[]
+            };
             let predicted = experiment
-                .predict_with(&contact_of, &own.branches, &own.order, wanted)
+                .predict_with(&contacts_of(table), &own.branches, &own.order, wanted)
                 .ok()?;
             for i in own.counting_points() {
                 let deviation = own.deviation(i);

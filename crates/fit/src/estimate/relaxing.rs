@@ -5,7 +5,7 @@ use contact::LawParameter;
 use super::minima::Minimum;
 use super::problem::Problem;
 use super::relaxing_start::accept_zeros;
-use crate::statistics::extremes;
+use crate::statistics::range;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, Warning, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
@@ -137,14 +137,14 @@ pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>,
         )));
     }
     let points = experiment.measurement.points.iter();
-    let [least, most] = extremes(points.map(|point| point.abscissa));
-    if found.made_monotone > MONOTONE * (most - least) {
+    let range = range(points.map(|point| point.abscissa));
+    if found.made_monotone > MONOTONE * range {
         warnings.push(WarningKind::NotMonotone.with(format!(
             "{name}: the {} departs by {:.2e} m, {:.1} % of its range, from the straight lines that are taken for \
              it, which rise to the largest value and fall from there: check that the points are one cycle",
             experiment.measurement.kind.names()[0],
             found.made_monotone,
-            1e2 * found.made_monotone / (most - least)
+            1e2 * found.made_monotone / range
         )));
     }
 }

@@ -7,9 +7,9 @@ use interp::{Probe, Table};
 
 use super::assigned::Assigned;
 use super::start::Starts;
-use crate::model::{Program, noise_of};
-use crate::statistics::{extremes, median};
-use crate::{Bodies, Direction, Error, Experiment, Parameter, Point};
+use crate::model::{Program, contacts_of, noise_of};
+use crate::statistics::{extremes, median, range};
+use crate::{Direction, Error, Experiment, Parameter, Point};
 
 /// Why data that begin in contact are refused.
 const BEGINS_IN_CONTACT: &str = "its points begin in contact: the history before the first point is \
@@ -106,15 +106,12 @@ pub(super) fn give(
     };
     let mut parameters = relaxing.parameters();
     if let Some(modulus) = matched
-        && experiment.bodies.contact(table, None).is_err()
+        && experiment.bodies.contact(table, &[]).is_err()
     {
         // Noise has led the elastic contact to a modulus that no film has: one of the right size is enough, because
         // the law that fits best also tells the modulus.
         let points = &experiment.measurement.points;
-        let size = |value: fn(&Point) -> f64| {
-            let [least, most] = extremes(points.iter().map(value));
-            most - least
-        };
+        let size = |value: fn(&Point) -> f64| range(points.iter().map(value));
         let stress = size(|point| point.ordinate) / size(|point| point.abscissa).powi(2);
         experiment.replace(modulus, stress)?;
     }
@@ -257,8 +254,8 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
 /// Returns the sum of squares with the best factor of the loads, over that of the loads, and this factor; `None` where the
 /// model has no contact.
 fn misfit(table: &Table, experiment: &Experiment, is_free: bool) -> Option<(f64, f64)> {
-    let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
-    let predicted = experiment.predict_with(&contact_of, &[], &[], None).ok()?;
+    let predicted = experiment.predict_with(&contacts_of(table), &[], &[], &[]);
+    let predicted = predicted.ok()?;
     let points = &experiment.measurement.points;
     let pairs = points.iter().zip(&predicted.values);
     let pairs = pairs.map(|(point, value)| {

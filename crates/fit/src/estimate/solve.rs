@@ -9,7 +9,7 @@ use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
-use crate::model::{ContactOf, has_no_start};
+use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
@@ -333,7 +333,6 @@ fn experiment(
     without_film: Option<&Problem<'_>>,
 ) -> Result<FittedExperiment, Error> {
     let problem = &found.problem;
-    let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
     let assigned = &problem.assigned[e];
     let predicted = problem.predicted.as_ref().map(|all| &all[e]);
     let measurement = &assigned.experiment.measurement;
@@ -367,7 +366,7 @@ fn experiment(
         left_out,
         loss: assigned
             .experiment
-            .loss_angle(contact_of, &assigned.branches)?,
+            .loss_angle(&problem.contact_of(), &assigned.branches)?,
         relaxation: relaxing::of(found, e)?,
     })
 }

@@ -157,7 +157,7 @@ pub(crate) fn problem<'a>(
             && let Some(a) = largest
             && one.experiment.measurement.kind != Kind::PenetrationRadius
         {
-            let contact = starts.at.experiment.bodies.contact(table, None)?;
+            let contact = starts.at.experiment.bodies.contact(table, &[])?;
             let work = no_adhesion::work_of_part(&one.experiment, &contact, a, part)?;
             starts.give(Parameter::WorkOfAdhesion, work)?;
             starts.give(Parameter::WorkOfAdhesionReceding, work)?;
@@ -263,7 +263,7 @@ fn give_homogeneous(
 fn compound(experiment: &Experiment, table: &Table) -> Result<f64, Error> {
     let contact = experiment
         .bodies
-        .contact(table, None)
+        .contact(table, &[])
         .map_err(|cause| Error::Start {
             experiment: experiment.measurement.name.clone(),
             cause: Box::new(cause),
@@ -300,7 +300,7 @@ fn matching_modulus(
             .clone()
             .with(parameter, logarithm.exp())
             .ok()?;
-        let contact = bodies.contact(table, None).ok()?;
+        let contact = bodies.contact(table, &[]).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {
             contact.load(radius, w).ok()?

@@ -12,7 +12,7 @@ use super::loss::influence;
 use super::problem::Problem;
 use super::uncertainty::Uncertainty;
 use crate::statistics::BEYOND_CHANCE;
-use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
+use crate::{Direction, Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -204,7 +204,7 @@ fn adhesion(
     let moved = residuals_with(problem, Fixed::Parameter(WORK), |_| SMALL)?;
     let mut change = (moved - residuals) / if at_radii { SMALL.sqrt() } else { SMALL };
     for (e, rows) in problem.rows_of_experiments().iter().enumerate() {
-        let radii = problem.predict(e, None).ok()?.radii;
+        let radii = problem.predict(e, &[]).ok()?.radii;
         let points = problem.assigned[e].counting_points();
         for (row, _) in rows.clone().zip(points).filter(|(_, i)| radii[*i] == 0.0) {
             change[row] = 0.0;
@@ -262,8 +262,7 @@ fn mixed(
             i > turn
         }
     };
-    let in_contact =
-        |i: &usize| matches!(assigned.branches[*i], Branch::Advancing | Branch::Receding);
+    let in_contact = |i: &usize| assigned.branches[*i].is_contact();
     let ways = [false, true].map(|way| {
         (0..points.len())
             .filter(in_contact)
@@ -312,7 +311,7 @@ pub(super) fn column(
     parameter: Parameter,
     chosen: impl Fn(usize) -> bool,
 ) -> Option<DVector<f64>> {
-    let derivatives = problem.predict(e, Some(&[parameter])).ok()?.derivatives;
+    let derivatives = problem.predict(e, &[parameter]).ok()?.derivatives;
     let own = &problem.assigned[e];
     let rows = problem.rows_of_experiments()[e].clone();
     let mut column = DVector::zeros(problem.residual_count());

@@ -6,7 +6,7 @@
 use super::split::{FEWEST, KnownBaseline};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
-use crate::statistics::{MEDIAN, differences_of, median};
+use crate::statistics::{differences_of, robust_deviation};
 
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
@@ -45,10 +45,7 @@ impl Experiment {
         let points = &self.measurement.points;
         self.accept_points()?;
         self.accept_stiffness()?;
-        let sense = self.sense();
-        let key = |i: &usize| sense * points[*i].abscissa;
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_by(|i, j| key(j).total_cmp(&key(i)));
+        let order = self.order();
         let noise_in = |numbers: &[usize]| {
             let compared: Vec<f64> = numbers.iter().map(|&i| self.compared(i)).collect();
             noise_of(&compared)
@@ -101,6 +98,19 @@ impl Experiment {
             order,
             local_noise,
         })
+    }
+
+    /// Returns the points by descending imposed value: from the largest contact to none.
+    pub(super) fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.measurement.points.len()).collect();
+        self.sort(&mut order);
+        order
+    }
+
+    /// Sorts points by descending imposed value.
+    fn sort(&self, numbers: &mut [usize]) {
+        let imposed = |i: &usize| self.sense() * self.measurement.points[*i].abscissa;
+        numbers.sort_by(|i, j| imposed(j).total_cmp(&imposed(i)));
     }
 
     /// Accepts points whose abscissae are finite.
@@ -245,7 +255,7 @@ impl Experiment {
                 _ => vec![all],
             };
             for mut way in ways {
-                way.sort_by(|&i, &j| key(j).total_cmp(&key(i)));
+                self.sort(&mut way);
                 if !way.is_empty() {
                     segments.push(way);
                 }
@@ -344,8 +354,7 @@ pub(crate) fn noise_of(readings: &[f64]) -> Option<f64> {
         if differences.len() < FEWEST {
             break;
         }
-        let sizes = differences.iter().map(|one| one.abs()).collect();
-        let noise = median(sizes) / MEDIAN / variance.sqrt();
+        let noise = robust_deviation(differences.iter().copied()) / variance.sqrt();
         if found.is_none_or(|before| noise < MUCH_SMALLER * before) {
             found = Some(noise);
         }

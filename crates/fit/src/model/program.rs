@@ -5,7 +5,7 @@
 //! replaced by straight lines through them.
 
 use super::straight_lines::lines;
-use crate::statistics::extremes;
+use crate::statistics::range;
 
 /// The least noise, in parts of the range of the values.
 const LEAST_NOISE: f64 = 1e-6;
@@ -58,9 +58,8 @@ fn rise_and_fall(values: &[f64]) -> bool {
 
 /// Returns the values of straight lines at the times; those measured if they have no noise and do not go back.
 fn without_noise(times: &[f64], measured: &[f64]) -> Vec<f64> {
-    let [least, most] = extremes(measured.iter().copied());
     // Not 0 where all values are one.
-    let least_noise = (LEAST_NOISE * (most - least)).max(f64::MIN_POSITIVE);
+    let least_noise = (LEAST_NOISE * range(measured.iter().copied())).max(f64::MIN_POSITIVE);
     let values = lines(times, measured, least_noise);
     let is_noisy = |(a, b): (&f64, &f64)| (a - b).abs() > NOISY * least_noise;
     if rise_and_fall(measured) && !values.iter().zip(measured).any(is_noisy) {

@@ -74,7 +74,7 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     // A wrong sign explains other warnings.
     for (experiment, notes) in experiments.iter().zip(notes) {
         for doubt in &notes.doubts {
-            out += &format!("warning: {}: {doubt}\n", experiment.measurement.name);
+            out += &format!("warning: {}: {}\n", experiment.measurement.name, doubt.text);
         }
     }
     warned(&mut out, &fit.warnings);

@@ -2,7 +2,6 @@
 
 use crate::estimate::assigned::Assigned;
 use crate::estimate::problem::{Ending, Problem};
-use crate::model::ContactOf;
 use crate::statistics::{likeness_of_neighbours, median};
 use crate::{
     ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, LossAngle, Parameter, Warning,
@@ -95,9 +94,11 @@ fn of_phases(warnings: &mut Vec<Warning>, problem: &Problem<'_>, of: &Assigned, 
              took: change the sign of phases that count in the opposite sense"
         )));
     }
-    let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
     let order = (&of.branches[..], &of.order[..]);
-    let Ok(both) = of.experiment.phases_beside(contact_of, order, loss.angle) else {
+    let Ok(both) = of
+        .experiment
+        .phases_beside(&problem.contact_of(), order, loss.angle)
+    else {
         return;
     };
     let misfits: Vec<f64> = both.iter().map(|[read, fitted]| read - fitted).collect();

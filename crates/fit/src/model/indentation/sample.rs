@@ -29,10 +29,9 @@ impl Sample {
         most: f64,
     ) -> Result<Self, crate::Error> {
         let (thickness, contacts) = match bodies {
-            Bodies::Coated(system) => (
-                system.film_thickness,
-                vec![(0.0, contact_of(bodies, None)?)],
-            ),
+            Bodies::Coated(system) => {
+                (system.film_thickness, vec![(0.0, contact_of(bodies, &[])?)])
+            }
             Bodies::Layered(layered) if most > 0.0 && !layered.layers.is_empty() => {
                 let place = |k: usize| {
                     let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
@@ -40,12 +39,12 @@ impl Sample {
                 };
                 let stacks = (0..THICKNESSES).map(|k| {
                     let by = place(k);
-                    let contact = contact_of(&Bodies::Layered(thinned(layered, by)), None)?;
+                    let contact = contact_of(&Bodies::Layered(thinned(layered, by)), &[])?;
                     Ok::<_, crate::Error>((by, contact))
                 });
                 (f64::INFINITY, stacks.collect::<Result<_, _>>()?)
             }
-            _ => (f64::INFINITY, vec![(0.0, contact_of(bodies, None)?)]),
+            _ => (f64::INFINITY, vec![(0.0, contact_of(bodies, &[])?)]),
         };
         Ok(Self {
             thickness,
