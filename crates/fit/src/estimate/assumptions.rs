@@ -119,7 +119,8 @@ fn add(
             slope.recip().atan().to_degrees()
         )));
     }
-    if let Some(film) = validity.film.filter(|film| film.strain > Validity::SMALL) {
+    let film = validity.film;
+    if let Some(film) = film.filter(|film| film.strain > Validity::SMALL) {
         let what = match experiment.bodies {
             Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
             _ => "film",
@@ -131,17 +132,14 @@ fn add(
             1e2 * Validity::SMALL
         )));
     }
-    if let Some(film) = validity
-        .film
-        .filter(|film| film.bending > Validity::WARNING_BENDING)
-    {
+    if let Some(film) = film.filter(|film| film.bending > Validity::WARNING_BENDING) {
         warnings.push(WarningKind::Bending.with(format!(
             "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
              It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
             film.bending
         )));
     }
-    if validity.film.is_some_and(|film| film.no_disc) {
+    if film.is_some_and(|film| film.no_disc) {
         warnings.push(WarningKind::NoDisc.with(format!(
             "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
              lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \

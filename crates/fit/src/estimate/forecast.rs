@@ -31,14 +31,12 @@ pub fn forecast(
     experiments: &[Experiment],
     free: &[Free],
 ) -> Result<Forecast, Error> {
-    let free: Vec<Free> = free
-        .iter()
-        .map(|one| Free {
-            start: None,
-            bounds: None,
-            ..*one
-        })
-        .collect();
+    let without_limits = |one: &Free| Free {
+        start: None,
+        bounds: None,
+        ..*one
+    };
+    let free: Vec<Free> = free.iter().map(without_limits).collect();
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
     let mut assigned = Vec::new();
     for experiment in experiments {
@@ -50,24 +48,23 @@ pub fn forecast(
             let work = experiment.work_of_adhesion;
             experiment.work_of_adhesion_receding.get_or_insert(work);
         }
-        let is_zero = |parameter: &Parameter| {
-            parameter.is_positive()
-                && experiment.get(*parameter) == Some(0.0)
-                && experiment.why_without_effect(*parameter).is_none()
-        };
-        if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_zero) {
-            let allowed = "positive where it is free: the errors are those at the planned value";
-            return Err(experiment.wrong_setting(parameter, 0.0, allowed));
-        }
-        let is_unknown = |parameter: &Parameter| {
-            matches!(*parameter, Parameter::Layer(name, LayerQuantity::InterfaceStiffness) if experiment
-                .layer(name)
-                .is_some_and(|layer| layer.interface_stiffness().is_none()))
-        };
-        if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_unknown) {
-            let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
-                          value: plan another one, such as the modulus of the layer over its thickness";
-            return Err(experiment.not_applicable(parameter, reason));
+        for Free { parameter, .. } in free.iter().copied() {
+            if parameter.is_positive()
+                && experiment.get(parameter) == Some(0.0)
+                && experiment.why_without_effect(parameter).is_none()
+            {
+                let allowed =
+                    "positive where it is free: the errors are those at the planned value";
+                return Err(experiment.wrong_setting(parameter, 0.0, allowed));
+            }
+            if let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = parameter
+                && let Some(layer) = experiment.layer(name)
+                && layer.interface_stiffness().is_none()
+            {
+                let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
+                              value: plan another one, such as the modulus of the layer over its thickness";
+                return Err(experiment.not_applicable(parameter, reason));
+            }
         }
         if experiment.measurement.kind.is_stiffness() {
             // The stiffness itself tells contact depths.
