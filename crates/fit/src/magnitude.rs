@@ -6,7 +6,7 @@ use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
 use crate::statistics::range;
-use crate::{Bodies, Estimate, Experiment, Fit, Kind, LayerQuantity, Parameter};
+use crate::{Bodies, Estimate, Experiment, Fit, Kind};
 
 /// The stiffnesses of cantilevers and load cells, N/m.
 pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
@@ -177,34 +177,27 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
         ..
     } = *estimate;
     let name = parameter.name();
-    let (found, mistake) = match parameter {
-        Parameter::SphereModulus
-        | Parameter::FilmModulus
-        | Parameter::Layer(_, LayerQuantity::Modulus) => (
-            Magnitude::modulus(name, value)?,
-            "; mN or uN taken for N, or mm or um for m, give such a result",
-        ),
-        Parameter::FilmThickness | Parameter::Layer(_, LayerQuantity::Thickness) => {
-            (Magnitude::length(name, value)?, "")
-        }
-        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => {
-            (Magnitude::work_of_adhesion(name, value)?, "")
-        }
-        _ => return None,
+    let (found, mistake) = if parameter.is_modulus() {
+        let mistake = "; mN or uN taken for N, or mm or um for m, give such a result";
+        (Magnitude::modulus(name, value)?, mistake)
+    } else if parameter.is_thickness() {
+        (Magnitude::length(name, value)?, "")
+    } else if parameter.is_work_of_adhesion() {
+        (Magnitude::work_of_adhesion(name, value)?, "")
+    } else {
+        return None;
     };
     let usual = found.reason;
     let reason = if standard_error < UNDETERMINED * value {
         format!("{usual}{mistake}")
     } else {
         let undetermined = "is not determined by these data: fix it or give a prior";
-        match parameter {
-            // The thickness of a film that the data do not see goes to any value. Its unit was given
-            // with its start, which is checked.
-            Parameter::FilmThickness | Parameter::Layer(_, LayerQuantity::Thickness) => {
-                undetermined.into()
-            }
-            // Loads or lengths in a wrong unit may leave a modulus undetermined.
-            _ => format!("{undetermined}; it {usual}{mistake}"),
+        // The thickness of a film that the data do not see goes to any value. Its unit was given with its start, which
+        // is checked. Loads or lengths in a wrong unit may leave a modulus undetermined.
+        if parameter.is_thickness() {
+            undetermined.into()
+        } else {
+            format!("{undetermined}; it {usual}{mistake}")
         }
     };
     Some(Magnitude {
@@ -216,6 +209,7 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Parameter;
 
     #[test]
     fn a_value_that_is_not_determined_is_no_mistake_of_a_unit() {

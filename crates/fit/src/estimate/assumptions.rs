@@ -76,7 +76,7 @@ fn add(
     let name = &experiment.measurement.name;
     // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
     if !experiment.has_shape(false) {
-        friction::add(warnings, experiment, contact, a, estimates);
+        warnings.extend(friction::doubt(experiment, contact, a, estimates));
         return;
     }
     let Ok(validity) = contact.validity(a) else {
@@ -146,7 +146,7 @@ fn add(
              or measure with a sphere"
         )));
     }
-    friction::add(warnings, experiment, contact, a, estimates);
+    warnings.extend(friction::doubt(experiment, contact, a, estimates));
     for parameter in Parameter::WORKS {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;

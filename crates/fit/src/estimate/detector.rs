@@ -79,10 +79,8 @@ fn change_of_fit(fitted: &FittedExperiment, assigned: &Assigned, reading: f64) -
     let mut most = 0.0_f64;
     for branch in Branch::CONTACTS {
         let order = assigned.order.iter();
-        let own: Vec<&FittedPoint> = order
-            .filter(|&&i| assigned.branches[i] == branch)
-            .map(|&i| &fitted.points[i])
-            .collect();
+        let own = order.filter(|&&i| assigned.branches[i] == branch);
+        let own: Vec<&FittedPoint> = own.map(|&i| &fitted.points[i]).collect();
         for run in own.chunk_by(|one, other| one.ordinate == other.ordinate) {
             if run.len() < FEWEST || run[0].ordinate != reading {
                 continue;

@@ -80,11 +80,8 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             );
             return Err(Error::setting(name, *error, allowed));
         }
-        let other = assigned
-            .iter()
-            .filter_map(|one| one.experiment.value_of(*quantity))
-            .find(|value| *value != first);
-        if let Some(other) = other {
+        let mut others = values.filter_map(|one| one.experiment.value_of(*quantity));
+        if let Some(other) = others.find(|value| *value != first) {
             let allowed = "one for all measurements: an error of several values is not taken";
             return Err(Error::setting(name, other, allowed));
         }
@@ -116,8 +113,10 @@ pub(super) fn effects(
     let free: Vec<_> = problem.slots.iter().map(|slot| slot.parameter).collect();
     let mut quantities: Vec<Fixed> = Vec::new();
     let given = known.iter().map(|one| one.quantity);
-    let experiments = problem.assigned.iter().map(|one| &one.experiment);
-    let listed = experiments.flat_map(|one| one.fixed(&free)).filter(|_| all);
+    let listed = problem
+        .experiments()
+        .flat_map(|one| one.fixed(&free))
+        .filter(|_| all);
     for quantity in listed.chain(given) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
@@ -127,10 +126,10 @@ pub(super) fn effects(
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
-        let experiments = problem.assigned.iter();
-        let mut values: Vec<f64> = experiments
-            .filter_map(|one| one.experiment.value_of(quantity))
-            .collect();
+        let values = problem
+            .experiments()
+            .filter_map(|one| one.value_of(quantity));
+        let mut values: Vec<f64> = values.collect();
         // One that is rigid does not change.
         let value = values.iter().copied().find(|value| value.is_finite())?;
         if values.iter().all(|own| *own == value) {
@@ -187,11 +186,8 @@ pub(super) fn effects(
 
 /// Adds the errors of known values to the standard errors and the correlation.
 pub(super) fn pass_on(fit: &mut Fit) {
-    let known: Vec<&FixedValue> = fit
-        .fixed_values
-        .iter()
-        .filter(|one| one.error.is_some())
-        .collect();
+    let known = fit.fixed_values.iter().filter(|one| one.error.is_some());
+    let known: Vec<&FixedValue> = known.collect();
     if known.is_empty() {
         return;
     }
@@ -208,23 +204,15 @@ pub(super) fn pass_on(fit: &mut Fit) {
         .map(|i| (0..count).map(|j| covariance(i, j)).collect())
         .collect();
     let errors: Vec<f64> = (0..count).map(|i| covariance[i][i].sqrt()).collect();
-    if let Some(bias) = fit
-        .without_film
-        .as_mut()
-        .and_then(|one| one.modulus.as_mut())
-        && let Some(i) = fit
-            .estimates
-            .iter()
-            .position(|one| one.parameter == bias.parameter)
+    let without_film = fit.without_film.as_mut();
+    let mut estimates = fit.estimates.iter();
+    if let Some(bias) = without_film.and_then(|one| one.modulus.as_mut())
+        && let Some(i) = estimates.position(|one| one.parameter == bias.parameter)
     {
         bias.standard_errors *= before[i] / errors[i];
     }
-    for (i, (estimate, row)) in fit
-        .estimates
-        .iter_mut()
-        .zip(&mut fit.correlation)
-        .enumerate()
-    {
+    let estimates = fit.estimates.iter_mut().zip(&mut fit.correlation);
+    for (i, (estimate, row)) in estimates.enumerate() {
         estimate.standard_error = errors[i];
         for (j, entry) in row.iter_mut().enumerate() {
             *entry = (covariance[i][j] / (errors[i] * errors[j])).clamp(-1.0, 1.0);
@@ -254,10 +242,8 @@ pub(super) fn residuals_with(
             }
         }
     }
-    residuals
-        .iter()
-        .all(|residual| residual.is_finite())
-        .then_some(residuals)
+    let are_finite = residuals.iter().all(|residual| residual.is_finite());
+    are_finite.then_some(residuals)
 }
 
 /// How the values found follow the residuals.
@@ -300,10 +286,7 @@ impl Response {
     /// Returns the changes of the values found that follow a change of the residuals, in SI units.
     fn of(&self, change: &DVector<f64>) -> Vec<f64> {
         let changes = -&self.matrix * change;
-        changes
-            .iter()
-            .zip(&self.sizes)
-            .map(|(c, size)| c * size)
-            .collect()
+        let changes = changes.iter().zip(&self.sizes);
+        changes.map(|(change, size)| change * size).collect()
     }
 }

@@ -36,8 +36,7 @@ fn not_seen(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty: &Unce
         let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = slot.parameter else {
             continue;
         };
-        let mut experiments = problem.assigned.iter();
-        let Some(layer) = experiments.find_map(|one| one.experiment.layer(name)) else {
+        let Some(layer) = problem.experiments().find_map(|one| one.layer(name)) else {
             continue;
         };
         let (own, value) = (layer.own_stiffness(), problem.value(i));

@@ -80,29 +80,21 @@ pub(crate) fn homogeneous(
 /// Returns at most [`MOST_POINTS`] points of a branch, from the largest contact to the smallest.
 fn points_of(assigned: &Assigned, branch: Branch) -> Vec<[f64; 2]> {
     let points = &assigned.experiment.measurement.points;
-    let all: Vec<usize> = assigned
+    let all = assigned
         .order
         .iter()
-        .copied()
-        .filter(|&i| assigned.branches[i] == branch)
-        .collect();
-    let stride = all.len().div_ceil(MOST_POINTS).max(1);
-    all.into_iter()
-        .step_by(stride)
-        .map(|i| [points[i].abscissa, points[i].ordinate])
+        .filter(|&&i| assigned.branches[i] == branch);
+    let stride = all.clone().count().div_ceil(MOST_POINTS).max(1);
+    let some = all.step_by(stride);
+    some.map(|&i| [points[i].abscissa, points[i].ordinate])
         .collect()
 }
 
 /// Returns the branch from which modulus and zeros are read: approach if retract has a work of
 /// adhesion of its own, else the one with more points.
 fn main_branch(assigned: &Assigned) -> Branch {
-    let count = |branch| {
-        assigned
-            .branches
-            .iter()
-            .filter(|&&own| own == branch)
-            .count()
-    };
+    let branches = assigned.branches.iter();
+    let count = |branch| branches.clone().filter(|&&own| own == branch).count();
     let [advancing, receding] = Branch::CONTACTS.map(count);
     let hysteretic = assigned.experiment.work_of_adhesion_receding.is_some();
     if (hysteretic && advancing > 2) || advancing >= receding {
@@ -171,11 +163,8 @@ fn of_loads_at_radii(
     let branch = main_branch(assigned);
     let (modulus, intercept, level, largest) = fit(branch)?;
     let work = |intercept: f64| intercept * intercept / (8.0 * PI * modulus);
-    let receding = if branch == Branch::Advancing {
-        fit(Branch::Receding).map(|(_, intercept, ..)| work(intercept))
-    } else {
-        None
-    };
+    let other = (branch == Branch::Advancing).then(|| fit(Branch::Receding));
+    let receding = other.flatten().map(|(_, intercept, ..)| work(intercept));
     (modulus > 0.0 && modulus.is_finite()).then(|| Homogeneous {
         modulus: Some(modulus),
         work_of_adhesion: work(intercept),
@@ -213,11 +202,8 @@ fn of_penetrations_at_radii(
     };
     let branch = main_branch(assigned);
     let (ratio, contact_point, largest) = fit(branch)?;
-    let receding = if branch == Branch::Advancing {
-        fit(Branch::Receding).map(|(ratio, ..)| ratio)
-    } else {
-        None
-    };
+    let other = (branch == Branch::Advancing).then(|| fit(Branch::Receding));
+    let receding = other.flatten().map(|(ratio, ..)| ratio);
     Some(Homogeneous {
         modulus: None,
         work_of_adhesion: ratio,
@@ -361,20 +347,16 @@ fn scaled_penetration(force: f64, work: f64, radius: f64) -> f64 {
 fn least_squares(rows: Vec<(Vec<f64>, f64)>) -> Option<(Vec<f64>, f64)> {
     let (found, residuals) = solution(&rows)?;
     let far = FAR * median(residuals.iter().map(|r| r.abs()).collect());
-    let near: Vec<(Vec<f64>, f64)> = rows
-        .into_iter()
-        .zip(&residuals)
-        .filter_map(|(row, residual)| (residual.abs() <= far).then_some(row))
-        .collect();
+    let near = rows.into_iter().zip(&residuals);
+    let near = near.filter(|(_, residual)| residual.abs() <= far);
+    let near: Vec<(Vec<f64>, f64)> = near.map(|(row, _)| row).collect();
     let left_out = residuals.len() - near.len();
     if left_out == 0 || near.len() <= found.len() {
         return Some((found, residuals.norm_squared()));
     }
     let (found, residuals) = solution(&near)?;
-    Some((
-        found,
-        residuals.norm_squared() + left_out as f64 * far * far,
-    ))
+    let squares = residuals.norm_squared() + left_out as f64 * far * far;
+    Some((found, squares))
 }
 
 /// Returns the least-squares solution and the residuals.
@@ -387,9 +369,9 @@ fn solution(rows: &[(Vec<f64>, f64)]) -> Option<(Vec<f64>, DVector<f64>)> {
         return None;
     }
     // The columns are scaled to length 1, because their units are very different.
-    let units: Vec<f64> = matrix
-        .column_iter()
-        .map(|column| column.norm().max(f64::MIN_POSITIVE))
+    let lengths = matrix.column_iter().map(|column| column.norm());
+    let units: Vec<f64> = lengths
+        .map(|length| length.max(f64::MIN_POSITIVE))
         .collect();
     for (mut column, unit) in matrix.column_iter_mut().zip(&units) {
         column /= *unit;
@@ -398,8 +380,6 @@ fn solution(rows: &[(Vec<f64>, f64)]) -> Option<(Vec<f64>, DVector<f64>)> {
     let solution = svd.solve(&right, f64::EPSILON).ok()?;
     let residuals = &matrix * &solution - right;
     let values = solution.iter().zip(&units);
-    Some((
-        values.map(|(value, unit)| value / unit).collect(),
-        residuals,
-    ))
+    let values = values.map(|(value, unit)| value / unit);
+    Some((values.collect(), residuals))
 }

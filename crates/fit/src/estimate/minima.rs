@@ -97,10 +97,9 @@ pub(crate) fn minimum<'a>(
         variations.extend(ADHESION.map(Variation::Adhesion));
     }
     // A start where the model has no contact is no start.
-    let mut starts: Vec<Problem<'_>> = variations
-        .into_iter()
-        .filter_map(|variation| from(slots, variation).ok())
-        .collect();
+    let starts = variations.into_iter();
+    let starts = starts.filter_map(|variation| from(slots, variation).ok());
+    let mut starts: Vec<Problem<'_>> = starts.collect();
     let mut ends: Vec<Problem<'_>> = Vec::new();
     let mut places = Vec::new();
     if let Some(first) = first {
@@ -146,11 +145,11 @@ fn variations(free: &[Free], assigned: &[Assigned], is_bad: bool) -> Vec<Variati
     };
     let mut variations = Vec::new();
     let names: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
-    let first = names
-        .iter()
-        .filter_map(|one| Some((rank(*one)?, *one)))
-        .min();
-    let first = first.map(|(_, parameter)| parameter).filter(|_| is_bad);
+    let ranked = names.iter().filter_map(|one| Some((rank(*one)?, *one)));
+    let first = ranked
+        .min()
+        .map(|(_, parameter)| parameter)
+        .filter(|_| is_bad);
     let film = (names.contains(&film) && assigned.iter().any(has_film)).then_some(film);
     let other = first.filter(|first| Some(*first) != film);
     for parameter in film.into_iter().chain(other) {

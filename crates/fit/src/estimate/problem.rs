@@ -17,7 +17,7 @@ use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
 use crate::model::Predicted;
-use crate::{Bodies, Branch, Error, Loss, Parameter};
+use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};
 
 /// The residuals at parameters without a contact, such as those outside the table. They are so
 /// large that the method rejects the step.
@@ -108,6 +108,18 @@ impl<'a> Problem<'a> {
         }
         self.update()?;
         Ok(self)
+    }
+
+    /// Returns the experiments with the present values.
+    pub fn experiments(&self) -> impl Iterator<Item = &Experiment> + Clone {
+        self.assigned.iter().map(|one| &one.experiment)
+    }
+
+    /// Returns the first slot of a parameter.
+    pub fn slot_of(&self, parameter: Parameter) -> Option<usize> {
+        self.slots
+            .iter()
+            .position(|slot| slot.parameter == parameter)
     }
 
     /// Returns the numbers of the slots that are of an experiment.

@@ -54,11 +54,9 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
     }
     let points = &experiment.measurement.points;
     for branch in Branch::CONTACTS {
-        let positions = points
-            .iter()
-            .zip(&assigned.branches)
-            .filter(|(_, own)| **own == branch)
-            .map(|(point, _)| experiment.sense() * point.abscissa);
+        let own = points.iter().zip(&assigned.branches);
+        let own = own.filter(|(_, own)| **own == branch);
+        let positions = own.map(|(point, _)| experiment.sense() * point.abscissa);
         let [least, most] = extremes(positions);
         let adhesive = experiment.work_of(branch) > 0.0;
         let ends = least + HELD_BACK * (most - least);

@@ -131,11 +131,8 @@ fn intervals<'a>(
 /// the noise of all experiments is known.
 fn freedom(problem: &Problem<'_>) -> (usize, bool) {
     let rows = problem.residual_count();
-    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-    (
-        rows.saturating_sub(problem.slots.len()),
-        experiments.all(|one| one.usual_noise().is_some()),
-    )
+    let known = problem.experiments().all(|one| one.usual_noise().is_some());
+    (rows.saturating_sub(problem.slots.len()), known)
 }
 
 /// Accepts a minimum whose values all have finite errors, or one that the result calls none.

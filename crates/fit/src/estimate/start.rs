@@ -215,11 +215,8 @@ pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: 
 
 /// Returns the names of the measurements.
 fn names(assigned: &[Assigned]) -> String {
-    let names: Vec<&str> = assigned
-        .iter()
-        .map(|one| one.experiment.measurement.name.as_str())
-        .collect();
-    names.join(", ")
+    let names = assigned.iter().map(|one| &*one.experiment.measurement.name);
+    names.collect::<Vec<_>>().join(", ")
 }
 
 /// Gives the starts that a homogeneous contact shows.
@@ -295,11 +292,7 @@ fn matching_modulus(
         return first;
     }
     let excess = |logarithm: f64| -> Option<f64> {
-        let bodies = experiment
-            .bodies
-            .clone()
-            .with(parameter, logarithm.exp())
-            .ok()?;
+        let bodies = bodies.clone().with(parameter, logarithm.exp()).ok()?;
         let contact = bodies.contact(table, &[]).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {

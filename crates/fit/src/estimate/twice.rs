@@ -6,10 +6,7 @@ use crate::{Measurement, Warning, WarningKind};
 /// Warns of experiments that have the points of one before them: they count twice, and the errors are too
 /// small.
 pub(super) fn add(warnings: &mut Vec<Warning>, problem: &Problem<'_>) {
-    let measurements = problem
-        .assigned
-        .iter()
-        .map(|one| &one.experiment.measurement);
+    let measurements = problem.experiments().map(|one| &one.measurement);
     let measurements: Vec<&Measurement> = measurements.collect();
     for (e, one) in measurements.iter().enumerate() {
         if let Some(first) = measurements[..e].iter().find(|first| are_equal(first, one)) {

@@ -186,7 +186,7 @@ fn adhesion(
     /// data better. Against positions it takes a small part of the noise, and more than any zero suffices.
     const CLEARLY: f64 = 0.5;
     const WORK: Parameter = Parameter::WorkOfAdhesion;
-    if problem.slots.iter().any(|slot| slot.parameter == WORK) {
+    if problem.slot_of(WORK).is_some() {
         return None;
     }
     let is_at_radii = |one: &Assigned| one.experiment.measurement.kind.at_radii();
@@ -263,12 +263,8 @@ fn mixed(
         }
     };
     let in_contact = |i: &usize| assigned.branches[*i].is_contact();
-    let ways = [false, true].map(|way| {
-        (0..points.len())
-            .filter(in_contact)
-            .filter(|&i| unloads(i) == way)
-            .count()
-    });
+    let contacts = (0..points.len()).filter(in_contact);
+    let ways = [false, true].map(|way| contacts.clone().filter(|&i| unloads(i) == way).count());
     let has_both = ways.iter().all(|&count| count >= FEWEST);
     let advice = format!(
         "{}fit each direction with a work of adhesion of its own (work-of-adhesion-receding), or one direction alone",
@@ -318,10 +314,8 @@ pub(super) fn column(
     for (row, i) in rows.zip(own.counting_points()).filter(|(_, i)| chosen(*i)) {
         column[row] = derivatives[i] / own.deviation(i);
     }
-    column
-        .iter()
-        .all(|value| value.is_finite())
-        .then_some(column)
+    let is_finite = column.iter().all(|value| value.is_finite());
+    is_finite.then_some(column)
 }
 
 /// What a further parameter would gain.
@@ -359,10 +353,7 @@ impl<'a> Score<'a> {
             uncertainty,
             variance: residuals.norm_squared() / freedom,
             variance_is_estimated: robust
-                || problem
-                    .assigned
-                    .iter()
-                    .any(|assigned| assigned.experiment.usual_noise().is_none()),
+                || problem.experiments().any(|one| one.usual_noise().is_none()),
             residuals,
         }
     }

@@ -19,8 +19,8 @@ use super::{
 use crate::magnitude::{self, STIFFNESSES};
 use crate::statistics::extremes;
 use crate::{
-    Combination, Estimate, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter, Warning,
-    WarningKind,
+    Combination, Estimate, Experiment, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter,
+    Warning, WarningKind,
 };
 
 /// The distance of a number from the end of what is possible at which it is there.
@@ -43,17 +43,15 @@ pub(super) fn warnings(
     super::twice::add(&mut warnings, problem);
     table_error::add(&mut warnings, fit, problem);
     if let Some(found) = &found.bend {
-        bend(&mut warnings, problem, &names[found.slot], found);
+        warnings.push(bend(problem, &names[found.slot], found));
     }
-    for estimate in &fit.estimates {
-        implausible(&mut warnings, estimate);
-    }
+    warnings.extend(fit.estimates.iter().filter_map(implausible));
     let mut at_zero = Vec::new();
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem, &names);
         at_zero = no_adhesion::add(&mut warnings, problem, &names);
         if found.is_stopped(SHORT) && !stopped && at_zero.is_empty() {
-            end_of_table(&mut warnings, problem, uncertainty.short);
+            warnings.push(end_of_table(problem, uncertainty.short));
         }
         undetermined(&mut warnings, fit, problem, (uncertainty, &names, &at_zero));
         interfaces::add(&mut warnings, found, uncertainty);
@@ -76,7 +74,7 @@ pub(super) fn warnings(
             options.interaction_range,
             &fit.estimates,
         );
-        cycle::add(&mut warnings, problem, e);
+        warnings.extend(cycle::doubts(problem, e).into_iter().flatten());
         relaxing::add(&mut warnings, fit, problem, e);
     }
     if fit.converged {
@@ -90,15 +88,13 @@ pub(super) fn warnings(
 }
 
 /// Says that a fit ended `short` of the least squares, by standard errors, because contacts are refused beyond.
-fn end_of_table(warnings: &mut Vec<Warning>, problem: &Problem<'_>, short: f64) {
+fn end_of_table(problem: &Problem<'_>, short: f64) -> Warning {
     let reason = if problem.beyond_table {
         "the table ends there; fix a parameter or use a larger table"
     } else {
-        let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-        if experiments
-            .clone()
-            .any(|one| one.bodies.end_of_exact_sphere().is_some())
-        {
+        let mut experiments = problem.experiments();
+        let is_sphere = |one: &Experiment| one.bodies.end_of_exact_sphere().is_some();
+        if experiments.clone().any(is_sphere) {
             "the model has no contact beyond, or none that is solved: the exact sphere is solved on a film up to contact \
              radii of 0.55 R; leave out the points of wider contacts, fix a parameter, or give it another start"
         } else if experiments.any(|one| one.relaxing.is_some()) {
@@ -108,9 +104,9 @@ fn end_of_table(warnings: &mut Vec<Warning>, problem: &Problem<'_>, short: f64) 
             "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
         }
     };
-    warnings.push(WarningKind::EndOfTable.with(format!(
+    WarningKind::EndOfTable.with(format!(
         "the fit ended {short:.1} standard errors from the least squares: {reason}"
-    )));
+    ))
 }
 
 /// Returns the unit of a parameter as it follows a number.
@@ -183,9 +179,9 @@ fn method(warnings: &mut Vec<Warning>, fit: &Fit, found: &Minimum<'_>, names: &[
 }
 
 /// Warns of a value that may be farther away than its standard error says.
-fn bend(warnings: &mut Vec<Warning>, problem: &Problem<'_>, name: &str, bend: &Bend) {
+fn bend(problem: &Problem<'_>, name: &str, bend: &Bend) -> Warning {
     let parameter = problem.slots[bend.slot].parameter;
-    warnings.push(WarningKind::NonlinearError.with(format!(
+    WarningKind::NonlinearError.with(format!(
         "the standard error of {name} is too small on one side: {:.3e} {}, {} standard \
          errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
          profile likelihood, or give a prior",
@@ -194,30 +190,29 @@ fn bend(warnings: &mut Vec<Warning>, problem: &Problem<'_>, name: &str, bend: &B
         TESTED,
         bend.growth,
         TESTED * TESTED
-    )));
+    ))
 }
 
 /// Warns of values that no experiment has, and of works of adhesion and stiffnesses that none
 /// measures.
-fn implausible(warnings: &mut Vec<Warning>, estimate: &Estimate) {
+fn implausible(estimate: &Estimate) -> Option<Warning> {
     if let Some(found) = magnitude::of_estimate(estimate) {
-        warnings.push(WarningKind::Implausible.with(found.to_string()));
-        return;
+        return Some(WarningKind::Implausible.with(found.to_string()));
     }
     let [least, most] = match estimate.parameter {
         Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, LARGEST_WORK],
         Parameter::Stiffness => STIFFNESSES,
-        _ => return,
+        _ => return None,
     };
     let determined = estimate.standard_error < UNDETERMINED * estimate.value;
-    if determined && !(least..=most).contains(&estimate.value) {
+    (determined && !(least..=most).contains(&estimate.value)).then(|| {
         let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
-        warnings.push(WarningKind::Implausible.with(format!(
+        WarningKind::Implausible.with(format!(
             "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
              units of the data",
             estimate.value
-        )));
-    }
+        ))
+    })
 }
 
 /// Warns of values at their bounds. Tells whether there are any.
@@ -286,7 +281,7 @@ fn undetermined(
             Parameter::SphereModulus | Parameter::Layer(_, LayerQuantity::InterfaceStiffness)
         );
         if parameter.is_of_bodies() && !is_other {
-            film_not_seen(warnings, problem, parameter);
+            warnings.extend(film_not_seen(problem, parameter));
         }
     }
     let combinations = fit.undetermined.iter();
@@ -298,7 +293,7 @@ fn undetermined(
 }
 
 /// Says how large the contacts are beside a film that the data do not tell.
-fn film_not_seen(warnings: &mut Vec<Warning>, problem: &Problem<'_>, parameter: Parameter) {
+fn film_not_seen(problem: &Problem<'_>, parameter: Parameter) -> Option<Warning> {
     let of_experiment = |e: usize| {
         let thickness = problem.assigned[e].experiment.bodies.thickness()?;
         let radii = problem.contact_radii(e)?;
@@ -306,13 +301,13 @@ fn film_not_seen(warnings: &mut Vec<Warning>, problem: &Problem<'_>, parameter: 
     };
     let ratios = (0..problem.assigned.len()).filter_map(of_experiment);
     let [least, most] = extremes(ratios.flatten());
-    if most > 0.0 {
-        warnings.push(WarningKind::FilmNotSeen.with(format!(
+    (most > 0.0).then(|| {
+        WarningKind::FilmNotSeen.with(format!(
             "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
              a film is told from its substrate best by contacts from well below to well above \
              its thickness"
-        )));
-    }
+        ))
+    })
 }
 
 /// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in one part

@@ -203,10 +203,9 @@ impl Experiment {
         } else {
             Branch::LeftOut
         };
-        let largest = points
-            .iter()
-            .zip(&*branches)
-            .filter(|(_, branch)| **branch == Branch::Advancing)
+        let advancing = points.iter().zip(&*branches);
+        let advancing = advancing.filter(|(_, branch)| **branch == Branch::Advancing);
+        let largest = advancing
             .map(|(point, _)| point.abscissa)
             .fold(0.0, f64::max);
         for (point, branch) in points.iter().zip(branches) {
@@ -240,11 +239,10 @@ impl Experiment {
                 Some(turn) if direction.is_none() => {
                     let (loading, unloading) = all.split_at(turn + 1);
                     let goes = |way: &[usize], up: bool| {
-                        let right = way
-                            .windows(2)
-                            .filter(|pair| (key(pair[1]) > key(pair[0])) == up)
-                            .count();
-                        way.len() >= FEWEST && right as f64 >= IN_ORDER * (way.len() - 1) as f64
+                        let right = way.windows(2);
+                        let right = right.filter(|pair| (key(pair[1]) > key(pair[0])) == up);
+                        way.len() >= FEWEST
+                            && right.count() as f64 >= IN_ORDER * (way.len() - 1) as f64
                     };
                     if goes(loading, true) && goes(unloading, false) {
                         vec![loading.to_vec(), unloading.to_vec()]

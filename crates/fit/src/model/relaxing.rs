@@ -206,17 +206,13 @@ impl Experiment {
     /// Returns what is imposed on the contact in time, without its noise.
     pub(crate) fn program(&self) -> Program {
         let points = &self.measurement.points;
-        let values: Vec<f64> = points
-            .iter()
-            .map(|point| self.sense() * point.abscissa)
-            .collect();
-        let mut program = Program::new(&self.times, &values);
+        let values = points.iter().map(|point| self.sense() * point.abscissa);
+        let mut program = Program::new(&self.times, &values.collect::<Vec<f64>>());
         // Afterwards, so that the same point is the turn for each contact point.
         let shift = self.imposed(0.0);
-        program
-            .points
-            .iter_mut()
-            .for_each(|(_, value)| *value += shift);
+        for (_, value) in &mut program.points {
+            *value += shift;
+        }
         program
     }
 

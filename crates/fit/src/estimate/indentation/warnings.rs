@@ -4,8 +4,7 @@ use crate::estimate::assigned::Assigned;
 use crate::estimate::problem::{Ending, Problem};
 use crate::statistics::{likeness_of_neighbours, median};
 use crate::{
-    ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, LossAngle, Parameter, Warning,
-    WarningKind,
+    ContactDepth, Estimate, Fit, Indentation, Kind, LossAngle, Parameter, Warning, WarningKind,
 };
 
 /// The most evaluations of the fit with the other contact depth, over the number of parameters + 1,
@@ -135,14 +134,9 @@ fn other_depth(fit: &Fit, problem: &Problem<'_>) -> Option<(ContactDepth, Vec<(E
     if other.ending != Ending::Converged {
         return None;
     }
-    let is_modulus = |parameter: Parameter| {
-        matches!(
-            parameter,
-            Parameter::FilmModulus | Parameter::Layer(_, LayerQuantity::Modulus)
-        )
-    };
+    let is_of_sample = |one: Parameter| one.is_modulus() && one != Parameter::SphereModulus;
     let estimates = fit.estimates.iter().enumerate();
-    let changed = estimates.filter(|(_, one)| is_modulus(one.parameter));
+    let changed = estimates.filter(|(_, one)| is_of_sample(one.parameter));
     let changed = changed.map(|(i, one)| (*one, other.value(i)));
     let is_large =
         |(before, after): &(Estimate, f64)| (after - before.value).abs() > before.standard_error;
