@@ -1,7 +1,7 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
 use super::search::range;
-use crate::model::{AbscissaError, Assignment, ContactOf};
+use crate::model::{AbscissaError, ContactOf};
 use crate::{Branch, Error, Experiment};
 
 /// An experiment with the branches of its points.
@@ -9,7 +9,9 @@ use crate::{Branch, Error, Experiment};
 pub(crate) struct Assigned {
     /// The experiment with the present values of the parameters.
     pub experiment: Experiment,
+    /// The branch of each point.
     pub branches: Vec<Branch>,
+    /// The points by descending imposed value: from the largest contact to none.
     pub order: Vec<usize>,
     /// The noise that differences of neighbouring ordinates show; `None` for too few points.
     pub local_noise: Option<f64>,
@@ -23,12 +25,10 @@ pub(crate) struct Assigned {
 
 impl Assigned {
     /// Takes an experiment with the branches of its points, as a fit begins.
-    pub fn new(experiment: Experiment, assignment: Assignment) -> Self {
-        let Assignment {
-            branches,
-            order,
-            local_noise,
-        } = assignment;
+    pub fn new(
+        experiment: Experiment,
+        (branches, order, local_noise): (Vec<Branch>, Vec<usize>, Option<f64>),
+    ) -> Self {
         let least = || local_noise.unwrap_or(0.0).max(1e-6 * range(&experiment));
         Self {
             noise: experiment.usual_noise().unwrap_or_else(least),

@@ -158,23 +158,15 @@ fn add(
             continue;
         };
         if !range.is_jkr() {
-            let reason = if range.tabor < ZoneSize::JKR {
+            let (jkr, thin, tense) = (ZoneSize::JKR, ZoneSize::THIN, ZoneSize::TENSE);
+            let (tabor, part, tension) = (range.tabor, range.range_over_thickness, range.tension);
+            let reason = if tabor < jkr {
+                format!("Tabor's parameter is {tabor:.2}, below {jkr}")
+            } else if part > thin {
+                format!("this is {part:.2} of the thickness, above {thin}")
+            } else if tension > tense {
                 format!(
-                    "Tabor's parameter is {:.2}, below {}",
-                    range.tabor,
-                    ZoneSize::JKR
-                )
-            } else if range.range_over_thickness > ZoneSize::THIN {
-                let part = range.range_over_thickness;
-                format!(
-                    "this is {part:.2} of the thickness, above {}",
-                    ZoneSize::THIN
-                )
-            } else if range.tension > ZoneSize::TENSE {
-                format!(
-                    "the mean tension at pull-off is {:.2} of the stress of the attraction, above {}",
-                    range.tension,
-                    ZoneSize::TENSE
+                    "the mean tension at pull-off is {tension:.2} of the stress of the attraction, above {tense}"
                 )
             } else {
                 continue;

@@ -9,7 +9,6 @@ use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
-use crate::model::Assignment;
 use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Parameter};
 
 /// Computes the standard errors that a planned experiment would give.
@@ -77,12 +76,7 @@ pub fn forecast(
         }
         let contact = experiment.bodies.contact(table, &[])?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
-        let assignment = Assignment {
-            branches,
-            order,
-            local_noise: None,
-        };
-        assigned.push(Assigned::new(experiment, assignment));
+        assigned.push(Assigned::new(experiment, (branches, order, None)));
     }
     let mut slots = slots(experiments, &free)?;
     for slot in &mut slots {

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::assigned::Assigned;
 use super::problem::LARGEST;
+use super::start::IsUnknown;
 use crate::statistics::{extremes, median};
 use crate::{Branch, Experiment, Kind, Parameter};
 
@@ -19,7 +20,7 @@ const NEAR_PULL_OFF: [f64; 6] = [0.8, 1.0, 1.2, 1.5, 2.0, 3.0];
 const FAR: f64 = 15.0;
 
 /// Tells whether the level of the reading without a force is one of the parameters that `is`.
-pub(super) fn level_is(is: &dyn Fn(Parameter) -> bool) -> bool {
+pub(super) fn level_is(is: IsUnknown<'_>) -> bool {
     is(Parameter::LoadOffset) || is(Parameter::Baseline)
 }
 
@@ -27,7 +28,7 @@ pub(super) fn level_is(is: &dyn Fn(Parameter) -> bool) -> bool {
 const LEAST_MODULUS: f64 = 1e-100;
 
 /// A homogeneous contact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Homogeneous {
     /// The compound modulus `E*`, Pa; `None` for penetrations against radii, which tell only
     /// `w/E*`.
@@ -45,10 +46,7 @@ pub(crate) struct Homogeneous {
 }
 
 /// Fits a homogeneous contact, in which the parameters that are unknown may change; `None` if it has no positive modulus.
-pub(crate) fn homogeneous(
-    assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
-) -> Option<Homogeneous> {
+pub(crate) fn homogeneous(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<Homogeneous> {
     let found = match assigned.experiment.measurement.kind {
         Kind::LoadRadius => of_loads_at_radii(assigned, is_unknown),
         Kind::PenetrationRadius => of_penetrations_at_radii(assigned, is_unknown),
@@ -122,10 +120,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
 }
 
 /// Fits `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0`, weighted as in the JKR plot.
-fn of_loads_at_radii(
-    assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
-) -> Option<Homogeneous> {
+fn of_loads_at_radii(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
     let adhesive = is_unknown(Parameter::WorkOfAdhesion) || experiment.work_of_adhesion > 0.0;
@@ -170,17 +165,14 @@ fn of_loads_at_radii(
         work_of_adhesion: work(intercept),
         receding,
         level,
-        slope: 0.0,
         contact_point: experiment.contact_point,
         largest: [largest[0], largest[1] - level, 0.0],
+        ..Homogeneous::default()
     })
 }
 
 /// Fits `delta = a^2/R - sqrt(2 pi a w/E*) + c`.
-fn of_penetrations_at_radii(
-    assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
-) -> Option<Homogeneous> {
+fn of_penetrations_at_radii(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
     let fit = |branch: Branch| {
@@ -205,13 +197,11 @@ fn of_penetrations_at_radii(
     let other = (branch == Branch::Advancing).then(|| fit(Branch::Receding));
     let receding = other.flatten().map(|(ratio, ..)| ratio);
     Some(Homogeneous {
-        modulus: None,
         work_of_adhesion: ratio,
         receding,
-        level: 0.0,
-        slope: 0.0,
         contact_point,
         largest: [largest[0], 0.0, largest[1] - contact_point],
+        ..Homogeneous::default()
     })
 }
 
@@ -221,7 +211,7 @@ fn of_penetrations_at_radii(
 /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
 fn of_loads_at_positions(
     assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
+    is_unknown: IsUnknown<'_>,
     branch: Branch,
 ) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
@@ -305,7 +295,7 @@ fn of_loads_at_positions(
 }
 
 /// Returns level and slope of the baseline, from the points on it if they are not known.
-fn baseline(assigned: &Assigned, is_unknown: &dyn Fn(Parameter) -> bool) -> Option<[f64; 2]> {
+fn baseline(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<[f64; 2]> {
     let experiment = &assigned.experiment;
     let known = [
         experiment.load_offset + experiment.baseline,

@@ -202,22 +202,17 @@ fn limits(slot: &Slot, free: &[Free]) -> [f64; 2] {
 
 /// Accepts branches for each point of each experiment.
 fn accept_lengths(branches: &[Vec<Branch>], assigned: &[Assigned]) -> Result<(), Error> {
-    let setting = |name: String, found: usize, wanted: usize| {
+    let accept = |name: &str, found: usize, wanted: usize| {
         let allowed = format!("{wanted}, as many as there are");
-        Error::setting(name, found as f64, allowed)
+        let wrong = || Error::setting(name, found as f64, allowed);
+        (found == wanted).then_some(()).ok_or_else(wrong)
     };
-    if branches.len() != assigned.len() {
-        let name = "the number of experiments with branches".into();
-        return Err(setting(name, branches.len(), assigned.len()));
-    }
-    for (given, own) in branches.iter().zip(assigned) {
-        if given.len() != own.branches.len() {
-            let name = format!(
-                "the number of branches of {}",
-                own.experiment.measurement.name
-            );
-            return Err(setting(name, given.len(), own.branches.len()));
-        }
-    }
-    Ok(())
+    let name = "the number of experiments with branches";
+    accept(name, branches.len(), assigned.len())?;
+    let mut pairs = branches.iter().zip(assigned);
+    pairs.try_for_each(|(given, own)| {
+        let measurement = &own.experiment.measurement;
+        let name = format!("the number of branches of {}", measurement.name);
+        accept(&name, given.len(), own.branches.len())
+    })
 }

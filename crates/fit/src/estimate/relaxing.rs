@@ -85,20 +85,22 @@ pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>,
         let [least, most] = [INTERVALS * interval, duration];
         // Times are known to a factor.
         let factor = (NEAR * fit.estimates[slot].standard_error / value).exp();
-        if !(least..=most).contains(&value) {
-            warnings.push(WarningKind::RelaxationTime.with(format!(
-                "{name}: {parameter} = {value:.2e} s is outside {least:.2e} s (two intervals between points) \
-                 to {most:.2e} s (the duration), where these data tell a relaxation time: they tell one \
-                 plateau of the modulus only; measure faster, or hold longer"
-            )));
+        let (is, then) = if !(least..=most).contains(&value) {
+            ("is", "they tell one plateau of the modulus only")
         } else if value / factor < least || value * factor > most {
-            warnings.push(WarningKind::RelaxationTime.with(format!(
-                "{name}: {parameter} = {value:.2e} s may be outside {least:.2e} s (two intervals between points) \
-                 to {most:.2e} s (the duration), where these data tell a relaxation time: then the standard errors \
-                 of the moduli and of the law are too small, and intervals from the profile of the likelihood are \
-                 right; measure faster, or hold longer"
-            )));
-        }
+            (
+                "may be",
+                "then the standard errors of the moduli and of the law are too small, and intervals from the profile of \
+                 the likelihood are right",
+            )
+        } else {
+            continue;
+        };
+        warnings.push(WarningKind::RelaxationTime.with(format!(
+            "{name}: {parameter} = {value:.2e} s {is} outside {least:.2e} s (two intervals between points) \
+             to {most:.2e} s (the duration), where these data tell a relaxation time: {then}; measure faster, or hold \
+             longer"
+        )));
     }
     let is_free = |parameter| fit.estimate(parameter).is_some();
     if is_free(Parameter::FilmThickness) && is_free(Parameter::FilmModulus) {

@@ -6,7 +6,7 @@ use contact::LawParameter;
 use interp::{Probe, Table};
 
 use super::assigned::Assigned;
-use super::start::Starts;
+use super::start::{IsUnknown, Starts};
 use crate::model::{Program, contacts_of, noise_of};
 use crate::statistics::{extremes, median, range};
 use crate::{Direction, Error, Experiment, Parameter, Point};
@@ -62,7 +62,7 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     let mut experiment = one.experiment.clone();
     let points = experiment.program().turn + 1;
     if points < FEWEST {
-        return Err(Error::not_fitted(&experiment, BEGINS_IN_CONTACT));
+        return Err(experiment.not_fitted(BEGINS_IN_CONTACT));
     }
     experiment.relaxing = None;
     experiment.times.clear();
@@ -72,11 +72,11 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     for point in &mut experiment.measurement.points {
         point.direction = Some(Direction::Approach);
     }
-    let assignment = experiment.assign(|own| level && own == Parameter::Baseline)?;
+    let (branches, order, _) = experiment.assign(|own| level && own == Parameter::Baseline)?;
     Ok(Some(Assigned {
         experiment,
-        branches: assignment.branches,
-        order: assignment.order,
+        branches,
+        order,
         ..one.clone()
     }))
 }
@@ -95,11 +95,8 @@ struct Tried {
 
 /// Gives the experiment the law of those tried that describes the data best, with the modulus
 /// `matched` that goes with it.
-pub(super) fn give(
-    table: &Table,
-    starts: &mut Starts<'_>,
-    matched: Option<Parameter>,
-) -> Result<(), Error> {
+pub(super) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
+    let (table, matched) = (starts.table, starts.matched);
     let (experiment, is_unknown) = (&mut starts.at.experiment, starts.is_unknown);
     let Some(relaxing) = &experiment.relaxing else {
         return Ok(());
@@ -166,7 +163,7 @@ pub(super) fn give(
 /// a little before.
 fn begin(
     experiment: &Experiment,
-    is_unknown: &dyn Fn(Parameter) -> bool,
+    is_unknown: IsUnknown<'_>,
 ) -> Result<Option<(Parameter, f64)>, Error> {
     let program = experiment.program();
     let (first, largest) = (program.points[0].1, program.points[program.turn].1);
@@ -174,7 +171,7 @@ fn begin(
         return Ok(None);
     }
     if first > hidden(experiment).max(BEGIN) * largest {
-        return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
+        return Err(experiment.not_fitted(BEGINS_IN_CONTACT));
     }
     let abscissa = experiment.measurement.points[0].abscissa;
     Ok(Some((Parameter::ContactPoint, abscissa)))
@@ -194,10 +191,10 @@ pub(super) fn accept_zeros(
     let is_before = |point: &&(f64, f64)| point.1 <= 0.0;
     let before = program.points.iter().take_while(is_before).count();
     if are_free && before < FEWEST {
-        return Err(Error::not_fitted(experiment, NO_ZEROS));
+        return Err(experiment.not_fitted(NO_ZEROS));
     }
     if has_contact_point && stopped && before <= 1 {
-        return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
+        return Err(experiment.not_fitted(BEGINS_IN_CONTACT));
     }
     Ok(())
 }

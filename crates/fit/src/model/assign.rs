@@ -16,19 +16,10 @@ const CLEAR: f64 = 10.0;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
 
-/// The branches of the points of an experiment.
-#[derive(Clone, Debug)]
-pub(crate) struct Assignment {
-    /// The branch of each point.
-    pub branches: Vec<Branch>,
-    /// The points by descending imposed value: from the largest contact to none.
-    pub order: Vec<usize>,
-    /// The noise that differences of neighbouring ordinates show; `None` for too few points.
-    pub local_noise: Option<f64>,
-}
-
 impl Experiment {
-    /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change.
+    /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change. Returns the
+    /// branches, the points by descending imposed value, and the noise that differences of neighbouring ordinates show;
+    /// `None` for too few points.
     ///
     /// At contact radii all points are in contact, except those with a radius of 0. Of a retract
     /// with a work of adhesion of its own, the points within 2 % of the largest radius are left
@@ -41,7 +32,10 @@ impl Experiment {
     /// read from the ends of the segments before.
     /// Without such a jump a flat end of the segment is the baseline. Points between contact and
     /// baseline are left out.
-    pub(crate) fn assign(&self, is_free: impl Fn(Parameter) -> bool) -> Result<Assignment, Error> {
+    pub(crate) fn assign(
+        &self,
+        is_free: impl Fn(Parameter) -> bool,
+    ) -> Result<(Vec<Branch>, Vec<usize>, Option<f64>), Error> {
         let points = &self.measurement.points;
         self.accept_points()?;
         self.accept_stiffness()?;
@@ -51,11 +45,8 @@ impl Experiment {
             noise_of(&compared)
         };
         if self.relaxing.is_some() {
-            return Ok(Assignment {
-                branches: self.branches_in_time(),
-                order,
-                local_noise: noise_in(&(0..points.len()).collect::<Vec<_>>()),
-            });
+            let local_noise = noise_in(&(0..points.len()).collect::<Vec<_>>());
+            return Ok((self.branches_in_time(), order, local_noise));
         }
         let own_branch = |i: usize| match points[i].direction {
             Some(Direction::Retract) => Branch::Receding,
@@ -93,11 +84,7 @@ impl Experiment {
                 }
             }
         }
-        Ok(Assignment {
-            branches,
-            order,
-            local_noise,
-        })
+        Ok((branches, order, local_noise))
     }
 
     /// Returns the points by descending imposed value: from the largest contact to none.

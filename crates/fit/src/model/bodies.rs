@@ -130,11 +130,10 @@ impl Bodies {
     /// Returns the thickness of the film or of all layers, m; `None` on a half-space and on a base
     /// without layers.
     pub(crate) fn thickness(&self) -> Option<f64> {
+        let of_top = self.top_thickness();
         match self {
-            Self::Coated(system) => Some(system.film_thickness),
-            Self::HalfSpace(_) => None,
-            Self::Layered(layered) if layered.layers.is_empty() => None,
-            Self::Layered(layered) => Some(layered.thickness()),
+            Self::Layered(layered) => of_top.map(|_| layered.thickness()),
+            _ => of_top,
         }
     }
 

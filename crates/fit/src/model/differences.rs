@@ -66,10 +66,7 @@ impl Experiment {
         predicted.derivatives = vec![0.0; predicted.values.len() * parameters.len()];
         for (column, &parameter) in parameters.iter().enumerate() {
             let by = self.differences(parameter, |moved| Ok(plain(moved)?.values))?;
-            let rows = predicted.derivatives.chunks_exact_mut(parameters.len());
-            for (row, by) in rows.zip(by) {
-                row[column] = by;
-            }
+            predicted.set_column(column, parameters.len(), by);
         }
         Ok(predicted)
     }

@@ -133,6 +133,14 @@ impl Experiment {
         Ok(self.replace(parameter, value)?)
     }
 
+    /// The error of an experiment that cannot be used so.
+    pub(crate) fn not_fitted(&self, reason: impl Into<Cow<'static, str>>) -> Error {
+        Error::NotFitted {
+            experiment: self.measurement.name.clone(),
+            reason: reason.into(),
+        }
+    }
+
     /// The error of a parameter that this experiment does not tell.
     pub(crate) fn not_applicable(
         &self,

@@ -30,6 +30,14 @@ impl Predicted {
         }
     }
 
+    /// Replaces the derivatives with respect to one of so many `parameters`.
+    pub fn set_column(&mut self, column: usize, parameters: usize, derivatives: Vec<f64>) {
+        let rows = self.derivatives.chunks_exact_mut(parameters);
+        for (row, by) in rows.zip(derivatives) {
+            row[column] = by;
+        }
+    }
+
     /// Returns the branch of a point that was assigned to a branch: pinned, where the line does not move.
     pub fn branch(&self, i: usize, assigned: Branch) -> Branch {
         if self.pinned[i] {

@@ -33,8 +33,8 @@ impl Experiment {
     /// or not below that of the sphere; [`Error::Constant`] for points that are all at one place or
     /// all read one value.
     pub fn branches(&self, free: &[Parameter]) -> Result<Vec<Branch>, Error> {
-        let assignment = self.assign(|parameter| free.contains(&parameter))?;
-        Ok(assignment.branches)
+        let (branches, ..) = self.assign(|parameter| free.contains(&parameter))?;
+        Ok(branches)
     }
 
     /// Evaluates the model at every point, with the derivatives with respect to `parameters` at a

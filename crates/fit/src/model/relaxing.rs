@@ -87,23 +87,19 @@ impl Experiment {
             return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
         }
         if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "a relaxation function is fitted under probes whose contact grows, and that of a flat punch does not",
             ));
         }
         let kind = self.measurement.kind;
         if kind.at_radii() || kind.is_stiffness() {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "a relaxation function is fitted to loads at penetrations, or to forces at heights of a \
                  cantilever, in time",
             ));
         }
         if self.times.is_empty() {
-            return Err(Error::NoTimes {
-                experiment: name.clone(),
-            });
+            return Err(Error::NoTimes(name.clone()));
         }
         for (i, pair) in self.times.windows(2).enumerate() {
             if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
@@ -118,16 +114,14 @@ impl Experiment {
         }
         let adhesion = [Some(self.work_of_adhesion), self.work_of_adhesion_receding];
         if adhesion.into_iter().flatten().any(|work| work != 0.0) {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "it has a work of adhesion, and how much a growing contact gains from adhesion while the \
                  bodies relax depends on the process at the crack tip, for which no law is known here: \
                  fit it without adhesion",
             ));
         }
         if self.holds_penetration() {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "its penetration was held while the force fell, because the cantilever's base moved back: the contact \
                  followed the penetration, and at heights it is not solved; give the penetrations, contact point - height - \
                  force/stiffness, in place of the heights",
@@ -135,17 +129,14 @@ impl Experiment {
         }
         let range = range(points.iter().map(|point| point.abscissa));
         if self.program().changed > SEVERAL * range {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "its penetrations or heights go back and forth, or scatter, by more than a tenth of their range, and one \
                  approach, which may be held, and one retract are followed: keep the points of one cycle that \
                  begins before the contact, and check that no two columns are swapped",
             ));
         }
         if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
-            return Err(Error::DifferentBodies {
-                experiment: name.clone(),
-            });
+            return Err(Error::DifferentBodies(name.clone()));
         }
         Ok(())
     }
@@ -294,10 +285,7 @@ impl Experiment {
             if parameter.is_of_bodies() {
                 let values = |moved: &Self| Ok(moved.predict_history(contact_of, &[])?.values);
                 let by = self.differences(parameter, values)?;
-                let rows = predicted.derivatives.chunks_exact_mut(parameters.len());
-                for (row, by) in rows.zip(by) {
-                    row[column] = by;
-                }
+                predicted.set_column(column, parameters.len(), by);
             }
         }
         Ok(predicted)

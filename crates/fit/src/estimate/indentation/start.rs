@@ -16,11 +16,7 @@ const STEPS: usize = 30;
 const PULL_OFF: f64 = 0.1;
 
 /// Gives the starts that the data show.
-pub(in crate::estimate) fn give(
-    table: &Table,
-    starts: &mut Starts<'_>,
-    matched: Option<Parameter>,
-) -> Result<(), Error> {
+pub(in crate::estimate) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
     let experiment = &starts.at.experiment;
     let loads = experiment.measurement.points.iter();
     let load = median(loads.map(|point| point.abscissa).collect());
@@ -30,8 +26,8 @@ pub(in crate::estimate) fn give(
     }
     let work = PULL_OFF * load / (1.5 * PI * radius);
     starts.give_unknown(Parameter::WorkOfAdhesion, work)?;
-    if let Some(parameter) = matched
-        && let Some(value) = matching(table, &starts.at, parameter)
+    if let Some(parameter) = starts.matched
+        && let Some(value) = matching(starts.table, &starts.at, parameter)
     {
         starts.give(parameter, value)?;
     }
