@@ -1,7 +1,7 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
 use super::search::range;
-use crate::model::{AbscissaError, ContactOf};
+use crate::model::{AbscissaError, Assignment, ContactOf};
 use crate::{Branch, Error, Experiment};
 
 /// An experiment with the branches of its points.
@@ -25,10 +25,7 @@ pub(crate) struct Assigned {
 
 impl Assigned {
     /// Takes an experiment with the branches of its points, as a fit begins.
-    pub fn new(
-        experiment: Experiment,
-        (branches, order, local_noise): (Vec<Branch>, Vec<usize>, Option<f64>),
-    ) -> Self {
+    pub fn new(experiment: Experiment, (branches, order, local_noise): Assignment) -> Self {
         let least = || local_noise.unwrap_or(0.0).max(1e-6 * range(&experiment));
         Self {
             noise: experiment.usual_noise().unwrap_or_else(least),

@@ -93,7 +93,7 @@ pub(crate) fn problem<'a>(
                 .replace(parameter, coordinate.value(coordinate.first()))?;
         }
         let is_own = |parameter: Parameter| own.iter().any(|one| one.0 == parameter);
-        let mut unknown = own.iter().filter(|(_, slot)| !slots[*slot].is_given);
+        let unknown = own.iter().filter(|(_, slot)| !slots[*slot].is_given);
         let is_unknown = |parameter: Parameter| unknown.clone().any(|one| one.0 == parameter);
         let multiplied = match variation {
             Variation::Times(parameter, factor) if is_own(parameter) => Some((parameter, factor)),
@@ -123,7 +123,7 @@ pub(crate) fn problem<'a>(
             homogeneous(elastic.as_ref().unwrap_or(&starts.at), &is_unknown)
         };
         let needs_size = matches!(variation, Variation::Thickness(_));
-        let is_needed = needs_size || unknown.next().is_some();
+        let is_needed = needs_size || unknown.clone().next().is_some();
         // The law that fits best also tells modulus and contact point.
         let is_relaxing = one.experiment.relaxing.is_some();
         if !is_stiffness && !is_relaxing && found.is_none() && is_needed {

@@ -16,10 +16,12 @@ const CLEAR: f64 = 10.0;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
 
+/// The branch of each point; the points by descending imposed value, from the largest contact to none; and the noise that
+/// differences of neighbouring ordinates show, `None` for too few points.
+pub(crate) type Assignment = (Vec<Branch>, Vec<usize>, Option<f64>);
+
 impl Experiment {
-    /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change. Returns the
-    /// branches, the points by descending imposed value, and the noise that differences of neighbouring ordinates show;
-    /// `None` for too few points.
+    /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change.
     ///
     /// At contact radii all points are in contact, except those with a radius of 0. Of a retract
     /// with a work of adhesion of its own, the points within 2 % of the largest radius are left
@@ -32,10 +34,7 @@ impl Experiment {
     /// read from the ends of the segments before.
     /// Without such a jump a flat end of the segment is the baseline. Points between contact and
     /// baseline are left out.
-    pub(crate) fn assign(
-        &self,
-        is_free: impl Fn(Parameter) -> bool,
-    ) -> Result<(Vec<Branch>, Vec<usize>, Option<f64>), Error> {
+    pub(crate) fn assign(&self, is_free: impl Fn(Parameter) -> bool) -> Result<Assignment, Error> {
         let points = &self.measurement.points;
         self.accept_points()?;
         self.accept_stiffness()?;

@@ -37,7 +37,7 @@ mod straight_lines;
 mod tilt;
 mod turn;
 
-pub(crate) use assign::noise_of;
+pub(crate) use assign::{Assignment, noise_of};
 pub use bodies::Bodies;
 pub use branch::Branch;
 pub(crate) use differences::{ContactOf, contacts_of};
