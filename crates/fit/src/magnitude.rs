@@ -2,6 +2,8 @@
 //!
 //! What may be, if seldom, is only warned of ([`WarningKind::Implausible`](crate::WarningKind::Implausible)).
 
+use std::borrow::Cow;
+
 use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
@@ -53,12 +55,8 @@ impl Experiment {
         found.extend(receding.and_then(Magnitude::work_of_adhesion_receding));
         let [least, most] = STIFFNESSES;
         if let Some(value) = self.stiffness.filter(|k| !(least..=most).contains(k)) {
-            found.push(Magnitude {
-                what: "the stiffness".into(),
-                value,
-                unit: "N/m",
-                reason: format!("is outside {least:e} to {most:e} N/m: check its unit").into(),
-            });
+            let reason = format!("is outside {least:e} to {most:e} N/m: check its unit");
+            found.push(magnitude("the stiffness", value, "N/m", reason));
         }
         self.ranges(&mut found);
         found.extend(self.wide_contacts());
@@ -85,12 +83,8 @@ impl Experiment {
                 }
                 _ => continue,
             };
-            found.push(Magnitude {
-                what: format!("the range of the {name}").into(),
-                value,
-                unit,
-                reason: reason.into(),
-            });
+            let what = format!("the range of the {name}");
+            found.push(magnitude(what, value, unit, reason));
         }
     }
 
@@ -110,16 +104,13 @@ impl Experiment {
             return None;
         }
         let wide = touching.iter().filter(|&&a| a > WIDE * radius).count();
-        (2 * wide > touching.len()).then(|| Magnitude {
-            what: "the largest contact radius".into(),
-            value: touching.iter().copied().fold(0.0, f64::max),
-            unit: "m",
-            reason: format!(
-                "is one of {wide} above half the radius of the sphere, {radius:?} m, where a \
-                 paraboloid is no sphere: check the units of both, or take the sphere itself"
-            )
-            .into(),
-        })
+        let reason = format!(
+            "is one of {wide} above half the radius of the sphere, {radius:?} m, where a \
+             paraboloid is no sphere: check the units of both, or take the sphere itself"
+        );
+        let widest = touching.iter().copied().fold(0.0, f64::max);
+        let found = || magnitude("the largest contact radius", widest, "m", reason);
+        (2 * wide > touching.len()).then(found)
     }
 
     /// Returns a doubt about the thickness of the film beside the least and the largest contact
@@ -152,12 +143,7 @@ impl Experiment {
         } else {
             return None;
         };
-        Some(Magnitude {
-            what: "the thickness".into(),
-            value: thickness,
-            unit: "m",
-            reason: reason.into(),
-        })
+        Some(magnitude("the thickness", thickness, "m", reason))
     }
 }
 
@@ -165,6 +151,21 @@ impl Fit {
     /// Names what no experiment has of the values found. Each is warned of, too.
     pub fn magnitudes(&self) -> Vec<Magnitude> {
         self.estimates.iter().filter_map(of_estimate).collect()
+    }
+}
+
+fn magnitude(
+    what: impl Into<Cow<'static, str>>,
+    value: f64,
+    unit: &'static str,
+    reason: String,
+) -> Magnitude {
+    let (what, reason) = (what.into(), reason.into());
+    Magnitude {
+        what,
+        value,
+        unit,
+        reason,
     }
 }
 

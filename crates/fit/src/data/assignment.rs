@@ -105,19 +105,14 @@ impl Columns<'_> {
         }
         // A kind without use for a column that the user names is not meant.
         let is_meant = |kind: &Kind| {
-            let [abscissa, ordinate] = roles(*kind);
-            self.format.columns.iter().all(|column| {
-                let of = |role: Role| role.error() == Some(column.role);
-                column.role == Role::Segment
-                    || beside::needed(*kind).contains(&column.role)
-                    || beside::optional(*kind).contains(&column.role)
-                    || (column.role == Role::ContactArea && kind.at_radii())
-                    || of(abscissa)
-                    || of(ordinate)
-                    || column.role == abscissa
-                    || column.role == ordinate
-                    || (column.role == Role::Deflection && *kind == Kind::ForceHeight)
-            })
+            let own = roles(*kind);
+            let mut used = [&own[..], beside::needed(*kind), beside::optional(*kind)].concat();
+            used.push(Role::Segment);
+            used.extend(own.into_iter().filter_map(Role::error));
+            used.extend(kind.at_radii().then_some(Role::ContactArea));
+            used.extend((*kind == Kind::ForceHeight).then_some(Role::Deflection));
+            let mut columns = self.format.columns.iter();
+            columns.all(|column| used.contains(&column.role))
         };
         let mut meant: Vec<Kind> = Kind::ALL.into_iter().filter(is_meant).collect();
         if meant.is_empty() {

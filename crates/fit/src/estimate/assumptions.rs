@@ -24,10 +24,8 @@ impl Experiment {
     pub fn broken_assumptions(&self, table: &Table) -> Result<Vec<Warning>, Error> {
         let contact = self.bodies.contact(table, &[])?;
         let radii = self.predictions(table, None, &[])?.contact_radii;
-        let mut warnings = Vec::new();
         let range = Options::default().interaction_range;
-        add(&mut warnings, self, &contact, ends(radii), range, &[]);
-        Ok(warnings)
+        Ok(doubts(self, &contact, ends(radii), range, &[]))
     }
 }
 
@@ -39,48 +37,43 @@ pub(super) fn ends(radii: impl IntoIterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values.
+/// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values; `None` where these have
+/// no contact.
 pub(super) fn of_problem(
-    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     e: usize,
     interaction_range: f64,
     estimates: &[Estimate],
-) {
+) -> Option<Vec<Warning>> {
     let experiment = &problem.assigned[e].experiment;
-    let Some(radii) = problem.contact_radii(e) else {
-        return;
-    };
-    let Ok(contact) = problem.contact(&experiment.bodies, false) else {
-        return;
-    };
-    add(
-        warnings,
+    let radii = problem.contact_radii(e)?;
+    let contact = problem.contact(&experiment.bodies, false).ok()?;
+    Some(doubts(
         experiment,
         &contact,
         radii,
         interaction_range,
         estimates,
-    );
+    ))
 }
 
 /// Warns of contacts outside the assumptions of the model. The radii are the smallest and the largest one, m.
-fn add(
-    warnings: &mut Vec<Warning>,
+fn doubts(
     experiment: &Experiment,
     contact: &Contact,
     [least, a]: [f64; 2],
     interaction_range: f64,
     estimates: &[Estimate],
-) {
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
     let name = &experiment.measurement.name;
     // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
     if !experiment.has_shape(false) {
         warnings.extend(friction::doubt(experiment, contact, a, estimates));
-        return;
+        return warnings;
     }
     let Ok(validity) = contact.validity(a) else {
-        return;
+        return warnings;
     };
     if a < SMALLEST_RADIUS {
         warnings.push(WarningKind::Implausible.with(format!(
@@ -179,6 +172,7 @@ fn add(
             )));
         }
     }
+    warnings
 }
 
 /// Says by how much the model is wrong where the attraction has a range.

@@ -102,16 +102,17 @@ pub fn forecast(
     }
     let uncertainty = uncertainty(&problem)?;
     let estimates = estimates(&problem, Some(&uncertainty));
-    let mut warnings = Vec::new();
     let range = Options::default().interaction_range;
-    for e in 0..problem.assigned.len() {
-        assumptions::of_problem(&mut warnings, &problem, e, range, &estimates);
-    }
+    let broken = |e| assumptions::of_problem(&problem, e, range, &estimates);
+    let warnings = (0..problem.assigned.len())
+        .filter_map(broken)
+        .flatten()
+        .collect();
     Ok(Forecast {
-        estimates,
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&slot_names(&problem)),
         warnings,
+        estimates,
     })
 }
 

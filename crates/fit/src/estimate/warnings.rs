@@ -67,13 +67,9 @@ pub(super) fn warnings(
         unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
     }
     for e in 0..problem.assigned.len() {
-        assumptions::of_problem(
-            &mut warnings,
-            problem,
-            e,
-            options.interaction_range,
-            &fit.estimates,
-        );
+        let range = options.interaction_range;
+        let broken = assumptions::of_problem(problem, e, range, &fit.estimates);
+        warnings.extend(broken.into_iter().flatten());
         warnings.extend(cycle::doubts(problem, e).into_iter().flatten());
         relaxing::add(&mut warnings, fit, problem, e);
     }

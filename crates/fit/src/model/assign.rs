@@ -159,18 +159,12 @@ impl Experiment {
                 return Err(self.refused(point.line, abscissa, radius, allowed));
             }
         }
-        let constant = |value: fn(&Point) -> f64| {
-            let first = points.first().map(value)?;
-            points
-                .iter()
-                .all(|point| value(point) == first)
-                .then_some(first)
-        };
-        for (name, value) in [
-            (abscissa, constant(|point| point.abscissa)),
-            (ordinate, constant(|point| point.ordinate)),
-        ] {
-            if let Some(value) = value {
+        let values: [fn(&Point) -> f64; 2] = [|point| point.abscissa, |point| point.ordinate];
+        for (name, value) in [abscissa, ordinate].into_iter().zip(values) {
+            let mut all = points.iter().map(value);
+            if let Some(value) = all.next()
+                && all.all(|other| other == value)
+            {
                 return Err(Error::Constant {
                     measurement: measurement.name.clone(),
                     name,
