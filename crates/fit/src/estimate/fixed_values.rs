@@ -45,25 +45,18 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             return Err(Error::setting(name, f64::NAN, allowed));
         };
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
-        let refusals = [
-            (
-                !assigned.iter().any(has_effect),
-                "of a value that has an effect on these measurements: leave its error out",
-            ),
-            (
-                first.is_infinite(),
-                "finite, and this body is rigid: leave its error out, or give the body a modulus",
-            ),
-            (
-                quantity.parameter().is_some_and(is_free),
-                "of a value that is not free: give a free one a prior instead",
-            ),
-            (
-                known[..i].iter().any(|before| before.quantity == *quantity),
-                "given once",
-            ),
-        ];
-        if let Some((_, allowed)) = refusals.into_iter().find(|(is_wrong, _)| *is_wrong) {
+        let refused = if !assigned.iter().any(has_effect) {
+            Some("of a value that has an effect on these measurements: leave its error out")
+        } else if first.is_infinite() {
+            Some("finite, and this body is rigid: leave its error out, or give the body a modulus")
+        } else if quantity.parameter().is_some_and(is_free) {
+            Some("of a value that is not free: give a free one a prior instead")
+        } else if known[..i].iter().any(|before| before.quantity == *quantity) {
+            Some("given once")
+        } else {
+            None
+        };
+        if let Some(allowed) = refused {
             return Err(Error::setting(name, first, allowed));
         }
         let is_scale = match quantity {

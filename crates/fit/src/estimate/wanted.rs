@@ -135,26 +135,19 @@ fn unfitted_pull(problem: &Problem<'_>, e: usize) -> Option<f64> {
 
 /// Says that data show adhesion, with the force by which the contact pulls, N.
 fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
-    let name = &experiment.measurement.name;
-    let what = format!(
-        "{name}: the force falls {pull:.1e} N below the baseline and jumps back to it where the contact ends, which is \
-         adhesion"
-    );
-    if experiment.relaxing.is_some() {
-        return format!(
-            "{what}, and contacts that relax are fitted without: leave the points of the retract out, and keep those of \
-             approach and hold"
-        );
-    }
-    if let Probe::FlatPunch { .. } = experiment.bodies.probe() {
-        return format!(
-            "{what}, and the work of adhesion is 0 and not fitted: the pull-off load alone tells that of a flat punch; give a \
-             larger one than that, such as 1 J/m^2, for the fit of the rest"
-        );
-    }
+    let advice = if experiment.relaxing.is_some() {
+        "contacts that relax are fitted without: leave the points of the retract out, and keep those of approach and hold"
+    } else if let Probe::FlatPunch { .. } = experiment.bodies.probe() {
+        "the work of adhesion is 0 and not fitted: the pull-off load alone tells that of a flat punch; give a larger one than \
+         that, such as 1 J/m^2, for the fit of the rest"
+    } else {
+        "the work of adhesion is 0 and not fitted: free it (work-of-adhesion); without it the modulus and the zeros of the \
+         instrument make up for it"
+    };
     format!(
-        "{what}, and the work of adhesion is 0 and not fitted: free it (work-of-adhesion); without it the modulus and the \
-         zeros of the instrument make up for it"
+        "{}: the force falls {pull:.1e} N below the baseline and jumps back to it where the contact ends, which is \
+         adhesion, and {advice}",
+        experiment.measurement.name
     )
 }
 

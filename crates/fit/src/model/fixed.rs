@@ -105,13 +105,10 @@ impl Fixed {
     }
 
     pub(crate) const fn is_poisson_ratio(self) -> bool {
-        matches!(
-            self,
-            Self::SubstratePoissonRatio
-                | Self::LayerPoissonRatio(_)
-                | Self::NamedPoissonRatio(_)
-                | Self::Parameter(Parameter::FilmPoissonRatio)
-        )
+        match self {
+            Self::Parameter(parameter) => matches!(parameter, Parameter::FilmPoissonRatio),
+            _ => self.dimension().is_none(),
+        }
     }
 }
 

@@ -28,23 +28,20 @@ impl Sample {
         contact_of: &ContactOf<'_>,
         most: f64,
     ) -> Result<Self, crate::Error> {
-        let (thickness, contacts) = match bodies {
-            Bodies::Coated(system) => {
-                (system.film_thickness, vec![(0.0, contact_of(bodies, &[])?)])
-            }
+        let contacts = match bodies {
             Bodies::Layered(layered) if most > 0.0 && !layered.layers.is_empty() => {
-                let place = |k: usize| {
-                    let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
-                    0.5 * most * (1.0 - angle.cos())
-                };
-                let stacks = (0..THICKNESSES).map(|k| {
-                    let by = place(k);
+                let contact = |k: usize| {
+                    let by = 0.5 * most * (1.0 - angle(k).cos());
                     let contact = contact_of(&Bodies::Layered(thinned(layered, by)), &[])?;
                     Ok::<_, crate::Error>((by, contact))
-                });
-                (f64::INFINITY, stacks.collect::<Result<_, _>>()?)
+                };
+                (0..THICKNESSES).map(contact).collect::<Result<_, _>>()?
             }
-            _ => (f64::INFINITY, vec![(0.0, contact_of(bodies, &[])?)]),
+            _ => vec![(0.0, contact_of(bodies, &[])?)],
+        };
+        let thickness = match bodies {
+            Bodies::Coated(system) => system.film_thickness,
+            _ => f64::INFINITY,
         };
         Ok(Self {
             thickness,
@@ -75,14 +72,18 @@ impl Sample {
             if thinner == *by {
                 return Ok(value.exp());
             }
-            let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            let weight = sign * angle.sin() / (thinner - by);
+            let weight = sign * angle(k).sin() / (thinner - by);
             above += weight * value;
             below += weight;
         }
         Ok((above / below).exp())
     }
+}
+
+/// Returns the angle of one of Chebyshev's points.
+fn angle(k: usize) -> f64 {
+    PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64
 }
 
 /// Returns the layers with a top layer that is thinner by a depth (m).
