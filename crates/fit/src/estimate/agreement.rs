@@ -97,10 +97,8 @@ fn poor(
             })
         }
     };
-    let text = format!(
-        "the model does not describe the data to their noise: {}",
-        how?
-    );
+    let how = how?;
+    let text = format!("the model does not describe the data to their noise: {how}");
     Some(WarningKind::PoorFit.with(text))
 }
 

@@ -12,8 +12,8 @@ use super::{Branch, Direction, Experiment, Kind, Parameter};
 /// which a branch is continued beyond its end.
 const NEAR_END: f64 = 1.1;
 
-/// The points of an experiment in one contact, as far as they are predicted.
-pub(super) struct Points<'a> {
+/// Predicts the points of an experiment in one contact.
+pub(super) struct Predictor<'a> {
     pub experiment: &'a Experiment,
     pub contact: &'a Contact,
     pub branches: &'a [Branch],
@@ -21,6 +21,7 @@ pub(super) struct Points<'a> {
     pub order: &'a [usize],
     /// The parameters with respect to which there are derivatives.
     pub columns: &'a [Parameter],
+    /// What is predicted so far.
     pub predicted: Predicted,
 }
 
@@ -38,7 +39,7 @@ impl Experiment {
         let values = points.map(|point| self.baseline_at(point.abscissa));
         let mut predicted = Predicted::new(values.collect(), columns.len());
         self.add_baseline_derivatives(columns, &mut predicted.derivatives);
-        let mut points = Points {
+        let mut predictor = Predictor {
             experiment: self,
             contact,
             branches,
@@ -49,19 +50,19 @@ impl Experiment {
         match self.measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius => {
                 for branch in Branch::CONTACTS {
-                    points.at_radii(branch)?;
+                    predictor.at_radii(branch)?;
                 }
             }
             // A contact stiffness is predicted by `predict_stiffness`.
             Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => {}
             Kind::LoadPenetration | Kind::ForceHeight => {
-                let turn = points.turn()?;
+                let turn = predictor.turn()?;
                 for branch in Branch::CONTACTS {
-                    points.at_positions(branch, turn.as_ref())?;
+                    predictor.at_positions(branch, turn.as_ref())?;
                 }
             }
         }
-        Ok(points.predicted)
+        Ok(predictor.predicted)
     }
 
     /// Returns the change of the imposed value that belongs to a change of load and penetration.
@@ -70,7 +71,7 @@ impl Experiment {
     }
 }
 
-impl Points<'_> {
+impl Predictor<'_> {
     /// Predicts the points of a branch at measured contact radii.
     fn at_radii(&mut self, branch: Branch) -> Result<(), contact::Error> {
         let of = self.experiment;

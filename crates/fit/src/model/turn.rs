@@ -3,7 +3,7 @@
 use contact::{Derivatives, Input, State};
 use interp::Probe;
 
-use super::predict::Points;
+use super::predict::Predictor;
 use super::{Branch, Parameter};
 
 /// The contact at the turn from approach to retract, in which the line stays until the energy
@@ -17,7 +17,7 @@ pub(super) struct Turn {
     radius: Vec<f64>,
 }
 
-impl Points<'_> {
+impl Predictor<'_> {
     /// Returns the contact at the turn, if the receding work of adhesion is the larger one.
     pub(super) fn turn(&self) -> Result<Option<Turn>, contact::Error> {
         let (of, contact) = (self.experiment, self.contact);
