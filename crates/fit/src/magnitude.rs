@@ -119,12 +119,9 @@ impl Experiment {
         let thickness = self.bodies.thickness().filter(|_| most > 0.0)?;
         let radius = self.bodies.probe().radius();
         let smaller_radius = radius.filter(|&radius| thickness > radius);
-        let [below, below_thick] = UNSEEN;
-        let unseen = if smaller_radius.is_some() {
-            below_thick
-        } else {
-            below
-        };
+        let is_thick = smaller_radius.is_some();
+        let [usual, thick] = UNSEEN;
+        let unseen = if is_thick { thick } else { usual };
         let reason = if most < unseen * thickness {
             let beside = smaller_radius.map_or_else(String::new, |radius| {
                 format!("is larger than the radius of the sphere, {radius:?} m, and ")

@@ -360,33 +360,26 @@ impl Rows<'_> {
         if let Some(failure) = self.waiting.failure {
             return Err(failure);
         }
-        self.check_head()?;
+        // Heads must not differ in a value that was used.
+        let used = self.format.cantilever;
+        if let Some([first, second]) = &self.notes.head.conflict
+            && [used.stiffness, used.sensitivity].contains(&Some(first.value))
+        {
+            return Err(Problem::TwoValues {
+                name: first.name.clone(),
+                values: [first.value, second.value],
+                lines: [first.line, second.line],
+            }
+            .into());
+        }
         // Between semicolons commas are decimal marks as a rule, and points may part thousands.
         let is_clear = self.delimiter != Delimiter::Semicolon;
         self.notes.marks = match self.mark.marks() {
             Marks::UnclearPoints if is_clear => Marks::Points,
             marks => marks,
         };
-        self.notes.cantilever = self.format.cantilever;
+        self.notes.cantilever = used;
         join(self.blocks, self.count, self.format, name, self.notes)
-    }
-
-    /// Refuses heads that differ in a value that was used.
-    fn check_head(&self) -> Result<(), DataError> {
-        let used = self.format.cantilever;
-        match &self.notes.head.conflict {
-            Some([first, second])
-                if [used.stiffness, used.sensitivity].contains(&Some(first.value)) =>
-            {
-                Err(Problem::TwoValues {
-                    name: first.name.clone(),
-                    values: [first.value, second.value],
-                    lines: [first.line, second.line],
-                }
-                .into())
-            }
-            _ => Ok(()),
-        }
     }
 }
 

@@ -81,8 +81,11 @@ pub(crate) fn minimum<'a>(
     let from_data = without_starts(data, free);
     let ended_at_zero = |first: &Problem<'_>| !no_adhesion::ended_at_zero(first).is_empty();
     let lost_adhesion = first.as_ref().is_ok_and(ended_at_zero);
+    // A thin and a stiff film may look like a thick and a soft one.
+    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
+    let is_film_free = is_free(Parameter::FilmModulus) && is_free(Parameter::FilmThickness);
     let needs_others =
-        is_bad || doubtful.is_some() || from_data.is_some() || is_film_free(free) || lost_adhesion;
+        is_bad || doubtful.is_some() || from_data.is_some() || is_film_free || lost_adhesion;
     let (first, failure) = match first {
         Ok(first) if !needs_others => return Ok(best(vec![first], data)),
         Ok(first) => (Some(first), None),
@@ -126,13 +129,6 @@ pub(crate) fn minimum<'a>(
         Some(failure) => Err(failure),
         None => Ok(best(ends, data)),
     }
-}
-
-/// Tells whether modulus and thickness of the film are both free. A thin and a stiff film may look
-/// like a thick and a soft one.
-fn is_film_free(free: &[Free]) -> bool {
-    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
-    is_free(Parameter::FilmModulus) && is_free(Parameter::FilmThickness)
 }
 
 /// Lists the other starts: those of a film that is thinner or thicker, softer or stiffer, and if

@@ -147,9 +147,10 @@ impl<'a> Problem<'a> {
     }
 
     /// Predicts the points of an experiment at its present values. The derivatives are predicted at
-    /// once, because nearly every value is one to go on from.
+    /// once where they are exact, because nearly every value is one to go on from.
     fn predict_now(&self, experiment: usize) -> Result<Predicted, Error> {
-        if self.assigned[experiment].experiment.has_exact_derivatives() {
+        let own = &self.assigned[experiment].experiment;
+        if own.bodies.has_derivatives() && !own.measurement.kind.is_stiffness() {
             let parameters = self.parameters_of(experiment);
             // There may be a contact without derivatives.
             if let Ok(predicted) = self.predict(experiment, &parameters) {
@@ -381,13 +382,6 @@ impl<'a> Problem<'a> {
         }
         fixed.update().ok()?;
         Some(fixed)
-    }
-
-    /// Takes over all coordinates but one from a problem that does not have this slot.
-    pub fn take_others(&mut self, slot: usize, other: &Self) {
-        for i in (0..self.x.len()).filter(|&i| i != slot) {
-            self.x[i] = other.x[i - usize::from(i > slot)];
-        }
     }
 
     /// Returns twice the loss of the present residuals; infinity without a contact.

@@ -30,12 +30,6 @@ pub(crate) fn contacts_of(
 }
 
 impl Experiment {
-    /// Tells whether the derivatives of its predictions are exact, so that they need no further contacts but beyond the
-    /// nodes of a table.
-    pub(crate) const fn has_exact_derivatives(&self) -> bool {
-        self.bodies.has_derivatives() && !self.measurement.kind.is_stiffness()
-    }
-
     /// Predicts all points that are not left out, with derivatives with respect to `parameters`. See [`Experiment::predict`].
     pub(crate) fn predict_with(
         &self,

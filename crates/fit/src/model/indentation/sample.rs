@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use contact::{Contact, Error};
 
+use crate::Bodies;
 use crate::model::differences::ContactOf;
-use crate::{Bodies, Layered};
 
 /// The number of thicknesses of the top layer at which the contacts of a thinned stack are made.
 /// With 6 the stiffness between them is within 1e-6 for a layer thinned to half
@@ -32,7 +32,11 @@ impl Sample {
             Bodies::Layered(layered) if most > 0.0 && !layered.layers.is_empty() => {
                 let contact = |k: usize| {
                     let by = 0.5 * most * (1.0 - angle(k).cos());
-                    let contact = contact_of(&Bodies::Layered(thinned(layered, by)), &[])?;
+                    let mut thinner = layered.clone();
+                    if let Some(top) = thinner.layers.last_mut() {
+                        top.layer.thickness -= by;
+                    }
+                    let contact = contact_of(&Bodies::Layered(thinner), &[])?;
                     Ok::<_, crate::Error>((by, contact))
                 };
                 (0..THICKNESSES).map(contact).collect::<Result<_, _>>()?
@@ -84,13 +88,4 @@ impl Sample {
 /// Returns the angle of one of Chebyshev's points.
 fn angle(k: usize) -> f64 {
     PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64
-}
-
-/// Returns the layers with a top layer that is thinner by a depth (m).
-fn thinned(layered: &Layered, by: f64) -> Layered {
-    let mut layered = layered.clone();
-    if let Some(top) = layered.layers.last_mut() {
-        top.layer.thickness -= by;
-    }
-    layered
 }
