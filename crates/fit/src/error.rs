@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::{Experiment, LayerName, Numbering, Parameter};
+use crate::{LayerName, Numbering, Parameter};
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -151,22 +151,16 @@ pub enum Error {
     },
     /// Points without times, where the bodies relax.
     #[error(
-        "{experiment}: its points have no times, on which the forces of bodies that relax depend: give \
+        "{0}: its points have no times, on which the forces of bodies that relax depend: give \
          each point its time"
     )]
-    NoTimes {
-        /// The name of the measurement.
-        experiment: String,
-    },
+    NoTimes(String),
     /// A stack that relaxes, between bodies that deform and do not.
     #[error(
-        "{experiment}: the layers of a stack relax all by one law, and so must probe and base: state that \
+        "{0}: the layers of a stack relax all by one law, and so must probe and base: state that \
          all bodies relax, take probe and base as rigid, or use one film"
     )]
-    DifferentBodies {
-        /// The name of the measurement.
-        experiment: String,
-    },
+    DifferentBodies(String),
     /// Times that do not rise.
     #[error(
         "{measurement}, {numbering} {line}: time = {time:?} s follows {before:?} s, and times must rise: where \
@@ -210,17 +204,6 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error of an experiment that cannot be used so.
-    pub(crate) fn not_fitted(
-        experiment: &Experiment,
-        reason: impl Into<Cow<'static, str>>,
-    ) -> Self {
-        Self::NotFitted {
-            experiment: experiment.measurement.name.clone(),
-            reason: reason.into(),
-        }
-    }
-
     /// The error of a setting whose value is not allowed.
     pub(crate) fn setting(name: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
         Self::Setting {
@@ -229,9 +212,7 @@ impl Error {
             allowed: allowed.into(),
         }
     }
-}
 
-impl Error {
     /// Tells whether a contact was refused because a table ends before it.
     pub(crate) const fn is_beyond_table(&self) -> bool {
         use interp::Error::{Equivalent, Extrapolation, OutsideTable};

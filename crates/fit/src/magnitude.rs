@@ -2,11 +2,13 @@
 //!
 //! What may be, if seldom, is only warned of ([`WarningKind::Implausible`](crate::WarningKind::Implausible)).
 
+use std::borrow::Cow;
+
 use contact::magnitude::{LENGTHS, Magnitude};
 use interp::Probe;
 
-use crate::statistics::extremes;
-use crate::{Bodies, Estimate, Experiment, Fit, Kind, LayerQuantity, Parameter};
+use crate::statistics::range;
+use crate::{Bodies, Estimate, Experiment, Fit, Kind};
 
 /// The stiffnesses of cantilevers and load cells, N/m.
 pub const STIFFNESSES: [f64; 2] = [1e-6, 1e9];
@@ -53,12 +55,8 @@ impl Experiment {
         found.extend(receding.and_then(Magnitude::work_of_adhesion_receding));
         let [least, most] = STIFFNESSES;
         if let Some(value) = self.stiffness.filter(|k| !(least..=most).contains(k)) {
-            found.push(Magnitude {
-                what: "the stiffness".into(),
-                value,
-                unit: "N/m",
-                reason: format!("is outside {least:e} to {most:e} N/m: check its unit").into(),
-            });
+            let reason = format!("is outside {least:e} to {most:e} N/m: check its unit");
+            found.push(magnitude("the stiffness", value, "N/m", reason));
         }
         self.ranges(&mut found);
         found.extend(self.wide_contacts());
@@ -70,12 +68,10 @@ impl Experiment {
         let kind = self.measurement.kind;
         let points = &self.measurement.points;
         // A number that is not finite is refused by its point.
-        let range = |value: fn(&crate::Point) -> f64| {
-            let ends = points.iter().map(value).filter(|value| value.is_finite());
-            let [least, most] = extremes(ends);
-            most - least
+        let of = |value: fn(&crate::Point) -> f64| {
+            range(points.iter().map(value).filter(|value| value.is_finite()))
         };
-        let ranges = [range(|point| point.abscissa), range(|point| point.ordinate)];
+        let ranges = [of(|point| point.abscissa), of(|point| point.ordinate)];
         for ((name, unit), value) in kind.names().into_iter().zip(kind.units()).zip(ranges) {
             let [_, most] = LENGTHS;
             let reason = match unit {
@@ -87,12 +83,8 @@ impl Experiment {
                 }
                 _ => continue,
             };
-            found.push(Magnitude {
-                what: format!("the range of the {name}").into(),
-                value,
-                unit,
-                reason: reason.into(),
-            });
+            let what = format!("the range of the {name}");
+            found.push(magnitude(what, value, unit, reason));
         }
     }
 
@@ -112,16 +104,13 @@ impl Experiment {
             return None;
         }
         let wide = touching.iter().filter(|&&a| a > WIDE * radius).count();
-        (2 * wide > touching.len()).then(|| Magnitude {
-            what: "the largest contact radius".into(),
-            value: touching.iter().copied().fold(0.0, f64::max),
-            unit: "m",
-            reason: format!(
-                "is one of {wide} above half the radius of the sphere, {radius:?} m, where a \
-                 paraboloid is no sphere: check the units of both, or take the sphere itself"
-            )
-            .into(),
-        })
+        let reason = format!(
+            "is one of {wide} above half the radius of the sphere, {radius:?} m, where a \
+             paraboloid is no sphere: check the units of both, or take the sphere itself"
+        );
+        let widest = touching.iter().copied().fold(0.0, f64::max);
+        let found = || magnitude("the largest contact radius", widest, "m", reason);
+        (2 * wide > touching.len()).then(found)
     }
 
     /// Returns a doubt about the thickness of the film beside the least and the largest contact
@@ -130,12 +119,9 @@ impl Experiment {
         let thickness = self.bodies.thickness().filter(|_| most > 0.0)?;
         let radius = self.bodies.probe().radius();
         let smaller_radius = radius.filter(|&radius| thickness > radius);
-        let [below, below_thick] = UNSEEN;
-        let unseen = if smaller_radius.is_some() {
-            below_thick
-        } else {
-            below
-        };
+        let is_thick = smaller_radius.is_some();
+        let [usual, thick] = UNSEEN;
+        let unseen = if is_thick { thick } else { usual };
         let reason = if most < unseen * thickness {
             let beside = smaller_radius.map_or_else(String::new, |radius| {
                 format!("is larger than the radius of the sphere, {radius:?} m, and ")
@@ -154,12 +140,7 @@ impl Experiment {
         } else {
             return None;
         };
-        Some(Magnitude {
-            what: "the thickness".into(),
-            value: thickness,
-            unit: "m",
-            reason: reason.into(),
-        })
+        Some(magnitude("the thickness", thickness, "m", reason))
     }
 }
 
@@ -167,6 +148,21 @@ impl Fit {
     /// Names what no experiment has of the values found. Each is warned of, too.
     pub fn magnitudes(&self) -> Vec<Magnitude> {
         self.estimates.iter().filter_map(of_estimate).collect()
+    }
+}
+
+fn magnitude(
+    what: impl Into<Cow<'static, str>>,
+    value: f64,
+    unit: &'static str,
+    reason: String,
+) -> Magnitude {
+    let (what, reason) = (what.into(), reason.into());
+    Magnitude {
+        what,
+        value,
+        unit,
+        reason,
     }
 }
 
@@ -179,34 +175,27 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
         ..
     } = *estimate;
     let name = parameter.name();
-    let (found, mistake) = match parameter {
-        Parameter::SphereModulus
-        | Parameter::FilmModulus
-        | Parameter::Layer(_, LayerQuantity::Modulus) => (
-            Magnitude::modulus(name, value)?,
-            "; mN or uN taken for N, or mm or um for m, give such a result",
-        ),
-        Parameter::FilmThickness | Parameter::Layer(_, LayerQuantity::Thickness) => {
-            (Magnitude::length(name, value)?, "")
-        }
-        Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => {
-            (Magnitude::work_of_adhesion(name, value)?, "")
-        }
-        _ => return None,
+    let (found, mistake) = if parameter.is_modulus() {
+        let mistake = "; mN or uN taken for N, or mm or um for m, give such a result";
+        (Magnitude::modulus(name, value)?, mistake)
+    } else if parameter.is_thickness() {
+        (Magnitude::length(name, value)?, "")
+    } else if parameter.is_work_of_adhesion() {
+        (Magnitude::work_of_adhesion(name, value)?, "")
+    } else {
+        return None;
     };
     let usual = found.reason;
     let reason = if standard_error < UNDETERMINED * value {
         format!("{usual}{mistake}")
     } else {
         let undetermined = "is not determined by these data: fix it or give a prior";
-        match parameter {
-            // The thickness of a film that the data do not see goes to any value. Its unit was given
-            // with its start, which is checked.
-            Parameter::FilmThickness | Parameter::Layer(_, LayerQuantity::Thickness) => {
-                undetermined.into()
-            }
-            // Loads or lengths in a wrong unit may leave a modulus undetermined.
-            _ => format!("{undetermined}; it {usual}{mistake}"),
+        // The thickness of a film that the data do not see goes to any value. Its unit was given with its start, which
+        // is checked. Loads or lengths in a wrong unit may leave a modulus undetermined.
+        if parameter.is_thickness() {
+            undetermined.into()
+        } else {
+            format!("{undetermined}; it {usual}{mistake}")
         }
     };
     Some(Magnitude {
@@ -218,6 +207,7 @@ pub(crate) fn of_estimate(estimate: &Estimate) -> Option<Magnitude> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Parameter;
 
     #[test]
     fn a_value_that_is_not_determined_is_no_mistake_of_a_unit() {

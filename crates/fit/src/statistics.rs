@@ -7,6 +7,10 @@ use contact::root;
 /// The median of the absolute value of a normal number.
 pub(crate) const MEDIAN: f64 = 0.674_49;
 
+/// The largest excess of a sum of squares, or lack of runs, that chance explains, in standard
+/// deviations: one fit in 300,000 exceeds it.
+pub(crate) const BEYOND_CHANCE: f64 = 4.5;
+
 /// Returns the median; 0 of no values.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {
@@ -34,6 +38,23 @@ pub(crate) fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     })
 }
 
+/// Returns the largest of numbers less the least.
+pub(crate) fn range(numbers: impl Iterator<Item = f64>) -> f64 {
+    let [least, most] = extremes(numbers);
+    most - least
+}
+
+/// Returns the standard deviation of normal numbers by the median of their sizes, which bears outliers.
+pub(crate) fn robust_deviation(numbers: impl Iterator<Item = f64>) -> f64 {
+    median(numbers.map(f64::abs).collect()) / MEDIAN
+}
+
+/// Returns the zero of a function between two numbers.
+pub(crate) fn zero(of: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let Ok(found) = root(|x| Ok::<_, Infallible>(of(x)), from, to);
+    found
+}
+
 /// Returns the value from which on half of the weights are, of values with their weights; 0 of none.
 pub(crate) fn weighted_median(values: &mut [[f64; 2]]) -> f64 {
     values.sort_unstable_by(|one, other| one[0].total_cmp(&other[0]));
@@ -58,7 +79,7 @@ const FAR: f64 = 3.0;
 
 /// Returns the size from which on residuals of these `sizes` are far from the others; infinity where most are 0.
 pub(crate) fn far(sizes: impl Iterator<Item = f64>) -> f64 {
-    let scale = median(sizes.collect()) / MEDIAN;
+    let scale = robust_deviation(sizes);
     if scale > 0.0 {
         FAR * scale
     } else {
@@ -161,12 +182,7 @@ pub(crate) fn deviations(level: f64) -> f64 {
     /// No f64 is a probability to be farther away.
     const FARTHEST: f64 = 40.0;
     let outside = |z: f64| libm::erfc(z * std::f64::consts::FRAC_1_SQRT_2);
-    let Ok(z) = root(
-        |z| Ok::<_, Infallible>(outside(z) - (1.0 - level)),
-        0.0,
-        FARTHEST,
-    );
-    z
+    zero(|z| outside(z) - (1.0 - level), 0.0, FARTHEST)
 }
 
 /// The degrees of freedom from which on Student's distribution is taken for the normal one: its
@@ -180,8 +196,8 @@ pub(crate) fn student_deviations(level: f64, freedom: usize) -> f64 {
         return deviations(level);
     }
     // The angle whose tangent is `t/sqrt(freedom)`.
-    let excess = |angle| Ok::<_, Infallible>(student_within(angle, freedom) - level);
-    let Ok(angle) = root(excess, 0.0, std::f64::consts::FRAC_PI_2);
+    let excess = |angle| student_within(angle, freedom) - level;
+    let angle = zero(excess, 0.0, std::f64::consts::FRAC_PI_2);
     (freedom as f64).sqrt() * angle.tan()
 }
 

@@ -86,9 +86,9 @@ pub fn read_file<'py>(
         fields.set_item("from_deflection", notes.has_deflection())?;
     }
     fields.set_item("reading", reading(&measurement, &notes))?;
-    let doubts = notes.doubts.iter().map(|doubt| match doubt.remedy() {
-        Some(remedy) => format!("{doubt}; if so, {}", in_python(&remedy)),
-        None => doubt.to_string(),
+    let doubts = notes.doubts.iter().map(|doubt| match &doubt.remedy {
+        Some(remedy) => format!("{}; if so, {}", doubt.text, in_python(remedy)),
+        None => doubt.text.clone(),
     });
     let doubts: Vec<String> = doubts.collect();
     let doubt = (!doubts.is_empty()).then(|| doubts.join("; "));

@@ -21,6 +21,13 @@ pub struct Pair {
     pub beside: Vec<Source>,
 }
 
+impl Pair {
+    /// Returns the columns of abscissa and ordinate.
+    pub const fn sources(&self) -> [&Source; 2] {
+        [&self.abscissa, &self.ordinate]
+    }
+}
+
 /// What the columns of a file hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assignment {
@@ -98,19 +105,14 @@ impl Columns<'_> {
         }
         // A kind without use for a column that the user names is not meant.
         let is_meant = |kind: &Kind| {
-            let [abscissa, ordinate] = roles(*kind);
-            self.format.columns.iter().all(|column| {
-                let of = |role: Role| role.error() == Some(column.role);
-                column.role == Role::Segment
-                    || beside::needed(*kind).contains(&column.role)
-                    || beside::optional(*kind).contains(&column.role)
-                    || (column.role == Role::ContactArea && kind.at_radii())
-                    || of(abscissa)
-                    || of(ordinate)
-                    || column.role == abscissa
-                    || column.role == ordinate
-                    || (column.role == Role::Deflection && *kind == Kind::ForceHeight)
-            })
+            let own = roles(*kind);
+            let mut used = [&own[..], beside::needed(*kind), beside::optional(*kind)].concat();
+            used.push(Role::Segment);
+            used.extend(own.into_iter().filter_map(Role::error));
+            used.extend(kind.at_radii().then_some(Role::ContactArea));
+            used.extend((*kind == Kind::ForceHeight).then_some(Role::Deflection));
+            let mut columns = self.format.columns.iter();
+            columns.all(|column| used.contains(&column.role))
         };
         let mut meant: Vec<Kind> = Kind::ALL.into_iter().filter(is_meant).collect();
         if meant.is_empty() {
@@ -177,11 +179,14 @@ impl Columns<'_> {
     /// serves both; one at least must have it.
     fn pair(&self, kind: Kind, direction: Option<Direction>) -> Result<Option<Pair>, DataError> {
         let [abscissa, ordinate] = roles(kind);
-        let of = |role: Role| -> Result<Option<Source>, DataError> {
-            Ok(match self.force_or(role, direction)? {
-                None if direction.is_some() => self.force_or(role, None)?,
-                found => found,
-            })
+        let alone = |role: Role, direction| match self.find(role, direction)? {
+            // A deflection where there is no load.
+            None if role == Role::Load => self.find(Role::Deflection, direction),
+            found => Ok::<_, DataError>(found),
+        };
+        let of = |role: Role| match alone(role, direction)? {
+            None if direction.is_some() => alone(role, None),
+            found => Ok::<_, DataError>(found),
         };
         let abscissa = match of(abscissa)? {
             None if self.takes_area(kind) => of(Role::ContactArea)?,
@@ -204,18 +209,6 @@ impl Columns<'_> {
             errors,
             beside,
         }))
-    }
-
-    /// Returns the column of a role; a deflection where there is no load.
-    fn force_or(
-        &self,
-        role: Role,
-        direction: Option<Direction>,
-    ) -> Result<Option<Source>, DataError> {
-        Ok(match self.find(role, direction)? {
-            None if role == Role::Load => self.find(Role::Deflection, direction)?,
-            found => found,
-        })
     }
 
     /// Returns the error of columns that are not there.

@@ -162,26 +162,16 @@ mod tests {
 
     #[test]
     fn a_column_is_named_by_its_heading_or_number() {
-        let column = |role, negative, heading: &str| {
-            Ok(Column {
-                role,
-                negative,
-                heading: heading.into(),
-            })
-        };
-        assert_eq!(
-            "load=Force [mN]".parse(),
-            column(Role::Load, false, "Force [mN]")
-        );
-        assert_eq!("force = F=m a".parse(), column(Role::Load, false, "F=m a"));
-        assert_eq!(
-            "height=-Z (um)".parse(),
-            column(Role::Height, true, "Z (um)")
-        );
-        assert_eq!(
-            "contact-radius=3".parse(),
-            column(Role::ContactRadius, false, "3")
-        );
+        for (text, role, negative, heading) in [
+            ("load=Force [mN]", Role::Load, false, "Force [mN]"),
+            ("force = F=m a", Role::Load, false, "F=m a"),
+            ("height=-Z (um)", Role::Height, true, "Z (um)"),
+            ("contact-radius=3", Role::ContactRadius, false, "3"),
+        ] {
+            let found: Column = text.parse().expect(text);
+            let found = (found.role, found.negative, &*found.heading);
+            assert_eq!(found, (role, negative, heading));
+        }
         for (text, word) in [
             ("load", "has no ="),
             ("lode=x", "lode"),

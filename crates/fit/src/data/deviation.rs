@@ -80,14 +80,12 @@ fn quantity(heading: &Heading) -> Option<String> {
     if !words.iter().any(|word| WORDS.contains(word)) {
         return None;
     }
+    if words.len() == 1 && NOT_ALONE.contains(&words[0]) {
+        return None;
+    }
     let is_other = |word: &&str| !WORDS.contains(word) && !BESIDE.contains(word);
-    let rest: Vec<&str> = words
-        .iter()
-        .copied()
-        .filter(|word| is_other(word))
-        .collect();
-    let is_usual = words.len() == 1 && NOT_ALONE.contains(&words[0]);
-    (!is_usual).then(|| rest.join(" "))
+    let rest = words.into_iter().filter(is_other);
+    Some(rest.collect::<Vec<_>>().join(" "))
 }
 
 #[cfg(test)]

@@ -130,21 +130,16 @@ impl Head {
                 self.untold.get_or_insert(Untold::Uncalibrated(number));
                 continue;
             }
-            let is_gain = wanted.names == GAIN.names;
-            let value = if is_gain {
-                1.0 / (value * size)
-            } else {
-                value * size
+            let (value, slot) = match wanted.unit {
+                [Dimension::Force, _] => (value * size, &mut self.stiffness),
+                [Dimension::Length, _] => (value * size, &mut self.sensitivity),
+                // A gain.
+                _ => (1.0 / (value * size), &mut self.sensitivity),
             };
             let found = HeadValue {
                 value,
                 name: name.clone(),
                 line: number,
-            };
-            let slot = if wanted.names == STIFFNESS.names {
-                &mut self.stiffness
-            } else {
-                &mut self.sensitivity
             };
             match slot {
                 None => *slot = Some(found),
@@ -234,66 +229,47 @@ fn starts_as_a_value(text: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// Stiffness and sensitivity of a line.
-    fn read(line: &str) -> [Option<f64>; 2] {
-        let mut head = Head::default();
-        head.read(1, line);
-        [head.stiffness, head.sensitivity].map(|found| found.map(|found| found.value))
-    }
-
     #[test]
     fn lines_of_programs_of_instruments_are_read() {
-        for (line, stiffness, sensitivity) in [
-            (
-                "# springConstant: 0.012233132341672661",
-                Some(0.012233132341672661),
-                None,
-            ),
-            (
-                "# sensitivity: 7.363581843930989E-8",
-                None,
-                Some(7.363581843930989e-8),
-            ),
-            (
-                "#   \"spring constant\": 0.02230065831827453,",
-                Some(0.02230065831827453),
-                None,
-            ),
-            (
-                "#   \"sensitivity\": 9.120708714532604e-08,",
-                None,
-                Some(9.120708714532604e-8),
-            ),
-            ("k (N/m)\t0.019", Some(0.019), None),
-            ("k (N/m)\t0,019", Some(0.019), None),
-            ("Force Constant, nN/nm:\t0.25", Some(0.25), None),
-            ("Light Lever Gain, mV/nm:\t20.0", None, Some(5e-8)),
-            ("\\Spring Constant: 0.06", Some(0.06), None),
-            ("\\@Sens. DeflSens: V 52.5 nm/V", None, Some(52.5e-9)),
-            ("SpringConstant: 0.08", Some(0.08), None),
-            ("InvOLS: 5.5e-08", None, Some(5.5e-8)),
-            ("Spring constant [pN/nm];40", Some(0.04), None),
-            ("Cantilever stiffness = 0.5 N/m", Some(0.5), None),
+        // Each line with its stiffness or its sensitivity.
+        for case in [
+            "# springConstant: 0.012233132341672661 -> 0.012233132341672661 N/m",
+            "# sensitivity: 7.363581843930989E-8 -> 7.363581843930989e-8 m/V",
+            "#   \"spring constant\": 0.02230065831827453, -> 0.02230065831827453 N/m",
+            "#   \"sensitivity\": 9.120708714532604e-08, -> 9.120708714532604e-8 m/V",
+            "k (N/m)\t0.019 -> 0.019 N/m",
+            "k (N/m)\t0,019 -> 0.019 N/m",
+            "Force Constant, nN/nm:\t0.25 -> 0.25 N/m",
+            "Light Lever Gain, mV/nm:\t20.0 -> 5e-8 m/V",
+            "\\Spring Constant: 0.06 -> 0.06 N/m",
+            "\\@Sens. DeflSens: V 52.5 nm/V -> 52.5e-9 m/V",
+            "SpringConstant: 0.08 -> 0.08 N/m",
+            "InvOLS: 5.5e-08 -> 5.5e-8 m/V",
+            "Spring constant [pN/nm];40 -> 0.04 N/m",
+            "Cantilever stiffness = 0.5 N/m -> 0.5 N/m",
+            "Spring constant: 0,100 N/m -> 0.1 N/m",
             // Not calibrated, without a unit, of another dimension, or of something else.
-            ("Force Constant, nN/nm:\t1.000000", None, None),
-            ("Light Lever Gain, mV/nm:\t1.000000", None, None),
-            ("Sensitivity: 52.5", None, None),
-            ("Spring constant (Pa): 3", None, None),
-            ("k: 3", None, None),
-            ("Stiffness (N/m): 1e4", None, None),
+            "Force Constant, nN/nm:\t1.000000 -> ",
+            "Light Lever Gain, mV/nm:\t1.000000 -> ",
+            "Sensitivity: 52.5 -> ",
+            "Spring constant (Pa): 3 -> ",
+            "k: 3 -> ",
+            "Stiffness (N/m): 1e4 -> ",
             // One or a thousand.
-            ("Spring constant: 1,000 mN/m", None, None),
-            ("Spring constant: 0,100 N/m", Some(0.1), None),
-            ("# force-settings.extend-k-length: 24000", None, None),
-            ("Date:\t15 January 2021", None, None),
+            "Spring constant: 1,000 mN/m -> ",
+            "# force-settings.extend-k-length: 24000 -> ",
+            "Date:\t15 January 2021 -> ",
         ] {
-            let found = read(line);
-            for (found, expected) in found.iter().zip([stiffness, sensitivity]) {
-                let near = match (found, expected) {
-                    (Some(a), Some(b)) => (a - b).abs() <= 4.0 * f64::EPSILON * b,
-                    (a, b) => a.is_none() && b.is_none(),
+            let (line, expected) = case.split_once(" -> ").expect("two parts");
+            let (number, unit) = expected.split_once(' ').unwrap_or(("NaN", ""));
+            let expected: f64 = number.parse().expect("a number");
+            let mut head = Head::default();
+            head.read(1, line);
+            for (of, found) in [("N/m", head.stiffness), ("m/V", head.sensitivity)] {
+                let is_it = |found: HeadValue| {
+                    (found.value - expected).abs() <= 4.0 * f64::EPSILON * expected
                 };
-                assert!(near, "{line}: {found:?}, not {expected:?}");
+                assert_eq!(found.map(is_it), (of == unit).then_some(true), "{line}");
             }
         }
     }

@@ -143,10 +143,8 @@ impl Search {
     fn without_rows(self) -> Problem {
         /// The number of characters of the first line in a message.
         const SHOWN: usize = 60;
-        let mut lines = self
-            .lines
-            .into_iter()
-            .filter(|line| !line.trim().is_empty());
+        let lines = self.lines.into_iter();
+        let mut lines = lines.filter(|line| !line.trim().is_empty());
         let Some(first) = lines.next() else {
             return Problem::Empty;
         };

@@ -51,7 +51,7 @@ mod turns;
 pub use self::reading::{Cantilever, Format, Notes, Reading, Segments, read, read_from};
 pub use assignment::roles;
 pub use column::{Column, Role};
-pub use doubt::{Doubt, opposite_sense};
+pub use doubt::{Doubt, DoubtKind, opposite_sense};
 pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue, SENSITIVITIES, Untold};
 pub use heading::Reduced;

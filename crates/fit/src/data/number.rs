@@ -3,7 +3,8 @@
 /// The decimal mark of a file. The first number that has one decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DecimalMark {
-    mark: Option<Mark>,
+    /// A point or a comma.
+    mark: Option<char>,
     /// Whether a mark stands where none parts thousands.
     surely_decimal: bool,
 }
@@ -20,12 +21,6 @@ pub enum Marks {
     UnclearCommas,
     /// Points, of which each could part thousands: `41.250`.
     UnclearPoints,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Mark {
-    Point,
-    Comma,
 }
 
 /// A cell of a row.
@@ -63,20 +58,16 @@ impl DecimalMark {
     /// Returns the decimal marks of the numbers that were read.
     pub fn marks(self) -> Marks {
         match self.mark {
-            Some(Mark::Comma) if self.surely_decimal => Marks::Commas,
-            Some(Mark::Comma) => Marks::UnclearCommas,
-            Some(Mark::Point) if !self.surely_decimal => Marks::UnclearPoints,
+            Some(',') if self.surely_decimal => Marks::Commas,
+            Some(',') => Marks::UnclearCommas,
+            Some(_) if !self.surely_decimal => Marks::UnclearPoints,
             _ => Marks::Points,
         }
     }
 
     /// Returns the mark that may part thousands, where a number has another one than those before it.
     pub fn thousands(self, text: &str) -> Option<char> {
-        let before = if self.mark == Some(Mark::Comma) {
-            ','
-        } else {
-            '.'
-        };
+        let before = self.mark.unwrap_or('.');
         let other = if before == ',' { '.' } else { ',' };
         (!self.surely_decimal)
             .then_some(before)
@@ -97,15 +88,10 @@ impl DecimalMark {
         } else {
             text
         };
-        let (points, commas) = text.bytes().fold((0, 0), |(points, commas), byte| {
-            (
-                points + usize::from(byte == b'.'),
-                commas + usize::from(byte == b','),
-            )
-        });
-        let (value, mark) = match (points, commas) {
-            (0, 1) => (text.replacen(',', ".", 1).parse(), Some(Mark::Comma)),
-            (1, 0) => (text.parse(), Some(Mark::Point)),
+        let count = |mark: u8| text.bytes().filter(|byte| *byte == mark).count();
+        let (value, mark) = match (count(b'.'), count(b',')) {
+            (0, 1) => (text.replacen(',', ".", 1).parse(), Some(',')),
+            (1, 0) => (text.parse(), Some('.')),
             _ => (text.parse(), None),
         };
         let Ok(value): Result<f64, _> = value else {
@@ -158,25 +144,17 @@ fn has_thousands(text: &str) -> bool {
     if !(1..=3).contains(&first.len()) || !" ,.'\u{2019}\u{a0}\u{202f}".contains(separator) {
         return false;
     }
-    let mut groups = rest.split(separator).peekable();
-    let is_group = |group: &str| group.len() == 3 && group.bytes().all(|b| b.is_ascii_digit());
-    while let Some(group) = groups.next() {
-        let group = if groups.peek().is_none() {
-            // Decimals after the last group.
-            let decimals = group.find(['.', ',']).unwrap_or(group.len());
-            let after = group[decimals..].trim_start_matches(['.', ',']);
-            if !after.bytes().all(|b| b.is_ascii_digit()) {
-                return false;
-            }
-            &group[..decimals]
-        } else {
-            group
-        };
-        if !is_group(group) {
-            return false;
-        }
-    }
-    true
+    let are_digits = |text: &str| text.bytes().all(|b| b.is_ascii_digit());
+    let is_group = |group: &str| group.len() == 3 && are_digits(group);
+    let (before, last) = match rest.rsplit_once(separator) {
+        Some((before, last)) => (Some(before), last),
+        None => (None, rest),
+    };
+    // Decimals after the last group.
+    let (last, decimals) = last.split_at(last.find(['.', ',']).unwrap_or(last.len()));
+    before.is_none_or(|before| before.split(separator).all(is_group))
+        && is_group(last)
+        && are_digits(decimals.trim_start_matches(['.', ',']))
 }
 
 #[cfg(test)]

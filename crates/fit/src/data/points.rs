@@ -72,7 +72,7 @@ impl Block {
     fn sources(&self) -> impl Iterator<Item = &Source> {
         self.assignment.pairs.iter().flat_map(|pair| {
             let errors = pair.errors.iter().flatten().chain(&pair.beside);
-            [&pair.abscissa, &pair.ordinate].into_iter().chain(errors)
+            pair.sources().into_iter().chain(errors)
         })
     }
 }
@@ -143,10 +143,8 @@ pub fn join(
         // Times that are not those of all points tell nothing.
         all.beside.clear();
     }
-    for (list, source) in [
-        (&all.errors.abscissa, &pair.abscissa),
-        (&all.errors.ordinate, &pair.ordinate),
-    ] {
+    let lists = [&all.errors.abscissa, &all.errors.ordinate];
+    for (list, source) in lists.into_iter().zip(pair.sources()) {
         if !list.is_empty() && list.len() != all.points.len() {
             return Err(Problem::SomeDeviations(source.role).into());
         }
@@ -221,13 +219,8 @@ fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
 
 /// Refuses a column that holds one value only.
 fn check_constant(points: &[Point], pair: &Pair) -> Result<(), DataError> {
-    for (source, value) in [
-        (
-            &pair.abscissa,
-            (|point| point.abscissa) as fn(&Point) -> f64,
-        ),
-        (&pair.ordinate, |point| point.ordinate),
-    ] {
+    let values: [fn(&Point) -> f64; 2] = [|point| point.abscissa, |point| point.ordinate];
+    for (source, value) in pair.sources().into_iter().zip(values) {
         let first = value(&points[0]);
         if points.len() > 1 && points.iter().all(|point| value(point) == first) {
             let problem = Problem::Constant {

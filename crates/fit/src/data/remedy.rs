@@ -2,12 +2,11 @@
 //! words of their users.
 
 use super::column::{Role, UNIT};
-use super::doubt::Doubt;
 use super::failure::{DataError, Found, Missing, Problem};
 use super::heading::Reduced;
 use crate::Kind;
 
-/// What helps against a [`Problem`] or a [`Doubt`].
+/// What helps against a [`Problem`], or against what is doubted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Remedy {
     /// To name columns, in one of these ways.
@@ -119,31 +118,8 @@ impl DataError {
     }
 }
 
-impl Doubt {
-    /// Returns what helps if the doubt is right, if that is not to change the file.
-    pub fn remedy(&self) -> Option<Remedy> {
-        match self {
-            Self::Sign(sign) => {
-                let turned = sign.columns().into_iter().map(|column| {
-                    let minus = if column.factor < 0.0 { "" } else { "-" };
-                    (column.role, format!("{minus}{}", column.typed))
-                });
-                Some(named(turned.collect()))
-            }
-            Self::Directions { split: None, .. } => Some(Remedy::Split),
-            Self::Tilt { .. } => Some(Remedy::BaselineSlope),
-            Self::Directions { .. }
-            | Self::Order { .. }
-            | Self::Commas
-            | Self::Stiffness { .. }
-            | Self::Points
-            | Self::Curves { .. } => None,
-        }
-    }
-}
-
 /// Returns the remedy of columns for a kind that is known.
-fn named(columns: Vec<(Role, String)>) -> Remedy {
+pub fn named(columns: Vec<(Role, String)>) -> Remedy {
     Remedy::Columns(vec![Named {
         kind: None,
         columns,

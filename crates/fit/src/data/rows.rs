@@ -2,7 +2,7 @@
 
 use std::io::BufRead;
 
-use super::assignment::{Assignment, assign, roles};
+use super::assignment::{Assignment, Pair, assign, roles};
 use super::beside::beside;
 use super::cells::{Delimiter, comment};
 use super::column::Role;
@@ -290,23 +290,17 @@ impl Rows<'_> {
             None => None,
         };
         self.moved = direction;
-        let mut found = Vec::with_capacity(assignment.pairs.len());
-        for pair in &assignment.pairs {
+        let is_stiffness = assignment.kind.is_stiffness();
+        let read = |pair: &Pair| {
             let mut value = |source: &Source| {
                 value(&mut self.mark, cells[source.index], source)
                     .map_err(|problem| failure(source.index, problem))
             };
             let [abscissa, ordinate] = match [value(&pair.abscissa)?, value(&pair.ordinate)?] {
                 [Some(abscissa), Some(ordinate)] => [abscissa, ordinate],
-                [None, None] => {
-                    found.push(None);
-                    continue;
-                }
+                [None, None] => return Ok(None),
                 // Not all rows of a nanoindenter have a stiffness.
-                [_, None] if assignment.kind.is_stiffness() => {
-                    found.push(None);
-                    continue;
-                }
+                [_, None] if is_stiffness => return Ok(None),
                 [None, _] => return Err(failure(pair.abscissa.index, Problem::MissingValue)),
                 [_, None] => return Err(failure(pair.ordinate.index, Problem::MissingValue)),
             };
@@ -318,8 +312,7 @@ impl Rows<'_> {
                 _ => abscissa,
             };
             let Some(beside) = beside(&pair.beside, ordinate, &mut value)? else {
-                found.push(None);
-                continue;
+                return Ok(None);
             };
             let mut deviations = [None; 2];
             for (k, source) in pair.errors.iter().enumerate() {
@@ -340,17 +333,17 @@ impl Rows<'_> {
                 ordinate,
                 direction: pair.direction.or(direction),
             };
-            found.push(Some((point, deviations, beside)));
-        }
+            Ok(Some((point, deviations, beside)))
+        };
+        let found: Result<Vec<_>, _> = assignment.pairs.iter().map(read).collect();
+        let found = found?;
         self.count += 1;
-        let beside = assignment.pairs.iter().flat_map(|pair| &pair.beside);
-        let has_times = beside
-            .map(|source| source.role)
-            .any(|role| role == Role::Time);
+        let mut beside = assignment.pairs.iter().flat_map(|pair| &pair.beside);
+        let has_times = beside.any(|source| source.role == Role::Time);
         for (points, found) in points.iter_mut().zip(found) {
             match found {
                 Some((point, deviations, beside)) => {
-                    let is_known = assignment.kind.is_stiffness() || !beside.time.is_nan();
+                    let is_known = is_stiffness || !beside.time.is_nan();
                     if !is_known && has_times {
                         self.notes.untimed.get_or_insert(number);
                     }
@@ -367,33 +360,26 @@ impl Rows<'_> {
         if let Some(failure) = self.waiting.failure {
             return Err(failure);
         }
-        self.check_head()?;
+        // Heads must not differ in a value that was used.
+        let used = self.format.cantilever;
+        if let Some([first, second]) = &self.notes.head.conflict
+            && [used.stiffness, used.sensitivity].contains(&Some(first.value))
+        {
+            return Err(Problem::TwoValues {
+                name: first.name.clone(),
+                values: [first.value, second.value],
+                lines: [first.line, second.line],
+            }
+            .into());
+        }
         // Between semicolons commas are decimal marks as a rule, and points may part thousands.
         let is_clear = self.delimiter != Delimiter::Semicolon;
         self.notes.marks = match self.mark.marks() {
             Marks::UnclearPoints if is_clear => Marks::Points,
             marks => marks,
         };
-        self.notes.cantilever = self.format.cantilever;
+        self.notes.cantilever = used;
         join(self.blocks, self.count, self.format, name, self.notes)
-    }
-
-    /// Refuses heads that differ in a value that was used.
-    fn check_head(&self) -> Result<(), DataError> {
-        let used = self.format.cantilever;
-        match &self.notes.head.conflict {
-            Some([first, second])
-                if [used.stiffness, used.sensitivity].contains(&Some(first.value)) =>
-            {
-                Err(Problem::TwoValues {
-                    name: first.name.clone(),
-                    values: [first.value, second.value],
-                    lines: [first.line, second.line],
-                }
-                .into())
-            }
-            _ => Ok(()),
-        }
     }
 }
 

@@ -235,35 +235,25 @@ mod tests {
             ("an approach", &one_way(&mut down()), (100, true)),
             ("a retract", &one_way(&mut up()), (100, false)),
         ] {
-            for (of, force) in [
-                ("pushed", &pushed as &dyn Fn(_, _) -> _),
-                ("pulled", &pulled),
-            ] {
-                let found = first_way(Kind::ForceHeight, points(heights, force));
-                assert_eq!(found, expected, "{name}, {of}");
-            }
+            let found = [points(heights, pushed), points(heights, pulled)]
+                .map(|points| first_way(Kind::ForceHeight, points));
+            assert_eq!(found, [expected; 2], "{name}, pushed and pulled");
         }
-        assert_eq!(
-            first_way(Kind::ForceHeight, points(&cycle, tilted)),
-            (100, true)
-        );
+        let of_tilted = points(&cycle, tilted);
+        assert_eq!(first_way(Kind::ForceHeight, of_tilted), (100, true));
         // Heights in the opposite sense, and a hold, whose end is that of the largest load.
         let opposite: Vec<f64> = cycle.iter().map(|z| -z).collect();
         let of_opposite = points(&opposite, |i, z| pushed(i, -z));
         assert_eq!(first_way(Kind::ForceHeight, of_opposite), (100, true));
-        let relaxed = points(&held, |i, z| {
-            pushed(i, z) + if i == 104 { 9.0 } else { 0.0 }
-        });
+        let last = |i: usize| if i == 104 { 9.0 } else { 0.0 };
+        let relaxed = points(&held, |i, z| pushed(i, z) + last(i));
         assert_eq!(first_way(Kind::ForceHeight, relaxed), (105, true));
         // A penetration goes on while the load falls; a radius does not tell.
         let depths: Vec<f64> = cycle.iter().map(|z| 101.0 - z).collect();
         let pressed = points(&depths, |i, x| x - if i > 97 { 9.0 } else { 0.0 });
         assert_eq!(first_way(Kind::LoadPenetration, pressed), (98, true));
         let resting = points(&depths, |i, x| x - if i > 90 { 60.0 } else { 0.0 });
-        assert_eq!(
-            first_way(Kind::LoadPenetration, resting.clone()),
-            (100, true)
-        );
-        assert_eq!(first_way(Kind::LoadRadius, resting), (91, true));
+        assert_eq!(first_way(Kind::LoadRadius, resting.clone()), (91, true));
+        assert_eq!(first_way(Kind::LoadPenetration, resting), (100, true));
     }
 }

@@ -5,10 +5,6 @@
 //! the load counts in the opposite sense it falls and lies above this line, if the depth does it falls
 //! and lies below, and if both do it rises and lies above.
 
-use std::fmt;
-
-use super::assignment::Pair;
-use super::source::Source;
 use crate::statistics::{extremes, median};
 use crate::{Direction, Kind, Point};
 
@@ -30,61 +26,9 @@ const STRAIGHT: f64 = 0.02;
 /// The same as [`BENT`] where the load is farther from 0 at the end that counts as apart.
 const BENT_AND_FAR: f64 = 0.05;
 
-/// Columns that may count in the opposite sense.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sign {
-    /// Abscissa and ordinate of each pair of columns: of all points, or of approach and retract.
-    pub pairs: Vec<[Source; 2]>,
-    /// Which of them may count in the opposite sense: abscissa and ordinate.
-    pub opposite: [bool; 2],
-}
-
-impl Sign {
-    /// Returns the columns that may count in the opposite sense, each once.
-    pub fn columns(&self) -> Vec<&Source> {
-        let mut columns: Vec<&Source> = Vec::new();
-        for (k, source) in self.pairs.iter().flat_map(|pair| pair.iter().enumerate()) {
-            if self.opposite[k] && !columns.contains(&source) {
-                columns.push(source);
-            }
-        }
-        columns
-    }
-}
-
-impl fmt::Display for Sign {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [abscissa, ordinate] = self.pairs[0].each_ref().map(|source| &source.heading);
-        match self.opposite {
-            [true, true] => write!(
-                f,
-                "{ordinate:?} is flat, or bends down, where {abscissa:?} says that the bodies are \
-                 closer; both may count in the opposite sense"
-            ),
-            [of_abscissa, _] => write!(
-                f,
-                "{ordinate:?} is smaller where {abscissa:?} says that the bodies are closer; \
-                 {:?} may count in the opposite sense",
-                if of_abscissa { abscissa } else { ordinate }
-            ),
-        }
-    }
-}
-
-/// Returns the doubt that columns count in the opposite sense. A radius has one sense only.
-pub fn sign(kind: Kind, points: &[Point], pairs: &[Pair]) -> Option<Sign> {
-    opposite(kind, points).map(|opposite| Sign {
-        pairs: pairs
-            .iter()
-            .map(|pair| [pair.abscissa.clone(), pair.ordinate.clone()])
-            .collect(),
-        opposite,
-    })
-}
-
 /// Tells whether the abscissae and the ordinates of `points` may count in the opposite sense; `None` if neither
 /// do.
-pub(super) fn opposite(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
+pub fn opposite(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
     // The direction in which the abscissa grows when the bodies are pressed together.
     let inwards = if kind == Kind::ForceHeight { -1.0 } else { 1.0 };
     let depth = |point: &Point| inwards * point.abscissa;

@@ -1,6 +1,6 @@
 //! How often a list of numbers turns back, and whether it is in an order at all.
 
-use crate::statistics::extremes;
+use crate::statistics::range;
 
 /// The part of the range by which the numbers go back where they turn.
 const BACK: f64 = 0.5;
@@ -21,8 +21,7 @@ pub fn turns(numbers: &[f64]) -> usize {
         sorted[NEIGHBOURS / 2]
     };
     let numbers: Vec<f64> = numbers.array_windows().map(middle).collect();
-    let [least, most] = extremes(numbers.iter().copied());
-    let back = BACK * (most - least);
+    let back = BACK * range(numbers.iter().copied());
     let mut turns = 0;
     // The least and the largest number since the last turn, and whether the numbers grow.
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -47,10 +46,10 @@ pub fn turns(numbers: &[f64]) -> usize {
 pub fn jumps(numbers: &[f64]) -> bool {
     /// The ranks of fewer differ by much from one to the next in any order.
     const FEWEST: usize = 20;
-    let [least, most] = extremes(numbers.iter().copied());
+    let range = range(numbers.iter().copied());
     let steps = numbers.windows(2).map(|two| (two[1] - two[0]).abs());
     let mean = steps.sum::<f64>() / numbers.len() as f64;
-    numbers.len() >= FEWEST && mean > LARGEST_STEP * (most - least) && !have_order(numbers)
+    numbers.len() >= FEWEST && mean > LARGEST_STEP * range && !have_order(numbers)
 }
 
 /// Tells whether neighbours have similar ranks.
@@ -73,42 +72,32 @@ mod tests {
     #[test]
     fn curves_turn_and_points_in_no_order_do_not() {
         let up = |n: i32| (0..n).map(f64::from);
-        let down = |n: i32| (0..n).rev().map(f64::from);
         let noisy = |(i, x): (usize, f64)| x + 3.0 * ((i * 7919) % 11) as f64 / 11.0;
-        let rest = (0..200).map(|i| 0.1 * (f64::from(i * 7919 % 101) / 101.0));
-        let with_a_spike = |mut numbers: Vec<f64>| {
-            numbers[10..12].fill(1e3);
-            numbers
+        let rest = || (0..200).map(|i| 0.1 * (f64::from(i * 7919 % 101) / 101.0));
+        let mut spike: Vec<f64> = up(40).collect();
+        spike[10..12].fill(1e3);
+        // Ways up, down, and at rest.
+        let ways = |ways: &str| -> Vec<f64> {
+            let way = |way: char| match way {
+                'u' => up(20).collect::<Vec<f64>>(),
+                'd' => up(20).rev().collect(),
+                _ => rest().collect(),
+            };
+            ways.chars().flat_map(way).collect()
         };
         for (name, numbers, expected) in [
             ("no points", vec![], 0),
             ("one number", vec![1.0; 40], 0),
             ("up", up(40).collect(), 0),
             ("up with noise", up(40).enumerate().map(noisy).collect(), 0),
-            ("up with a spike", with_a_spike(up(40).collect()), 0),
-            ("down and up", down(20).chain(up(20)).collect(), 1),
-            ("up twice", up(20).chain(up(20)).collect(), 2),
-            ("down twice", down(20).chain(down(20)).collect(), 2),
-            (
-                "two cycles",
-                up(20)
-                    .chain(down(20))
-                    .chain(up(20))
-                    .chain(down(20))
-                    .collect(),
-                3,
-            ),
-            (
-                "up three times",
-                up(20).chain(up(20)).chain(up(20)).collect(),
-                4,
-            ),
+            ("up with a spike", spike, 0),
+            ("down and up", ways("du"), 1),
+            ("up twice", ways("uu"), 2),
+            ("down twice", ways("dd"), 2),
+            ("two cycles", ways("udud"), 3),
+            ("up three times", ways("uuu"), 4),
             ("no order", up(40).map(|i| (i * 17.0) % 40.0).collect(), 0),
-            (
-                "a long rest",
-                down(20).chain(rest).chain(up(20)).collect(),
-                0,
-            ),
+            ("a long rest", ways("dru"), 0),
         ] {
             assert_eq!(turns(&numbers), expected, "{name}");
             assert_eq!(jumps(&numbers), name == "no order", "{name}");

@@ -8,13 +8,13 @@
 use nalgebra::DVector;
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use super::{detector, shared_noise, unequal_noise};
 use crate::statistics::{
-    CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours, likeness_of_runs,
+    BEYOND_CHANCE, CLIPPED, clipped, deviations, excess, far, likeness_of_neighbours,
+    likeness_of_runs,
 };
-use crate::{Branch, Direction, Fit, Loss, WarningKind};
+use crate::{Branch, Direction, Fit, Loss, Warning, WarningKind};
 
 /// The excess of squares over those of one outlier in ten points, in standard deviations, from which
 /// outliers are not the reason. One fit in a thousand with so many outliers exceeds it.
@@ -30,22 +30,17 @@ const SHORTEST_RUN: usize = 8;
 const SMALLER: f64 = 0.8;
 
 /// Adds the doubts about noise and agreement, from the residuals and the share of each that the fit
-/// follows. Returns of each whether its noise
-/// is not the same in contact and off contact.
+/// follows. Returns of each experiment whether its noise is not the same in contact and off contact.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     problem: &Problem<'_>,
     (residuals, leverages): (&DVector<f64>, &[f64]),
 ) -> Vec<bool> {
     let freedom = fit.degrees_of_freedom as f64;
     if let Some(reduced) = fit.reduced_chi_squared {
-        poor(
-            warnings,
-            problem,
-            residuals,
-            [fit.chi_squared, freedom, reduced],
-        );
+        let sums = [fit.chi_squared, freedom, reduced];
+        warnings.extend(poor(problem.loss, residuals.as_slice(), sums));
     }
     let count = problem.assigned.len() as f64;
     let chance = ALIKE / count;
@@ -56,29 +51,26 @@ pub(super) fn add(
         let own = residuals.rows(rows.start, rows.len());
         let leverages = &leverages[rows];
         let followed: f64 = leverages.iter().sum();
-        large_noise(
-            warnings,
-            assigned,
-            own.norm_squared(),
-            own.len() as f64 - followed,
-        );
+        let freedom = own.len() as f64 - followed;
+        warnings.extend(large_noise(assigned, own.norm_squared(), freedom));
         // Rounding makes neighbours alike.
         if detector::add(warnings, fitted, assigned) {
             continue;
         }
-        // What it makes too small misfits, so that neighbours are alike, and scatters in contact.
-        if shared_noise::add(warnings, problem, e, &fit.estimates) {
-            unequal[e] = true;
-            continue;
-        }
-        // A wrong model scatters in contact, too.
-        if beside_neighbours(warnings, assigned, own.as_slice(), chance) {
-            continue;
-        }
-        if let Some(predicted) = &problem.predicted {
-            let states = &predicted[e];
-            unequal[e] = unequal_noise::add(warnings, assigned, states, own.as_slice(), leverages);
-        }
+        // What shared noise makes too small misfits, so that neighbours are alike, and scatters in contact. A wrong
+        // model scatters in contact, too.
+        let doubt = shared_noise::doubt(problem, e, &fit.estimates)
+            .or_else(|| beside_neighbours(assigned, own.as_slice(), chance))
+            .or_else(|| {
+                let states = &problem.predicted.as_ref()?[e];
+                unequal_noise::doubt(assigned, states, (own.as_slice(), leverages))
+            });
+        let kind = doubt.as_ref().map(|one| one.kind);
+        unequal[e] = matches!(
+            kind,
+            Some(WarningKind::SharedNoise | WarningKind::UnequalNoise)
+        );
+        warnings.extend(doubt);
     }
     unequal
 }
@@ -87,16 +79,15 @@ pub(super) fn add(
 /// robust loss, which forgives outliers, squares of which none counts more than that of two
 /// deviations.
 fn poor(
-    warnings: &mut Warnings,
-    problem: &Problem<'_>,
-    residuals: &DVector<f64>,
+    loss: Loss,
+    residuals: &[f64],
     [chi_squared, freedom, reduced]: [f64; 3],
-) {
-    let how = match problem.loss {
+) -> Option<Warning> {
+    let how = match loss {
         Loss::Squares => (excess(chi_squared, freedom) > BEYOND_CHANCE)
             .then(|| format!("reduced chi^2 is {reduced:.3}")),
         _ => {
-            let (mean, [chance, outliers]) = clipped(residuals.as_slice(), freedom);
+            let (mean, [chance, outliers]) = clipped(residuals, freedom);
             (chance > BEYOND_CHANCE && outliers > BEYOND_OUTLIERS).then(|| {
                 format!(
                     "with residuals beyond 2 standard deviations counted as 2, their mean square \
@@ -106,28 +97,25 @@ fn poor(
             })
         }
     };
-    if let Some(how) = how {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!("the model does not describe the data to their noise: {how}"),
-        );
-    }
+    let how = how?;
+    let text = format!("the model does not describe the data to their noise: {how}");
+    Some(WarningKind::PoorFit.with(text))
 }
 
 /// Warns if the residuals of an experiment are smaller than the errors that are given by more than
 /// chance.
-fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, freedom: f64) {
+fn large_noise(assigned: &Assigned, chi_squared: f64, freedom: f64) -> Option<Warning> {
     let reduced = chi_squared / freedom;
     let is_small = excess(chi_squared, freedom) < -BEYOND_CHANCE && reduced.sqrt() < SMALLER;
     if !is_small {
-        return;
+        return None;
     }
     let experiment = &assigned.experiment;
     let [abscissa, ordinate] = experiment.measurement.kind.names();
     let is_known = experiment.usual_noise().is_some();
     let (too_large, remedy) = match (is_known, assigned.abscissa_errors.is_empty()) {
         // An estimated noise is what the residuals make of it.
-        (false, true) => return,
+        (false, true) => return None,
         (true, true) => (
             format!("noise that is given for the {ordinate} is"),
             "the noise of these data, or leave it out".to_string(),
@@ -141,26 +129,18 @@ fn large_noise(warnings: &mut Warnings, assigned: &Assigned, chi_squared: f64, f
             "those of these data, or none".to_string(),
         ),
     };
-    warnings.add(
-        WarningKind::LargeNoise,
-        format!(
-            "{}: the {too_large} too large, by a factor of some {:.1}, and the standard errors with \
-             it: the data scatter less, reduced chi^2 is {reduced:.2e}; give {remedy}",
-            experiment.measurement.name,
-            reduced.sqrt().recip()
-        ),
-    );
+    Some(WarningKind::LargeNoise.with(format!(
+        "{}: the {too_large} too large, by a factor of some {:.1}, and the standard errors with \
+         it: the data scatter less, reduced chi^2 is {reduced:.2e}; give {remedy}",
+        experiment.measurement.name,
+        reduced.sqrt().recip()
+    )))
 }
 
 /// Warns if residuals whose noise is not given exceed the noise that neighbouring ones show, or else if
 /// neighbouring residuals of an experiment are alike, or the means of some of them far from 0, by more
-/// than independent noise is with the probability `chance`. Returns whether it warns.
-fn beside_neighbours(
-    warnings: &mut Warnings,
-    assigned: &Assigned,
-    own: &[f64],
-    chance: f64,
-) -> bool {
+/// than independent noise is with the probability `chance`.
+fn beside_neighbours(assigned: &Assigned, own: &[f64], chance: f64) -> Option<Warning> {
     let name = &assigned.experiment.measurement.name;
     // Neighbours are of one direction: noise that is not independent is so in time.
     let branches = [Branch::Advancing, Branch::Receding, Branch::Baseline];
@@ -186,16 +166,12 @@ fn beside_neighbours(
         .max_by(|one, other| one[0].total_cmp(&other[0]));
     let is_known = assigned.experiment.usual_noise().is_some();
     if let Some([z, ratio, count]) = worst.filter(|[z, ..]| *z > BEYOND_CHANCE && !is_known) {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!(
-                "{name}: the model does not describe the data to the noise that neighbouring \
-                 points show: reduced chi^2 is {ratio:.3} with this noise; or the noise is not \
-                 independent, and then standard errors are too small by a factor of some {:.1}",
-                factor_of_errors(*z, *count)
-            ),
-        );
-        return true;
+        return Some(WarningKind::PoorFit.with(format!(
+            "{name}: the model does not describe the data to the noise that neighbouring \
+             points show: reduced chi^2 is {ratio:.3} with this noise; or the noise is not \
+             independent, and then standard errors are too small by a factor of some {:.1}",
+            factor_of_errors(*z, *count)
+        )));
     }
     // An outlier would hide the others.
     let far = far(own.iter().map(|r| r.abs()));
@@ -216,17 +192,13 @@ fn beside_neighbours(
         let what = format!("the means of {length} neighbouring residuals are too far from 0");
         (what, deviations, ratio.sqrt())
     } else {
-        return false;
+        return None;
     };
-    warnings.add(
-        WarningKind::StructuredResiduals,
-        format!(
-            "{name}: {what}, by {deviations:.1} standard deviations more than by chance. Either the \
-             model or its fixed values do not describe the data, or the noise is not independent, and \
-             then standard errors are too small by a factor of some {factor:.1}"
-        ),
-    );
-    true
+    Some(WarningKind::StructuredResiduals.with(format!(
+        "{name}: {what}, by {deviations:.1} standard deviations more than by chance. Either the \
+         model or its fixed values do not describe the data, or the noise is not independent, and \
+         then standard errors are too small by a factor of some {factor:.1}"
+    )))
 }
 
 /// Returns the length of the runs whose means scatter the most, with their [`likeness_of_runs`]; `None` if

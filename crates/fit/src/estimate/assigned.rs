@@ -1,15 +1,17 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
 use super::search::range;
-use crate::model::{AbscissaError, Assignment};
-use crate::{Branch, Experiment};
+use crate::model::{AbscissaError, Assignment, ContactOf};
+use crate::{Branch, Error, Experiment};
 
 /// An experiment with the branches of its points.
 #[derive(Clone, Debug)]
 pub(crate) struct Assigned {
     /// The experiment with the present values of the parameters.
     pub experiment: Experiment,
+    /// The branch of each point.
     pub branches: Vec<Branch>,
+    /// The points by descending imposed value: from the largest contact to none.
     pub order: Vec<usize>,
     /// The noise that differences of neighbouring ordinates show; `None` for too few points.
     pub local_noise: Option<f64>,
@@ -23,12 +25,7 @@ pub(crate) struct Assigned {
 
 impl Assigned {
     /// Takes an experiment with the branches of its points, as a fit begins.
-    pub fn new(experiment: Experiment, assignment: Assignment) -> Self {
-        let Assignment {
-            branches,
-            order,
-            local_noise,
-        } = assignment;
+    pub fn new(experiment: Experiment, (branches, order, local_noise): Assignment) -> Self {
         let least = || local_noise.unwrap_or(0.0).max(1e-6 * range(&experiment));
         Self {
             noise: experiment.usual_noise().unwrap_or_else(least),
@@ -47,11 +44,21 @@ impl Assigned {
         let mut branches = self.branches.clone();
         let (experiment, noise) = (&self.experiment, self.noise);
         let kind = experiment.measurement.kind;
-        let works = [Branch::Advancing, Branch::Receding].map(|branch| experiment.work_of(branch));
+        let works = Branch::CONTACTS.map(|branch| experiment.work_of(branch));
         if !kind.at_radii() && !kind.is_stiffness() && works == [0.0; 2] {
             experiment.take_flat_ends(&mut branches, noise, level_is_free);
         }
         branches
+    }
+
+    /// Takes the errors of the abscissae and the factors of the deviations by the slopes of the model.
+    pub fn weigh(&mut self, contact_of: &ContactOf<'_>) -> Result<(), Error> {
+        let (of, branches) = (&self.experiment, &self.branches);
+        let noise = |i| self.own_deviation(i);
+        let errors = of.abscissa_errors(contact_of, branches, &self.order, noise)?;
+        let factors = of.noise_factors(contact_of, branches)?;
+        (self.abscissa_errors, self.factors) = (errors, factors);
+        Ok(())
     }
 
     /// Returns the standard deviation of the ordinate of a point.

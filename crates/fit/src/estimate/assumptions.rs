@@ -4,7 +4,6 @@
 use contact::{Contact, Validity, ZoneSize};
 use interp::{Probe, Table};
 
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::{friction, no_adhesion};
 use crate::{Bodies, Error, Estimate, Experiment, Options, Parameter, Warning, WarningKind};
@@ -23,12 +22,10 @@ impl Experiment {
     /// # Errors
     /// As [`Experiment::predictions`].
     pub fn broken_assumptions(&self, table: &Table) -> Result<Vec<Warning>, Error> {
-        let contact = self.bodies.contact(table, None)?;
+        let contact = self.bodies.contact(table, &[])?;
         let radii = self.predictions(table, None, &[])?.contact_radii;
-        let mut warnings = Warnings::default();
         let range = Options::default().interaction_range;
-        add(&mut warnings, self, &contact, ends(radii), range, &[]);
-        Ok(warnings.into_list())
+        Ok(doubts(self, &contact, ends(radii), range, &[]))
     }
 }
 
@@ -40,60 +37,52 @@ pub(super) fn ends(radii: impl IntoIterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values.
+/// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values; `None` where these have
+/// no contact.
 pub(super) fn of_problem(
-    warnings: &mut Warnings,
     problem: &Problem<'_>,
     e: usize,
     interaction_range: f64,
     estimates: &[Estimate],
-) {
+) -> Option<Vec<Warning>> {
     let experiment = &problem.assigned[e].experiment;
-    let Some(radii) = problem.contact_radii(e) else {
-        return;
-    };
-    let Ok(contact) = problem.contact(&experiment.bodies, false) else {
-        return;
-    };
-    add(
-        warnings,
+    let radii = problem.contact_radii(e)?;
+    let contact = problem.contact(&experiment.bodies, false).ok()?;
+    Some(doubts(
         experiment,
         &contact,
         radii,
         interaction_range,
         estimates,
-    );
+    ))
 }
 
 /// Warns of contacts outside the assumptions of the model. The radii are the smallest and the largest one, m.
-fn add(
-    warnings: &mut Warnings,
+fn doubts(
     experiment: &Experiment,
     contact: &Contact,
     [least, a]: [f64; 2],
     interaction_range: f64,
     estimates: &[Estimate],
-) {
+) -> Vec<Warning> {
+    let mut warnings = Vec::new();
     let name = &experiment.measurement.name;
     // Where elasticity does not tell the contact radii, the shape of the probe does not matter.
     if !experiment.has_shape(false) {
-        friction::add(warnings, experiment, contact, a, estimates);
-        return;
+        warnings.extend(friction::doubt(experiment, contact, a, estimates));
+        return warnings;
     }
     let Ok(validity) = contact.validity(a) else {
-        return;
+        return warnings;
     };
     if a < SMALLEST_RADIUS {
-        warnings.add(
-            WarningKind::Implausible,
-            format!(
-                "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
-                 m are smaller than atoms: check the units of the data"
-            ),
-        );
+        warnings.push(WarningKind::Implausible.with(format!(
+            "{name}: no contact radius is above {a:.1e} m, and those below {SMALLEST_RADIUS:e} \
+             m are smaller than atoms: check the units of the data"
+        )));
     }
     if let Some(doubt) = experiment.doubt_of_film([least, a]) {
-        warnings.add(WarningKind::Implausible, format!("{name}: {doubt}"));
+        warnings.push(WarningKind::Implausible.with(format!("{name}: {doubt}")));
     }
     let paraboloid = matches!(experiment.bodies.probe(), Probe::Paraboloid { .. });
     if paraboloid && validity.a_over_r > Validity::WARNING_A_OVER_R {
@@ -108,66 +97,49 @@ fn add(
                                    and on one bonded film, without friction"
                 .into(),
         };
-        warnings.add(
-            WarningKind::LargeContact,
-            format!(
-                "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
-                 which changes the penetration by up to 3 % at this limit, and more above it; {remedy}",
-                validity.a_over_r,
-                Validity::WARNING_A_OVER_R
-            ),
-        );
+        warnings.push(WarningKind::LargeContact.with(format!(
+            "{name}: a/R reaches {:.2}, above {}: the model takes the sphere for a paraboloid, \
+             which changes the penetration by up to 3 % at this limit, and more above it; {remedy}",
+            validity.a_over_r,
+            Validity::WARNING_A_OVER_R
+        )));
     }
     let slope = experiment.bodies.probe().slope(a);
     if !paraboloid && slope > Validity::WARNING_SLOPE {
-        warnings.add(
-            WarningKind::LargeContact,
-            format!(
-                "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
-                 {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
-                slope.recip().atan().to_degrees()
-            ),
-        );
+        warnings.push(WarningKind::LargeContact.with(format!(
+            "{name}: the slope of the probe reaches {slope:.2} at the edge of the contact, as of a cone of half angle \
+             {:.0} degrees; the model takes slopes to be small. Half angles count from the axis",
+            slope.recip().atan().to_degrees()
+        )));
     }
-    if let Some(film) = validity.film.filter(|film| film.strain > Validity::SMALL) {
+    let film = validity.film;
+    if let Some(film) = film.filter(|film| film.strain > Validity::SMALL) {
         let what = match experiment.bodies {
             Bodies::Layered(ref layered) if layered.film().is_none() => "stack of layers",
             _ => "film",
         };
-        warnings.add(
-            WarningKind::LargeStrain,
-            format!(
-                "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
-                 its elasticity is not linear",
-                1e2 * film.strain,
-                1e2 * Validity::SMALL
-            ),
-        );
+        warnings.push(WarningKind::LargeStrain.with(format!(
+            "{name}: the {what} is compressed by up to {:.0} % of its thickness; above {:.0} % \
+             its elasticity is not linear",
+            1e2 * film.strain,
+            1e2 * Validity::SMALL
+        )));
     }
-    if let Some(film) = validity
-        .film
-        .filter(|film| film.bending > Validity::WARNING_BENDING)
-    {
-        warnings.add(
-            WarningKind::Bending,
-            format!(
-                "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
-                 It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
-                film.bending
-            ),
-        );
+    if let Some(film) = film.filter(|film| film.bending > Validity::WARNING_BENDING) {
+        warnings.push(WarningKind::Bending.with(format!(
+            "{name}: the film, which is stiffer than what lies below it, is pressed down by up to {:.2} of its thickness. \
+             It is then also stretched, which makes it stiffer and which the linear model leaves out: fit smaller contacts",
+            film.bending
+        )));
     }
-    if validity.film.is_some_and(|film| film.no_disc) {
-        warnings.add(
-            WarningKind::NoDisc,
-            format!(
-                "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
-                 lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
-                 or measure with a sphere"
-            ),
-        );
+    if film.is_some_and(|film| film.no_disc) {
+        warnings.push(WarningKind::NoDisc.with(format!(
+            "{name}: without adhesion a contact of radius {a:.2e} m may be no disc: the film is so much stiffer than what \
+             lies below it that it bends, and touches the probe farther outside or lifts off inside; fit smaller contacts, \
+             or measure with a sphere"
+        )));
     }
-    friction::add(warnings, experiment, contact, a, estimates);
+    warnings.extend(friction::doubt(experiment, contact, a, estimates));
     for parameter in Parameter::WORKS {
         let Some(w) = experiment.get(parameter).filter(|&w| w > 0.0) else {
             continue;
@@ -179,38 +151,28 @@ fn add(
             continue;
         };
         if !range.is_jkr() {
-            let reason = if range.tabor < ZoneSize::JKR {
+            let (jkr, thin, tense) = (ZoneSize::JKR, ZoneSize::THIN, ZoneSize::TENSE);
+            let (tabor, part, tension) = (range.tabor, range.range_over_thickness, range.tension);
+            let reason = if tabor < jkr {
+                format!("Tabor's parameter is {tabor:.2}, below {jkr}")
+            } else if part > thin {
+                format!("this is {part:.2} of the thickness, above {thin}")
+            } else if tension > tense {
                 format!(
-                    "Tabor's parameter is {:.2}, below {}",
-                    range.tabor,
-                    ZoneSize::JKR
-                )
-            } else if range.range_over_thickness > ZoneSize::THIN {
-                let part = range.range_over_thickness;
-                format!(
-                    "this is {part:.2} of the thickness, above {}",
-                    ZoneSize::THIN
-                )
-            } else if range.tension > ZoneSize::TENSE {
-                format!(
-                    "the mean tension at pull-off is {:.2} of the stress of the attraction, above {}",
-                    range.tension,
-                    ZoneSize::TENSE
+                    "the mean tension at pull-off is {tension:.2} of the stress of the attraction, above {tense}"
                 )
             } else {
                 continue;
             };
-            warnings.add(
-                WarningKind::LongRange,
-                format!(
-                    "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
-                     {reason}: the attraction acts outside the contact, too. {}",
-                    interaction_range,
-                    error_of_jkr(&range)
-                ),
-            );
+            warnings.push(WarningKind::LongRange.with(format!(
+                "{name}: with {parameter} = {w:.2e} J/m^2 and an attraction over {:.1e} m \
+                 {reason}: the attraction acts outside the contact, too. {}",
+                interaction_range,
+                error_of_jkr(&range)
+            )));
         }
     }
+    warnings
 }
 
 /// Says by how much the model is wrong where the attraction has a range.

@@ -12,12 +12,10 @@ use contact::Contact;
 use interp::Probe;
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::hold;
 use super::problem::Problem;
-use crate::model::ContactOf;
-use crate::statistics::{extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, WarningKind};
+use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
+use crate::{Branch, Experiment, Kind, Warning, WarningKind};
 
 /// The part of the largest penetration, or of the largest area of contact, below which curves are
 /// not compared: there a contact forms and ends.
@@ -51,22 +49,17 @@ struct Sample {
 }
 
 /// Warns of a loop that the fitted model does not make, and of a depth that remains.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
+pub(super) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
     if matches!(experiment.bodies.probe(), Probe::FlatPunch { .. }) {
-        return;
+        return None;
     }
     let Some(ways) = experiment.ways() else {
-        hold::add(warnings, assigned);
-        return;
+        return hold::doubt(assigned).map(|one| vec![one]);
     };
-    let Some(ways) = samples(problem, e, &ways) else {
-        return;
-    };
-    let Some(cycle) = Cycle::between(&ways) else {
-        return;
-    };
+    let ways = samples(problem, e, &ways)?;
+    let cycle = Cycle::between(&ways)?;
     let name = &experiment.measurement.name;
     let at_half = match cycle.apart {
         Some(apart) => format!("; at half of the largest load they are {apart:.2e} m apart"),
@@ -82,56 +75,43 @@ pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, e: usize) {
     let size = format!("{:.2e} J{part}{at_half}", cycle.energy.abs());
     if experiment.relaxing.is_some() {
         let which = if cycle.energy < 0.0 { "less" } else { "more" };
-        warnings.add(
-            WarningKind::Hysteresis,
-            format!(
-                "{name}: between loading and unloading the data lose {which} energy than the fitted relaxation \
-                 function, by {size}: fit another one"
-            ),
-        );
-        return;
+        return Some(vec![WarningKind::Hysteresis.with(format!(
+            "{name}: between loading and unloading the data lose {which} energy than the fitted relaxation \
+             function, by {size}: fit another one"
+        ))]);
     }
     if cycle.energy < 0.0 {
-        warnings.add(
-            WarningKind::Hysteresis,
-            format!(
-                "{name}: unloading gives back more energy than loading took, by {size}: check the \
-                 directions of the points, and whether the position drifts"
-            ),
-        );
-        return;
+        return Some(vec![WarningKind::Hysteresis.with(format!(
+            "{name}: unloading gives back more energy than loading took, by {size}: check the \
+             directions of the points, and whether the position drifts"
+        ))]);
     }
     let directions = if experiment.measurement.points[0].direction.is_some() {
         ""
     } else {
         "give the points their directions, then "
     };
-    warnings.add(
-        WarningKind::Hysteresis,
-        format!(
-            "{name}: between loading and unloading lies a loop that the fitted model does not \
-             make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
-             the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
-             reason, or fit one direction alone{}",
-            if experiment.times.is_empty() {
-                ""
-            } else {
-                "; the points have times: if the film relaxes, fit a relaxation function with them"
-            }
-        ),
-    );
+    let mut doubts = vec![WarningKind::Hysteresis.with(format!(
+        "{name}: between loading and unloading lies a loop that the fitted model does not \
+         make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
+         the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
+         reason, or fit one direction alone{}",
+        if experiment.times.is_empty() {
+            ""
+        } else {
+            "; the points have times: if the film relaxes, fit a relaxation function with them"
+        }
+    ))];
     if let Some([depth, largest]) = remaining(assigned, &ways) {
-        warnings.add(
-            WarningKind::Plasticity,
-            format!(
-                "{name}: after unloading a depth of {depth:.2e} m remains, {:.0} % of the largest \
-                 penetration: the sample has deformed plastically, or recovers more slowly than it \
-                 was unloaded, and the loading tells no elastic modulus; fit the upper part of \
-                 the unloading alone (loads above half of the largest) with a free contact point",
-                1e2 * depth / largest
-            ),
-        );
+        doubts.push(WarningKind::Plasticity.with(format!(
+            "{name}: after unloading a depth of {depth:.2e} m remains, {:.0} % of the largest \
+             penetration: the sample has deformed plastically, or recovers more slowly than it \
+             was unloaded, and the loading tells no elastic modulus; fit the upper part of \
+             the unloading alone (loads above half of the largest) with a free contact point",
+            1e2 * depth / largest
+        )));
     }
+    Some(doubts)
 }
 
 /// Returns the samples of loading and of unloading, by ascending `x`.
@@ -143,7 +123,7 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let at_radii = experiment.measurement.kind.at_radii();
     // Points that the fit leaves out are compared, too: all above the contact point.
     let mut branches = vec![Branch::LeftOut; points.len()];
-    for (way, branch) in ways.iter().zip([Branch::Advancing, Branch::Receding]) {
+    for (way, branch) in ways.iter().zip(Branch::CONTACTS) {
         for &i in way {
             let in_contact = at_radii || experiment.imposed(points[i].abscissa) > 0.0;
             if in_contact && points[i].abscissa != 0.0 {
@@ -159,8 +139,8 @@ fn samples(problem: &Problem<'_>, e: usize, ways: &[Vec<usize>; 2]) -> Option<[V
     let predicted = if at_radii {
         Vec::new()
     } else {
-        let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
-        let predicted = experiment.predict_with(contact_of, &branches, &assigned.order, None);
+        let predicted =
+            experiment.predict_with(&problem.contact_of(), &branches, &assigned.order, &[]);
         predicted.ok()?.values
     };
     let sample = |i: usize| {
@@ -257,18 +237,13 @@ impl Cycle {
         for (way, energy) in ways.iter().zip(&mut energies) {
             let positions: Vec<f64> = way.iter().map(|sample| sample.x).collect();
             let weights = weights(&positions, [from, to]);
-            let parts: Vec<f64> = way
-                .iter()
-                .zip(&weights)
-                .map(|(s, w)| s.excess * w)
-                .collect();
-            *energy = parts.iter().sum();
-            let inside: Vec<(f64, f64)> = way
-                .iter()
-                .zip(&weights)
-                .filter(|(_, weight)| **weight > 0.0)
-                .map(|(sample, weight)| (sample.excess, *weight))
-                .collect();
+            let weighted = way.iter().zip(&weights);
+            let weighted = weighted.map(|(sample, weight)| (sample.excess, *weight));
+            *energy = weighted
+                .clone()
+                .map(|(excess, weight)| excess * weight)
+                .sum();
+            let inside: Vec<(f64, f64)> = weighted.filter(|(_, weight)| *weight > 0.0).collect();
             if inside.len() < FEWEST {
                 return None;
             }
@@ -282,16 +257,11 @@ impl Cycle {
         }
         let loading = &ways[0];
         let depths: Vec<f64> = loading.iter().map(|sample| sample.penetration).collect();
-        let work = weights(&depths, [f64::NEG_INFINITY, f64::INFINITY]);
-        let work = loading
-            .iter()
-            .zip(work)
-            .map(|(s, weight)| s.load * weight)
-            .sum();
-        let load = 0.5
-            * ends(|sample| sample.load)
-                .map(|[_, most]| most)
-                .fold(f64::INFINITY, f64::min);
+        let weights = weights(&depths, [f64::NEG_INFINITY, f64::INFINITY]);
+        let parts = loading.iter().zip(weights);
+        let work = parts.map(|(sample, weight)| sample.load * weight).sum();
+        let largest = ends(|sample| sample.load).map(|[_, most]| most);
+        let load = 0.5 * largest.fold(f64::INFINITY, f64::min);
         let [one, other] = [0, 1].map(|way| crossing(&ways[way], load));
         Some(Self {
             energy,

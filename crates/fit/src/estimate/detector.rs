@@ -1,9 +1,8 @@
 //! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
 use crate::statistics::extremes;
-use crate::{Branch, FittedExperiment, FittedPoint, WarningKind};
+use crate::{Branch, FittedExperiment, FittedPoint, Warning, WarningKind};
 
 /// The fewest neighbouring points of one reading that make a detector saturated.
 const FEWEST: usize = 3;
@@ -16,7 +15,11 @@ const OF_ROUNDING: [f64; 2] = [0.1, 0.5];
 
 /// Adds the doubts about the detector of an experiment. Tells whether its readings are in coarse
 /// steps.
-pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: &Assigned) -> bool {
+pub(super) fn add(
+    warnings: &mut Vec<Warning>,
+    fitted: &FittedExperiment,
+    assigned: &Assigned,
+) -> bool {
     let kind = assigned.experiment.measurement.kind;
     let local_noise = assigned.local_noise.unwrap_or(0.0);
     let [_, ordinate] = kind.names();
@@ -41,16 +44,13 @@ pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: 
                 .iter()
                 .filter(|point| point.ordinate == extreme);
             let own: Vec<u64> = own.map(|point| point.line).collect();
-            warnings.add(
-                WarningKind::Saturated,
-                format!(
-                    "{name}: {} points have exactly the {which} {ordinate}, {extreme:.3e} {unit}, \
-                     where the fit changes by {change:.1e} {unit}: the detector may be at the end \
-                     of its range; if so, leave these points out, in {}",
-                    own.len(),
-                    assigned.experiment.measurement.numbering.names(&own)
-                ),
-            );
+            warnings.push(WarningKind::Saturated.with(format!(
+                "{name}: {} points have exactly the {which} {ordinate}, {extreme:.3e} {unit}, \
+                 where the fit changes by {change:.1e} {unit}: the detector may be at the end \
+                 of its range; if so, leave these points out, in {}",
+                own.len(),
+                assigned.experiment.measurement.numbering.names(&own)
+            )));
         }
     }
     let steps = readings.windows(2).map(|pair| pair[1] - pair[0]);
@@ -62,16 +62,13 @@ pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: 
     let noise = fitted.noise * kind.scale(usual);
     let is_coarse = 2 * readings.len() <= count && (least..most).contains(&noise);
     if is_coarse {
-        warnings.add(
-            WarningKind::CoarseSteps,
-            format!(
-                "{name}: the {count} points have only {} values of the {ordinate}, in steps of \
-                 {step:.3e} {unit}, beside which the noise is small: the errors are those of \
-                 rounding, which are not independent, and standard errors may be too small; measure \
-                 in finer steps",
-                readings.len()
-            ),
-        );
+        warnings.push(WarningKind::CoarseSteps.with(format!(
+            "{name}: the {count} points have only {} values of the {ordinate}, in steps of \
+             {step:.3e} {unit}, beside which the noise is small: the errors are those of \
+             rounding, which are not independent, and standard errors may be too small; measure \
+             in finer steps",
+            readings.len()
+        )));
     }
     is_coarse
 }
@@ -80,12 +77,10 @@ pub(super) fn add(warnings: &mut Warnings, fitted: &FittedExperiment, assigned: 
 /// reading: the most of any [`FEWEST`] points or more.
 fn change_of_fit(fitted: &FittedExperiment, assigned: &Assigned, reading: f64) -> f64 {
     let mut most = 0.0_f64;
-    for branch in [Branch::Advancing, Branch::Receding] {
+    for branch in Branch::CONTACTS {
         let order = assigned.order.iter();
-        let own: Vec<&FittedPoint> = order
-            .filter(|&&i| assigned.branches[i] == branch)
-            .map(|&i| &fitted.points[i])
-            .collect();
+        let own = order.filter(|&&i| assigned.branches[i] == branch);
+        let own: Vec<&FittedPoint> = own.map(|&i| &fitted.points[i]).collect();
         for run in own.chunk_by(|one, other| one.ordinate == other.ordinate) {
             if run.len() < FEWEST || run[0].ordinate != reading {
                 continue;

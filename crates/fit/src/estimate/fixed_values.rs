@@ -13,7 +13,7 @@ use super::loss::influence;
 use super::problem::Problem;
 use super::slot::Slot;
 use super::uncertainty::Uncertainty;
-use crate::model::ContactOf;
+use crate::model::contacts_of;
 use crate::{Error, Fit, Fixed, FixedValue, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
@@ -45,25 +45,18 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             return Err(Error::setting(name, f64::NAN, allowed));
         };
         let is_free = |parameter| slots.iter().any(|slot| slot.parameter == parameter);
-        let refusals = [
-            (
-                !assigned.iter().any(has_effect),
-                "of a value that has an effect on these measurements: leave its error out",
-            ),
-            (
-                first.is_infinite(),
-                "finite, and this body is rigid: leave its error out, or give the body a modulus",
-            ),
-            (
-                quantity.parameter().is_some_and(is_free),
-                "of a value that is not free: give a free one a prior instead",
-            ),
-            (
-                known[..i].iter().any(|before| before.quantity == *quantity),
-                "given once",
-            ),
-        ];
-        if let Some((_, allowed)) = refusals.into_iter().find(|(is_wrong, _)| *is_wrong) {
+        let refused = if !assigned.iter().any(has_effect) {
+            Some("of a value that has an effect on these measurements: leave its error out")
+        } else if first.is_infinite() {
+            Some("finite, and this body is rigid: leave its error out, or give the body a modulus")
+        } else if quantity.parameter().is_some_and(is_free) {
+            Some("of a value that is not free: give a free one a prior instead")
+        } else if known[..i].iter().any(|before| before.quantity == *quantity) {
+            Some("given once")
+        } else {
+            None
+        };
+        if let Some(allowed) = refused {
             return Err(Error::setting(name, first, allowed));
         }
         let is_scale = match quantity {
@@ -80,11 +73,8 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             );
             return Err(Error::setting(name, *error, allowed));
         }
-        let other = assigned
-            .iter()
-            .filter_map(|one| one.experiment.value_of(*quantity))
-            .find(|value| *value != first);
-        if let Some(other) = other {
+        let mut others = values.filter_map(|one| one.experiment.value_of(*quantity));
+        if let Some(other) = others.find(|value| *value != first) {
             let allowed = "one for all measurements: an error of several values is not taken";
             return Err(Error::setting(name, other, allowed));
         }
@@ -116,8 +106,10 @@ pub(super) fn effects(
     let free: Vec<_> = problem.slots.iter().map(|slot| slot.parameter).collect();
     let mut quantities: Vec<Fixed> = Vec::new();
     let given = known.iter().map(|one| one.quantity);
-    let experiments = problem.assigned.iter().map(|one| &one.experiment);
-    let listed = experiments.flat_map(|one| one.fixed(&free)).filter(|_| all);
+    let listed = problem
+        .experiments()
+        .flat_map(|one| one.fixed(&free))
+        .filter(|_| all);
     for quantity in listed.chain(given) {
         if !quantities.contains(&quantity) {
             quantities.push(quantity);
@@ -127,10 +119,10 @@ pub(super) fn effects(
         return Vec::new();
     };
     let effect = |quantity: Fixed| {
-        let experiments = problem.assigned.iter();
-        let mut values: Vec<f64> = experiments
-            .filter_map(|one| one.experiment.value_of(quantity))
-            .collect();
+        let values = problem
+            .experiments()
+            .filter_map(|one| one.value_of(quantity));
+        let mut values: Vec<f64> = values.collect();
         // One that is rigid does not change.
         let value = values.iter().copied().find(|value| value.is_finite())?;
         if values.iter().all(|own| *own == value) {
@@ -187,11 +179,8 @@ pub(super) fn effects(
 
 /// Adds the errors of known values to the standard errors and the correlation.
 pub(super) fn pass_on(fit: &mut Fit) {
-    let known: Vec<&FixedValue> = fit
-        .fixed_values
-        .iter()
-        .filter(|one| one.error.is_some())
-        .collect();
+    let known = fit.fixed_values.iter().filter(|one| one.error.is_some());
+    let known: Vec<&FixedValue> = known.collect();
     if known.is_empty() {
         return;
     }
@@ -208,23 +197,15 @@ pub(super) fn pass_on(fit: &mut Fit) {
         .map(|i| (0..count).map(|j| covariance(i, j)).collect())
         .collect();
     let errors: Vec<f64> = (0..count).map(|i| covariance[i][i].sqrt()).collect();
-    if let Some(bias) = fit
-        .without_film
-        .as_mut()
-        .and_then(|one| one.modulus.as_mut())
-        && let Some(i) = fit
-            .estimates
-            .iter()
-            .position(|one| one.parameter == bias.parameter)
+    let without_film = fit.without_film.as_mut();
+    let mut estimates = fit.estimates.iter();
+    if let Some(bias) = without_film.and_then(|one| one.modulus.as_mut())
+        && let Some(i) = estimates.position(|one| one.parameter == bias.parameter)
     {
         bias.standard_errors *= before[i] / errors[i];
     }
-    for (i, (estimate, row)) in fit
-        .estimates
-        .iter_mut()
-        .zip(&mut fit.correlation)
-        .enumerate()
-    {
+    let estimates = fit.estimates.iter_mut().zip(&mut fit.correlation);
+    for (i, (estimate, row)) in estimates.enumerate() {
         estimate.standard_error = errors[i];
         for (j, entry) in row.iter_mut().enumerate() {
             *entry = (covariance[i][j] / (errors[i] * errors[j])).clamp(-1.0, 1.0);
@@ -244,9 +225,9 @@ pub(super) fn residuals_with(
         if let Some(own) = assigned.experiment.value_of(quantity) {
             let mut experiment = assigned.experiment.clone();
             experiment.replace_fixed(quantity, value(own)).ok()?;
-            let contact_of: &ContactOf<'_> = &|bodies, by| bodies.contact(problem.table, by);
+            let contact_of = contacts_of(problem.table);
             let branches = &assigned.branches;
-            let predicted = experiment.predict_with(contact_of, branches, &assigned.order, None);
+            let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, &[]);
             let predicted = predicted.ok()?;
             for (row, i) in rows.zip(assigned.counting_points()) {
                 residuals[row] =
@@ -254,10 +235,8 @@ pub(super) fn residuals_with(
             }
         }
     }
-    residuals
-        .iter()
-        .all(|residual| residual.is_finite())
-        .then_some(residuals)
+    let are_finite = residuals.iter().all(|residual| residual.is_finite());
+    are_finite.then_some(residuals)
 }
 
 /// How the values found follow the residuals.
@@ -300,10 +279,7 @@ impl Response {
     /// Returns the changes of the values found that follow a change of the residuals, in SI units.
     fn of(&self, change: &DVector<f64>) -> Vec<f64> {
         let changes = -&self.matrix * change;
-        changes
-            .iter()
-            .zip(&self.sizes)
-            .map(|(c, size)| c * size)
-            .collect()
+        let changes = changes.iter().zip(&self.sizes);
+        changes.map(|(change, size)| change * size).collect()
     }
 }

@@ -4,13 +4,11 @@ use interp::Table;
 
 use super::assigned::Assigned;
 use super::assumptions;
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
 use super::slot::slots;
 use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
-use crate::model::Assignment;
 use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Parameter};
 
 /// Computes the standard errors that a planned experiment would give.
@@ -32,14 +30,12 @@ pub fn forecast(
     experiments: &[Experiment],
     free: &[Free],
 ) -> Result<Forecast, Error> {
-    let free: Vec<Free> = free
-        .iter()
-        .map(|one| Free {
-            start: None,
-            bounds: None,
-            ..*one
-        })
-        .collect();
+    let without_limits = |one: &Free| Free {
+        start: None,
+        bounds: None,
+        ..*one
+    };
+    let free: Vec<Free> = free.iter().map(without_limits).collect();
     let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
     let mut assigned = Vec::new();
     for experiment in experiments {
@@ -51,24 +47,23 @@ pub fn forecast(
             let work = experiment.work_of_adhesion;
             experiment.work_of_adhesion_receding.get_or_insert(work);
         }
-        let is_zero = |parameter: &Parameter| {
-            parameter.is_positive()
-                && experiment.get(*parameter) == Some(0.0)
-                && experiment.why_without_effect(*parameter).is_none()
-        };
-        if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_zero) {
-            let allowed = "positive where it is free: the errors are those at the planned value";
-            return Err(experiment.wrong_setting(parameter, 0.0, allowed));
-        }
-        let is_unknown = |parameter: &Parameter| {
-            matches!(*parameter, Parameter::Layer(name, LayerQuantity::InterfaceStiffness) if experiment
-                .layer(name)
-                .is_some_and(|layer| layer.interface_stiffness().is_none()))
-        };
-        if let Some(parameter) = free.iter().map(|one| one.parameter).find(is_unknown) {
-            let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
-                          value: plan another one, such as the modulus of the layer over its thickness";
-            return Err(experiment.not_applicable(parameter, reason));
+        for Free { parameter, .. } in free.iter().copied() {
+            if parameter.is_positive()
+                && experiment.get(parameter) == Some(0.0)
+                && experiment.why_without_effect(parameter).is_none()
+            {
+                let allowed =
+                    "positive where it is free: the errors are those at the planned value";
+                return Err(experiment.wrong_setting(parameter, 0.0, allowed));
+            }
+            if let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = parameter
+                && let Some(layer) = experiment.layer(name)
+                && layer.interface_stiffness().is_none()
+            {
+                let reason = "its tangential stiffness is planned as 0 or infinite, and the errors are those at the planned \
+                              value: plan another one, such as the modulus of the layer over its thickness";
+                return Err(experiment.not_applicable(parameter, reason));
+            }
         }
         if experiment.measurement.kind.is_stiffness() {
             // The stiffness itself tells contact depths.
@@ -79,14 +74,9 @@ pub fn forecast(
             let points = experiment.measurement.points.iter_mut();
             points.for_each(|point| point.ordinate = 0.0);
         }
-        let contact = experiment.bodies.contact(table, None)?;
+        let contact = experiment.bodies.contact(table, &[])?;
         let (branches, order) = experiment.branches_of_model(&contact)?;
-        let assignment = Assignment {
-            branches,
-            order,
-            local_noise: None,
-        };
-        assigned.push(Assigned::new(experiment, assignment));
+        assigned.push(Assigned::new(experiment, (branches, order, None)));
     }
     let mut slots = slots(experiments, &free)?;
     for slot in &mut slots {
@@ -112,16 +102,17 @@ pub fn forecast(
     }
     let uncertainty = uncertainty(&problem)?;
     let estimates = estimates(&problem, Some(&uncertainty));
-    let mut warnings = Warnings::default();
     let range = Options::default().interaction_range;
-    for e in 0..problem.assigned.len() {
-        assumptions::of_problem(&mut warnings, &problem, e, range, &estimates);
-    }
+    let broken = |e| assumptions::of_problem(&problem, e, range, &estimates);
+    let warnings = (0..problem.assigned.len())
+        .filter_map(broken)
+        .flatten()
+        .collect();
     Ok(Forecast {
-        estimates,
         correlation: uncertainty.correlation(),
         undetermined: uncertainty.undetermined(&slot_names(&problem)),
-        warnings: warnings.into_list(),
+        warnings,
+        estimates,
     })
 }
 

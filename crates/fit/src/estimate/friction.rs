@@ -5,8 +5,7 @@ use contact::Contact;
 use interp::Probe;
 use solve::stick::Sticking;
 
-use super::doubts::Warnings;
-use crate::{Bodies, Estimate, Experiment, Kind, Parameter, WarningKind};
+use crate::{Bodies, Estimate, Experiment, Kind, Parameter, Warning, WarningKind};
 
 /// The relative tolerance of the two punches.
 const TOLERANCE: f64 = 1e-6;
@@ -24,24 +23,19 @@ const USUAL_POISSON_RATIO: f64 = 0.5;
 /// less: where contact radii are known and nothing but the film deforms, the moduli at both ends are
 /// bounds. At a given penetration or load friction changes the contact radius, too, and the load more than
 /// that of a punch; and where other bodies deform, the film has a part of the compliance only.
-pub(super) fn add(
-    warnings: &mut Warnings,
+pub(super) fn doubt(
     experiment: &Experiment,
     contact: &Contact,
     a: f64,
     estimates: &[Estimate],
-) {
+) -> Option<Warning> {
     let (name, bodies) = (&experiment.measurement.name, &experiment.bodies);
     let of_top = bodies.modulus_of_top();
-    let Some(modulus) = estimates.iter().find(|one| one.parameter == of_top) else {
-        return;
-    };
+    let modulus = estimates.iter().find(|one| one.parameter == of_top)?;
     let nu2 = experiment
         .sphere_poisson_ratio
         .unwrap_or(USUAL_POISSON_RATIO);
-    let Some((ratio, is_uncoupled)) = stiffening(bodies, nu2, a) else {
-        return;
-    };
+    let (ratio, is_uncoupled) = stiffening(bodies, nu2, a)?;
     let sticks = contact.curve().is_some_and(|curve| curve.stick().is_some());
     let other = if sticks {
         modulus.value * ratio
@@ -51,7 +45,7 @@ pub(super) fn add(
     // The standard error may be none.
     let matters = (other - modulus.value).abs() > modulus.standard_error;
     if !matters {
-        return;
+        return None;
     }
     let [stick, slide] = if sticks {
         [modulus.value, other]
@@ -80,15 +74,12 @@ pub(super) fn add(
     } else {
         ""
     };
-    warnings.add(
-        WarningKind::Friction,
-        format!(
-            "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %, and \
-             changes {parameter} by more than its standard error: {bounds}; {both}use contacts that are less \
-             wide beside the film",
-            digits(1e2 * (ratio - 1.0)),
-        ),
-    );
+    Some(WarningKind::Friction.with(format!(
+        "{name}: full friction would raise the stiffness of a flat punch as wide as the widest contact by {} %, and \
+         changes {parameter} by more than its standard error: {bounds}; {both}use contacts that are less \
+         wide beside the film",
+        digits(1e2 * (ratio - 1.0)),
+    )))
 }
 
 /// Returns the part of sphere and base in the compliance of the contact of radius `a` (m): that of

@@ -4,10 +4,9 @@
 use std::ops::Range;
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
-use crate::WarningKind;
 use crate::model::noise_of;
 use crate::statistics::{extremes, median};
+use crate::{Warning, WarningKind};
 
 /// The part of the range of positions or loads within which they are held.
 const HELD: f64 = 0.02;
@@ -23,12 +22,12 @@ const FEWEST: usize = 5;
 const PART: usize = 20;
 
 /// Warns of a hold in which the film relaxes, and after which no retract was measured.
-pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
+pub(super) fn doubt(assigned: &Assigned) -> Option<Warning> {
     let experiment = &assigned.experiment;
     let measurement = &experiment.measurement;
     let kind = measurement.kind;
     if kind.at_radii() || kind.is_stiffness() || experiment.relaxing.is_some() {
-        return;
+        return None;
     }
     let noise = assigned.seen_noise();
     let sense = experiment.sense();
@@ -76,20 +75,16 @@ pub(super) fn add(warnings: &mut Warnings, assigned: &Assigned) {
             )
         })
     };
-    if let Some(told) = falls().or_else(creeps) {
-        let needed = if experiment.times.is_empty() {
-            ", for which each point needs its time"
-        } else {
-            " with the times of the points"
-        };
-        warnings.add(
-            WarningKind::Relaxes,
-            format!(
-                "{}: {told}; fit a relaxation function{needed}, or leave out the points of the hold",
-                measurement.name
-            ),
-        );
-    }
+    let told = falls().or_else(creeps)?;
+    let needed = if experiment.times.is_empty() {
+        ", for which each point needs its time"
+    } else {
+        " with the times of the points"
+    };
+    Some(WarningKind::Relaxes.with(format!(
+        "{}: {told}; fit a relaxation function{needed}, or leave out the points of the hold",
+        measurement.name
+    )))
 }
 
 /// Returns the first and the last fifth of the points at which values, in time, are held at the largest one, to some

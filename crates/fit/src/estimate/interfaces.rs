@@ -5,11 +5,10 @@ use interp::Probe;
 use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
 
-use super::doubts::Warnings;
 use super::minima::Minimum;
 use super::profile::with_fixed;
 use super::uncertainty::Uncertainty;
-use crate::{Bodies, LayerQuantity, Parameter, WarningKind};
+use crate::{Bodies, LayerQuantity, Parameter, Warning, WarningKind};
 
 /// The factor by which a stiffness is changed until the layer is as good as bonded, or slides.
 const AS_GOOD_AS: f64 = 1e6;
@@ -25,20 +24,19 @@ const WIDEST: f64 = 100.0;
 /// The smallest change of a modulus that is told.
 const LEAST: f64 = 1e-3;
 
-pub(super) fn add(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertainty) {
+pub(super) fn add(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty: &Uncertainty) {
     not_seen(warnings, found, uncertainty);
     assumes_bonding(warnings, found, uncertainty);
 }
 
 /// Warns of stiffnesses of interfaces that the data do not tell from 0 or from infinity.
-fn not_seen(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertainty) {
+fn not_seen(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty: &Uncertainty) {
     let problem = &found.problem;
     for (i, slot) in problem.slots.iter().enumerate() {
         let Parameter::Layer(name, LayerQuantity::InterfaceStiffness) = slot.parameter else {
             continue;
         };
-        let mut experiments = problem.assigned.iter();
-        let Some(layer) = experiments.find_map(|one| one.experiment.layer(name)) else {
+        let Some(layer) = problem.experiments().find_map(|one| one.layer(name)) else {
             continue;
         };
         let (own, value) = (layer.own_stiffness(), problem.value(i));
@@ -69,12 +67,12 @@ fn not_seen(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertai
                 growth.max(0.0)
             ),
         };
-        warnings.add(WarningKind::InterfaceNotSeen, text);
+        warnings.push(WarningKind::InterfaceNotSeen.with(text));
     }
 }
 
 /// Warns of a modulus that would be another one if the film slid on what lies below.
-fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &Uncertainty) {
+fn assumes_bonding(warnings: &mut Vec<Warning>, found: &Minimum<'_>, uncertainty: &Uncertainty) {
     let problem = &found.problem;
     // The widest contact feels the interface most.
     let wide = (0..problem.assigned.len())
@@ -107,14 +105,11 @@ fn assumes_bonding(warnings: &mut Warnings, found: &Minimum<'_>, uncertainty: &U
         };
         let change = (factor - 1.0).abs();
         if change > LEAST.max(uncertainty.relative_error(slot)) {
-            warnings.add(
-                WarningKind::AssumesBonding,
-                format!(
-                    "{parameter} takes the film as bonded to what lies below it: if it slid, the \
-                     stiffness of a contact of {over_top:.2} times the thickness of the film would need \
-                     a modulus {factor:.3} times as large, which is more than the standard error; {step}"
-                ),
-            );
+            warnings.push(WarningKind::AssumesBonding.with(format!(
+                "{parameter} takes the film as bonded to what lies below it: if it slid, the \
+                 stiffness of a contact of {over_top:.2} times the thickness of the film would need \
+                 a modulus {factor:.3} times as large, which is more than the standard error; {step}"
+            )));
         }
     }
 }

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::assigned::Assigned;
 use super::problem::LARGEST;
+use super::start::IsUnknown;
 use crate::statistics::{extremes, median};
 use crate::{Branch, Experiment, Kind, Parameter};
 
@@ -19,7 +20,7 @@ const NEAR_PULL_OFF: [f64; 6] = [0.8, 1.0, 1.2, 1.5, 2.0, 3.0];
 const FAR: f64 = 15.0;
 
 /// Tells whether the level of the reading without a force is one of the parameters that `is`.
-pub(super) fn level_is(is: &dyn Fn(Parameter) -> bool) -> bool {
+pub(super) fn level_is(is: IsUnknown<'_>) -> bool {
     is(Parameter::LoadOffset) || is(Parameter::Baseline)
 }
 
@@ -27,7 +28,7 @@ pub(super) fn level_is(is: &dyn Fn(Parameter) -> bool) -> bool {
 const LEAST_MODULUS: f64 = 1e-100;
 
 /// A homogeneous contact.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Homogeneous {
     /// The compound modulus `E*`, Pa; `None` for penetrations against radii, which tell only
     /// `w/E*`.
@@ -45,10 +46,7 @@ pub(crate) struct Homogeneous {
 }
 
 /// Fits a homogeneous contact, in which the parameters that are unknown may change; `None` if it has no positive modulus.
-pub(crate) fn homogeneous(
-    assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
-) -> Option<Homogeneous> {
+pub(crate) fn homogeneous(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<Homogeneous> {
     let found = match assigned.experiment.measurement.kind {
         Kind::LoadRadius => of_loads_at_radii(assigned, is_unknown),
         Kind::PenetrationRadius => of_penetrations_at_radii(assigned, is_unknown),
@@ -80,30 +78,22 @@ pub(crate) fn homogeneous(
 /// Returns at most [`MOST_POINTS`] points of a branch, from the largest contact to the smallest.
 fn points_of(assigned: &Assigned, branch: Branch) -> Vec<[f64; 2]> {
     let points = &assigned.experiment.measurement.points;
-    let all: Vec<usize> = assigned
+    let all = assigned
         .order
         .iter()
-        .copied()
-        .filter(|&i| assigned.branches[i] == branch)
-        .collect();
-    let stride = all.len().div_ceil(MOST_POINTS).max(1);
-    all.into_iter()
-        .step_by(stride)
-        .map(|i| [points[i].abscissa, points[i].ordinate])
+        .filter(|&&i| assigned.branches[i] == branch);
+    let stride = all.clone().count().div_ceil(MOST_POINTS).max(1);
+    let some = all.step_by(stride);
+    some.map(|&i| [points[i].abscissa, points[i].ordinate])
         .collect()
 }
 
 /// Returns the branch from which modulus and zeros are read: approach if retract has a work of
 /// adhesion of its own, else the one with more points.
 fn main_branch(assigned: &Assigned) -> Branch {
-    let count = |branch| {
-        assigned
-            .branches
-            .iter()
-            .filter(|&&own| own == branch)
-            .count()
-    };
-    let [advancing, receding] = [Branch::Advancing, Branch::Receding].map(count);
+    let branches = assigned.branches.iter();
+    let count = |branch| branches.clone().filter(|&&own| own == branch).count();
+    let [advancing, receding] = Branch::CONTACTS.map(count);
     let hysteretic = assigned.experiment.work_of_adhesion_receding.is_some();
     if (hysteretic && advancing > 2) || advancing >= receding {
         Branch::Advancing
@@ -121,8 +111,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
         ..
     } = &assigned.experiment;
     let contacts = measurement.points.iter().zip(&assigned.branches);
-    let contacts =
-        contacts.filter(|(_, branch)| matches!(branch, Branch::Advancing | Branch::Receding));
+    let contacts = contacts.filter(|(_, branch)| branch.is_contact());
     let [least, most] = extremes(contacts.map(|(point, _)| point.abscissa));
     match measurement.kind {
         Kind::LoadRadius | Kind::PenetrationRadius => bodies.paraboloid(most, false),
@@ -131,10 +120,7 @@ pub(super) fn radius_of(assigned: &Assigned) -> f64 {
 }
 
 /// Fits `F = 4 E*/(3 R) a^3 - sqrt(8 pi w E*) a^{3/2} + F0`, weighted as in the JKR plot.
-fn of_loads_at_radii(
-    assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
-) -> Option<Homogeneous> {
+fn of_loads_at_radii(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
     let adhesive = is_unknown(Parameter::WorkOfAdhesion) || experiment.work_of_adhesion > 0.0;
@@ -172,27 +158,21 @@ fn of_loads_at_radii(
     let branch = main_branch(assigned);
     let (modulus, intercept, level, largest) = fit(branch)?;
     let work = |intercept: f64| intercept * intercept / (8.0 * PI * modulus);
-    let receding = if branch == Branch::Advancing {
-        fit(Branch::Receding).map(|(_, intercept, ..)| work(intercept))
-    } else {
-        None
-    };
+    let other = (branch == Branch::Advancing).then(|| fit(Branch::Receding));
+    let receding = other.flatten().map(|(_, intercept, ..)| work(intercept));
     (modulus > 0.0 && modulus.is_finite()).then(|| Homogeneous {
         modulus: Some(modulus),
         work_of_adhesion: work(intercept),
         receding,
         level,
-        slope: 0.0,
         contact_point: experiment.contact_point,
         largest: [largest[0], largest[1] - level, 0.0],
+        ..Homogeneous::default()
     })
 }
 
 /// Fits `delta = a^2/R - sqrt(2 pi a w/E*) + c`.
-fn of_penetrations_at_radii(
-    assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
-) -> Option<Homogeneous> {
+fn of_penetrations_at_radii(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
     let radius = radius_of(assigned);
     let fit = |branch: Branch| {
@@ -214,19 +194,14 @@ fn of_penetrations_at_radii(
     };
     let branch = main_branch(assigned);
     let (ratio, contact_point, largest) = fit(branch)?;
-    let receding = if branch == Branch::Advancing {
-        fit(Branch::Receding).map(|(ratio, ..)| ratio)
-    } else {
-        None
-    };
+    let other = (branch == Branch::Advancing).then(|| fit(Branch::Receding));
+    let receding = other.flatten().map(|(ratio, ..)| ratio);
     Some(Homogeneous {
-        modulus: None,
         work_of_adhesion: ratio,
         receding,
-        level: 0.0,
-        slope: 0.0,
         contact_point,
         largest: [largest[0], 0.0, largest[1] - contact_point],
+        ..Homogeneous::default()
     })
 }
 
@@ -236,7 +211,7 @@ fn of_penetrations_at_radii(
 /// `E*^{-2/3} (b^2/R - sqrt(2 pi b w))`, with a `b` that does not depend on `E*`.
 fn of_loads_at_positions(
     assigned: &Assigned,
-    is_unknown: &dyn Fn(Parameter) -> bool,
+    is_unknown: IsUnknown<'_>,
     branch: Branch,
 ) -> Option<Homogeneous> {
     let experiment = &assigned.experiment;
@@ -320,7 +295,7 @@ fn of_loads_at_positions(
 }
 
 /// Returns level and slope of the baseline, from the points on it if they are not known.
-fn baseline(assigned: &Assigned, is_unknown: &dyn Fn(Parameter) -> bool) -> Option<[f64; 2]> {
+fn baseline(assigned: &Assigned, is_unknown: IsUnknown<'_>) -> Option<[f64; 2]> {
     let experiment = &assigned.experiment;
     let known = [
         experiment.load_offset + experiment.baseline,
@@ -362,20 +337,16 @@ fn scaled_penetration(force: f64, work: f64, radius: f64) -> f64 {
 fn least_squares(rows: Vec<(Vec<f64>, f64)>) -> Option<(Vec<f64>, f64)> {
     let (found, residuals) = solution(&rows)?;
     let far = FAR * median(residuals.iter().map(|r| r.abs()).collect());
-    let near: Vec<(Vec<f64>, f64)> = rows
-        .into_iter()
-        .zip(&residuals)
-        .filter_map(|(row, residual)| (residual.abs() <= far).then_some(row))
-        .collect();
+    let near = rows.into_iter().zip(&residuals);
+    let near = near.filter(|(_, residual)| residual.abs() <= far);
+    let near: Vec<(Vec<f64>, f64)> = near.map(|(row, _)| row).collect();
     let left_out = residuals.len() - near.len();
     if left_out == 0 || near.len() <= found.len() {
         return Some((found, residuals.norm_squared()));
     }
     let (found, residuals) = solution(&near)?;
-    Some((
-        found,
-        residuals.norm_squared() + left_out as f64 * far * far,
-    ))
+    let squares = residuals.norm_squared() + left_out as f64 * far * far;
+    Some((found, squares))
 }
 
 /// Returns the least-squares solution and the residuals.
@@ -388,9 +359,9 @@ fn solution(rows: &[(Vec<f64>, f64)]) -> Option<(Vec<f64>, DVector<f64>)> {
         return None;
     }
     // The columns are scaled to length 1, because their units are very different.
-    let units: Vec<f64> = matrix
-        .column_iter()
-        .map(|column| column.norm().max(f64::MIN_POSITIVE))
+    let lengths = matrix.column_iter().map(|column| column.norm());
+    let units: Vec<f64> = lengths
+        .map(|length| length.max(f64::MIN_POSITIVE))
         .collect();
     for (mut column, unit) in matrix.column_iter_mut().zip(&units) {
         column /= *unit;
@@ -399,8 +370,6 @@ fn solution(rows: &[(Vec<f64>, f64)]) -> Option<(Vec<f64>, DVector<f64>)> {
     let solution = svd.solve(&right, f64::EPSILON).ok()?;
     let residuals = &matrix * &solution - right;
     let values = solution.iter().zip(&units);
-    Some((
-        values.map(|(value, unit)| value / unit).collect(),
-        residuals,
-    ))
+    let values = values.map(|(value, unit)| value / unit);
+    Some((values.collect(), residuals))
 }

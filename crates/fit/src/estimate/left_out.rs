@@ -64,12 +64,9 @@ fn reason(whole: &Assigned, ends: &[End], i: usize) -> LeftOutReason {
 
 /// Returns how many points of an experiment are in contact, and how many of them are left out.
 pub(super) fn in_contact(whole: &Assigned, groups: &[LeftOut]) -> [usize; 2] {
-    let is_contact = |branch: &&Branch| matches!(branch, Branch::Advancing | Branch::Receding);
+    let contacts = whole.branches.iter().filter(|branch| branch.is_contact());
     let of_contact = groups.iter().filter(|group| group.reason.is_of_contact());
-    [
-        whole.branches.iter().filter(is_contact).count(),
-        of_contact.map(|group| group.points).sum(),
-    ]
+    [contacts.count(), of_contact.map(|group| group.points).sum()]
 }
 
 /// Accepts what is left out.

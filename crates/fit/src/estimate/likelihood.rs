@@ -7,7 +7,8 @@ use interp::Table;
 use super::assigned::Assigned;
 use super::slot::Slot;
 use super::solve::prepare;
-use crate::{Bodies, Branch, Error, Experiment, Free, Parameter};
+use crate::model::contacts_of;
+use crate::{Branch, Error, Experiment, Free, Parameter};
 
 /// The logarithm of the likelihood of the free parameters of one or several experiments.
 ///
@@ -57,13 +58,8 @@ impl Likelihood {
                 own.branches = given.iter().map(|branch| branch.of_contact()).collect();
             }
         }
-        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
         for own in &mut assigned {
-            let (of, branches) = (&own.experiment, &own.branches);
-            let noise = |i| own.own_deviation(i);
-            let errors = of.abscissa_errors(&contact_of, branches, &own.order, noise)?;
-            let factors = of.noise_factors(&contact_of, branches)?;
-            (own.abscissa_errors, own.factors) = (errors, factors);
+            own.weigh(&contacts_of(table))?;
         }
         let of_experiment = |(e, own): (usize, &Assigned)| {
             let is_of = |&s: &usize| slots[s].is_of(e, &own.experiment);
@@ -157,10 +153,13 @@ impl Likelihood {
             for (&slot, &parameter) in slots.iter().zip(parameters) {
                 experiment.replace(parameter, values[slot]).ok()?;
             }
-            let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
-            let wanted = gradient.is_some().then_some(parameters.as_slice());
+            let wanted = if gradient.is_some() {
+                &parameters[..]
+            } else {
+                &[]
+            };
             let predicted = experiment
-                .predict_with(&contact_of, &own.branches, &own.order, wanted)
+                .predict_with(&contacts_of(table), &own.branches, &own.order, wanted)
                 .ok()?;
             for i in own.counting_points() {
                 let deviation = own.deviation(i);
@@ -203,22 +202,17 @@ fn limits(slot: &Slot, free: &[Free]) -> [f64; 2] {
 
 /// Accepts branches for each point of each experiment.
 fn accept_lengths(branches: &[Vec<Branch>], assigned: &[Assigned]) -> Result<(), Error> {
-    let setting = |name: String, found: usize, wanted: usize| {
+    let accept = |name: &str, found: usize, wanted: usize| {
         let allowed = format!("{wanted}, as many as there are");
-        Error::setting(name, found as f64, allowed)
+        let wrong = || Error::setting(name, found as f64, allowed);
+        (found == wanted).then_some(()).ok_or_else(wrong)
     };
-    if branches.len() != assigned.len() {
-        let name = "the number of experiments with branches".into();
-        return Err(setting(name, branches.len(), assigned.len()));
-    }
-    for (given, own) in branches.iter().zip(assigned) {
-        if given.len() != own.branches.len() {
-            let name = format!(
-                "the number of branches of {}",
-                own.experiment.measurement.name
-            );
-            return Err(setting(name, given.len(), own.branches.len()));
-        }
-    }
-    Ok(())
+    let name = "the number of experiments with branches";
+    accept(name, branches.len(), assigned.len())?;
+    let mut pairs = branches.iter().zip(assigned);
+    pairs.try_for_each(|(given, own)| {
+        let measurement = &own.experiment.measurement;
+        let name = format!("the number of branches of {}", measurement.name);
+        accept(&name, given.len(), own.branches.len())
+    })
 }

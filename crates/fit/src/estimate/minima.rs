@@ -6,7 +6,6 @@ use interp::Table;
 
 use super::assigned::Assigned;
 use super::basin::Basin;
-use super::doubts::BEYOND_CHANCE;
 use super::no_adhesion;
 use super::problem::{Ending, Problem};
 use super::search::{COARSE, PATIENCE, hold_back, is_bad, settle, thin};
@@ -14,6 +13,7 @@ use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
 use super::valley::{Bend, MARGIN, bend, doubtful, is_costly, other_sides};
+use crate::statistics::BEYOND_CHANCE;
 use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 
 /// The factors by which the start of a modulus, or of a quantity of a layer, is varied.
@@ -81,8 +81,11 @@ pub(crate) fn minimum<'a>(
     let from_data = without_starts(data, free);
     let ended_at_zero = |first: &Problem<'_>| !no_adhesion::ended_at_zero(first).is_empty();
     let lost_adhesion = first.as_ref().is_ok_and(ended_at_zero);
+    // A thin and a stiff film may look like a thick and a soft one.
+    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
+    let is_film_free = is_free(Parameter::FilmModulus) && is_free(Parameter::FilmThickness);
     let needs_others =
-        is_bad || doubtful.is_some() || from_data.is_some() || is_film_free(free) || lost_adhesion;
+        is_bad || doubtful.is_some() || from_data.is_some() || is_film_free || lost_adhesion;
     let (first, failure) = match first {
         Ok(first) if !needs_others => return Ok(best(vec![first], data)),
         Ok(first) => (Some(first), None),
@@ -97,10 +100,9 @@ pub(crate) fn minimum<'a>(
         variations.extend(ADHESION.map(Variation::Adhesion));
     }
     // A start where the model has no contact is no start.
-    let mut starts: Vec<Problem<'_>> = variations
-        .into_iter()
-        .filter_map(|variation| from(slots, variation).ok())
-        .collect();
+    let starts = variations.into_iter();
+    let starts = starts.filter_map(|variation| from(slots, variation).ok());
+    let mut starts: Vec<Problem<'_>> = starts.collect();
     let mut ends: Vec<Problem<'_>> = Vec::new();
     let mut places = Vec::new();
     if let Some(first) = first {
@@ -129,13 +131,6 @@ pub(crate) fn minimum<'a>(
     }
 }
 
-/// Tells whether modulus and thickness of the film are both free. A thin and a stiff film may look
-/// like a thick and a soft one.
-fn is_film_free(free: &[Free]) -> bool {
-    let is_free = |parameter| free.iter().any(|one| one.parameter == parameter);
-    is_free(Parameter::FilmModulus) && is_free(Parameter::FilmThickness)
-}
-
 /// Lists the other starts: those of a film that is thinner or thicker, softer or stiffer, and if
 /// the first start led nowhere, of the modulus that is free.
 fn variations(free: &[Free], assigned: &[Assigned], is_bad: bool) -> Vec<Variation> {
@@ -146,11 +141,11 @@ fn variations(free: &[Free], assigned: &[Assigned], is_bad: bool) -> Vec<Variati
     };
     let mut variations = Vec::new();
     let names: Vec<Parameter> = free.iter().map(|one| one.parameter).collect();
-    let first = names
-        .iter()
-        .filter_map(|one| Some((rank(*one)?, *one)))
-        .min();
-    let first = first.map(|(_, parameter)| parameter).filter(|_| is_bad);
+    let ranked = names.iter().filter_map(|one| Some((rank(*one)?, *one)));
+    let first = ranked
+        .min()
+        .map(|(_, parameter)| parameter)
+        .filter(|_| is_bad);
     let film = (names.contains(&film) && assigned.iter().any(has_film)).then_some(film);
     let other = first.filter(|first| Some(*first) != film);
     for parameter in film.into_iter().chain(other) {

@@ -6,7 +6,7 @@
 //! compares the minima that several starts lead to, `basin` tells which of them lead to a known one,
 //! `valley` looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points that
-//! do not count, `noise` estimates the noise, `warnings` adds to the `doubts`, with `agreement`,
+//! do not count, `noise` estimates the noise, `warnings` lists the doubts, with `agreement`,
 //! `detector`, `prior`, `wanted`, `cycle`, `hold`, `no_adhesion` and `interfaces`.
 //! `relaxing_start` is the start where bodies relax, and `relaxing` what such a fit tells.
 //! `fixed_values` tells what the values taken as given do. `forecast` tells the errors of a planned
@@ -19,7 +19,6 @@ mod basin;
 mod blocks;
 mod cycle;
 mod detector;
-mod doubts;
 mod fixed_values;
 mod forecast;
 mod friction;

@@ -4,10 +4,9 @@ use std::f64::consts::PI;
 
 use contact::Contact;
 
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::range;
-use crate::{Error, Experiment, Kind, WarningKind};
+use crate::{Error, Experiment, Kind, Warning, WarningKind};
 
 /// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
 const NO_ADHESION: f64 = 1.4e-4;
@@ -60,19 +59,20 @@ pub(super) fn ended_at_zero(problem: &Problem<'_>) -> Vec<usize> {
 }
 
 /// Warns of works of adhesion that ended at 0. Returns their slots.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> Vec<usize> {
+pub(super) fn add(
+    warnings: &mut Vec<Warning>,
+    problem: &Problem<'_>,
+    names: &[String],
+) -> Vec<usize> {
     let ended = ended_at_zero(problem);
     for &i in &ended {
         let (name, value) = (&names[i], problem.value(i));
-        warnings.add(
-            WarningKind::AtBound,
-            format!(
-                "{name} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
-                 show no adhesion, and neither its standard error nor those of the other parameters \
-                 hold there; fix it at 0, give it a prior, or measure the pull-off; the upper end of its interval \
-                 from the profile of the likelihood is the largest that the data allow"
-            ),
-        );
+        warnings.push(WarningKind::AtBound.with(format!(
+            "{name} = {value:.1e} J/m^2 ended at 0, its bound: the points that are fitted \
+             show no adhesion, and neither its standard error nor those of the other parameters \
+             hold there; fix it at 0, give it a prior, or measure the pull-off; the upper end of its interval \
+             from the profile of the likelihood is the largest that the data allow"
+        )));
     }
     ended
 }

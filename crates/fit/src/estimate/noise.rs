@@ -1,12 +1,15 @@
 //! The noise of the ordinates, estimated from the residuals where nobody gives it.
 
+use std::ops::Range;
+
 use super::assigned::Assigned;
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::search::range;
 use super::uncertainty::Uncertainty;
-use crate::statistics::{MEDIAN, median, ratio_of_squares, student_deviations, weighted_median};
-use crate::{Fit, Kind, Loss, WarningKind};
+use crate::statistics::{
+    MEDIAN, ratio_of_squares, robust_deviation, student_deviations, weighted_median,
+};
+use crate::{Fit, Kind, Loss, Warning, WarningKind};
 
 /// The change of an estimated noise that needs another round.
 const CHANGE: f64 = 0.02;
@@ -45,8 +48,8 @@ pub(super) fn estimate_noise(
     let of_files = of_files(problem, residuals.as_slice(), &uncertainty.leverages);
     let mut changed = false;
     let mut jacobian = uncertainty.jacobian.clone();
-    let all_rows = problem.rows_of_experiments();
-    for (assigned, rows) in problem.assigned.iter_mut().zip(all_rows) {
+    let all_rows = problem.rows_of_experiments().into_iter().zip(&of_files);
+    for (assigned, (rows, alone)) in problem.assigned.iter_mut().zip(all_rows) {
         if assigned.experiment.usual_noise().is_some() || rows.is_empty() {
             continue;
         }
@@ -57,11 +60,9 @@ pub(super) fn estimate_noise(
         let sizes = own.iter().zip(&before);
         let sizes: Vec<f64> = sizes.map(|(r, deviation)| (r * deviation).abs()).collect();
         let least = LEAST * range(&assigned.experiment);
-        let noise = if assigned.abscissa_errors.is_empty() {
-            let alone = Alone::new(assigned, problem.loss, own.as_slice(), leverages);
-            alone.with(of_files.iter().filter(|one| alone.agrees(one)))
-        } else {
-            beside_abscissae(assigned, problem.loss, &points, &sizes, leverages)
+        let noise = match alone {
+            Some(alone) => alone.with(of_files.iter().flatten().filter(|one| alone.agrees(one))),
+            None => beside_abscissae(assigned, problem.loss, &points, &sizes, leverages),
         };
         let noise = noise.max(least);
         changed |= (assigned.noise / noise).ln().abs() > CHANGE;
@@ -88,15 +89,12 @@ struct Alone {
 
 impl Alone {
     /// Takes the residuals of a file whose abscissae are exact.
-    fn new(assigned: &Assigned, loss: Loss, residuals: &[f64], leverages: &[f64]) -> Self {
+    fn new(assigned: &Assigned, loss: Loss, (residuals, leverages): (&[f64], &[f64])) -> Self {
         let count = residuals.len() as f64;
         let freedom = (count - leverages.iter().sum::<f64>()).max(0.5);
         let excess = match loss {
             Loss::Squares => (residuals.iter().map(|r| r * r).sum::<f64>() / freedom).sqrt(),
-            _ => {
-                let sizes = residuals.iter().map(|r| r.abs()).collect();
-                median(sizes) / MEDIAN * (count / freedom).sqrt()
-            }
+            _ => robust_deviation(residuals.iter().copied()) * (count / freedom).sqrt(),
         };
         Self {
             noise: excess * assigned.noise,
@@ -130,22 +128,16 @@ impl Alone {
     }
 }
 
-/// Lists the files whose noise is estimated with exact abscissae.
-fn of_files(problem: &Problem<'_>, residuals: &[f64], leverages: &[f64]) -> Vec<Alone> {
-    let mut all = Vec::new();
-    for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
+/// Returns the noise of each file by itself; `None` where it is known, or beside errors of the abscissae.
+fn of_files(problem: &Problem<'_>, residuals: &[f64], leverages: &[f64]) -> Vec<Option<Alone>> {
+    let alone = |(assigned, rows): (&Assigned, Range<usize>)| {
         let is_known = assigned.experiment.usual_noise().is_some();
-        if !is_known && !rows.is_empty() && assigned.abscissa_errors.is_empty() {
-            let alone = Alone::new(
-                assigned,
-                problem.loss,
-                &residuals[rows.clone()],
-                &leverages[rows],
-            );
-            all.push(alone);
-        }
-    }
-    all
+        let own = (&residuals[rows.clone()], &leverages[rows]);
+        (!is_known && !own.0.is_empty() && assigned.abscissa_errors.is_empty())
+            .then(|| Alone::new(assigned, problem.loss, own))
+    };
+    let rows = problem.rows_of_experiments();
+    problem.assigned.iter().zip(rows).map(alone).collect()
 }
 
 /// Returns the largest noise at which the residuals are what chance makes of it and of the errors of
@@ -230,7 +222,7 @@ fn most_told(leverages: &[f64]) -> f64 {
 /// Warns of an estimated noise that few points tell: because there are few, or because the errors of the abscissae hide it
 /// at the others.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
@@ -239,13 +231,10 @@ pub(super) fn add(
     let within = student_deviations(0.95, freedom.max(1));
     if fit.reduced_chi_squared.is_none() && within > UNCERTAIN {
         let plural = if freedom == 1 { "" } else { "s" };
-        warnings.add(
-            WarningKind::NoiseNotSeen,
-            format!(
-                "{freedom} degree{plural} of freedom tell the noise, so few that 95 % of the true values lie within \
-                 {within:.1} standard errors, not 2: give the noise, or measure more points"
-            ),
-        );
+        warnings.push(WarningKind::NoiseNotSeen.with(format!(
+            "{freedom} degree{plural} of freedom tell the noise, so few that 95 % of the true values lie within \
+             {within:.1} standard errors, not 2: give the noise, or measure more points"
+        )));
         return;
     }
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
@@ -259,18 +248,15 @@ pub(super) fn add(
         let within = student_deviations(0.95, freedom);
         if within > UNCERTAIN && told < HIDDEN * most_told(leverages) {
             let [abscissa, ordinate] = experiment.measurement.kind.names();
-            warnings.add(
-                WarningKind::NoiseNotSeen,
-                format!(
-                    "{}: the noise of the {ordinate} is estimated, and the errors given for the \
-                     {abscissa} hide it at most points. What is left tells the noise as well as \
-                     {freedom} point{} beyond the number of parameters would: 95 % of the true values \
-                     may need up to {within:.1} standard errors instead of 2. Give the noise of the \
-                     {ordinate}, too",
-                    experiment.measurement.name,
-                    if freedom == 1 { "" } else { "s" }
-                ),
-            );
+            warnings.push(WarningKind::NoiseNotSeen.with(format!(
+                "{}: the noise of the {ordinate} is estimated, and the errors given for the \
+                 {abscissa} hide it at most points. What is left tells the noise as well as \
+                 {freedom} point{} beyond the number of parameters would: 95 % of the true values \
+                 may need up to {within:.1} standard errors instead of 2. Give the noise of the \
+                 {ordinate}, too",
+                experiment.measurement.name,
+                if freedom == 1 { "" } else { "s" }
+            )));
         }
     }
 }

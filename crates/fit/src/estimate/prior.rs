@@ -2,12 +2,11 @@
 
 use nalgebra::DVector;
 
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::solve::slot_names;
 use super::uncertainty::Uncertainty;
 use super::warnings::after_number;
-use crate::WarningKind;
+use crate::{Warning, WarningKind};
 
 /// The distance of data and prior, in standard errors of both, from which one of them is doubted: one
 /// sound prior in 15,000 exceeds it.
@@ -17,7 +16,7 @@ const ADDED: f64 = 1e-6;
 
 /// Warns of priors that are far from what the data tell without them.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
     residuals: &DVector<f64>,
@@ -31,18 +30,15 @@ pub(super) fn add(
         let distance = residuals[row].abs() / own.sqrt();
         if own > ADDED && distance > FAR {
             let unit = after_number(parameter);
-            warnings.add(
-                WarningKind::Prior,
-                format!(
-                    "the prior of {}, {:.4e} +- {:.1e}{unit}, and the data are {distance:.0} standard \
-                     errors apart, and the fit, {:.4e}{unit}, lies between them: check the prior, the \
-                     values that are fixed, and the units; or leave the prior out",
-                    names[slot],
-                    prior.mean,
-                    prior.width,
-                    problem.value(slot)
-                ),
-            );
+            warnings.push(WarningKind::Prior.with(format!(
+                "the prior of {}, {:.4e} +- {:.1e}{unit}, and the data are {distance:.0} standard \
+                 errors apart, and the fit, {:.4e}{unit}, lies between them: check the prior, the \
+                 values that are fixed, and the units; or leave the prior out",
+                names[slot],
+                prior.mean,
+                prior.width,
+                problem.value(slot)
+            )));
         }
     }
 }

@@ -16,8 +16,8 @@ use super::assumptions;
 use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
-use crate::model::{ContactOf, Predicted};
-use crate::{Bodies, Branch, Error, Loss, Parameter};
+use crate::model::Predicted;
+use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};
 
 /// The residuals at parameters without a contact, such as those outside the table. They are so
 /// large that the method rejects the step.
@@ -110,6 +110,18 @@ impl<'a> Problem<'a> {
         Ok(self)
     }
 
+    /// Returns the experiments with the present values.
+    pub fn experiments(&self) -> impl Iterator<Item = &Experiment> + Clone {
+        self.assigned.iter().map(|one| &one.experiment)
+    }
+
+    /// Returns the first slot of a parameter.
+    pub fn slot_of(&self, parameter: Parameter) -> Option<usize> {
+        self.slots
+            .iter()
+            .position(|slot| slot.parameter == parameter)
+    }
+
     /// Returns the numbers of the slots that are of an experiment.
     pub fn slots_of(&self, experiment: usize) -> Vec<usize> {
         let of = &self.assigned[experiment].experiment;
@@ -135,16 +147,17 @@ impl<'a> Problem<'a> {
     }
 
     /// Predicts the points of an experiment at its present values. The derivatives are predicted at
-    /// once, because nearly every value is one to go on from.
+    /// once where they are exact, because nearly every value is one to go on from.
     fn predict_now(&self, experiment: usize) -> Result<Predicted, Error> {
-        if self.assigned[experiment].experiment.has_exact_derivatives() {
+        let own = &self.assigned[experiment].experiment;
+        if own.bodies.has_derivatives() && !own.measurement.kind.is_stiffness() {
             let parameters = self.parameters_of(experiment);
             // There may be a contact without derivatives.
-            if let Ok(predicted) = self.predict(experiment, Some(&parameters)) {
+            if let Ok(predicted) = self.predict(experiment, &parameters) {
                 return Ok(predicted);
             }
         }
-        self.predict(experiment, None)
+        self.predict(experiment, &[])
     }
 
     /// Returns the parameters of the slots that are of an experiment, in their order.
@@ -153,14 +166,10 @@ impl<'a> Problem<'a> {
         slots.map(|slot| self.slots[slot].parameter).collect()
     }
 
-    /// Predicts the points of an experiment, with derivatives if asked for. Radii with errors are predicted where they most
-    /// likely lie, and from there along the tangent to where they were read: at the radius read, slopes and derivatives
-    /// would go with its error.
-    pub fn predict(
-        &self,
-        experiment: usize,
-        parameters: Option<&[Parameter]>,
-    ) -> Result<Predicted, Error> {
+    /// Predicts the points of an experiment, with derivatives with respect to `parameters`. Radii with errors are
+    /// predicted where they most likely lie, and from there along the tangent to where they were read: at the radius
+    /// read, slopes and derivatives would go with its error.
+    pub fn predict(&self, experiment: usize, parameters: &[Parameter]) -> Result<Predicted, Error> {
         let Assigned {
             experiment,
             branches,
@@ -168,7 +177,7 @@ impl<'a> Problem<'a> {
             abscissa_errors: errors,
             ..
         } = &self.assigned[experiment];
-        let contact_of: &ContactOf<'_> = &|bodies, by| self.contact(bodies, by.is_some());
+        let contact_of = &self.contact_of();
         if errors.is_empty() || !experiment.measurement.kind.at_radii() {
             return experiment.predict_with(contact_of, branches, order, parameters);
         }
@@ -208,8 +217,9 @@ impl<'a> Problem<'a> {
         if let Some((_, _, contact)) = known {
             return Ok(contact.clone());
         }
-        let parameters: Vec<Parameter> = self.slots.iter().map(|slot| slot.parameter).collect();
-        let contact = bodies.contact(self.table, gradient.then_some(&parameters))?;
+        let by = self.slots.iter().filter(|_| gradient);
+        let by: Vec<Parameter> = by.map(|slot| slot.parameter).collect();
+        let contact = bodies.contact(self.table, &by)?;
         // On layers the derivatives need two more contacts for each value.
         let most = if bodies.has_derivatives() {
             2
@@ -223,32 +233,25 @@ impl<'a> Problem<'a> {
         Ok(contact)
     }
 
+    /// Makes contacts as [`Self::contact`] does.
+    pub fn contact_of(&self) -> impl Fn(&Bodies, &[Parameter]) -> Result<Contact, Error> {
+        |bodies, by| self.contact(bodies, !by.is_empty())
+    }
+
     /// Takes the errors of the abscissae by the slopes of the present model. Returns the largest
     /// relative change of the deviation of a point that counts.
     pub fn weigh(&mut self) -> Result<f64, Error> {
         let (mut largest, mut moved) = (0.0_f64, false);
         for e in 0..self.assigned.len() {
-            let own = &self.assigned[e];
+            let mut own = self.assigned[e].clone();
+            own.weigh(&self.contact_of())?;
             moved |= own.experiment.measurement.kind.at_radii()
                 && own.experiment.usual_abscissa_noise() > 0.0;
-            let contact_of: &ContactOf<'_> = &|bodies, by| self.contact(bodies, by.is_some());
-            let noise = |i| own.own_deviation(i);
-            let errors =
-                own.experiment
-                    .abscissa_errors(contact_of, &own.branches, &own.order, noise)?;
-            let factors = own.experiment.noise_factors(contact_of, &own.branches)?;
-            if errors.is_empty() && factors.is_empty() {
-                continue;
+            for i in own.counting_points() {
+                let ratio = own.deviation(i) / self.assigned[e].deviation(i);
+                largest = largest.max((ratio - 1.0).abs());
             }
-            let deviations = |own: &Assigned| -> Vec<f64> {
-                own.counting_points().map(|i| own.deviation(i)).collect()
-            };
-            let before = deviations(own);
-            self.assigned[e].abscissa_errors = errors;
-            self.assigned[e].factors = factors;
-            let after = deviations(&self.assigned[e]);
-            let changes = before.iter().zip(&after).map(|(b, a)| (a / b - 1.0).abs());
-            largest = changes.fold(largest, f64::max);
+            self.assigned[e] = own;
         }
         if moved {
             self.update()?;
@@ -310,7 +313,7 @@ impl<'a> Problem<'a> {
             let known = known.filter(|one| one.derivatives.len() == one.values.len() * slots.len());
             let predicted = match known {
                 Some(known) => Cow::Borrowed(known),
-                None => Cow::Owned(self.predict(e, Some(&self.parameters_of(e))).ok()?),
+                None => Cow::Owned(self.predict(e, &self.parameters_of(e)).ok()?),
             };
             for i in assigned.counting_points() {
                 let derivatives = &predicted.derivatives[i * slots.len()..][..slots.len()];
@@ -379,13 +382,6 @@ impl<'a> Problem<'a> {
         }
         fixed.update().ok()?;
         Some(fixed)
-    }
-
-    /// Takes over all coordinates but one from a problem that does not have this slot.
-    pub fn take_others(&mut self, slot: usize, other: &Self) {
-        for i in (0..self.x.len()).filter(|&i| i != slot) {
-            self.x[i] = other.x[i - usize::from(i > slot)];
-        }
     }
 
     /// Returns twice the loss of the present residuals; infinity without a contact.

@@ -89,7 +89,9 @@ pub(super) fn with_fixed(
         let residual = (value - prior.mean) / prior.width;
         weighted(current.loss, residual).0.powi(2)
     });
-    current.take_others(slot, &fitted);
+    for i in (0..current.x.len()).filter(|&i| i != slot) {
+        current.x[i] = fitted.x[i - usize::from(i > slot)];
+    }
     current.x[slot] = current.slots[slot].coordinate.of(value);
     current.ending = fitted.ending;
     Some(fitted.misfit() + of_prior)

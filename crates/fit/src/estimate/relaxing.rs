@@ -2,12 +2,11 @@
 
 use contact::LawParameter;
 
-use super::doubts::Warnings;
 use super::minima::Minimum;
 use super::problem::Problem;
 use super::relaxing_start::accept_zeros;
-use crate::statistics::extremes;
-use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, WarningKind};
+use crate::statistics::range;
+use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, Warning, WarningKind};
 
 /// The intervals between points below which a relaxation time is not seen.
 const INTERVALS: f64 = 2.0;
@@ -68,7 +67,7 @@ fn times(times: &[f64]) -> [f64; 2] {
 }
 
 /// Adds the doubts about an experiment whose bodies relax.
-pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: usize) {
+pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>, e: usize) {
     let experiment = &problem.assigned[e].experiment;
     let (Some(relaxing), Some(found)) = (&experiment.relaxing, fit.experiments[e].relaxation)
     else {
@@ -86,46 +85,36 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
         let [least, most] = [INTERVALS * interval, duration];
         // Times are known to a factor.
         let factor = (NEAR * fit.estimates[slot].standard_error / value).exp();
-        if !(least..=most).contains(&value) {
-            warnings.add(
-                WarningKind::RelaxationTime,
-                format!(
-                    "{name}: {parameter} = {value:.2e} s is outside {least:.2e} s (two intervals between points) \
-                     to {most:.2e} s (the duration), where these data tell a relaxation time: they tell one \
-                     plateau of the modulus only; measure faster, or hold longer"
-                ),
-            );
+        let (is, then) = if !(least..=most).contains(&value) {
+            ("is", "they tell one plateau of the modulus only")
         } else if value / factor < least || value * factor > most {
-            warnings.add(
-                WarningKind::RelaxationTime,
-                format!(
-                    "{name}: {parameter} = {value:.2e} s may be outside {least:.2e} s (two intervals between points) \
-                     to {most:.2e} s (the duration), where these data tell a relaxation time: then the standard errors \
-                     of the moduli and of the law are too small, and intervals from the profile of the likelihood are \
-                     right; measure faster, or hold longer"
-                ),
-            );
-        }
+            (
+                "may be",
+                "then the standard errors of the moduli and of the law are too small, and intervals from the profile of \
+                 the likelihood are right",
+            )
+        } else {
+            continue;
+        };
+        warnings.push(WarningKind::RelaxationTime.with(format!(
+            "{name}: {parameter} = {value:.2e} s {is} outside {least:.2e} s (two intervals between points) \
+             to {most:.2e} s (the duration), where these data tell a relaxation time: {then}; measure faster, or hold \
+             longer"
+        )));
     }
     let is_free = |parameter| fit.estimate(parameter).is_some();
     if is_free(Parameter::FilmThickness) && is_free(Parameter::FilmModulus) {
-        warnings.add(
-            WarningKind::FreeThickness,
-            format!(
-                "{name}: modulus and thickness of a film that relaxes are hardly told apart by one curve: the \
-                 error of the modulus is 6 to 31 times as large as with a known thickness; give the thickness"
-            ),
-        );
+        warnings.push(WarningKind::FreeThickness.with(format!(
+            "{name}: modulus and thickness of a film that relaxes are hardly told apart by one curve: the \
+             error of the modulus is 6 to 31 times as large as with a known thickness; give the thickness"
+        )));
     }
     if found.unlike_bodies > UNLIKE {
-        warnings.add(
-            WarningKind::UnlikeBodies,
-            format!(
-                "{name}: probe or substrate deform beside the film and do not relax: the loads may be wrong \
-                 by {:.1e} of the largest load",
-                found.unlike_bodies
-            ),
-        );
+        warnings.push(WarningKind::UnlikeBodies.with(format!(
+            "{name}: probe or substrate deform beside the film and do not relax: the loads may be wrong \
+             by {:.1e} of the largest load",
+            found.unlike_bodies
+        )));
     }
     let largest = fit.experiments[e]
         .points
@@ -133,40 +122,31 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>, e: 
         .filter_map(|point| point.fit);
     let steps = found.steps_error * largest.fold(0.0, |most: f64, load| most.max(load.abs()));
     if steps > SEEN * fit.experiments[e].noise {
-        warnings.add(
-            WarningKind::Steps,
-            format!(
-                "{name}: the loads may be wrong by {steps:.1e} N ({:.1e} of the largest load), because the contact \
-                 changes much within a step in time; the noise is {:.1e} N: measure at more times, or with \
-                 turns that are less sudden",
-                found.steps_error, fit.experiments[e].noise
-            ),
-        );
+        warnings.push(WarningKind::Steps.with(format!(
+            "{name}: the loads may be wrong by {steps:.1e} N ({:.1e} of the largest load), because the contact \
+             changes much within a step in time; the noise is {:.1e} N: measure at more times, or with \
+             turns that are less sudden",
+            found.steps_error, fit.experiments[e].noise
+        )));
     }
     if let Bodies::Coated(system) = &experiment.bodies
         && relaxing.all_bodies
         && system.film.young() > STIFF_FILM * system.substrate.young()
     {
-        warnings.add(
-            WarningKind::TensileInside,
-            format!(
-                "{name}: a film more than {STIFF_FILM} times as stiff as a substrate that relaxes with it may \
-                 pull at the probe inside the contact, which is not modelled"
-            ),
-        );
+        warnings.push(WarningKind::TensileInside.with(format!(
+            "{name}: a film more than {STIFF_FILM} times as stiff as a substrate that relaxes with it may \
+             pull at the probe inside the contact, which is not modelled"
+        )));
     }
     let points = experiment.measurement.points.iter();
-    let [least, most] = extremes(points.map(|point| point.abscissa));
-    if found.made_monotone > MONOTONE * (most - least) {
-        warnings.add(
-            WarningKind::NotMonotone,
-            format!(
-                "{name}: the {} departs by {:.2e} m, {:.1} % of its range, from the straight lines that are taken for \
-                 it, which rise to the largest value and fall from there: check that the points are one cycle",
-                experiment.measurement.kind.names()[0],
-                found.made_monotone,
-                1e2 * found.made_monotone / (most - least)
-            ),
-        );
+    let range = range(points.map(|point| point.abscissa));
+    if found.made_monotone > MONOTONE * range {
+        warnings.push(WarningKind::NotMonotone.with(format!(
+            "{name}: the {} departs by {:.2e} m, {:.1} % of its range, from the straight lines that are taken for \
+             it, which rise to the largest value and fall from there: check that the points are one cycle",
+            experiment.measurement.kind.names()[0],
+            found.made_monotone,
+            1e2 * found.made_monotone / range
+        )));
     }
 }

@@ -6,10 +6,10 @@ use contact::LawParameter;
 use interp::{Probe, Table};
 
 use super::assigned::Assigned;
-use super::start::Starts;
-use crate::model::{Program, noise_of};
-use crate::statistics::{extremes, median};
-use crate::{Bodies, Direction, Error, Experiment, Parameter, Point};
+use super::start::{IsUnknown, Starts};
+use crate::model::{Program, contacts_of, noise_of};
+use crate::statistics::{extremes, median, range};
+use crate::{Direction, Error, Experiment, Parameter, Point};
 
 /// Why data that begin in contact are refused.
 const BEGINS_IN_CONTACT: &str = "its points begin in contact: the history before the first point is \
@@ -62,7 +62,7 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     let mut experiment = one.experiment.clone();
     let points = experiment.program().turn + 1;
     if points < FEWEST {
-        return Err(Error::not_fitted(&experiment, BEGINS_IN_CONTACT));
+        return Err(experiment.not_fitted(BEGINS_IN_CONTACT));
     }
     experiment.relaxing = None;
     experiment.times.clear();
@@ -72,11 +72,11 @@ pub(super) fn elastic(one: &Assigned, level: bool) -> Result<Option<Assigned>, E
     for point in &mut experiment.measurement.points {
         point.direction = Some(Direction::Approach);
     }
-    let assignment = experiment.assign(|own| level && own == Parameter::Baseline)?;
+    let (branches, order, _) = experiment.assign(|own| level && own == Parameter::Baseline)?;
     Ok(Some(Assigned {
         experiment,
-        branches: assignment.branches,
-        order: assignment.order,
+        branches,
+        order,
         ..one.clone()
     }))
 }
@@ -95,26 +95,20 @@ struct Tried {
 
 /// Gives the experiment the law of those tried that describes the data best, with the modulus
 /// `matched` that goes with it.
-pub(super) fn give(
-    table: &Table,
-    starts: &mut Starts<'_>,
-    matched: Option<Parameter>,
-) -> Result<(), Error> {
+pub(super) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
+    let (table, matched) = (starts.table, starts.matched);
     let (experiment, is_unknown) = (&mut starts.at.experiment, starts.is_unknown);
     let Some(relaxing) = &experiment.relaxing else {
         return Ok(());
     };
     let mut parameters = relaxing.parameters();
     if let Some(modulus) = matched
-        && experiment.bodies.contact(table, None).is_err()
+        && experiment.bodies.contact(table, &[]).is_err()
     {
         // Noise has led the elastic contact to a modulus that no film has: one of the right size is enough, because
         // the law that fits best also tells the modulus.
         let points = &experiment.measurement.points;
-        let size = |value: fn(&Point) -> f64| {
-            let [least, most] = extremes(points.iter().map(value));
-            most - least
-        };
+        let size = |value: fn(&Point) -> f64| range(points.iter().map(value));
         let stress = size(|point| point.ordinate) / size(|point| point.abscissa).powi(2);
         experiment.replace(modulus, stress)?;
     }
@@ -169,7 +163,7 @@ pub(super) fn give(
 /// a little before.
 fn begin(
     experiment: &Experiment,
-    is_unknown: &dyn Fn(Parameter) -> bool,
+    is_unknown: IsUnknown<'_>,
 ) -> Result<Option<(Parameter, f64)>, Error> {
     let program = experiment.program();
     let (first, largest) = (program.points[0].1, program.points[program.turn].1);
@@ -177,7 +171,7 @@ fn begin(
         return Ok(None);
     }
     if first > hidden(experiment).max(BEGIN) * largest {
-        return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
+        return Err(experiment.not_fitted(BEGINS_IN_CONTACT));
     }
     let abscissa = experiment.measurement.points[0].abscissa;
     Ok(Some((Parameter::ContactPoint, abscissa)))
@@ -197,10 +191,10 @@ pub(super) fn accept_zeros(
     let is_before = |point: &&(f64, f64)| point.1 <= 0.0;
     let before = program.points.iter().take_while(is_before).count();
     if are_free && before < FEWEST {
-        return Err(Error::not_fitted(experiment, NO_ZEROS));
+        return Err(experiment.not_fitted(NO_ZEROS));
     }
     if has_contact_point && stopped && before <= 1 {
-        return Err(Error::not_fitted(experiment, BEGINS_IN_CONTACT));
+        return Err(experiment.not_fitted(BEGINS_IN_CONTACT));
     }
     Ok(())
 }
@@ -257,8 +251,8 @@ fn candidates(experiment: &Experiment, parameters: &[Parameter]) -> Vec<Vec<f64>
 /// Returns the sum of squares with the best factor of the loads, over that of the loads, and this factor; `None` where the
 /// model has no contact.
 fn misfit(table: &Table, experiment: &Experiment, is_free: bool) -> Option<(f64, f64)> {
-    let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
-    let predicted = experiment.predict_with(&contact_of, &[], &[], None).ok()?;
+    let predicted = experiment.predict_with(&contacts_of(table), &[], &[], &[]);
+    let predicted = predicted.ok()?;
     let points = &experiment.measurement.points;
     let pairs = points.iter().zip(&predicted.values);
     let pairs = pairs.map(|(point, value)| {

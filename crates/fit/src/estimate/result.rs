@@ -238,11 +238,8 @@ pub struct FixedValue {
 impl FixedValue {
     /// Returns the standard error of an estimate that follows from that of the value; 0 without one.
     pub fn error_of(&self, estimate: usize) -> f64 {
-        let error = self.error.unwrap_or(0.0);
-        if error == 0.0 {
-            return 0.0;
-        }
-        (self.changes[estimate] / self.step).abs() * error
+        let by = |error: f64| (self.changes[estimate] / self.step).abs() * error;
+        self.error.map_or(0.0, by)
     }
 }
 
@@ -411,6 +408,13 @@ named! {
         NotMonotone = "not-monotone",
         /// Steps in time whose error is seen beside the noise.
         Steps = "steps",
+    }
+}
+
+impl WarningKind {
+    /// Returns the warning of this kind with a text.
+    pub(super) const fn with(self, text: String) -> Warning {
+        Warning { kind: self, text }
     }
 }
 

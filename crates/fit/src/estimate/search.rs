@@ -6,8 +6,7 @@ use super::minima::Minimum;
 use super::noise::estimate_noise;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
-use crate::model::ContactOf;
-use crate::statistics::{MEDIAN, excess, extremes, median};
+use crate::statistics::{self, MEDIAN, excess, extremes, median};
 use crate::{Branch, Experiment, Loss, Point};
 
 /// The most evaluations over the number of parameters + 1.
@@ -42,9 +41,7 @@ const BAD: f64 = 4.5;
 /// Returns the range of the ordinates.
 pub(super) fn range(experiment: &Experiment) -> f64 {
     let count = experiment.measurement.points.len();
-    let readings = (0..count).map(|i| experiment.compared(i));
-    let [least, most] = extremes(readings);
-    most - least
+    statistics::range((0..count).map(|i| experiment.compared(i)))
 }
 
 /// Leaves out the points near the end of a branch that ends within the data.
@@ -56,12 +53,10 @@ pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
         return assigned;
     }
     let points = &experiment.measurement.points;
-    for branch in [Branch::Advancing, Branch::Receding] {
-        let positions = points
-            .iter()
-            .zip(&assigned.branches)
-            .filter(|(_, own)| **own == branch)
-            .map(|(point, _)| experiment.sense() * point.abscissa);
+    for branch in Branch::CONTACTS {
+        let own = points.iter().zip(&assigned.branches);
+        let own = own.filter(|(_, own)| **own == branch);
+        let positions = own.map(|(point, _)| experiment.sense() * point.abscissa);
         let [least, most] = extremes(positions);
         let adhesive = experiment.work_of(branch) > 0.0;
         let ends = least + HELD_BACK * (most - least);
@@ -259,9 +254,8 @@ fn narrow(whole: &Assigned, ends: &mut [End]) {
             (distance.abs() <= end.clear).then_some(distance.abs())
         })
         .collect();
-    let is_contact = |branch: &&Branch| matches!(branch, Branch::Advancing | Branch::Receding);
-    let contacts = whole.branches.iter().filter(is_contact).count();
-    let most = (MOST_NEAR * contacts as f64).ceil() as usize;
+    let contacts = whole.branches.iter().filter(|branch| branch.is_contact());
+    let most = (MOST_NEAR * contacts.count() as f64).ceil() as usize;
     if near.len() > most {
         near.sort_by(f64::total_cmp);
         let clear = near[most - 1];
@@ -294,8 +288,7 @@ pub(super) fn ends(
     // With all points that may count, the variance will be smaller.
     let part = problem.assigned[e].counting() as f64 / whole.counting().max(1) as f64;
     let end = |branch: Branch| {
-        let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
-        let end = experiment.branch_end_with(contact_of, branch, &parameters);
+        let end = experiment.branch_end_with(&problem.contact_of(), branch, &parameters);
         let end = end.ok().flatten()?;
         let mut variance = 0.0;
         for (&one, by_one) in slots.iter().zip(&end.derivatives) {
@@ -310,7 +303,7 @@ pub(super) fn ends(
             clear: CLEAR * (part * variance.max(0.0)).sqrt(),
         })
     };
-    [Branch::Advancing, Branch::Receding]
+    Branch::CONTACTS
         .into_iter()
         .filter(|branch| whole.branches.contains(branch))
         .filter_map(end)

@@ -4,11 +4,10 @@
 //! of `F` against it find a slope `S` that is too small by the part `(1 + k/S) var(e/k)/var(delta)`, however many
 //! points there are (attenuation: Fuller, Measurement Error Models, 1987). Against the height `z` there is none.
 
-use super::doubts::{BEYOND_CHANCE, Warnings};
 use super::problem::Problem;
 use crate::model::noise_of;
-use crate::statistics::{differences_of, median};
-use crate::{Estimate, Kind, LayerQuantity, Parameter, WarningKind};
+use crate::statistics::{BEYOND_CHANCE, differences_of, median};
+use crate::{Estimate, Kind, Warning, WarningKind};
 
 /// The order of the differences of neighbours that are noise: a curve of few points has none of this order.
 const ORDER: u32 = 4;
@@ -19,17 +18,12 @@ const OVERLAP: f64 = 2.63;
 const FAR: f64 = 5.0;
 
 /// Warns if the noise of the penetrations of experiment `e` is that of the loads with the opposite sign, and makes a modulus
-/// too small by more than its standard error. Returns whether it does.
-pub(super) fn add(
-    warnings: &mut Warnings,
-    problem: &Problem<'_>,
-    e: usize,
-    estimates: &[Estimate],
-) -> bool {
+/// too small by more than its standard error.
+pub(super) fn doubt(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> Option<Warning> {
     let (assigned, found) = (&problem.assigned[e], problem.parameters_of(e));
     let measurement = &assigned.experiment.measurement;
     if measurement.kind != Kind::LoadPenetration {
-        return false;
+        return None;
     }
     let points = || measurement.points.iter();
     let penetrations: Vec<f64> = points().map(|point| point.abscissa).collect();
@@ -50,48 +44,31 @@ pub(super) fn add(
     // Fisher's transform of the correlation has a variance of one over the number of independent pairs less 3.
     let pairs = (count / OVERLAP - 3.0).max(0.0);
     let is_shared = -correlation.atanh() * pairs.sqrt() > BEYOND_CHANCE;
-    let Some(noise) = noise_of(&penetrations).filter(|_| is_shared) else {
-        return false;
-    };
-    let Some(predicted) = problem.predicted.as_ref().map(|all| &all[e]) else {
-        return false;
-    };
+    let noise = noise_of(&penetrations).filter(|_| is_shared)?;
+    let predicted = &problem.predicted.as_ref()?[e];
     let in_contact = assigned.counting_points();
     let in_contact = in_contact.filter(|&i| predicted.radii[i] > 0.0);
     let in_contact: Vec<f64> = in_contact.map(|i| penetrations[i]).collect();
     let count = in_contact.len() as f64;
     let mean = in_contact.iter().sum::<f64>() / count;
-    let spread = in_contact
-        .iter()
-        .map(|one| (one - mean).powi(2))
-        .sum::<f64>()
-        / count;
+    let squares = in_contact.iter().map(|one| (one - mean).powi(2));
+    let spread = squares.sum::<f64>() / count;
     let part = (correlation * noise).powi(2) / spread;
-    let is_modulus = |one: &&Estimate| {
-        use Parameter::{FilmModulus, Layer, SphereModulus};
-        let own = one.parameter;
-        found.contains(&own)
-            && matches!(
-                own,
-                FilmModulus | SphereModulus | Layer(_, LayerQuantity::Modulus)
-            )
-    };
-    let moduli = estimates.iter().filter(is_modulus);
+    let own = estimates
+        .iter()
+        .filter(|one| found.contains(&one.parameter));
+    let moduli = own.filter(|one| one.parameter.is_modulus());
     let error = moduli.map(|one| one.standard_error / one.value);
     if !part.is_finite() || part <= error.fold(f64::INFINITY, f64::min) {
-        return false;
+        return None;
     }
-    warnings.add(
-        WarningKind::SharedNoise,
-        format!(
-            "{}: the penetrations have the noise of the loads with the opposite sign, as where the deflection of a cantilever \
-             of {:.3e} N/m was taken off the heights. This makes the modulus too small, here by {:.1} % or more, whatever \
-             errors are given. Fit the loads against the heights instead, which are -(penetration + load/stiffness), with \
-             this stiffness",
-            measurement.name,
-            -yy / xy,
-            100.0 * part
-        ),
-    );
-    true
+    Some(WarningKind::SharedNoise.with(format!(
+        "{}: the penetrations have the noise of the loads with the opposite sign, as where the deflection of a cantilever \
+         of {:.3e} N/m was taken off the heights. This makes the modulus too small, here by {:.1} % or more, whatever \
+         errors are given. Fit the loads against the heights instead, which are -(penetration + load/stiffness), with \
+         this stiffness",
+        measurement.name,
+        -yy / xy,
+        100.0 * part
+    )))
 }

@@ -59,6 +59,12 @@ impl Coordinate {
         if self.positive { value.ln() } else { value }
     }
 
+    /// Returns the part of the way between two bounds at which a value is.
+    fn part(&self, value: f64, bounds: [f64; 2]) -> f64 {
+        let [least, most] = bounds.map(|bound| self.scaled(bound));
+        (self.scaled(value) - least) / (most - least)
+    }
+
     /// Returns the same coordinate with another start.
     pub fn starting_from(self, start: f64) -> Self {
         Self { start, ..self }
@@ -88,9 +94,8 @@ impl Coordinate {
     pub fn of(&self, value: f64) -> f64 {
         match (self.bounds, self.positive) {
             (Some(bounds), _) => {
-                let [least, most] = bounds.map(|bound| self.scaled(bound));
-                let part = (self.scaled(value) - least) / (most - least);
-                (2.0 * part.clamp(INSIDE, 1.0 - INSIDE) - 1.0).asin()
+                let part = self.part(value, bounds).clamp(INSIDE, 1.0 - INSIDE);
+                (2.0 * part - 1.0).asin()
             }
             (None, true) => (value / self.start).ln(),
             (None, false) => (value - self.start) / self.unit,
@@ -136,11 +141,9 @@ impl Coordinate {
     }
 
     pub fn is_at_bound(&self, value: f64) -> bool {
-        self.bounds.is_some_and(|bounds| {
-            let [least, most] = bounds.map(|bound| self.scaled(bound));
-            let part = (self.scaled(value) - least) / (most - least);
-            !(AT_BOUND..=1.0 - AT_BOUND).contains(&part)
-        })
+        let inside = AT_BOUND..=1.0 - AT_BOUND;
+        self.bounds
+            .is_some_and(|bounds| !inside.contains(&self.part(value, bounds)))
     }
 }
 
@@ -260,7 +263,7 @@ fn interface_bounds(layer: &NamedLayer, start: f64) -> [f64; 2] {
 /// Accepts the start, bounds and prior of a free parameter.
 fn accept(free: &Free) -> Result<(), Error> {
     let parameter = free.parameter;
-    let setting = |what: &str, value: f64, allowed: String| {
+    let setting = |what: &str, value: f64, allowed: &str| {
         Error::setting(format!("{what} of {parameter}"), value, allowed)
     };
     let is_possible = |value: f64| value.is_finite() && (!parameter.is_positive() || value > 0.0);
@@ -270,7 +273,7 @@ fn accept(free: &Free) -> Result<(), Error> {
         "finite"
     };
     if let Some(start) = free.start.filter(|&start| !is_possible(start)) {
-        return Err(setting("the start", start, possible.into()));
+        return Err(setting("the start", start, possible));
     }
     if let Some([least, most]) = free.bounds {
         for bound in [least, most] {
@@ -283,40 +286,30 @@ fn accept(free: &Free) -> Result<(), Error> {
                         parameter.unit()
                     )
                 } else {
-                    possible.into()
+                    possible.to_owned()
                 };
-                return Err(setting("a bound", bound, allowed));
+                return Err(setting("a bound", bound, &allowed));
             }
         }
         if least >= most {
-            return Err(setting(
-                "the upper bound",
-                most,
-                format!("above the lower one, {least:?}"),
-            ));
+            let allowed = format!("above the lower one, {least:?}");
+            return Err(setting("the upper bound", most, &allowed));
         }
         if parameter == Parameter::FilmPoissonRatio && (least <= -1.0 || most > 0.5) {
             let wrong = if most > 0.5 { most } else { least };
-            return Err(setting("a bound", wrong, "in (-1, 0.5]".into()));
+            return Err(setting("a bound", wrong, "in (-1, 0.5]"));
         }
         if let Some(start) = free.start.filter(|start| !(least..=most).contains(start)) {
-            return Err(setting(
-                "the start",
-                start,
-                format!("between the bounds, {least:?} and {most:?}"),
-            ));
+            let allowed = format!("between the bounds, {least:?} and {most:?}");
+            return Err(setting("the start", start, &allowed));
         }
     }
     if let Some(Prior { mean, width }) = free.prior {
         if !mean.is_finite() {
-            return Err(setting("the prior mean", mean, "finite".into()));
+            return Err(setting("the prior mean", mean, "finite"));
         }
         if !(width > 0.0 && width.is_finite()) {
-            return Err(setting(
-                "the prior width",
-                width,
-                "positive and finite".into(),
-            ));
+            return Err(setting("the prior width", width, "positive and finite"));
         }
     }
     Ok(())

@@ -9,7 +9,7 @@ use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
-use crate::model::{ContactOf, has_no_start};
+use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
@@ -131,56 +131,54 @@ fn intervals<'a>(
 /// the noise of all experiments is known.
 fn freedom(problem: &Problem<'_>) -> (usize, bool) {
     let rows = problem.residual_count();
-    let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-    (
-        rows.saturating_sub(problem.slots.len()),
-        experiments.all(|one| one.usual_noise().is_some()),
-    )
+    let known = problem.experiments().all(|one| one.usual_noise().is_some());
+    (rows.saturating_sub(problem.slots.len()), known)
 }
 
 /// Accepts a minimum whose values all have finite errors, or one that the result calls none.
 fn accept_errors(found: &Minimum<'_>) -> Result<(), Error> {
-    let Some(uncertainty) = found.uncertainty.as_ref() else {
-        return Ok(());
-    };
-    let names = slot_names(&found.problem);
-    let is_open = |&slot: &usize| !uncertainty.relative_error(slot).is_finite();
-    let open: Vec<&str> = (0..names.len())
-        .filter(is_open)
-        .map(|slot| names[slot].as_str())
-        .collect();
-    if found.problem.ending != Ending::Converged || open.is_empty() {
+    let problem = &found.problem;
+    let open = with_error(found, |error| !error.is_finite());
+    if problem.ending != Ending::Converged || found.uncertainty.is_none() || open.is_empty() {
         return Ok(());
     }
-    let slots = found.problem.slots.iter();
-    let mut open_slots = slots.enumerate().filter(|(slot, _)| is_open(slot));
     let is_punch =
         |one: &Assigned| matches!(one.experiment.bodies.probe(), Probe::FlatPunch { .. });
+    let is_work = |&slot: &usize| problem.slots[slot].parameter.is_work_of_adhesion();
     Err(Error::NotDetermined {
-        parameters: open.join(" and "),
-        pull_off_only: found.problem.assigned.iter().all(is_punch)
-            && open_slots.all(|(_, slot)| slot.parameter.is_work_of_adhesion()),
+        parameters: names_of(problem, &open),
+        pull_off_only: problem.assigned.iter().all(is_punch) && open.iter().all(is_work),
     })
 }
 
 /// Returns the error of bodies that do not relax, or that of the data where they do not determine how the others do.
 fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
-    let names = slot_names(&found.problem);
-    let is_open = |&slot: &usize| {
-        let uncertainty = found.uncertainty.as_ref();
-        uncertainty.is_none_or(|own| own.relative_error(slot) > UNDETERMINED)
-    };
-    let open: Vec<usize> = (0..names.len()).filter(is_open).collect();
-    let open: Vec<&str> = open.iter().map(|&slot| &*names[slot]).collect();
+    let open = with_error(found, |error| error > UNDETERMINED);
     match error {
         Error::History(cause @ HistoryError::UnlikeBodies { .. }) if !open.is_empty() => {
             Error::RelaxationNotDetermined {
-                parameters: open.join(" and "),
+                parameters: names_of(&found.problem, &open),
                 cause,
             }
         }
         error => error,
     }
+}
+
+/// Lists the slots whose relative standard error `is` such; all, where no error is known.
+fn with_error(found: &Minimum<'_>, is: impl Fn(f64) -> bool) -> Vec<usize> {
+    let of_slot = |&slot: &usize| {
+        let uncertainty = found.uncertainty.as_ref();
+        uncertainty.is_none_or(|own| is(own.relative_error(slot)))
+    };
+    (0..found.problem.slots.len()).filter(of_slot).collect()
+}
+
+/// Returns the names of slots, between "and".
+fn names_of(problem: &Problem<'_>, slots: &[usize]) -> String {
+    let names = slot_names(problem);
+    let names: Vec<&str> = slots.iter().map(|&slot| &*names[slot]).collect();
+    names.join(" and ")
 }
 
 /// Accepts the experiments, reads the branches of their points, and lists the values to be found.
@@ -313,12 +311,8 @@ fn result(
         warnings: Vec::new(),
     };
     if let Some(uncertainty) = uncertainty {
-        let Options {
-            known,
-            fixed_values: all,
-            ..
-        } = options;
-        fit.fixed_values = fixed_values::effects(problem, uncertainty, known, *all);
+        let (known, all) = (&options.known, options.fixed_values);
+        fit.fixed_values = fixed_values::effects(problem, uncertainty, known, all);
         fixed_values::pass_on(&mut fit);
     }
     fit.warnings = warnings::warnings(&fit, found, data, options, intervals.as_deref());
@@ -333,7 +327,6 @@ fn experiment(
     without_film: Option<&Problem<'_>>,
 ) -> Result<FittedExperiment, Error> {
     let problem = &found.problem;
-    let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
     let assigned = &problem.assigned[e];
     let predicted = problem.predicted.as_ref().map(|all| &all[e]);
     let measurement = &assigned.experiment.measurement;
@@ -367,7 +360,7 @@ fn experiment(
         left_out,
         loss: assigned
             .experiment
-            .loss_angle(contact_of, &assigned.branches)?,
+            .loss_angle(&problem.contact_of(), &assigned.branches)?,
         relaxation: relaxing::of(found, e)?,
     })
 }

@@ -42,10 +42,16 @@ pub(crate) enum Variation {
     Adhesion(f64),
 }
 
+/// Tells of a parameter whether its start is sought in the data.
+pub(super) type IsUnknown<'a> = &'a dyn Fn(Parameter) -> bool;
+
 /// An experiment that takes the starts that the data show.
 pub(super) struct Starts<'a> {
+    pub table: &'a Table,
     pub at: Assigned,
-    pub is_unknown: &'a dyn Fn(Parameter) -> bool,
+    pub is_unknown: IsUnknown<'a>,
+    /// The modulus that is matched to the data.
+    pub matched: Option<Parameter>,
     /// The parameters that have taken one.
     pub given: Vec<Parameter>,
 }
@@ -77,10 +83,9 @@ pub(crate) fn problem<'a>(
     let mut slots = slots.to_vec();
     let mut started = vec![false; slots.len()];
     for (e, one) in assigned.iter().enumerate() {
-        let own: Vec<(Parameter, usize)> = (0..slots.len())
-            .filter(|&slot| slots[slot].is_of(e, &one.experiment))
-            .map(|slot| (slots[slot].parameter, slot))
-            .collect();
+        let own = (0..slots.len()).filter(|&slot| slots[slot].is_of(e, &one.experiment));
+        let own = own.map(|slot| (slots[slot].parameter, slot));
+        let own: Vec<(Parameter, usize)> = own.collect();
         let mut at = one.clone();
         for &(parameter, slot) in &own {
             let coordinate = slots[slot].coordinate;
@@ -88,10 +93,8 @@ pub(crate) fn problem<'a>(
                 .replace(parameter, coordinate.value(coordinate.first()))?;
         }
         let is_own = |parameter: Parameter| own.iter().any(|one| one.0 == parameter);
-        let is_unknown = |parameter: Parameter| {
-            own.iter()
-                .any(|&(one, slot)| one == parameter && !slots[slot].is_given)
-        };
+        let unknown = own.iter().filter(|(_, slot)| !slots[*slot].is_given);
+        let is_unknown = |parameter: Parameter| unknown.clone().any(|one| one.0 == parameter);
         let multiplied = match variation {
             Variation::Times(parameter, factor) if is_own(parameter) => Some((parameter, factor)),
             _ => None,
@@ -105,8 +108,10 @@ pub(crate) fn problem<'a>(
             at.experiment.replace(parameter, factor * value)?;
         }
         let mut starts = Starts {
+            table,
             at,
             is_unknown: &is_unknown,
+            matched,
             given: Vec::new(),
         };
         relaxing_start::level(&mut starts)?;
@@ -118,11 +123,11 @@ pub(crate) fn problem<'a>(
             homogeneous(elastic.as_ref().unwrap_or(&starts.at), &is_unknown)
         };
         let needs_size = matches!(variation, Variation::Thickness(_));
-        let is_needed = needs_size || own.iter().any(|&(own, _)| is_unknown(own));
+        let is_needed = needs_size || unknown.clone().next().is_some();
         // The law that fits best also tells modulus and contact point.
         let is_relaxing = one.experiment.relaxing.is_some();
         if !is_stiffness && !is_relaxing && found.is_none() && is_needed {
-            return Err(Error::not_fitted(&one.experiment, NO_START));
+            return Err(one.experiment.not_fitted(NO_START));
         }
         if let Variation::Thickness(part) = variation {
             let largest = match &found {
@@ -135,14 +140,14 @@ pub(crate) fn problem<'a>(
         let largest = found.as_ref().map(|found| found.largest[0]);
         let is_found = is_stiffness || found.is_some();
         match found {
-            Some(found) => give_homogeneous(table, &mut starts, found, matched)?,
-            None if is_stiffness => indentation::give(table, &mut starts, matched)?,
+            Some(found) => give_homogeneous(&mut starts, found)?,
+            None if is_stiffness => indentation::give(&mut starts)?,
             // Each has a start that was given.
             None => {}
         }
-        relaxing_start::give(table, &mut starts, matched)?;
+        relaxing_start::give(&mut starts)?;
         if !is_found && is_needed && starts.given.is_empty() {
-            return Err(Error::not_fitted(&one.experiment, NO_START));
+            return Err(one.experiment.not_fitted(NO_START));
         }
         if let Some((parameter, factor)) = multiplied
             && let Some(value) = starts.at.experiment.get(parameter)
@@ -157,7 +162,7 @@ pub(crate) fn problem<'a>(
             && let Some(a) = largest
             && one.experiment.measurement.kind != Kind::PenetrationRadius
         {
-            let contact = starts.at.experiment.bodies.contact(table, None)?;
+            let contact = starts.at.experiment.bodies.contact(table, &[])?;
             let work = no_adhesion::work_of_part(&one.experiment, &contact, a, part)?;
             starts.give(Parameter::WorkOfAdhesion, work)?;
             starts.give(Parameter::WorkOfAdhesionReceding, work)?;
@@ -186,9 +191,8 @@ pub(crate) fn problem<'a>(
 
 /// Returns the modulus that is matched to the data, of those without a start: of two the sphere's.
 fn matched(is_unknown: impl Fn(Parameter) -> bool) -> Option<Parameter> {
-    [Parameter::SphereModulus, Parameter::FilmModulus]
-        .into_iter()
-        .find(|&parameter| is_unknown(parameter))
+    let mut moduli = [Parameter::SphereModulus, Parameter::FilmModulus].into_iter();
+    moduli.find(|&parameter| is_unknown(parameter))
 }
 
 /// Tells whether a fit of experiments finds the start of a free parameter in the data, so that the
@@ -215,20 +219,12 @@ pub fn starts_from_data(parameter: Parameter, experiments: &[Experiment], free: 
 
 /// Returns the names of the measurements.
 fn names(assigned: &[Assigned]) -> String {
-    let names: Vec<&str> = assigned
-        .iter()
-        .map(|one| one.experiment.measurement.name.as_str())
-        .collect();
-    names.join(", ")
+    let names = assigned.iter().map(|one| &*one.experiment.measurement.name);
+    names.collect::<Vec<_>>().join(", ")
 }
 
 /// Gives the starts that a homogeneous contact shows.
-fn give_homogeneous(
-    table: &Table,
-    starts: &mut Starts<'_>,
-    found: Homogeneous,
-    matched: Option<Parameter>,
-) -> Result<(), Error> {
+fn give_homogeneous(starts: &mut Starts<'_>, found: Homogeneous) -> Result<(), Error> {
     use Parameter::{
         Baseline, BaselineSlope, ContactPoint, LoadOffset, WorkOfAdhesion, WorkOfAdhesionReceding,
     };
@@ -238,7 +234,7 @@ fn give_homogeneous(
     let (scale, least) = match found.modulus {
         Some(_) => (1.0, load.abs() / sphere_radius),
         None => (
-            compound(&starts.at.experiment, table)?,
+            compound(&starts.at.experiment, starts.table)?,
             radius * radius / sphere_radius,
         ),
     };
@@ -251,9 +247,9 @@ fn give_homogeneous(
     starts.give_unknown(WorkOfAdhesion, work(found.work_of_adhesion))?;
     let receding = found.receding.unwrap_or(found.work_of_adhesion);
     starts.give_unknown(WorkOfAdhesionReceding, work(receding))?;
-    if let Some((parameter, compound)) = matched.zip(found.modulus) {
+    if let Some((parameter, compound)) = starts.matched.zip(found.modulus) {
         let experiment = &starts.at.experiment;
-        let value = matching_modulus(table, experiment, parameter, compound, found.largest);
+        let value = matching_modulus(starts.table, experiment, parameter, compound, found.largest);
         starts.give(parameter, value)?;
     }
     Ok(())
@@ -263,7 +259,7 @@ fn give_homogeneous(
 fn compound(experiment: &Experiment, table: &Table) -> Result<f64, Error> {
     let contact = experiment
         .bodies
-        .contact(table, None)
+        .contact(table, &[])
         .map_err(|cause| Error::Start {
             experiment: experiment.measurement.name.clone(),
             cause: Box::new(cause),
@@ -295,12 +291,8 @@ fn matching_modulus(
         return first;
     }
     let excess = |logarithm: f64| -> Option<f64> {
-        let bodies = experiment
-            .bodies
-            .clone()
-            .with(parameter, logarithm.exp())
-            .ok()?;
-        let contact = bodies.contact(table, None).ok()?;
+        let bodies = bodies.clone().with(parameter, logarithm.exp()).ok()?;
+        let contact = bodies.contact(table, &[]).ok()?;
         let w = experiment.work_of_adhesion;
         let predicted = if experiment.measurement.kind == Kind::LoadRadius {
             contact.load(radius, w).ok()?

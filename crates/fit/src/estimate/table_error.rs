@@ -1,8 +1,7 @@
 //! The doubt about a table that is less accurate than the data.
 
-use super::doubts::Warnings;
 use super::problem::Problem;
-use crate::{Bodies, Fit, WarningKind};
+use crate::{Bodies, Fit, Warning, WarningKind};
 
 /// The largest error of a table, relative to a load, that is never doubted: hardly any instrument measures five digits.
 const ACCURATE: f64 = 1e-5;
@@ -11,7 +10,7 @@ const LARGE: f64 = 0.3;
 
 /// Warns of films that are looked up in a table whose error is not small beside the noise: the error is no noise, and
 /// moves the values by more than their standard errors.
-pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
+pub(super) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>) {
     let error = problem.table.description().certificate.max_error;
     if error <= ACCURATE {
         return;
@@ -28,15 +27,12 @@ pub(super) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
         });
         let deviations = error * ratios.fold(0.0, f64::max);
         if matches!(experiment.bodies, Bodies::Coated(_)) && deviations > LARGE {
-            warnings.add(
-                WarningKind::TableError,
-                format!(
-                    "{}: the table is accurate to {error:.1e} of an ordinate, which is up to {deviations:.1} of its standard \
-                     deviations: values may be wrong by more than their standard errors; use the embedded table, or one \
-                     of a smaller tolerance",
-                    fitted.name
-                ),
-            );
+            warnings.push(WarningKind::TableError.with(format!(
+                "{}: the table is accurate to {error:.1e} of an ordinate, which is up to {deviations:.1} of its standard \
+                 deviations: values may be wrong by more than their standard errors; use the embedded table, or one \
+                 of a smaller tolerance",
+                fitted.name
+            )));
         }
     }
 }

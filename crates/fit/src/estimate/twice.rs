@@ -1,29 +1,22 @@
 //! The doubt about points that are given twice.
 
-use super::doubts::Warnings;
 use super::problem::Problem;
-use crate::{Measurement, WarningKind};
+use crate::{Measurement, Warning, WarningKind};
 
 /// Warns of experiments that have the points of one before them: they count twice, and the errors are too
 /// small.
-pub(super) fn add(warnings: &mut Warnings, problem: &Problem<'_>) {
-    let measurements = problem
-        .assigned
-        .iter()
-        .map(|one| &one.experiment.measurement);
+pub(super) fn add(warnings: &mut Vec<Warning>, problem: &Problem<'_>) {
+    let measurements = problem.experiments().map(|one| &one.measurement);
     let measurements: Vec<&Measurement> = measurements.collect();
     for (e, one) in measurements.iter().enumerate() {
         if let Some(first) = measurements[..e].iter().find(|first| are_equal(first, one)) {
-            warnings.add(
-                WarningKind::SamePoints,
-                format!(
-                    "{}: its {} points are those of {}, so that they count twice and the errors are too \
-                     small; leave one of the two out",
-                    one.name,
-                    one.points.len(),
-                    first.name
-                ),
-            );
+            warnings.push(WarningKind::SamePoints.with(format!(
+                "{}: its {} points are those of {}, so that they count twice and the errors are too \
+                 small; leave one of the two out",
+                one.name,
+                one.points.len(),
+                first.name
+            )));
         }
     }
 }

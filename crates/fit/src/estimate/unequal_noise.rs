@@ -6,10 +6,9 @@
 //! and the more so the longer the baseline is.
 
 use super::assigned::Assigned;
-use super::doubts::{BEYOND_CHANCE, Warnings};
-use crate::WarningKind;
 use crate::model::Predicted;
-use crate::statistics::{far, ratio_of_squares};
+use crate::statistics::{BEYOND_CHANCE, far, ratio_of_squares};
+use crate::{Warning, WarningKind};
 
 /// The fewest degrees of freedom that tell the scatter of a part.
 const FEWEST: f64 = 10.0;
@@ -17,18 +16,16 @@ const FEWEST: f64 = 10.0;
 const FEWEST_OF_HALF: f64 = 4.0;
 
 /// Warns if the residuals of an experiment, in units of its estimated noise, are larger in contact than off
-/// contact by more than chance makes them, and returns whether it does. `predicted` are the fitted states of
+/// contact by more than chance makes them. `predicted` are the fitted states of
 /// all points; the leverage of a point is the part of its noise that the fit follows.
-pub(super) fn add(
-    warnings: &mut Warnings,
+pub(super) fn doubt(
     assigned: &Assigned,
     predicted: &Predicted,
-    residuals: &[f64],
-    leverages: &[f64],
-) -> bool {
+    (residuals, leverages): (&[f64], &[f64]),
+) -> Option<Warning> {
     let (experiment, radii) = (&assigned.experiment, &predicted.radii);
     if experiment.usual_noise().is_some() || !assigned.abscissa_errors.is_empty() {
-        return false;
+        return None;
     }
     let part = |in_contact: bool| -> Vec<[f64; 2]> {
         let points = assigned.counting_points();
@@ -41,13 +38,11 @@ pub(super) fn add(
     let [of_contact, of_apart] = [&contact, &apart].map(|part| freedom(part));
     if of_contact.min(of_apart) < FEWEST {
         // The noise of a contact stiffness is relative to it.
-        return !experiment.measurement.kind.is_stiffness()
-            && grows(
-                warnings,
-                assigned,
-                &predicted.values,
-                (residuals, leverages),
-            );
+        return if experiment.measurement.kind.is_stiffness() {
+            None
+        } else {
+            grows(assigned, &predicted.values, (residuals, leverages))
+        };
     }
     // An outlier would stand for the scatter of all.
     let far = far(contact.iter().map(|[size, _]| *size));
@@ -59,7 +54,7 @@ pub(super) fn add(
         || told == 0.0
         || ratio_of_squares([in_contact, off_contact], [of_contact, of_apart]) <= BEYOND_CHANCE
     {
-        return false;
+        return None;
     }
     // The variance of what the points tell, over that with the estimated noise.
     let free = |leverage: f64| (1.0 - leverage).max(f64::EPSILON);
@@ -74,40 +69,34 @@ pub(super) fn add(
         "and those off contact do not".into()
     };
     let [abscissa, ordinate] = experiment.measurement.kind.names();
-    warnings.add(
-        WarningKind::UnequalNoise,
-        format!(
-            "{}: points in contact scatter {beside}, and the noise of the {ordinate} is estimated from both: the \
-             standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
-             right, errors of the {abscissa} are the reason, or the noise of the {ordinate} is larger in contact: give \
-             the errors of the {abscissa} their size, or each point its standard deviation",
-            experiment.measurement.name
-        ),
-    );
-    true
+    Some(WarningKind::UnequalNoise.with(format!(
+        "{}: points in contact scatter {beside}, and the noise of the {ordinate} is estimated from both: the \
+         standard errors of what contacts tell are too small, by a factor of some {factor:.1}. If the model is \
+         right, errors of the {abscissa} are the reason, or the noise of the {ordinate} is larger in contact: give \
+         the errors of the {abscissa} their size, or each point its standard deviation",
+        experiment.measurement.name
+    )))
 }
 
 /// Warns if the residuals of a file without a baseline are larger at the larger ordinates than at the smaller
-/// ones by more than chance makes them, and returns whether it does. The ordinates are those of the fit,
+/// ones by more than chance makes them. The ordinates are those of the fit,
 /// because an error makes a measured one larger.
 fn grows(
-    warnings: &mut Warnings,
     assigned: &Assigned,
     fitted: &[f64],
     (residuals, leverages): (&[f64], &[f64]),
-) -> bool {
+) -> Option<Warning> {
     let experiment = &assigned.experiment;
     let points = assigned.counting_points();
-    let mut all: Vec<(f64, [f64; 2])> = points
-        .zip(residuals.iter().zip(leverages))
-        .map(|(i, (residual, leverage))| (fitted[i].abs(), [residual.abs(), *leverage]))
-        .collect();
+    let all = points.zip(residuals.iter().zip(leverages));
+    let sizes = |(i, (r, leverage)): (usize, (&f64, &f64))| (fitted[i].abs(), [r.abs(), *leverage]);
+    let mut all: Vec<(f64, [f64; 2])> = all.map(sizes).collect();
     all.sort_by(|(one, _), (other, _)| one.total_cmp(other));
     let all: Vec<[f64; 2]> = all.into_iter().map(|(_, own)| own).collect();
     let (small, large) = all.split_at(all.len() / 2);
     let [of_small, of_large] = [small, large].map(freedom);
     if of_small.min(of_large) < FEWEST_OF_HALF {
-        return false;
+        return None;
     }
     let far_of = |part: &[[f64; 2]]| far(part.iter().map(|[size, _]| *size));
     // What is far from all points may be the larger half of them: the doubt is then weaker, and its number is of each
@@ -115,22 +104,18 @@ fn grows(
     let beyond = far_of(&all);
     let [at_small, at_large] = [small, large].map(|part| scatter(part, beyond));
     if ratio_of_squares([at_large, at_small], [of_large, of_small]) <= BEYOND_CHANCE {
-        return false;
+        return None;
     }
     let [at_small, at_large] = [small, large].map(|part| scatter(part, far_of(part)));
     let [abscissa, ordinate] = experiment.measurement.kind.names();
-    warnings.add(
-        WarningKind::UnequalNoise,
-        format!(
-            "{}: points at the larger half of the {ordinate}s scatter {:.1} times as much as those at the smaller one, \
-             and one noise is estimated for all: standard errors and intervals are not right. If the model is right, \
-             the noise grows with the {ordinate}, or errors of the {abscissa} are the reason: give each point its \
-             standard deviation, or the errors of the {abscissa} their size",
-            experiment.measurement.name,
-            (at_large / at_small).sqrt(),
-        ),
-    );
-    true
+    Some(WarningKind::UnequalNoise.with(format!(
+        "{}: points at the larger half of the {ordinate}s scatter {:.1} times as much as those at the smaller one, \
+         and one noise is estimated for all: standard errors and intervals are not right. If the model is right, \
+         the noise grows with the {ordinate}, or errors of the {abscissa} are the reason: give each point its \
+         standard deviation, or the errors of the {abscissa} their size",
+        experiment.measurement.name,
+        (at_large / at_small).sqrt(),
+    )))
 }
 
 /// Returns the mean square of residuals with their leverages; none counts for more than the square of `far`.

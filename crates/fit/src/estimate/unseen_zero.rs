@@ -1,11 +1,10 @@
 //! The doubt about a work of adhesion from loads whose zero the data do not show.
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
 use super::problem::Problem;
 use super::uncertainty::Uncertainty;
 use super::wanted::column;
-use crate::{Branch, Fixed, Kind, Known, Parameter, WarningKind};
+use crate::{Branch, Fixed, Kind, Known, Parameter, Warning, WarningKind};
 
 /// The part of the largest load by which the zero may be off.
 const PART: f64 = 0.01;
@@ -32,7 +31,7 @@ pub(super) fn is_free_beside_a_work(problem: &Problem<'_>) -> bool {
 /// work of adhesion by more than its standard error. The fit cannot tell: a pull of the contact and a zero that is off
 /// look nearly alike.
 pub(super) fn add(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     uncertainty: &Uncertainty,
     known: &[Known],
@@ -56,18 +55,15 @@ pub(super) fn add(
         let works = problem.slots.iter().zip(changes);
         let mut works = works.filter(|(slot, _)| slot.parameter.is_work_of_adhesion());
         if let Some((slot, change)) = works.find(|(_, change)| change.abs() > 1.0) {
-            warnings.add(
-                WarningKind::ZeroNotSeen,
-                format!(
-                    "{}: no point is off contact, so that the zero of the load is taken as it is given: one that is off by \
-                     {offset:.1e} N, 1 % of the largest load, would change {} by {:+.1} of its standard errors. Take the mean \
-                     load far from the surface off and state its error as that of a known value, or keep points from there \
-                     and free {ZERO}",
-                    experiment.measurement.name,
-                    slot.parameter,
-                    change
-                ),
-            );
+            warnings.push(WarningKind::ZeroNotSeen.with(format!(
+                "{}: no point is off contact, so that the zero of the load is taken as it is given: one that is off by \
+                 {offset:.1e} N, 1 % of the largest load, would change {} by {:+.1} of its standard errors. Take the mean \
+                 load far from the surface off and state its error as that of a known value, or keep points from there \
+                 and free {ZERO}",
+                experiment.measurement.name,
+                slot.parameter,
+                change
+            )));
         }
     }
 }

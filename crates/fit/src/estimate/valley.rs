@@ -1,11 +1,10 @@
 //! The valley of the sum of squares along one value, away from a minimum.
 
-use super::assigned::Assigned;
 use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
 use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
-use crate::{Kind, Prior};
+use crate::{Experiment, Kind, Prior};
 
 /// The most by which the sum of squares on few points may exceed the smallest one at a start that
 /// is followed to all points.
@@ -45,8 +44,7 @@ pub(crate) struct Bend {
 /// Lists the positive values with large errors, that of the largest error first. Where bodies relax a start has been
 /// chosen among several laws; none is listed.
 pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<usize> {
-    let mut experiments = problem.assigned.iter();
-    if experiments.any(|one| one.experiment.relaxing.is_some()) {
+    if problem.experiments().any(|one| one.relaxing.is_some()) {
         return Vec::new();
     }
     let is_positive = |slot: &usize| problem.slots[*slot].parameter.is_positive();
@@ -61,8 +59,9 @@ pub(super) fn doubtful(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Vec<
 
 /// Tells whether each step needs further solves, as on a stack of layers.
 pub(super) fn is_costly(problem: &Problem<'_>) -> bool {
-    let mut experiments = problem.assigned.iter();
-    experiments.any(|one| !one.experiment.bodies.has_derivatives())
+    problem
+        .experiments()
+        .any(|one| !one.bodies.has_derivatives())
 }
 
 /// Follows the valley of a value on both sides: the value moves away, and all others follow it.
@@ -141,8 +140,8 @@ pub(super) fn bend(problem: &Problem<'_>, uncertainty: &Uncertainty) -> Option<B
 fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
     let mut exact = problem.clone();
     exact.assigned = exact.assigned.into_iter().map(thin).collect();
-    let of_depth = |one: &Assigned| one.experiment.measurement.kind == Kind::StiffnessDepth;
-    let rounds = if exact.assigned.iter().any(of_depth) {
+    let of_depth = |one: &Experiment| one.measurement.kind == Kind::StiffnessDepth;
+    let rounds = if exact.experiments().any(of_depth) {
         ROUNDS
     } else {
         1
@@ -151,11 +150,8 @@ fn exact<'a>(problem: &Problem<'a>) -> Problem<'a> {
         if exact.update().is_err() {
             break;
         }
-        for (assigned, predicted) in exact
-            .assigned
-            .iter_mut()
-            .zip(exact.predicted.iter().flatten())
-        {
+        let predicted = exact.predicted.iter().flatten();
+        for (assigned, predicted) in exact.assigned.iter_mut().zip(predicted) {
             for (i, value) in predicted.values.iter().enumerate() {
                 let ordinate = assigned.experiment.ordinate_of(*value);
                 assigned.experiment.measurement.points[i].ordinate = ordinate;

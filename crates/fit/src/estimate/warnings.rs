@@ -4,7 +4,6 @@ use contact::LawParameter;
 use contact::magnitude::LARGEST_WORK;
 
 use super::assigned::Assigned;
-use super::doubts::Warnings;
 use super::left_out::{in_contact, text};
 use super::minima::Minimum;
 use super::problem::{Ending, Problem};
@@ -20,8 +19,8 @@ use super::{
 use crate::magnitude::{self, STIFFNESSES};
 use crate::statistics::extremes;
 use crate::{
-    Combination, Estimate, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter, Warning,
-    WarningKind,
+    Combination, Estimate, Experiment, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter,
+    Warning, WarningKind,
 };
 
 /// The distance of a number from the end of what is possible at which it is there.
@@ -37,24 +36,22 @@ pub(super) fn warnings(
     options: &Options,
     intervals: Option<&[[End; 2]]>,
 ) -> Vec<Warning> {
-    let mut warnings = Warnings::default();
+    let mut warnings = Vec::new();
     let problem = &found.problem;
     let names = slot_names(problem);
     method(&mut warnings, fit, found, &names);
     super::twice::add(&mut warnings, problem);
     table_error::add(&mut warnings, fit, problem);
     if let Some(found) = &found.bend {
-        bend(&mut warnings, problem, &names[found.slot], found);
+        warnings.push(bend(problem, &names[found.slot], found));
     }
-    for estimate in &fit.estimates {
-        implausible(&mut warnings, estimate);
-    }
+    warnings.extend(fit.estimates.iter().filter_map(implausible));
     let mut at_zero = Vec::new();
     if let Some(uncertainty) = &found.uncertainty {
         let stopped = at_bounds(&mut warnings, problem, &names);
         at_zero = no_adhesion::add(&mut warnings, problem, &names);
         if found.is_stopped(SHORT) && !stopped && at_zero.is_empty() {
-            end_of_table(&mut warnings, problem, uncertainty.short);
+            warnings.push(end_of_table(problem, uncertainty.short));
         }
         undetermined(&mut warnings, fit, problem, (uncertainty, &names, &at_zero));
         interfaces::add(&mut warnings, found, uncertainty);
@@ -70,14 +67,10 @@ pub(super) fn warnings(
         unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
     }
     for e in 0..problem.assigned.len() {
-        assumptions::of_problem(
-            &mut warnings,
-            problem,
-            e,
-            options.interaction_range,
-            &fit.estimates,
-        );
-        cycle::add(&mut warnings, problem, e);
+        let range = options.interaction_range;
+        let broken = assumptions::of_problem(problem, e, range, &fit.estimates);
+        warnings.extend(broken.into_iter().flatten());
+        warnings.extend(cycle::doubts(problem, e).into_iter().flatten());
         relaxing::add(&mut warnings, fit, problem, e);
     }
     if fit.converged {
@@ -87,19 +80,17 @@ pub(super) fn warnings(
         let may_be_zero = at_zero.contains(&i);
         open_ends(&mut warnings, problem, (i, &names[i]), ends, may_be_zero);
     }
-    warnings.into_list()
+    warnings
 }
 
 /// Says that a fit ended `short` of the least squares, by standard errors, because contacts are refused beyond.
-fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
+fn end_of_table(problem: &Problem<'_>, short: f64) -> Warning {
     let reason = if problem.beyond_table {
         "the table ends there; fix a parameter or use a larger table"
     } else {
-        let mut experiments = problem.assigned.iter().map(|one| &one.experiment);
-        if experiments
-            .clone()
-            .any(|one| one.bodies.end_of_exact_sphere().is_some())
-        {
+        let mut experiments = problem.experiments();
+        let is_sphere = |one: &Experiment| one.bodies.end_of_exact_sphere().is_some();
+        if experiments.clone().any(is_sphere) {
             "the model has no contact beyond, or none that is solved: the exact sphere is solved on a film up to contact \
              radii of 0.55 R; leave out the points of wider contacts, fix a parameter, or give it another start"
         } else if experiments.any(|one| one.relaxing.is_some()) {
@@ -109,10 +100,9 @@ fn end_of_table(warnings: &mut Warnings, problem: &Problem<'_>, short: f64) {
             "the model has no contact beyond, or none that is solved; fix a parameter, or give it another start"
         }
     };
-    warnings.add(
-        WarningKind::EndOfTable,
-        format!("the fit ended {short:.1} standard errors from the least squares: {reason}"),
-    );
+    WarningKind::EndOfTable.with(format!(
+        "the fit ended {short:.1} standard errors from the least squares: {reason}"
+    ))
 }
 
 /// Returns the unit of a parameter as it follows a number.
@@ -125,7 +115,7 @@ pub(super) fn after_number(parameter: Parameter) -> String {
 
 /// Says why the interval of a slot has no end on a side, or two. One that `may_be_zero` begins at 0.
 fn open_ends(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     problem: &Problem<'_>,
     (slot, name): (usize, &str),
     ends: &[End; 2],
@@ -143,18 +133,15 @@ fn open_ends(
                 format!("at {value:.3e}{unit} the other parameters have no fit")
             }
         };
-        warnings.add(
-            WarningKind::OpenInterval,
-            format!(
-                "the interval of {name} has no {side} end: {why}; fix a parameter, or \
-                 give it a prior"
-            ),
-        );
+        warnings.push(WarningKind::OpenInterval.with(format!(
+            "the interval of {name} has no {side} end: {why}; fix a parameter, or \
+             give it a prior"
+        )));
     }
 }
 
 /// Doubts about the way to the minimum.
-fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[String]) {
+fn method(warnings: &mut Vec<Warning>, fit: &Fit, found: &Minimum<'_>, names: &[String]) {
     if found.problem.ending != Ending::Converged {
         let how = match found.problem.ending {
             Ending::OutOfPatience => "was still moving",
@@ -166,13 +153,10 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[Stri
         } else {
             "free fewer parameters, or start from other values"
         };
-        warnings.add(
-            WarningKind::NotConverged,
-            format!(
-                "the fit did not converge: it {how} after {} evaluations; {advice}",
-                fit.evaluations
-            ),
-        );
+        warnings.push(WarningKind::NotConverged.with(format!(
+            "the fit did not converge: it {how} after {} evaluations; {advice}",
+            fit.evaluations
+        )));
     }
     for rival in &found.rivals {
         let estimates = fit.estimates.iter().zip(names).zip(&rival.values);
@@ -181,64 +165,54 @@ fn method(warnings: &mut Warnings, fit: &Fit, found: &Minimum<'_>, names: &[Stri
                 format!("{name} = {value:.3e} {}", estimate.parameter.unit())
             })
             .collect();
-        warnings.add(
-            WarningKind::SeveralMinima,
-            format!(
-                "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
-                 chance: {}; fix a parameter, or give it a prior or bounds",
-                rival.excess.max(0.0),
-                values.join(", ")
-            ),
-        );
+        warnings.push(WarningKind::SeveralMinima.with(format!(
+            "there is another minimum, whose chi^2 is larger by {:.1}, which is within \
+             chance: {}; fix a parameter, or give it a prior or bounds",
+            rival.excess.max(0.0),
+            values.join(", ")
+        )));
     }
 }
 
 /// Warns of a value that may be farther away than its standard error says.
-fn bend(warnings: &mut Warnings, problem: &Problem<'_>, name: &str, bend: &Bend) {
+fn bend(problem: &Problem<'_>, name: &str, bend: &Bend) -> Warning {
     let parameter = problem.slots[bend.slot].parameter;
-    warnings.add(
-        WarningKind::NonlinearError,
-        format!(
-            "the standard error of {name} is too small on one side: {:.3e} {}, {} standard \
-             errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
-             profile likelihood, or give a prior",
-            bend.value,
-            parameter.unit(),
-            TESTED,
-            bend.growth,
-            TESTED * TESTED
-        ),
-    );
+    WarningKind::NonlinearError.with(format!(
+        "the standard error of {name} is too small on one side: {:.3e} {}, {} standard \
+         errors away, would raise chi^2 by {:.1} only, not by {}; take the interval of the \
+         profile likelihood, or give a prior",
+        bend.value,
+        parameter.unit(),
+        TESTED,
+        bend.growth,
+        TESTED * TESTED
+    ))
 }
 
 /// Warns of values that no experiment has, and of works of adhesion and stiffnesses that none
 /// measures.
-fn implausible(warnings: &mut Warnings, estimate: &Estimate) {
+fn implausible(estimate: &Estimate) -> Option<Warning> {
     if let Some(found) = magnitude::of_estimate(estimate) {
-        warnings.add(WarningKind::Implausible, found.to_string());
-        return;
+        return Some(WarningKind::Implausible.with(found.to_string()));
     }
     let [least, most] = match estimate.parameter {
         Parameter::WorkOfAdhesion | Parameter::WorkOfAdhesionReceding => [1e-6, LARGEST_WORK],
         Parameter::Stiffness => STIFFNESSES,
-        _ => return,
+        _ => return None,
     };
     let determined = estimate.standard_error < UNDETERMINED * estimate.value;
-    if determined && !(least..=most).contains(&estimate.value) {
+    (determined && !(least..=most).contains(&estimate.value)).then(|| {
         let (parameter, unit) = (estimate.parameter, estimate.parameter.unit());
-        warnings.add(
-            WarningKind::Implausible,
-            format!(
-                "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
-                 units of the data",
-                estimate.value
-            ),
-        );
-    }
+        WarningKind::Implausible.with(format!(
+            "{parameter} = {:.3e} {unit} is outside {least:e} to {most:e} {unit}: check the \
+             units of the data",
+            estimate.value
+        ))
+    })
 }
 
 /// Warns of values at their bounds. Tells whether there are any.
-fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -> bool {
+fn at_bounds(warnings: &mut Vec<Warning>, problem: &Problem<'_>, names: &[String]) -> bool {
     let mut any = false;
     for (i, slot) in problem.slots.iter().enumerate() {
         let value = problem.value(i);
@@ -257,10 +231,8 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
                 "its bound: the data want a value beyond it"
             };
             let name = &names[i];
-            warnings.add(
-                WarningKind::AtBound,
-                format!("{name} = {value:.4e}{unit} is at {why}"),
-            );
+            warnings
+                .push(WarningKind::AtBound.with(format!("{name} = {value:.4e}{unit} is at {why}")));
         }
     }
     any
@@ -268,7 +240,7 @@ fn at_bounds(warnings: &mut Warnings, problem: &Problem<'_>, names: &[String]) -
 
 /// Warns of parameters and combinations that the data do not determine.
 fn undetermined(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     problem: &Problem<'_>,
     (uncertainty, names, at_zero): (&Uncertainty, &[String], &[usize]),
@@ -294,36 +266,30 @@ fn undetermined(
         } else {
             "more than 100 times".into()
         };
-        warnings.add(
-            WarningKind::Undetermined,
-            format!(
-                "{} is not determined by these data: its standard error is {size} \
-                 {of}, above {:.0} %; fix it or give a prior",
-                names[i],
-                1e2 * UNDETERMINED
-            ),
-        );
+        warnings.push(WarningKind::Undetermined.with(format!(
+            "{} is not determined by these data: its standard error is {size} \
+             {of}, above {:.0} %; fix it or give a prior",
+            names[i],
+            1e2 * UNDETERMINED
+        )));
         let is_other = matches!(
             parameter,
             Parameter::SphereModulus | Parameter::Layer(_, LayerQuantity::InterfaceStiffness)
         );
         if parameter.is_of_bodies() && !is_other {
-            film_not_seen(warnings, problem, parameter);
+            warnings.extend(film_not_seen(problem, parameter));
         }
     }
     let combinations = fit.undetermined.iter();
     for text in Combination::texts(combinations.filter(|one| one.weights.len() > 1)) {
-        warnings.add(
-            WarningKind::Undetermined,
-            format!(
-                "the data do not determine {text} apart from one another: fix one of them or give a prior"
-            ),
-        );
+        warnings.push(WarningKind::Undetermined.with(format!(
+            "the data do not determine {text} apart from one another: fix one of them or give a prior"
+        )));
     }
 }
 
 /// Says how large the contacts are beside a film that the data do not tell.
-fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Parameter) {
+fn film_not_seen(problem: &Problem<'_>, parameter: Parameter) -> Option<Warning> {
     let of_experiment = |e: usize| {
         let thickness = problem.assigned[e].experiment.bodies.thickness()?;
         let radii = problem.contact_radii(e)?;
@@ -331,22 +297,19 @@ fn film_not_seen(warnings: &mut Warnings, problem: &Problem<'_>, parameter: Para
     };
     let ratios = (0..problem.assigned.len()).filter_map(of_experiment);
     let [least, most] = extremes(ratios.flatten());
-    if most > 0.0 {
-        warnings.add(
-            WarningKind::FilmNotSeen,
-            format!(
-                "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
-                 a film is told from its substrate best by contacts from well below to well above \
-                 its thickness"
-            ),
-        );
-    }
+    (most > 0.0).then(|| {
+        WarningKind::FilmNotSeen.with(format!(
+            "a/t is from {least:.2e} to {most:.2e}, where these data do not tell {parameter}: \
+             a film is told from its substrate best by contacts from well below to well above \
+             its thickness"
+        ))
+    })
 }
 
 /// Warns of points far from the fit. `unequal` tells of each experiment whether its noise is larger in one part
 /// than in another: a robust loss would take the quiet part for the rule, and the other one for outliers.
 fn outliers(
-    warnings: &mut Warnings,
+    warnings: &mut Vec<Warning>,
     fit: &Fit,
     data: &[Assigned],
     (unequal, loss): (&[bool], Loss),
@@ -364,36 +327,30 @@ fn outliers(
             continue;
         }
         let counting = fitted.points.iter().filter(|point| point.fit.is_some());
-        warnings.add(
-            WarningKind::Outliers,
-            format!(
-                "{}: {} of {} points are far from the fit, in {}{remedy}",
-                fitted.name,
-                far.len(),
-                counting.count(),
-                whole.experiment.measurement.numbering.names(&far)
-            ),
-        );
+        warnings.push(WarningKind::Outliers.with(format!(
+            "{}: {} of {} points are far from the fit, in {}{remedy}",
+            fitted.name,
+            far.len(),
+            counting.count(),
+            whole.experiment.measurement.numbering.names(&far)
+        )));
     }
 }
 
 /// Warns of points that are in contact in the data and clearly not in the fit.
-fn left_out(warnings: &mut Warnings, fit: &Fit, data: &[Assigned]) {
+fn left_out(warnings: &mut Vec<Warning>, fit: &Fit, data: &[Assigned]) {
     for (fitted, whole) in fit.experiments.iter().zip(data) {
         let beyond = fitted.left_out.iter();
         let beyond = beyond.filter(|group| group.reason == LeftOutReason::BeyondEnd);
         let [contacts, lost] = in_contact(whole, &fitted.left_out);
         let beyond: usize = beyond.map(|group| group.points).sum();
         if beyond > BEYOND_END {
-            warnings.add(
-                WarningKind::LeftOut,
-                format!(
-                    "{}: {lost} of {contacts} points in contact do not count; of all points are left \
-                     out: {}",
-                    fitted.name,
-                    text(&fitted.left_out, whole.experiment.measurement.numbering)
-                ),
-            );
+            warnings.push(WarningKind::LeftOut.with(format!(
+                "{}: {lost} of {contacts} points in contact do not count; of all points are left \
+                 out: {}",
+                fitted.name,
+                text(&fitted.left_out, whole.experiment.measurement.numbering)
+            )));
         }
     }
 }

@@ -24,12 +24,9 @@ pub(crate) fn without_film<'a>(
     loss: Loss,
 ) -> Option<(WithoutFilm, Problem<'a>)> {
     let problem = &with_film.problem;
-    let is_free = |parameter| problem.slots.iter().any(|one| one.parameter == parameter);
-    let tops = problem.assigned.iter();
-    let tops = tops.map(|one| one.experiment.bodies.modulus_of_top());
-    let modulus = std::iter::once(Parameter::SphereModulus)
-        .chain(tops)
-        .find(|&parameter| is_free(parameter));
+    let tops = problem.experiments().map(|one| one.bodies.modulus_of_top());
+    let mut moduli = std::iter::once(Parameter::SphereModulus).chain(tops);
+    let modulus = moduli.find(|&parameter| problem.slot_of(parameter).is_some());
     // The modulus of the film, or of the top layer, is then that of the half-space.
     let of_film = modulus.filter(|&parameter| parameter != Parameter::SphereModulus);
     let mut assigned = problem.assigned.clone();
@@ -62,17 +59,14 @@ pub(crate) fn without_film<'a>(
     };
     // Bounds and priors are those of the film; the start follows from the data, but that of a
     // relaxation function from the one with the film.
-    let slots: Vec<_> = problem
-        .slots
-        .iter()
-        .enumerate()
-        .filter(|(_, slot)| kept(slot.parameter))
-        .map(|(i, slot)| Slot {
-            parameter: renamed(slot.parameter),
-            is_given: matches!(slot.parameter, Parameter::Law(_)),
-            ..slot.without_limits(problem.value(i))
-        })
-        .collect();
+    let own = |(i, slot): (usize, &Slot)| Slot {
+        parameter: renamed(slot.parameter),
+        is_given: matches!(slot.parameter, Parameter::Law(_)),
+        ..slot.without_limits(problem.value(i))
+    };
+    let slots = problem.slots.iter().enumerate();
+    let slots = slots.filter(|(_, slot)| kept(slot.parameter));
+    let slots: Vec<Slot> = slots.map(own).collect();
     if slots.is_empty() {
         return None;
     }
@@ -87,10 +81,7 @@ pub(crate) fn without_film<'a>(
     let chi_squared = fitted.plain_residuals()?.norm_squared();
     let estimates = estimates(&fitted, uncertainty.as_ref());
     let modulus = modulus.and_then(|parameter| {
-        let with = problem
-            .slots
-            .iter()
-            .position(|slot| slot.parameter == parameter)?;
+        let with = problem.slot_of(parameter)?;
         let value = problem.value(with);
         let uncertainty = with_film.uncertainty.as_ref()?;
         let error = uncertainty.relative_error(with) * uncertainty.sizes[with];

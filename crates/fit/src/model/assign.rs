@@ -6,7 +6,7 @@
 use super::split::{FEWEST, KnownBaseline, tail};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
-use crate::statistics::{MEDIAN, differences_of, median};
+use crate::statistics::{differences_of, robust_deviation};
 
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
@@ -18,16 +18,9 @@ const ALIKE: f64 = 3.0;
 /// The part of the steps of a way that go in its direction, if its points come in order.
 const IN_ORDER: f64 = 0.6;
 
-/// The branches of the points of an experiment.
-#[derive(Clone, Debug)]
-pub(crate) struct Assignment {
-    /// The branch of each point.
-    pub branches: Vec<Branch>,
-    /// The points by descending imposed value: from the largest contact to none.
-    pub order: Vec<usize>,
-    /// The noise that differences of neighbouring ordinates show; `None` for too few points.
-    pub local_noise: Option<f64>,
-}
+/// The branch of each point; the points by descending imposed value, from the largest contact to none; and the noise that
+/// differences of neighbouring ordinates show, `None` for too few points.
+pub(crate) type Assignment = (Vec<Branch>, Vec<usize>, Option<f64>);
 
 impl Experiment {
     /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change.
@@ -47,20 +40,14 @@ impl Experiment {
         let points = &self.measurement.points;
         self.accept_points()?;
         self.accept_stiffness()?;
-        let sense = self.sense();
-        let key = |i: &usize| sense * points[*i].abscissa;
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_by(|i, j| key(j).total_cmp(&key(i)));
+        let order = self.order();
         let noise_in = |numbers: &[usize]| {
             let compared: Vec<f64> = numbers.iter().map(|&i| self.compared(i)).collect();
             noise_of(&compared)
         };
         if self.relaxing.is_some() {
-            return Ok(Assignment {
-                branches: self.branches_in_time(),
-                order,
-                local_noise: noise_in(&(0..points.len()).collect::<Vec<_>>()),
-            });
+            let local_noise = noise_in(&(0..points.len()).collect::<Vec<_>>());
+            return Ok((self.branches_in_time(), order, local_noise));
         }
         let own_branch = |i: usize| match points[i].direction {
             Some(Direction::Retract) => Branch::Receding,
@@ -103,11 +90,20 @@ impl Experiment {
                 }
             }
         }
-        Ok(Assignment {
-            branches,
-            order,
-            local_noise,
-        })
+        Ok((branches, order, local_noise))
+    }
+
+    /// Returns the points by descending imposed value: from the largest contact to none.
+    pub(super) fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.measurement.points.len()).collect();
+        self.sort(&mut order);
+        order
+    }
+
+    /// Sorts points by descending imposed value.
+    fn sort(&self, numbers: &mut [usize]) {
+        let imposed = |i: &usize| self.sense() * self.measurement.points[*i].abscissa;
+        numbers.sort_by(|i, j| imposed(j).total_cmp(&imposed(i)));
     }
 
     /// Accepts points whose abscissae are finite.
@@ -170,18 +166,12 @@ impl Experiment {
                 return Err(self.refused(point.line, abscissa, radius, allowed));
             }
         }
-        let constant = |value: fn(&Point) -> f64| {
-            let first = points.first().map(value)?;
-            points
-                .iter()
-                .all(|point| value(point) == first)
-                .then_some(first)
-        };
-        for (name, value) in [
-            (abscissa, constant(|point| point.abscissa)),
-            (ordinate, constant(|point| point.ordinate)),
-        ] {
-            if let Some(value) = value {
+        let values: [fn(&Point) -> f64; 2] = [|point| point.abscissa, |point| point.ordinate];
+        for (name, value) in [abscissa, ordinate].into_iter().zip(values) {
+            let mut all = points.iter().map(value);
+            if let Some(value) = all.next()
+                && all.all(|other| other == value)
+            {
                 return Err(Error::Constant {
                     measurement: measurement.name.clone(),
                     name,
@@ -200,10 +190,9 @@ impl Experiment {
         } else {
             Branch::LeftOut
         };
-        let largest = points
-            .iter()
-            .zip(&*branches)
-            .filter(|(_, branch)| **branch == Branch::Advancing)
+        let advancing = points.iter().zip(&*branches);
+        let advancing = advancing.filter(|(_, branch)| **branch == Branch::Advancing);
+        let largest = advancing
             .map(|(point, _)| point.abscissa)
             .fold(0.0, f64::max);
         for (point, branch) in points.iter().zip(branches) {
@@ -237,11 +226,10 @@ impl Experiment {
                 Some(turn) if direction.is_none() => {
                     let (loading, unloading) = all.split_at(turn + 1);
                     let goes = |way: &[usize], up: bool| {
-                        let right = way
-                            .windows(2)
-                            .filter(|pair| (key(pair[1]) > key(pair[0])) == up)
-                            .count();
-                        way.len() >= FEWEST && right as f64 >= IN_ORDER * (way.len() - 1) as f64
+                        let right = way.windows(2);
+                        let right = right.filter(|pair| (key(pair[1]) > key(pair[0])) == up);
+                        way.len() >= FEWEST
+                            && right.count() as f64 >= IN_ORDER * (way.len() - 1) as f64
                     };
                     if goes(loading, true) && goes(unloading, false) {
                         vec![loading.to_vec(), unloading.to_vec()]
@@ -252,7 +240,7 @@ impl Experiment {
                 _ => vec![all],
             };
             for mut way in ways {
-                way.sort_by(|&i, &j| key(j).total_cmp(&key(i)));
+                self.sort(&mut way);
                 if !way.is_empty() {
                     segments.push(way);
                 }
@@ -339,9 +327,10 @@ impl Experiment {
 /// Returns the noise of the last readings of a way about a straight line, which differences of neighbours do not show where
 /// a filter has made them alike; `None` where the readings do not cross the line often, but follow a course.
 fn rest_noise(readings: &[f64]) -> Option<f64> {
-    /// The fewest crossings of noise, and the distance from the line that is one, over the median distance.
+    /// The fewest crossings of noise, and the distance from the line beyond which a reading is on a side of it, over the
+    /// noise.
     const FEWEST_CROSSINGS: usize = 4;
-    const CROSSED: f64 = 0.5;
+    const CROSSED: f64 = 0.3;
     let last = &readings[readings.len() - tail(readings.len())..];
     let middle = 0.5 * (last.len() - 1) as f64;
     let places = || (0..last.len()).map(|i| i as f64 - middle);
@@ -352,14 +341,14 @@ fn rest_noise(readings: &[f64]) -> Option<f64> {
         .zip(last)
         .map(|(x, y)| y - mean - slope * x)
         .collect();
-    let usual = median(off.iter().map(|y| y.abs()).collect());
+    let noise = robust_deviation(off.iter().copied());
     let mut sides: Vec<bool> = off
         .iter()
-        .filter(|y| y.abs() > CROSSED * usual)
+        .filter(|y| y.abs() > CROSSED * noise)
         .map(|&y| y > 0.0)
         .collect();
     sides.dedup();
-    (sides.len() > FEWEST_CROSSINGS).then_some(usual / MEDIAN)
+    (sides.len() > FEWEST_CROSSINGS).then_some(noise)
 }
 
 /// Estimates the standard deviation of independent noise from differences of readings in order: the second
@@ -377,8 +366,7 @@ pub(crate) fn noise_of(readings: &[f64]) -> Option<f64> {
         if differences.len() < FEWEST {
             break;
         }
-        let sizes = differences.iter().map(|one| one.abs()).collect();
-        let noise = median(sizes) / MEDIAN / variance.sqrt();
+        let noise = robust_deviation(differences.iter().copied()) / variance.sqrt();
         if found.is_none_or(|before| noise < MUCH_SMALLER * before) {
             found = Some(noise);
         }

@@ -1,13 +1,12 @@
 //! Probe, film and substrate of an experiment, and their contact.
 
-use std::convert::Infallible;
-
-use contact::{Contact, Input, Validity, root};
+use contact::{Contact, Input, Validity};
 use interp::{Elastic, HalfSpace, Probe, System, Table};
 use solve::stack::{Interface, Stack};
 
 use super::{LayerName, LayerQuantity, Layered, NamedLayer, Parameter};
 use crate::Error;
+use crate::statistics::zero;
 
 /// The bodies in contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,8 +114,7 @@ impl Bodies {
         let most = self.largest_radius().min(1e2);
         // A radius below a flat end has no penetration, and one at the end of a profile no contact.
         let excess = |u: f64| penetration(u.exp()).map_or(-size, |found| found - size);
-        let excess = |u: f64| Ok::<_, Infallible>(excess(u));
-        let Ok(u) = root(excess, 1e-15_f64.ln(), (most * (1.0 - 1e-12)).ln());
+        let u = zero(excess, 1e-15_f64.ln(), (most * (1.0 - 1e-12)).ln());
         u.exp().powi(2) / size
     }
 
@@ -132,11 +130,10 @@ impl Bodies {
     /// Returns the thickness of the film or of all layers, m; `None` on a half-space and on a base
     /// without layers.
     pub(crate) fn thickness(&self) -> Option<f64> {
+        let of_top = self.top_thickness();
         match self {
-            Self::Coated(system) => Some(system.film_thickness),
-            Self::HalfSpace(_) => None,
-            Self::Layered(layered) if layered.layers.is_empty() => None,
-            Self::Layered(layered) => Some(layered.thickness()),
+            Self::Layered(layered) => of_top.map(|_| layered.thickness()),
+            _ => of_top,
         }
     }
 
@@ -236,22 +233,16 @@ impl Bodies {
         })
     }
 
-    /// Makes the contact, with the derivatives with respect to some parameters if they are asked for.
-    /// Contacts on layers have none.
-    pub(crate) fn contact(
-        &self,
-        table: &Table,
-        derivatives: Option<&[Parameter]>,
-    ) -> Result<Contact, Error> {
-        Ok(match (self, derivatives) {
-            (Self::Coated(system), Some(parameters)) => {
-                let inputs = parameters.iter().filter_map(|&one| self.input(one));
-                let inputs: Vec<Input> = inputs.collect();
+    /// Makes the contact, with the derivatives with respect to some parameters. Contacts on layers have none.
+    pub(crate) fn contact(&self, table: &Table, by: &[Parameter]) -> Result<Contact, Error> {
+        Ok(match self {
+            Self::Coated(system) if by.is_empty() => Contact::in_table(table, system)?,
+            Self::Coated(system) => {
+                let inputs: Vec<Input> = by.iter().filter_map(|&one| self.input(one)).collect();
                 Contact::in_table_with_derivatives(table, system, &inputs)?
             }
-            (Self::Coated(system), None) => Contact::in_table(table, system)?,
-            (Self::HalfSpace(half_space), _) => Contact::half_space(half_space)?,
-            (Self::Layered(layered), _) => super::solver::contact(layered)?,
+            Self::HalfSpace(half_space) => Contact::half_space(half_space)?,
+            Self::Layered(layered) => super::solver::contact(layered)?,
         })
     }
 }

@@ -21,6 +21,14 @@ named! {
 }
 
 impl Branch {
+    /// The branches of contacts.
+    pub(crate) const CONTACTS: [Self; 2] = [Self::Advancing, Self::Receding];
+
+    /// Tells whether the point is in contact.
+    pub(crate) fn is_contact(self) -> bool {
+        Self::CONTACTS.contains(&self)
+    }
+
     /// Returns the branch whose contact a point has: a pinned point is a receding one whose line does not move.
     pub(crate) const fn of_contact(self) -> Self {
         match self {

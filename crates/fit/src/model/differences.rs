@@ -7,6 +7,7 @@
 //! largest (`tests/fit/layers.rs`).
 
 use contact::Contact;
+use interp::Table;
 
 use super::predicted::{BranchEnd, Predicted};
 use super::{Bodies, Branch, Experiment, Kind, Measurement, Parameter, Point};
@@ -18,35 +19,33 @@ const BODY_STEP: f64 = 1e-3;
 /// The step of other values, relative to themselves or to the range of the data.
 const STEP: f64 = 1e-5;
 
-/// Makes the contact of bodies, with its derivatives with respect to parameters if they are asked for and
-/// known.
-pub(crate) type ContactOf<'a> =
-    dyn Fn(&Bodies, Option<&[Parameter]>) -> Result<Contact, Error> + 'a;
+/// Makes the contact of bodies, with its derivatives with respect to parameters where they are known.
+pub(crate) type ContactOf<'a> = dyn Fn(&Bodies, &[Parameter]) -> Result<Contact, Error> + 'a;
+
+/// Makes contacts by a table.
+pub(crate) fn contacts_of(
+    table: &Table,
+) -> impl Fn(&Bodies, &[Parameter]) -> Result<Contact, Error> {
+    |bodies, parameters| bodies.contact(table, parameters)
+}
 
 impl Experiment {
-    /// Tells whether the derivatives of its predictions are exact, so that they need no further contacts but beyond the
-    /// nodes of a table.
-    pub(crate) const fn has_exact_derivatives(&self) -> bool {
-        self.bodies.has_derivatives() && !self.measurement.kind.is_stiffness()
-    }
-
-    /// Predicts all points that are not left out, with derivatives with respect to `parameters` if
-    /// they are given. See [`Experiment::predict`].
+    /// Predicts all points that are not left out, with derivatives with respect to `parameters`. See [`Experiment::predict`].
     pub(crate) fn predict_with(
         &self,
         contact_of: &ContactOf<'_>,
         branches: &[Branch],
         order: &[usize],
-        parameters: Option<&[Parameter]>,
+        parameters: &[Parameter],
     ) -> Result<Predicted, Error> {
         if self.relaxing.is_some() {
             return self.predict_history(contact_of, parameters);
         }
         let is_stiffness = self.measurement.kind.is_stiffness();
-        if !is_stiffness && (parameters.is_none() || self.bodies.has_derivatives()) {
+        if !is_stiffness && (parameters.is_empty() || self.bodies.has_derivatives()) {
             let contact = contact_of(&self.bodies, parameters)?;
             match self.predict(&contact, branches, order, parameters) {
-                Err(error) if parameters.is_some() && is_beyond_nodes(&error) => {}
+                Err(error) if !parameters.is_empty() && is_beyond_nodes(&error) => {}
                 predicted => return Ok(predicted?),
             }
         }
@@ -54,18 +53,14 @@ impl Experiment {
             if is_stiffness {
                 return experiment.predict_stiffness(contact_of, branches);
             }
-            let contact = contact_of(&experiment.bodies, None)?;
-            Ok(experiment.predict(&contact, branches, order, None)?)
+            let contact = contact_of(&experiment.bodies, &[])?;
+            Ok(experiment.predict(&contact, branches, order, &[])?)
         };
-        let columns = parameters.unwrap_or_default();
         let mut predicted = plain(self)?;
-        predicted.derivatives = vec![0.0; predicted.values.len() * columns.len()];
-        for (column, &parameter) in columns.iter().enumerate() {
+        predicted.derivatives = vec![0.0; predicted.values.len() * parameters.len()];
+        for (column, &parameter) in parameters.iter().enumerate() {
             let by = self.differences(parameter, |moved| Ok(plain(moved)?.values))?;
-            let rows = predicted.derivatives.chunks_exact_mut(columns.len());
-            for (row, by) in rows.zip(by) {
-                row[column] = by;
-            }
+            predicted.set_column(column, parameters.len(), by);
         }
         Ok(predicted)
     }
@@ -79,18 +74,18 @@ impl Experiment {
         columns: &[Parameter],
     ) -> Result<Option<BranchEnd>, Error> {
         if self.bodies.has_derivatives() {
-            let contact = contact_of(&self.bodies, Some(columns))?;
+            let contact = contact_of(&self.bodies, columns)?;
             match self.branch_end(&contact, branch, columns) {
                 Err(error) if is_beyond_nodes(&error) => {}
                 end => return Ok(end?),
             }
         }
-        let contact = contact_of(&self.bodies, None)?;
+        let contact = contact_of(&self.bodies, &[])?;
         let Some(mut end) = self.branch_end(&contact, branch, &[])? else {
             return Ok(None);
         };
         let abscissa = |experiment: &Self| {
-            let contact = contact_of(&experiment.bodies, None)?;
+            let contact = contact_of(&experiment.bodies, &[])?;
             let end = experiment.branch_end(&contact, branch, &[])?;
             Ok(end.into_iter().map(|end| end.abscissa).collect())
         };

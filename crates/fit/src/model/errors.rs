@@ -137,7 +137,7 @@ impl Experiment {
             }
         };
         let step = |i: usize| (STEP * deviation(i)).min(most(i));
-        let here = self.predict_with(contact_of, branches, order, None)?.values;
+        let here = self.predict_with(contact_of, branches, order, &[])?.values;
         // The contact at the turn is that of the point of the largest imposed value, and the others
         // do not move it. Its own change is that of its neighbour.
         let turn = order.first().copied().filter(|_| !is_relative);
@@ -148,7 +148,7 @@ impl Experiment {
                     point.abscissa += by * step(i);
                 }
             }
-            moved.predict_with(contact_of, branches, order, None)
+            moved.predict_with(contact_of, branches, order, &[])
         };
         // At the end of a table one side has no contact, and the other one stands for both.
         let sides = match (moved(1.0), moved(-1.0)) {

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::fmt;
 
 use super::{
-    Bodies, Indentation, Kind, LayerName, Measurement, NamedLayer, Parameter, PointErrors, Relaxing,
+    Bodies, Indentation, Kind, LayerName, Measurement, NamedLayer, Parameter, PointErrors,
+    Relaxing, Solver,
 };
 use crate::Error;
 
@@ -133,6 +134,14 @@ impl Experiment {
         Ok(self.replace(parameter, value)?)
     }
 
+    /// The error of an experiment that cannot be used so.
+    pub(crate) fn not_fitted(&self, reason: impl Into<Cow<'static, str>>) -> Error {
+        Error::NotFitted {
+            experiment: self.measurement.name.clone(),
+            reason: reason.into(),
+        }
+    }
+
     /// The error of a parameter that this experiment does not tell.
     pub(crate) fn not_applicable(
         &self,
@@ -208,7 +217,11 @@ impl Experiment {
                 Some("a half-space has no thickness".into())
             }
             (Bodies::Layered(layered), Parameter::WorkOfAdhesionReceding) => {
-                layered.solver.why_not_receding().map(Into::into)
+                let sticks = matches!(layered.solver, Solver::Stick { .. });
+                sticks.then_some(Cow::Borrowed(
+                    "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
+                     keeps: give this ratio to the solver, and points of retract only",
+                ))
             }
             (Bodies::Layered(layered), parameter)
                 if parameter.is_of_film() && layered.film().is_none() =>

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use interp::{Elastic, Probe};
+use interp::{Elastic, Probe, System};
 
-use super::{Bodies, Experiment, LayerName, LayerQuantity, NamedLayer, Parameter, Reach, Relaxing};
+use super::{Bodies, Experiment, LayerName, LayerQuantity, Layered, Parameter, Reach, Relaxing};
 use crate::Error;
 use units::Dimension;
 
@@ -105,13 +105,10 @@ impl Fixed {
     }
 
     pub(crate) const fn is_poisson_ratio(self) -> bool {
-        matches!(
-            self,
-            Self::SubstratePoissonRatio
-                | Self::LayerPoissonRatio(_)
-                | Self::NamedPoissonRatio(_)
-                | Self::Parameter(Parameter::FilmPoissonRatio)
-        )
+        match self {
+            Self::Parameter(parameter) => matches!(parameter, Parameter::FilmPoissonRatio),
+            _ => self.dimension().is_none(),
+        }
     }
 }
 
@@ -237,51 +234,48 @@ impl Experiment {
 
     /// Replaces a value that is there.
     pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), contact::Error> {
-        let solid = match one {
-            Fixed::Parameter(parameter) => return self.replace(parameter, value),
-            Fixed::NamedPoissonRatio(name) => {
-                if let Bodies::Layered(layered) = &mut self.bodies {
-                    let layers = layered.layers.iter_mut();
-                    for NamedLayer { layer, .. } in layers.filter(|one| one.name == Some(name)) {
-                        layer.solid = Elastic::new(layer.solid.young(), value)?;
-                    }
-                }
-                return Ok(());
-            }
-            Fixed::SphereRadius => {
+        match (one, &mut self.bodies) {
+            (Fixed::Parameter(parameter), _) => self.replace(parameter, value)?,
+            (Fixed::SphereRadius, bodies) => {
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }
                 | Probe::RoundedCone { radius, .. }
                 | Probe::FlatPunch { radius }
-                | Probe::FlatEndedCone { radius, .. } = self.bodies.probe_mut()
+                | Probe::FlatEndedCone { radius, .. } = bodies.probe_mut()
                 {
                     *radius = value;
                 }
-                return Ok(());
             }
-            Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio => match &mut self.bodies {
-                Bodies::Coated(system) => &mut system.substrate,
-                Bodies::Layered(layered) => &mut layered.base,
-                Bodies::HalfSpace(_) => return Ok(()),
-            },
-            Fixed::Layer(number, _) | Fixed::LayerPoissonRatio(number) => {
-                let Bodies::Layered(layered) = &mut self.bodies else {
-                    return Ok(());
+            (
+                Fixed::SubstrateModulus | Fixed::SubstratePoissonRatio,
+                Bodies::Coated(System {
+                    substrate: solid, ..
+                })
+                | Bodies::Layered(Layered { base: solid, .. }),
+            ) => {
+                *solid = if one.is_poisson_ratio() {
+                    Elastic::new(solid.young(), value)?
+                } else {
+                    Elastic::new(value, solid.poisson())?
                 };
-                let Some(named) = layered.layers.get_mut(number.wrapping_sub(1)) else {
-                    return Ok(());
-                };
-                if let Fixed::Layer(_, what) = one {
-                    return Ok(named.set(what, value)?);
+            }
+            (_, Bodies::Layered(layered)) => {
+                for (number, named) in (1..).zip(&mut layered.layers) {
+                    let solid = &mut named.layer.solid;
+                    match one {
+                        Fixed::Layer(own, what) if own == number => named.set(what, value)?,
+                        Fixed::LayerPoissonRatio(own) if own == number => {
+                            *solid = Elastic::new(solid.young(), value)?;
+                        }
+                        Fixed::NamedPoissonRatio(name) if named.name == Some(name) => {
+                            *solid = Elastic::new(solid.young(), value)?;
+                        }
+                        _ => {}
+                    }
                 }
-                &mut named.layer.solid
             }
-        };
-        *solid = if one.is_poisson_ratio() {
-            Elastic::new(solid.young(), value)?
-        } else {
-            Elastic::new(value, solid.poisson())?
-        };
+            _ => {}
+        }
         Ok(())
     }
 }

@@ -148,28 +148,30 @@ pub struct Reach {
 }
 
 impl Reach {
+    /// Returns the reach up to a contact radius, m.
+    pub(super) const fn up_to(needed: f64) -> Self {
+        let expected = needed;
+        Self { needed, expected }
+    }
+
     /// Returns the reach that a measurement needs under a probe.
     ///
     /// At measured contact radii it is a little more than the largest of them. Against penetrations
     /// or heights it is estimated from their range and from the radius of the probe.
     /// A flat punch has one contact radius.
     pub fn of(measurement: &Measurement, probe: &Probe) -> Self {
-        let up_to = |needed: f64| Self {
-            needed,
-            expected: needed,
-        };
         if let Probe::FlatPunch { radius } = probe {
-            return up_to(MARGIN * radius);
+            return Self::up_to(MARGIN * radius);
         }
         let [least, most] = extremes(measurement.points.iter().map(|point| point.abscissa));
         let largest = probe.radius().unwrap_or(f64::INFINITY);
         match measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius | Kind::StiffnessRadius => {
-                up_to((MARGIN * most).min(largest))
+                Self::up_to((MARGIN * most).min(largest))
             }
             // What they need depends on the hardness and the area function: see
-            // `Experiment::reach_of_stiffness`.
-            Kind::StiffnessLoad | Kind::StiffnessDepth => up_to(0.0),
+            // `Experiment::reach_contacts`.
+            Kind::StiffnessLoad | Kind::StiffnessDepth => Self::up_to(0.0),
             Kind::LoadPenetration | Kind::ForceHeight => Self {
                 needed: 0.0,
                 expected: (WIDEST * (largest * (most - least)).sqrt()).min(largest),

@@ -40,7 +40,7 @@ mod turn;
 pub(crate) use assign::{Assignment, noise_of};
 pub use bodies::Bodies;
 pub use branch::Branch;
-pub(crate) use differences::ContactOf;
+pub(crate) use differences::{ContactOf, contacts_of};
 pub(crate) use errors::AbscissaError;
 pub use errors::PointErrors;
 pub use experiment::Experiment;

@@ -189,6 +189,22 @@ impl Parameter {
         matches!(self, Self::WorkOfAdhesion | Self::WorkOfAdhesionReceding)
     }
 
+    /// Tells whether it is the modulus of a body.
+    pub(crate) const fn is_modulus(self) -> bool {
+        matches!(
+            self,
+            Self::SphereModulus | Self::FilmModulus | Self::Layer(_, LayerQuantity::Modulus)
+        )
+    }
+
+    /// Tells whether it is the thickness of a film or layer.
+    pub(crate) const fn is_thickness(self) -> bool {
+        matches!(
+            self,
+            Self::FilmThickness | Self::Layer(_, LayerQuantity::Thickness)
+        )
+    }
+
     pub(crate) const fn is_of_film(self) -> bool {
         matches!(
             self,

@@ -12,87 +12,92 @@ use super::{Branch, Direction, Experiment, Kind, Parameter};
 /// which a branch is continued beyond its end.
 const NEAR_END: f64 = 1.1;
 
+/// Predicts the points of an experiment in one contact.
+pub(super) struct Predictor<'a> {
+    pub experiment: &'a Experiment,
+    pub contact: &'a Contact,
+    pub branches: &'a [Branch],
+    /// The points by descending imposed value.
+    pub order: &'a [usize],
+    /// The parameters with respect to which there are derivatives.
+    pub columns: &'a [Parameter],
+    /// What is predicted so far.
+    pub predicted: Predicted,
+}
+
 impl Experiment {
     /// Predicts all points that are not left out. `order` lists the points by descending imposed
-    /// value. Without `parameters` there are no derivatives.
+    /// value. The derivatives are those with respect to `columns`.
     pub(crate) fn predict(
         &self,
         contact: &Contact,
         branches: &[Branch],
         order: &[usize],
-        parameters: Option<&[Parameter]>,
+        columns: &[Parameter],
     ) -> Result<Predicted, contact::Error> {
-        let points = &self.measurement.points;
-        let columns = parameters.unwrap_or_default();
-        let mut predicted = Predicted {
-            values: points
-                .iter()
-                .map(|point| self.baseline_at(point.abscissa))
-                .collect(),
-            radii: vec![0.0; points.len()],
-            beyond: vec![false; points.len()],
-            pinned: vec![false; points.len()],
-            derivatives: vec![0.0; points.len() * columns.len()],
-        };
+        let points = self.measurement.points.iter();
+        let values = points.map(|point| self.baseline_at(point.abscissa));
+        let mut predicted = Predicted::new(values.collect(), columns.len());
         self.add_baseline_derivatives(columns, &mut predicted.derivatives);
+        let mut predictor = Predictor {
+            experiment: self,
+            contact,
+            branches,
+            order,
+            columns,
+            predicted,
+        };
         match self.measurement.kind {
             Kind::LoadRadius | Kind::PenetrationRadius => {
-                self.predict_at_radii(contact, branches, parameters, &mut predicted)?;
+                for branch in Branch::CONTACTS {
+                    predictor.at_radii(branch)?;
+                }
             }
             // A contact stiffness is predicted by `predict_stiffness`.
             Kind::StiffnessRadius | Kind::StiffnessLoad | Kind::StiffnessDepth => {}
             Kind::LoadPenetration | Kind::ForceHeight => {
-                let turn = self.turn(contact, branches, order, columns)?;
-                for branch in [Branch::Advancing, Branch::Receding] {
-                    self.predict_branch(
-                        contact,
-                        (branch, branches),
-                        order,
-                        turn.as_ref(),
-                        parameters,
-                        &mut predicted,
-                    )?;
+                let turn = predictor.turn()?;
+                for branch in Branch::CONTACTS {
+                    predictor.at_positions(branch, turn.as_ref())?;
                 }
             }
         }
-        Ok(predicted)
+        Ok(predictor.predicted)
     }
 
-    /// Predicts the points at measured contact radii.
-    fn predict_at_radii(
-        &self,
-        contact: &Contact,
-        branches: &[Branch],
-        parameters: Option<&[Parameter]>,
-        predicted: &mut Predicted,
-    ) -> Result<(), contact::Error> {
-        let load = self.measurement.kind == Kind::LoadRadius;
-        let columns = parameters.unwrap_or_default();
-        for branch in [Branch::Advancing, Branch::Receding] {
-            let w = self.work_of(branch);
-            let (mut inputs, mut input_columns) = self.inputs_on(branch, columns);
-            if w == 0.0 {
-                // The load falls like the root of `w`.
-                input_columns.retain(|&column| self.bodies.input(columns[column]).is_some());
-                inputs.retain(|&input| input != Input::WorkOfAdhesion);
+    /// Returns the change of the imposed value that belongs to a change of load and penetration.
+    pub(super) fn imposed_by(&self, by: Derivatives) -> f64 {
+        self.control().imposed(by.load, by.penetration)
+    }
+}
+
+impl Predictor<'_> {
+    /// Predicts the points of a branch at measured contact radii.
+    fn at_radii(&mut self, branch: Branch) -> Result<(), contact::Error> {
+        let of = self.experiment;
+        let load = of.measurement.kind == Kind::LoadRadius;
+        let w = of.work_of(branch);
+        let (mut inputs, mut columns) = self.inputs_on(branch);
+        if w == 0.0 {
+            // The load falls like the root of `w`.
+            columns.retain(|&column| of.bodies.input(self.columns[column]).is_some());
+            inputs.retain(|&input| input != Input::WorkOfAdhesion);
+        }
+        let mut by = vec![Derivatives::ZERO; inputs.len()];
+        for (i, point) in of.measurement.points.iter().enumerate() {
+            if self.branches[i] != branch {
+                continue;
             }
-            let mut by = vec![Derivatives::ZERO; inputs.len()];
-            for (i, point) in self.measurement.points.iter().enumerate() {
-                if branches[i] != branch {
-                    continue;
-                }
-                let a = point.abscissa;
-                predicted.radii[i] = a;
-                predicted.values[i] += match (load, inputs.is_empty()) {
-                    (true, true) => contact.load(a, w)?,
-                    (false, true) => contact.load_and_penetration(a, w)?.1,
-                    (true, false) => contact.derivatives(a, w, &inputs, &mut by)?.0,
-                    (false, false) => contact.derivatives(a, w, &inputs, &mut by)?.1,
-                };
-                for (by, &column) in by.iter().zip(&input_columns) {
-                    predicted.derivatives[i * columns.len() + column] +=
-                        if load { by.load } else { by.penetration };
-                }
+            let a = point.abscissa;
+            self.predicted.radii[i] = a;
+            self.predicted.values[i] += match (load, inputs.is_empty()) {
+                (true, true) => self.contact.load(a, w)?,
+                (false, true) => self.contact.load_and_penetration(a, w)?.1,
+                (true, false) => self.contact.derivatives(a, w, &inputs, &mut by)?.0,
+                (false, false) => self.contact.derivatives(a, w, &inputs, &mut by)?.1,
+            };
+            for (by, &column) in by.iter().zip(&columns) {
+                self.row(i)[column] += if load { by.load } else { by.penetration };
             }
         }
         Ok(())
@@ -100,73 +105,61 @@ impl Experiment {
 
     /// Returns the inputs of the contact on a branch that parameters are, and the number of each of
     /// these parameters.
-    fn inputs_on(&self, branch: Branch, columns: &[Parameter]) -> (Vec<Input>, Vec<usize>) {
-        let columns = columns.iter().enumerate();
+    fn inputs_on(&self, branch: Branch) -> (Vec<Input>, Vec<usize>) {
+        let columns = self.columns.iter().enumerate();
+        let input = |parameter| self.experiment.input_on(parameter, branch);
         columns
-            .filter_map(|(column, &parameter)| Some((self.input_on(parameter, branch)?, column)))
+            .filter_map(|(column, &parameter)| Some((input(parameter)?, column)))
             .unzip()
     }
 
-    /// Predicts the points of one branch at imposed penetrations or positions of the spring.
-    fn predict_branch(
-        &self,
-        contact: &Contact,
-        (branch, branches): (Branch, &[Branch]),
-        order: &[usize],
-        turn: Option<&Turn>,
-        parameters: Option<&[Parameter]>,
-        predicted: &mut Predicted,
-    ) -> Result<(), contact::Error> {
-        let points = &self.measurement.points;
-        let w = self.work_of(branch);
-        let of_branch = order.iter().copied();
-        let of_branch: Vec<usize> = of_branch.filter(|&i| branches[i] == branch).collect();
+    /// Returns the derivatives of a point.
+    pub fn row(&mut self, i: usize) -> &mut [f64] {
+        let width = self.columns.len();
+        &mut self.predicted.derivatives[i * width..][..width]
+    }
+
+    /// Returns the imposed value of a point.
+    pub fn imposed(&self, i: usize) -> f64 {
+        let points = &self.experiment.measurement.points;
+        self.experiment.imposed(points[i].abscissa)
+    }
+
+    /// Predicts the points of a branch at imposed penetrations or positions of the spring.
+    fn at_positions(&mut self, branch: Branch, turn: Option<&Turn>) -> Result<(), contact::Error> {
+        let of = self.experiment;
+        let w = of.work_of(branch);
+        let of_branch = self.order.iter().copied();
+        let of_branch: Vec<usize> = of_branch.filter(|&i| self.branches[i] == branch).collect();
         if of_branch.is_empty() {
             return Ok(());
         }
-        let control = self.control();
-        let equilibria = contact.equilibria(w, control)?;
-        let imposed_at = |i: usize| self.imposed(points[i].abscissa);
+        let control = of.control();
+        let equilibria = self.contact.equilibria(w, control)?;
         let end = (w > 0.0).then(|| equilibria.pull_off()).transpose()?;
         let least = end.map_or(0.0, |end| control.imposed(end.load, end.penetration));
-        let is_within = |&i: &usize| imposed_at(i) > least;
+        let is_within = |&i: &usize| self.imposed(i) > least;
         let (within, beyond): (Vec<usize>, Vec<usize>) = of_branch.into_iter().partition(is_within);
         // On approach, the contact that grows from the first touch; below the contact point the
         // same contact as on retract.
         let loads = |&i: &usize| {
             branch == Branch::Advancing
-                && points[i].direction == Some(Direction::Approach)
-                && imposed_at(i) >= 0.0
+                && of.measurement.points[i].direction == Some(Direction::Approach)
+                && self.imposed(i) >= 0.0
         };
         let split = within.iter().take_while(|i| loads(i)).count();
         let (loading, unloading) = within.split_at(split);
-        for (indices, course) in [
-            (loading, contact::Branch::Loading),
-            (unloading, contact::Branch::Unloading),
-        ] {
-            self.follow(
-                &equilibria,
-                (branch, course),
-                indices,
-                parameters,
-                predicted,
-            )?;
-        }
+        self.follow(&equilibria, (branch, contact::Branch::Loading), loading)?;
+        self.follow(&equilibria, (branch, contact::Branch::Unloading), unloading)?;
         if let Some(end) = end
             && !beyond.is_empty()
         {
-            self.continue_beyond(
-                contact,
-                (branch, &end),
-                &beyond,
-                parameters.unwrap_or_default(),
-                predicted,
-            )?;
+            self.continue_beyond((branch, &end), &beyond)?;
         }
         if let Some(turn) = turn.filter(|_| branch == Branch::Receding) {
             for &i in &within {
-                if predicted.radii[i] > turn.state.contact_radius {
-                    self.pin(contact, turn, i, parameters, predicted)?;
+                if self.predicted.radii[i] > turn.state.contact_radius {
+                    self.pin(turn, i)?;
                 }
             }
         }
@@ -175,40 +168,40 @@ impl Experiment {
 
     /// Predicts points on the stable branch.
     fn follow(
-        &self,
+        &mut self,
         equilibria: &Equilibria<'_>,
         (branch, course): (Branch, contact::Branch),
         indices: &[usize],
-        parameters: Option<&[Parameter]>,
-        predicted: &mut Predicted,
     ) -> Result<(), contact::Error> {
-        let values: Vec<f64> = indices
-            .iter()
-            .map(|&i| self.imposed(self.measurement.points[i].abscissa))
-            .collect();
+        let values: Vec<f64> = indices.iter().map(|&i| self.imposed(i)).collect();
         let mut states = vec![State::ORIGIN; values.len()];
-        let Some(columns) = parameters else {
+        let (inputs, input_columns) = self.inputs_on(branch);
+        let mut derivatives = Vec::new();
+        if self.columns.is_empty() {
             equilibria.branch(&values, course, &mut states)?;
-            for (&i, state) in indices.iter().zip(&states) {
-                predicted.values[i] += state.load;
-                predicted.radii[i] = state.contact_radius;
-            }
-            return Ok(());
-        };
-        let (inputs, input_columns) = self.inputs_on(branch, columns);
-        let mut derivatives = vec![Derivatives::ZERO; values.len() * (1 + inputs.len())];
-        equilibria.branch_with_gradient(&values, course, &inputs, &mut states, &mut derivatives)?;
+        } else {
+            derivatives.resize(values.len() * (1 + inputs.len()), Derivatives::ZERO);
+            equilibria.branch_with_gradient(
+                &values,
+                course,
+                &inputs,
+                &mut states,
+                &mut derivatives,
+            )?;
+        }
+        for (&i, state) in indices.iter().zip(&states) {
+            self.predicted.values[i] += state.load;
+            self.predicted.radii[i] = state.contact_radius;
+        }
+        let (of, columns) = (self.experiment, self.columns);
         let rows = derivatives.chunks_exact(1 + inputs.len());
         for ((&i, state), row) in indices.iter().zip(&states).zip(rows) {
-            predicted.values[i] += state.load;
-            predicted.radii[i] = state.contact_radius;
-            let own = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
+            let own = self.row(i);
             for (by, &column) in row[1..].iter().zip(&input_columns) {
                 own[column] += by.load;
             }
-            let by_imposed = row[0].load;
             for (derivative, &parameter) in own.iter_mut().zip(columns) {
-                *derivative += by_imposed * self.imposed_derivative(parameter, state.load);
+                *derivative += row[0].load * of.imposed_derivative(parameter, state.load);
             }
         }
         Ok(())
@@ -217,47 +210,42 @@ impl Experiment {
     /// Continues a branch beyond its end by a straight line, so that the sum of squares has no
     /// jump.
     fn continue_beyond(
-        &self,
-        contact: &Contact,
+        &mut self,
         (branch, end): (Branch, &State),
         indices: &[usize],
-        columns: &[Parameter],
-        predicted: &mut Predicted,
     ) -> Result<(), contact::Error> {
-        let control = self.control();
-        let a = end.contact_radius;
+        let (of, contact, columns) = (self.experiment, self.contact, self.columns);
+        let (control, w, a) = (of.control(), of.work_of(branch), end.contact_radius);
         let least = control.imposed(end.load, end.penetration);
-        let slope = if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
+        let slope = if matches!(of.bodies.probe(), Probe::FlatPunch { .. }) {
             let stiffness = contact.stiffness(a)?;
             stiffness / control.imposed(stiffness, 1.0)
         } else {
-            let (load, penetration) =
-                contact.load_and_penetration(NEAR_END * a, self.work_of(branch))?;
+            let (load, penetration) = contact.load_and_penetration(NEAR_END * a, w)?;
             (load - end.load) / (control.imposed(load, penetration) - least)
         };
-        let gradient = if columns.is_empty() {
-            None
-        } else {
-            Some(contact.gradient(a, self.work_of(branch))?)
-        };
+        let has_derivatives = !columns.is_empty();
+        let gradient = has_derivatives
+            .then(|| contact.gradient(a, w))
+            .transpose()?;
         for &i in indices {
-            let excess = self.imposed(self.measurement.points[i].abscissa) - least;
-            predicted.values[i] += end.load + slope * excess;
-            predicted.radii[i] = a;
-            predicted.beyond[i] = true;
+            self.predicted.values[i] += end.load + slope * (self.imposed(i) - least);
+            self.predicted.radii[i] = a;
+            self.predicted.beyond[i] = true;
             let Some(gradient) = &gradient else { continue };
-            let row = &mut predicted.derivatives[i * columns.len()..][..columns.len()];
-            for (derivative, &parameter) in row.iter_mut().zip(columns) {
-                if let Some(input) = self.input_on(parameter, branch) {
+            for (derivative, &parameter) in self.row(i).iter_mut().zip(columns) {
+                if let Some(input) = of.input_on(parameter, branch) {
                     let by = gradient.by(input)?;
-                    *derivative += by.load - slope * control.imposed(by.load, by.penetration);
+                    *derivative += by.load - slope * of.imposed_by(by);
                 }
-                *derivative += slope * self.imposed_derivative(parameter, end.load);
+                *derivative += slope * of.imposed_derivative(parameter, end.load);
             }
         }
         Ok(())
     }
+}
 
+impl Experiment {
     /// Returns where a stable branch ends on unloading, with the derivatives of its abscissa.
     pub(crate) fn branch_end(
         &self,
@@ -276,10 +264,7 @@ impl Experiment {
             let gradient = contact.gradient(end.contact_radius, w)?;
             for &parameter in columns {
                 let of_state = match self.input_on(parameter, branch) {
-                    Some(input) => {
-                        let by = gradient.by(input)?;
-                        control.imposed(by.load, by.penetration)
-                    }
+                    Some(input) => self.imposed_by(gradient.by(input)?),
                     None => -self.imposed_derivative(parameter, end.load),
                 };
                 derivatives.push(self.sense() * of_state);

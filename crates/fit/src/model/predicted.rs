@@ -18,6 +18,26 @@ pub(crate) struct Predicted {
 }
 
 impl Predicted {
+    /// Takes the ordinates of points without a contact, with derivatives of 0 with respect to some parameters.
+    pub fn new(values: Vec<f64>, parameters: usize) -> Self {
+        let count = values.len();
+        Self {
+            values,
+            radii: vec![0.0; count],
+            beyond: vec![false; count],
+            pinned: vec![false; count],
+            derivatives: vec![0.0; count * parameters],
+        }
+    }
+
+    /// Replaces the derivatives with respect to one of so many `parameters`.
+    pub fn set_column(&mut self, column: usize, parameters: usize, derivatives: Vec<f64>) {
+        let rows = self.derivatives.chunks_exact_mut(parameters);
+        for (row, by) in rows.zip(derivatives) {
+            row[column] = by;
+        }
+    }
+
     /// Returns the branch of a point that was assigned to a branch: pinned, where the line does not move.
     pub fn branch(&self, i: usize, assigned: Branch) -> Branch {
         if self.pinned[i] {

@@ -33,8 +33,8 @@ impl Experiment {
     /// or not below that of the sphere; [`Error::Constant`] for points that are all at one place or
     /// all read one value.
     pub fn branches(&self, free: &[Parameter]) -> Result<Vec<Branch>, Error> {
-        let assignment = self.assign(|parameter| free.contains(&parameter))?;
-        Ok(assignment.branches)
+        let (branches, ..) = self.assign(|parameter| free.contains(&parameter))?;
+        Ok(branches)
     }
 
     /// Evaluates the model at every point, with the derivatives with respect to `parameters` at a
@@ -69,8 +69,8 @@ impl Experiment {
             // The measured stiffness tells the contact depth.
             self.accept_stiffness()?;
         }
-        let contact = self.bodies.contact(table, Some(parameters))?;
-        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| {
+        let contact = self.bodies.contact(table, parameters)?;
+        let contact_of = |bodies: &Bodies, by: &[Parameter]| {
             if bodies == &self.bodies {
                 Ok(contact.clone())
             } else {
@@ -84,7 +84,7 @@ impl Experiment {
             return Err(Error::setting("number of branches", found as f64, allowed));
         }
         let mut branches: Vec<Branch> = branches.iter().map(|one| one.of_contact()).collect();
-        let mut predicted = self.predict_with(&contact_of, &branches, &order, Some(parameters))?;
+        let mut predicted = self.predict_with(&contact_of, &branches, &order, parameters)?;
         if self.measurement.kind.is_stiffness() {
             let width = parameters.len();
             for (i, value) in predicted.values.iter_mut().enumerate() {

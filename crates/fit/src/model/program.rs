@@ -5,7 +5,7 @@
 //! replaced by straight lines through them.
 
 use super::straight_lines::lines;
-use crate::statistics::extremes;
+use crate::statistics::range;
 
 /// The least noise, in parts of the range of the values.
 const LEAST_NOISE: f64 = 1e-6;
@@ -58,9 +58,8 @@ fn rise_and_fall(values: &[f64]) -> bool {
 
 /// Returns the values of straight lines at the times; those measured if they have no noise and do not go back.
 fn without_noise(times: &[f64], measured: &[f64]) -> Vec<f64> {
-    let [least, most] = extremes(measured.iter().copied());
     // Not 0 where all values are one.
-    let least_noise = (LEAST_NOISE * (most - least)).max(f64::MIN_POSITIVE);
+    let least_noise = (LEAST_NOISE * range(measured.iter().copied())).max(f64::MIN_POSITIVE);
     let values = lines(times, measured, least_noise);
     let is_noisy = |(a, b): (&f64, &f64)| (a - b).abs() > NOISY * least_noise;
     if rise_and_fall(measured) && !values.iter().zip(measured).any(is_noisy) {
@@ -103,44 +102,29 @@ mod tests {
 
     /// Returns the largest difference of a program from the values that it was made of before their noise.
     fn worst(program: &Program, values: &[f64]) -> f64 {
-        let difference = |(point, value): (&(f64, f64), &f64)| (point.1 - value).abs();
-        program
-            .points
-            .iter()
-            .zip(values)
-            .map(difference)
-            .fold(0.0, f64::max)
+        let pairs = program.points.iter().zip(values);
+        let differences = pairs.map(|(point, value)| (point.1 - value).abs());
+        differences.fold(0.0, f64::max)
     }
 
     #[test]
     fn values_without_noise_stay_as_they_are() {
         let (times, ramps) = course(false);
         let changed = |change: fn(usize, f64) -> f64| -> Vec<f64> {
-            ramps
-                .iter()
-                .enumerate()
-                .map(|(i, &value)| change(i, value))
-                .collect()
+            let numbered = ramps.iter().enumerate();
+            numbered.map(|(i, &value)| change(i, value)).collect()
         };
+        let step = changed(|i, _| if i < 100 { 0.0 } else { 1.0 });
+        let at_once = changed(|i, value| if i < 200 { value } else { 0.0 });
+        let jump = changed(|i, value| if i < 50 { value } else { value + 0.1 });
+        let overshoot = changed(|i, value| if (100..105).contains(&i) { 1.05 } else { value });
         for (name, values) in [
             ("ramps", ramps.clone()),
             ("half a wave", course(true).1),
-            (
-                "a step and a hold",
-                changed(|i, _| if i < 100 { 0.0 } else { 1.0 }),
-            ),
-            (
-                "a retract in one interval",
-                changed(|i, value| if i < 200 { value } else { 0.0 }),
-            ),
-            (
-                "a jump",
-                changed(|i, value| if i < 50 { value } else { value + 0.1 }),
-            ),
-            (
-                "an overshoot",
-                changed(|i, value| if (100..105).contains(&i) { 1.05 } else { value }),
-            ),
+            ("a step and a hold", step),
+            ("a retract in one interval", at_once),
+            ("a jump", jump),
+            ("an overshoot", overshoot),
         ] {
             let program = Program::new(&times, &values);
             assert_eq!(program.changed, 0.0, "{name}");

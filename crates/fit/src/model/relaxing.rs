@@ -8,7 +8,7 @@ use super::predicted::Predicted;
 use super::program::Program;
 use super::{Bodies, Branch, Experiment, Parameter};
 use crate::Error;
-use crate::statistics::extremes;
+use crate::statistics::range;
 
 /// Bodies that relax by one function, `E(t) = E_ref phi(t)`.
 ///
@@ -87,23 +87,19 @@ impl Experiment {
             return Err(self.wrong_setting(what, terms.len() as f64, "from 1 to 50"));
         }
         if matches!(self.bodies.probe(), Probe::FlatPunch { .. }) {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "a relaxation function is fitted under probes whose contact grows, and that of a flat punch does not",
             ));
         }
         let kind = self.measurement.kind;
         if kind.at_radii() || kind.is_stiffness() {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "a relaxation function is fitted to loads at penetrations, or to forces at heights of a \
                  cantilever, in time",
             ));
         }
         if self.times.is_empty() {
-            return Err(Error::NoTimes {
-                experiment: name.clone(),
-            });
+            return Err(Error::NoTimes(name.clone()));
         }
         for (i, pair) in self.times.windows(2).enumerate() {
             if pair[0].is_nan() || pair[1].is_nan() || pair[1] <= pair[0] {
@@ -118,34 +114,29 @@ impl Experiment {
         }
         let adhesion = [Some(self.work_of_adhesion), self.work_of_adhesion_receding];
         if adhesion.into_iter().flatten().any(|work| work != 0.0) {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "it has a work of adhesion, and how much a growing contact gains from adhesion while the \
                  bodies relax depends on the process at the crack tip, for which no law is known here: \
                  fit it without adhesion",
             ));
         }
         if self.holds_penetration() {
-            return Err(Error::not_fitted(
-                self,
+            return Err(self.not_fitted(
                 "its penetration was held while the force fell, because the cantilever's base moved back: the contact \
                  followed the penetration, and at heights it is not solved; give the penetrations, contact point - height - \
                  force/stiffness, in place of the heights",
             ));
         }
-        let [least, most] = extremes(points.iter().map(|point| point.abscissa));
-        if self.program().changed > SEVERAL * (most - least) {
-            return Err(Error::not_fitted(
-                self,
+        let range = range(points.iter().map(|point| point.abscissa));
+        if self.program().changed > SEVERAL * range {
+            return Err(self.not_fitted(
                 "its penetrations or heights go back and forth, or scatter, by more than a tenth of their range, and one \
                  approach, which may be held, and one retract are followed: keep the points of one cycle that \
                  begins before the contact, and check that no two columns are swapped",
             ));
         }
         if self.bodies_do_not_relax() && matches!(self.bodies, Bodies::Layered(_)) {
-            return Err(Error::DifferentBodies {
-                experiment: name.clone(),
-            });
+            return Err(Error::DifferentBodies(name.clone()));
         }
         Ok(())
     }
@@ -200,23 +191,19 @@ impl Experiment {
             Bodies::HalfSpace(half_space) => half_space.sphere_modulus = f64::INFINITY,
             Bodies::Layered(_) => return Ok(None),
         }
-        rigid.contact(table, None).map(Some)
+        rigid.contact(table, &[]).map(Some)
     }
 
     /// Returns what is imposed on the contact in time, without its noise.
     pub(crate) fn program(&self) -> Program {
         let points = &self.measurement.points;
-        let values: Vec<f64> = points
-            .iter()
-            .map(|point| self.sense() * point.abscissa)
-            .collect();
-        let mut program = Program::new(&self.times, &values);
+        let values = points.iter().map(|point| self.sense() * point.abscissa);
+        let mut program = Program::new(&self.times, &values.collect::<Vec<f64>>());
         // Afterwards, so that the same point is the turn for each contact point.
         let shift = self.imposed(0.0);
-        program
-            .points
-            .iter_mut()
-            .for_each(|(_, value)| *value += shift);
+        for (_, value) in &mut program.points {
+            *value += shift;
+        }
         program
     }
 
@@ -234,50 +221,39 @@ impl Experiment {
         (0..self.measurement.points.len()).map(branch).collect()
     }
 
-    /// Predicts all points, with derivatives with respect to `parameters` if they are given.
+    /// Predicts all points, with derivatives with respect to `parameters`.
     pub(super) fn predict_history(
         &self,
         contact_of: &ContactOf<'_>,
-        parameters: Option<&[Parameter]>,
+        parameters: &[Parameter],
     ) -> Result<Predicted, Error> {
         let Some(relaxing) = &self.relaxing else {
             return Err(Error::Nothing("relaxation function"));
         };
         let points = &self.measurement.points;
-        let columns = parameters.unwrap_or_default();
         let exact = self.bodies.has_derivatives();
-        let contact = contact_of(&self.bodies, parameters.filter(|_| exact))?;
+        let contact = contact_of(&self.bodies, if exact { parameters } else { &[] })?;
         let program = self.program();
         let (mut inputs, mut law): (Vec<Input>, Vec<LawParameter>) = (Vec::new(), Vec::new());
-        for &parameter in columns {
+        for &parameter in parameters {
             if let Parameter::Law(own) = parameter {
                 law.push(own);
             }
             inputs.extend(self.bodies.input(parameter).filter(|_| exact));
         }
-        let asked = parameters.is_some().then_some(HistoryInputs {
+        let asked = (!parameters.is_empty()).then_some(HistoryInputs {
             contact: &inputs,
             law: &law,
         });
         let history = contact.history(&relaxing.law)?;
         let found = history.measured(self.control(), &program.points, asked)?;
         let width = 2 + inputs.len() + law.len();
-        let mut predicted = Predicted {
-            values: points
-                .iter()
-                .zip(&found.states)
-                .map(|(point, at)| self.baseline_at(point.abscissa) + at.state.load)
-                .collect(),
-            radii: found
-                .states
-                .iter()
-                .map(|at| at.state.contact_radius)
-                .collect(),
-            beyond: vec![false; points.len()],
-            pinned: vec![false; points.len()],
-            derivatives: Vec::with_capacity(points.len() * columns.len()),
-        };
-        if parameters.is_none() {
+        let pairs = points.iter().zip(&found.states);
+        let values = pairs.map(|(point, at)| self.baseline_at(point.abscissa) + at.state.load);
+        let mut predicted = Predicted::new(values.collect(), 0);
+        let radii = found.states.iter().map(|at| at.state.contact_radius);
+        predicted.radii = radii.collect();
+        if parameters.is_empty() {
             return Ok(predicted);
         }
         let (mut of_inputs, mut of_laws) = (2, 2 + inputs.len());
@@ -294,25 +270,22 @@ impl Experiment {
             _ if exact && self.bodies.input(parameter).is_some() => (next(&mut of_inputs), 1.0),
             _ => (None, 1.0),
         };
-        let taken: Vec<(Option<usize>, f64)> = columns.iter().copied().map(taken).collect();
+        let taken: Vec<(Option<usize>, f64)> = parameters.iter().copied().map(taken).collect();
         for row in found.derivatives.chunks_exact(width) {
             let load = |&(column, sign): &(Option<usize>, f64)| {
                 column.map_or(0.0, |column| sign * row[column])
             };
             predicted.derivatives.extend(taken.iter().map(load));
         }
-        self.add_baseline_derivatives(columns, &mut predicted.derivatives);
+        self.add_baseline_derivatives(parameters, &mut predicted.derivatives);
         if exact {
             return Ok(predicted);
         }
-        for (column, &parameter) in columns.iter().enumerate() {
+        for (column, &parameter) in parameters.iter().enumerate() {
             if parameter.is_of_bodies() {
-                let values = |moved: &Self| Ok(moved.predict_history(contact_of, None)?.values);
+                let values = |moved: &Self| Ok(moved.predict_history(contact_of, &[])?.values);
                 let by = self.differences(parameter, values)?;
-                let rows = predicted.derivatives.chunks_exact_mut(columns.len());
-                for (row, by) in rows.zip(by) {
-                    row[column] = by;
-                }
+                predicted.set_column(column, parameters.len(), by);
             }
         }
         Ok(predicted)

@@ -6,7 +6,7 @@ use interp::Table;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Bodies, Branch, Direction, Experiment, Parameter, Point};
+use super::{Branch, Direction, Experiment, Point, contacts_of};
 use crate::Error;
 
 /// Makes the experiment that the values of an experiment would give: its measurement, the loads of depths, which
@@ -73,12 +73,11 @@ impl Experiment {
     /// Gives the points the ordinates of the model.
     pub(crate) fn make(&mut self, table: &Table) -> Result<(), Error> {
         if self.measurement.kind.is_stiffness() {
-            return self.make_stiffness(&|bodies, by| bodies.contact(table, by));
+            return self.make_stiffness(&contacts_of(table));
         }
-        let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
-        let contact = contact_of(&self.bodies, None)?;
+        let contact = self.bodies.contact(table, &[])?;
         let (branches, order) = self.branches_of_model(&contact)?;
-        let predicted = self.predict_with(&contact_of, &branches, &order, None)?;
+        let predicted = self.predict_with(&contacts_of(table), &branches, &order, &[])?;
         for (point, value) in self.measurement.points.iter_mut().zip(predicted.values) {
             point.ordinate = value;
         }
@@ -92,17 +91,12 @@ impl Experiment {
         contact: &contact::Contact,
     ) -> Result<(Vec<Branch>, Vec<usize>), Error> {
         let points = &self.measurement.points;
-        let sense = self.sense();
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_by(|&i, &j| {
-            (sense * points[j].abscissa).total_cmp(&(sense * points[i].abscissa))
-        });
+        let order = self.order();
         if self.relaxing.is_some() {
             return Ok((self.branches_in_time(), order));
         }
-        let ends = [Branch::Advancing, Branch::Receding]
-            .map(|branch| self.branch_end(contact, branch, &[]));
-        let [advancing, receding] = ends;
+        let [advancing, receding] =
+            Branch::CONTACTS.map(|branch| self.branch_end(contact, branch, &[]));
         let [advancing, receding] = [advancing?, receding?];
         if self.measurement.kind.is_stiffness() {
             return Ok((vec![Branch::Advancing; points.len()], order));
@@ -120,7 +114,7 @@ impl Experiment {
                     point.abscissa == 0.0
                 } else {
                     let end = end.map_or(self.contact_point, |end| end.abscissa);
-                    sense * (point.abscissa - end) <= 0.0
+                    self.sense() * (point.abscissa - end) <= 0.0
                 };
                 if is_apart { Branch::Baseline } else { branch }
             })

@@ -136,17 +136,6 @@ impl Solver {
             Self::Table { .. } => Some(ONE_STACK),
         }
     }
-
-    /// Returns why the contacts have no work of adhesion of their own on retract, if they have none.
-    pub(crate) const fn why_not_receding(&self) -> Option<&'static str> {
-        match self {
-            Self::Direct | Self::Table { .. } => None,
-            Self::Stick { .. } => Some(
-                "with full friction the contact depends on the ratio of both works of adhesion, which a fit \
-                 keeps: give this ratio to the solver, and points of retract only",
-            ),
-        }
-    }
 }
 
 /// Why the layers of a table cannot vary.

@@ -42,11 +42,8 @@ impl KnownBaseline {
     pub fn pull(&self, readings: &[f64]) -> Option<f64> {
         let [contact_ends, baseline_begins] = self.jump(readings)?;
         let level = median(readings[baseline_begins..].to_vec());
-        let lowest = readings[..contact_ends]
-            .iter()
-            .copied()
-            .fold(level, f64::min);
-        Some(level - lowest)
+        let lowest = readings[..contact_ends].iter().copied();
+        Some(level - lowest.fold(level, f64::min))
     }
 
     /// Returns the level of `readings` if they may be the baseline, and their noise, which is more than that of
@@ -138,17 +135,22 @@ pub(super) fn tail(count: usize) -> usize {
 mod tests {
     use super::KnownBaseline;
 
+    /// A baseline of which only the noise is known.
+    fn baseline(noise: f64) -> KnownBaseline {
+        KnownBaseline {
+            level: 0.0,
+            level_is_free: true,
+            noise,
+        }
+    }
+
     /// A pull-off of 8 noises, in which no step is more than 6, leaves the baseline behind it.
     #[test]
     fn a_jump_in_the_noise_does_not_take_the_baseline() {
         let contact = (0..100).map(|i| 80.0 - 0.8 * f64::from(i));
         let tension = [-2.0, -5.0, -7.0, -8.0, -8.0, -5.5];
         let readings: Vec<f64> = contact.chain(tension).chain([0.0; 100]).collect();
-        let baseline = KnownBaseline {
-            level: 0.0,
-            level_is_free: true,
-            noise: 1.0,
-        };
+        let baseline = baseline(1.0);
         assert_eq!(baseline.split(&readings), [106, 111]);
     }
 
@@ -158,11 +160,7 @@ mod tests {
         let contact = (0..200).map(f64::from);
         let contact = contact.map(|i| 8.0 * (1.0 - i / 199.0).powf(1.5) - (i / 25.0).min(1.0));
         let readings: Vec<f64> = contact.chain([-0.45; 30]).chain([0.0; 100]).collect();
-        let baseline = KnownBaseline {
-            level: 0.0,
-            level_is_free: true,
-            noise: 0.01,
-        };
+        let baseline = baseline(0.01);
         assert_eq!(baseline.split(&readings), [200, 230]);
     }
 
@@ -171,11 +169,7 @@ mod tests {
     fn a_largest_tension_is_no_baseline() {
         let parabola = (0..80).map(|i| 0.25 * f64::from(i - 72).powi(2));
         let readings: Vec<f64> = parabola.collect();
-        let baseline = KnownBaseline {
-            level: 0.0,
-            level_is_free: true,
-            noise: 1.0,
-        };
+        let baseline = baseline(1.0);
         assert_eq!(baseline.split(&readings), [80; 2]);
         // Of few readings, too.
         let few = (0..20).map(|i| 3.0 * f64::from(i - 16).powi(2));

@@ -2,7 +2,7 @@
 
 use super::Experiment;
 use super::split::{FEWEST, KnownBaseline, tail};
-use crate::statistics::{MEDIAN, median};
+use crate::statistics::{median, robust_deviation};
 
 /// The most points of an end: the lines through all pairs of them are compared.
 const MOST: usize = 60;
@@ -38,7 +38,7 @@ impl Experiment {
         let slope = self.slope(&way[begin..])?;
         let rest = self.readings(&way[begin..], slope);
         let level = median(rest.clone());
-        let scatter = median(rest.iter().map(|y| (y - level).abs()).collect()) / MEDIAN;
+        let scatter = robust_deviation(rest.iter().map(|y| y - level));
         let of_contact = self.slope(&way[..tail(way.len())])?;
         (scatter <= STRAIGHT * noise && slope.abs() <= SMALL * of_contact.abs()).then_some(slope)
     }

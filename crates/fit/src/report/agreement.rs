@@ -26,14 +26,11 @@ pub(super) fn agreement(fit: &Fit, experiments: &[Experiment]) -> String {
         format!("{noise}{ordinate}{abscissa}")
     });
     let noise = noises.collect::<Vec<_>>().join("; ");
-    let freedom = degrees_of_freedom(fit.degrees_of_freedom);
+    let freedom = fit.degrees_of_freedom;
+    let plural = if freedom == 1 { "" } else { "s" };
+    let freedom = format!("{freedom} degree{plural} of freedom");
     match fit.reduced_chi_squared {
         Some(reduced) => format!("reduced chi^2 {reduced:.2} with {freedom}; noise {noise}"),
         None => format!("noise {noise}; {freedom}"),
     }
-}
-
-fn degrees_of_freedom(number: usize) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} degree{plural} of freedom")
 }

@@ -3,9 +3,7 @@
 use std::borrow::Cow;
 
 use crate::statistics::extremes;
-use crate::{
-    AreaFunction, ContactDepth, Experiment, Fit, FittedExperiment, Kind, LayerQuantity, Parameter,
-};
+use crate::{ContactDepth, Experiment, Fit, FittedExperiment, Kind, LayerQuantity, Parameter};
 
 /// Returns what is known of the indenter.
 pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
@@ -17,18 +15,13 @@ pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)>
             ContactDepth::Loubet => "loubet".into(),
         };
         rows.push(("contact-depth".into(), depth));
-        rows.push(("area".into(), area(&of.area)));
+        let numbers: Vec<String> = of.area.coefficients().iter().map(f64::to_string).collect();
+        rows.push(("area".into(), format!("{} nm^2", numbers.join(", "))));
         if of.thinning > 0.0 {
             rows.push(("thinning".into(), of.thinning.to_string()));
         }
     }
     rows
-}
-
-/// Returns the coefficients of an area function.
-fn area(of: &AreaFunction) -> String {
-    let numbers: Vec<String> = of.coefficients().iter().map(f64::to_string).collect();
-    format!("{} nm^2", numbers.join(", "))
 }
 
 /// Returns the range of the contact radii of each measurement of a contact stiffness, over the

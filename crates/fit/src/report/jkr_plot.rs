@@ -35,7 +35,7 @@ pub fn jkr_plot(
     experiment: &Experiment,
     number: usize,
 ) -> Result<Vec<Option<JkrPlotPoint>>, Error> {
-    let none = |reason: &'static str| Err(Error::not_fitted(experiment, reason));
+    let none = |reason: &'static str| Err(experiment.not_fitted(reason));
     if experiment.measurement.kind != Kind::LoadRadius {
         return none("it has no JKR plot: it needs loads that were measured at contact radii");
     }

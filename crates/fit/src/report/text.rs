@@ -43,11 +43,7 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     } else {
         "\nnot converged; the last step\n"
     };
-    let files: Vec<&str> = fit
-        .experiments
-        .iter()
-        .map(|one| one.name.as_str())
-        .collect();
+    let files: Vec<&str> = fit.experiments.iter().map(|one| &*one.name).collect();
     estimates(&mut out, &fit.estimates, &fit.correlation, &files, units);
     if let Some(young) = young_of_sphere(fit, &experiments[0], units) {
         out += &format!("\n{:<1$} {young}\n", "sphere", NAME + 2);
@@ -74,7 +70,7 @@ pub fn report(fit: &Fit, experiments: &[Experiment], notes: &[Notes], units: &[U
     // A wrong sign explains other warnings.
     for (experiment, notes) in experiments.iter().zip(notes) {
         for doubt in &notes.doubts {
-            out += &format!("warning: {}: {doubt}\n", experiment.measurement.name);
+            out += &format!("warning: {}: {}\n", experiment.measurement.name, doubt.text);
         }
     }
     warned(&mut out, &fit.warnings);
@@ -139,14 +135,11 @@ pub fn reading(measurement: &Measurement, notes: &Notes) -> String {
 /// Returns the first of the headings of columns that are not read, and the number of the others.
 fn unused(headings: &[String]) -> String {
     const SHOWN: usize = 6;
-    let shown: Vec<String> = headings
-        .iter()
-        .take(SHOWN)
-        .map(|one| format!("{one:?}"))
-        .collect();
+    let shown = headings.iter().take(SHOWN).map(|one| format!("{one:?}"));
+    let shown = shown.collect::<Vec<_>>().join(", ");
     match headings.len().saturating_sub(SHOWN) {
-        0 => shown.join(", "),
-        more => format!("{} and {more} more", shown.join(", ")),
+        0 => shown,
+        more => format!("{shown} and {more} more"),
     }
 }
 
@@ -357,10 +350,8 @@ fn estimates(
     if estimates.len() > 1 {
         *out += "\ncorrelation\n";
         for (i, (estimate, row)) in estimates.iter().zip(correlation).enumerate() {
-            let row: String = row[..=i]
-                .iter()
-                .map(|value| format!("{value:>7.3}"))
-                .collect();
+            let row = row[..=i].iter().map(|value| format!("{value:>7.3}"));
+            let row: String = row.collect();
             *out += &format!("  {:<NAME$} {row}\n", name(estimate));
         }
     }

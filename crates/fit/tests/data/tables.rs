@@ -249,9 +249,9 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
     ] {
         let doubts = sound(&text, &Format::default()).notes.doubts;
         let found = doubts.first().map(|doubt| {
-            assert!(doubt.to_string().contains("opposite sense"), "{doubt}");
-            let Some(Remedy::Columns(ways)) = doubt.remedy() else {
-                panic!("no columns: {doubt}");
+            assert!(doubt.text.contains("opposite sense"), "{}", doubt.text);
+            let Some(Remedy::Columns(ways)) = &doubt.remedy else {
+                panic!("no columns: {}", doubt.text);
             };
             let columns = ways[0].columns.iter();
             let columns = columns.map(|(role, heading)| format!("{}={heading}", role.name()));
@@ -273,7 +273,7 @@ fn a_course_or_commas_that_are_doubtful_are_told() {
     let doubts = |head: &str, rows: &str| -> Vec<String> {
         let reading = sound(&format!("{head}\n{rows}"), &Format::default());
         let doubts = reading.notes.doubts.iter();
-        doubts.map(ToString::to_string).collect()
+        doubts.map(|doubt| doubt.text.clone()).collect()
     };
     let cycle = |segment| text(&mut down().chain(up()), segment);
     let [bare, named] = ["height,force", "height,force,segment"];
@@ -322,7 +322,7 @@ fn both_columns_of_a_sign_are_named() {
     let text = format!("Ramp_nm_Ex,Ramp_nm_Rt,Defl_nN_Ex,Defl_nN_Rt\n{rows}");
     let heights = ["height=Ramp_nm_Ex", "height=Ramp_nm_Rt"];
     let reading = sound(&text, &named(&heights));
-    let Some(Remedy::Columns(ways)) = reading.notes.doubts[0].remedy() else {
+    let Some(Remedy::Columns(ways)) = &reading.notes.doubts[0].remedy else {
         panic!("no columns: {:?}", reading.notes.doubts);
     };
     let columns = ways[0].columns.iter();

@@ -6,8 +6,9 @@ use interp::Table;
 
 use crate::estimate::assigned::Assigned;
 use crate::estimate::start::{Starts, root_of_modulus};
+use crate::model::contacts_of;
 use crate::statistics::median;
-use crate::{Bodies, Error, Parameter};
+use crate::{Error, Parameter};
 
 /// The steps of the logarithm of a modulus on the search for one with a contact.
 const STEPS: usize = 30;
@@ -15,11 +16,7 @@ const STEPS: usize = 30;
 const PULL_OFF: f64 = 0.1;
 
 /// Gives the starts that the data show.
-pub(in crate::estimate) fn give(
-    table: &Table,
-    starts: &mut Starts<'_>,
-    matched: Option<Parameter>,
-) -> Result<(), Error> {
+pub(in crate::estimate) fn give(starts: &mut Starts<'_>) -> Result<(), Error> {
     let experiment = &starts.at.experiment;
     let loads = experiment.measurement.points.iter();
     let load = median(loads.map(|point| point.abscissa).collect());
@@ -29,8 +26,8 @@ pub(in crate::estimate) fn give(
     }
     let work = PULL_OFF * load / (1.5 * PI * radius);
     starts.give_unknown(Parameter::WorkOfAdhesion, work)?;
-    if let Some(parameter) = matched
-        && let Some(value) = matching(table, &starts.at, parameter)
+    if let Some(parameter) = starts.matched
+        && let Some(value) = matching(starts.table, &starts.at, parameter)
     {
         starts.give(parameter, value)?;
     }
@@ -40,14 +37,13 @@ pub(in crate::estimate) fn give(
 /// Returns the modulus with which the model has the stiffness of the data on average; `None` where
 /// it has no contact.
 fn matching(table: &Table, at: &Assigned, parameter: Parameter) -> Option<f64> {
-    let contact_of = |bodies: &Bodies, by: Option<&[Parameter]>| bodies.contact(table, by);
     let excess = |logarithm: f64| -> Option<f64> {
         let mut experiment = at.experiment.clone();
         experiment.replace(parameter, logarithm.exp()).ok()?;
         // The phase between stiffness and oscillation changes the stiffness by little.
         experiment.indentation.phases.clear();
         let predicted = experiment
-            .predict_stiffness(&contact_of, &at.branches)
+            .predict_stiffness(&contacts_of(table), &at.branches)
             .ok()?;
         let counts = at.counting_points();
         let differences: Vec<f64> = counts

@@ -1,13 +1,10 @@
 //! The doubts about a fit of contact stiffness.
 
 use crate::estimate::assigned::Assigned;
-use crate::estimate::doubts::Warnings;
 use crate::estimate::problem::{Ending, Problem};
-use crate::model::ContactOf;
 use crate::statistics::{likeness_of_neighbours, median};
 use crate::{
-    ContactDepth, Estimate, Fit, Indentation, Kind, LayerQuantity, LossAngle, Parameter,
-    WarningKind,
+    ContactDepth, Estimate, Fit, Indentation, Kind, LossAngle, Parameter, Warning, WarningKind,
 };
 
 /// The most evaluations of the fit with the other contact depth, over the number of parameters + 1,
@@ -27,7 +24,7 @@ const ALIKE: f64 = 3.5;
 const EXACT: f64 = 0.01;
 
 /// Adds the doubts.
-pub(in crate::estimate) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Problem<'_>) {
+pub(in crate::estimate) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>) {
     let mut of_depth = Vec::new();
     for (assigned, fitted) in problem.assigned.iter().zip(&fit.experiments) {
         if let Some(loss) = fitted.loss {
@@ -47,16 +44,13 @@ pub(in crate::estimate) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Pro
         let deepest = depths.iter().copied().fold(0.0, f64::max);
         let thickness = experiment.bodies.top_thickness();
         if let Some(thickness) = thickness.filter(|&thickness| deepest > DEEP * thickness) {
-            warnings.add(
-                WarningKind::DeepContact,
-                format!(
-                    "{name}: the contact depth reaches {:.0} % of the thickness of the film, above \
-                     {:.0} %: under the tip the film is thinner than the model takes it to be; \
-                     leave out the deepest points, or thin the film by a part of the contact depth",
-                    1e2 * deepest / thickness,
-                    1e2 * DEEP
-                ),
-            );
+            warnings.push(WarningKind::DeepContact.with(format!(
+                "{name}: the contact depth reaches {:.0} % of the thickness of the film, above \
+                 {:.0} %: under the tip the film is thinner than the model takes it to be; \
+                 leave out the deepest points, or thin the film by a part of the contact depth",
+                1e2 * deepest / thickness,
+                1e2 * DEEP
+            )));
         }
     }
     if of_depth.is_empty() {
@@ -85,26 +79,25 @@ pub(in crate::estimate) fn add(warnings: &mut Warnings, fit: &Fit, problem: &Pro
                  has 0.64), and the material may pile up around the tip"
             );
         }
-        warnings.add(WarningKind::ContactDepth, text);
+        warnings.push(WarningKind::ContactDepth.with(text));
     }
 }
 
 /// Doubts phases that no film causes, and those that do not have the course of the fit.
-fn of_phases(warnings: &mut Warnings, problem: &Problem<'_>, of: &Assigned, loss: LossAngle) {
+fn of_phases(warnings: &mut Vec<Warning>, problem: &Problem<'_>, of: &Assigned, loss: LossAngle) {
     let name = &of.experiment.measurement.name;
     let tangent = loss.tangent();
     if tangent + (2.0 * loss.tangent_error()).max(0.0) < 0.0 {
-        warnings.add(
-            WarningKind::Implausible,
-            format!(
-                "{name}: the phases give the film a loss tangent of {tangent:.3}, and no film gives back more energy than it \
-                 took: change the sign of phases that count in the opposite sense"
-            ),
-        );
+        warnings.push(WarningKind::Implausible.with(format!(
+            "{name}: the phases give the film a loss tangent of {tangent:.3}, and no film gives back more energy than it \
+             took: change the sign of phases that count in the opposite sense"
+        )));
     }
-    let contact_of: &ContactOf<'_> = &|bodies, by| problem.contact(bodies, by.is_some());
     let order = (&of.branches[..], &of.order[..]);
-    let Ok(both) = of.experiment.phases_beside(contact_of, order, loss.angle) else {
+    let Ok(both) = of
+        .experiment
+        .phases_beside(&problem.contact_of(), order, loss.angle)
+    else {
         return;
     };
     let misfits: Vec<f64> = both.iter().map(|[read, fitted]| read - fitted).collect();
@@ -115,15 +108,12 @@ fn of_phases(warnings: &mut Warnings, problem: &Problem<'_>, of: &Assigned, loss
         && let Some([deviations, ratio]) = likeness_of_neighbours(&misfits)
         && deviations > ALIKE
     {
-        warnings.add(
-            WarningKind::PoorFit,
-            format!(
-                "{name}: the model does not describe the phases to the noise that neighbouring ones show: the mean square of \
-                 the misfits is {ratio:.1} times that of this noise, and the loss tangent is not what its standard error \
-                 says. Of the bodies only the film or top layer is taken to have a loss: where the phases are those of \
-                 several bodies, or of the instrument, fit the absolute value of the stiffness without phases"
-            ),
-        );
+        warnings.push(WarningKind::PoorFit.with(format!(
+            "{name}: the model does not describe the phases to the noise that neighbouring ones show: the mean square of \
+             the misfits is {ratio:.1} times that of this noise, and the loss tangent is not what its standard error \
+             says. Of the bodies only the film or top layer is taken to have a loss: where the phases are those of \
+             several bodies, or of the instrument, fit the absolute value of the stiffness without phases"
+        )));
     }
 }
 
@@ -144,14 +134,9 @@ fn other_depth(fit: &Fit, problem: &Problem<'_>) -> Option<(ContactDepth, Vec<(E
     if other.ending != Ending::Converged {
         return None;
     }
-    let is_modulus = |parameter: Parameter| {
-        matches!(
-            parameter,
-            Parameter::FilmModulus | Parameter::Layer(_, LayerQuantity::Modulus)
-        )
-    };
+    let is_of_sample = |one: Parameter| one.is_modulus() && one != Parameter::SphereModulus;
     let estimates = fit.estimates.iter().enumerate();
-    let changed = estimates.filter(|(_, one)| is_modulus(one.parameter));
+    let changed = estimates.filter(|(_, one)| is_of_sample(one.parameter));
     let changed = changed.map(|(i, one)| (*one, other.value(i)));
     let is_large =
         |(before, after): &(Estimate, f64)| (after - before.value).abs() > before.standard_error;

@@ -74,7 +74,7 @@ impl Experiment {
             return Err(count("phases", of.phases.len(), allowed));
         }
         if !of.phases.is_empty() && self.is_elastic_load() {
-            return Err(Error::not_fitted(self, VISCOUS));
+            return Err(self.not_fitted(VISCOUS));
         }
         self.accept_directions()?;
         let thickness = self.bodies.top_thickness();

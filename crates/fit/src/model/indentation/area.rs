@@ -1,10 +1,7 @@
 //! The area function of an indenter.
 
-use std::convert::Infallible;
-
-use contact::root;
-
 use crate::Error;
+use crate::statistics::zero;
 
 /// The most coefficients: those of `h^2, h, h^(1/2), h^(1/4), .. h^(1/128)`.
 pub const MOST_COEFFICIENTS: usize = 9;
@@ -94,11 +91,7 @@ impl AreaFunction {
         let Some(first) = depths.find(|depth| excess(*depth) >= 0.0) else {
             return f64::NAN;
         };
-        let Ok(depth) = root(
-            |depth| Ok::<_, Infallible>(excess(depth)),
-            first / STEP,
-            first,
-        );
+        let depth = zero(excess, first / STEP, first);
         let is_it = (self.radius(depth) / radius - 1.0).abs() < 1e-9;
         if is_it { depth } else { f64::NAN }
     }

@@ -104,11 +104,7 @@ impl Experiment {
         let Bodies::Layered(layered) = &mut self.bodies else {
             return;
         };
-        let needed = (MARGIN * widest).max(layered.reach.needed);
-        layered.reach = Reach {
-            needed,
-            expected: needed,
-        };
+        layered.reach = Reach::up_to((MARGIN * widest).max(layered.reach.needed));
     }
 
     /// Returns an upper estimate of the contact radius at a load (N): that of JKR on the softest of

@@ -83,7 +83,7 @@ impl Experiment {
         let parameter = self.bodies.modulus_of_top();
         let reason = "phases are those of the top layer of the stack, which has no name: name it";
         let modulus = self.get(parameter);
-        let modulus = modulus.ok_or_else(|| Error::not_fitted(self, reason))?;
+        let modulus = modulus.ok_or_else(|| self.not_fitted(reason))?;
         let mut moved = std::array::from_fn(|_| self.clone());
         for (k, moved) in moved.iter_mut().enumerate() {
             moved.replace(parameter, modulus * ((k as f64 - 2.0) * STEP).exp())?;
@@ -279,6 +279,6 @@ impl Experiment {
             "the loss tangent of the film is {tangent:.3}, and the expansion that finds it holds up to 1: fit the \
              absolute value of the stiffness without phases, or measure where the film is less viscous"
         );
-        Err(Error::not_fitted(self, reason))
+        Err(self.not_fitted(reason))
     }
 }

@@ -48,13 +48,7 @@ impl Experiment {
         branches: &[Branch],
     ) -> Result<Predicted, Error> {
         let count = self.measurement.points.len();
-        let mut predicted = Predicted {
-            values: vec![f64::NAN; count],
-            radii: vec![0.0; count],
-            beyond: vec![false; count],
-            pinned: vec![false; count],
-            derivatives: Vec::new(),
-        };
+        let mut predicted = Predicted::new(vec![f64::NAN; count], 0);
         let counts = |i: &usize| branches[*i] != Branch::LeftOut;
         let sample = self.sample(contact_of, branches)?;
         for i in (0..count).filter(counts) {
@@ -84,7 +78,7 @@ impl Experiment {
         let of = &self.indentation;
         let mut most = 0.0_f64;
         if of.thinning > 0.0 && self.measurement.kind == Kind::StiffnessDepth {
-            let contact = contact_of(&self.bodies, None)?;
+            let contact = contact_of(&self.bodies, &[])?;
             for i in (0..branches.len()).filter(|&i| branches[i] != Branch::LeftOut) {
                 let place = self.place(i, self.measurement.points[i].ordinate, &contact)?;
                 most = most.max(of.thinning * place.depth);

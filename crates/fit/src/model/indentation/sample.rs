@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use contact::{Contact, Error};
 
+use crate::Bodies;
 use crate::model::differences::ContactOf;
-use crate::{Bodies, Layered};
 
 /// The number of thicknesses of the top layer at which the contacts of a thinned stack are made.
 /// With 6 the stiffness between them is within 1e-6 for a layer thinned to half
@@ -28,24 +28,24 @@ impl Sample {
         contact_of: &ContactOf<'_>,
         most: f64,
     ) -> Result<Self, crate::Error> {
-        let (thickness, contacts) = match bodies {
-            Bodies::Coated(system) => (
-                system.film_thickness,
-                vec![(0.0, contact_of(bodies, None)?)],
-            ),
+        let contacts = match bodies {
             Bodies::Layered(layered) if most > 0.0 && !layered.layers.is_empty() => {
-                let place = |k: usize| {
-                    let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
-                    0.5 * most * (1.0 - angle.cos())
-                };
-                let stacks = (0..THICKNESSES).map(|k| {
-                    let by = place(k);
-                    let contact = contact_of(&Bodies::Layered(thinned(layered, by)), None)?;
+                let contact = |k: usize| {
+                    let by = 0.5 * most * (1.0 - angle(k).cos());
+                    let mut thinner = layered.clone();
+                    if let Some(top) = thinner.layers.last_mut() {
+                        top.layer.thickness -= by;
+                    }
+                    let contact = contact_of(&Bodies::Layered(thinner), &[])?;
                     Ok::<_, crate::Error>((by, contact))
-                });
-                (f64::INFINITY, stacks.collect::<Result<_, _>>()?)
+                };
+                (0..THICKNESSES).map(contact).collect::<Result<_, _>>()?
             }
-            _ => (f64::INFINITY, vec![(0.0, contact_of(bodies, None)?)]),
+            _ => vec![(0.0, contact_of(bodies, &[])?)],
+        };
+        let thickness = match bodies {
+            Bodies::Coated(system) => system.film_thickness,
+            _ => f64::INFINITY,
         };
         Ok(Self {
             thickness,
@@ -76,9 +76,8 @@ impl Sample {
             if thinner == *by {
                 return Ok(value.exp());
             }
-            let angle = PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64;
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            let weight = sign * angle.sin() / (thinner - by);
+            let weight = sign * angle(k).sin() / (thinner - by);
             above += weight * value;
             below += weight;
         }
@@ -86,11 +85,7 @@ impl Sample {
     }
 }
 
-/// Returns the layers with a top layer that is thinner by a depth (m).
-fn thinned(layered: &Layered, by: f64) -> Layered {
-    let mut layered = layered.clone();
-    if let Some(top) = layered.layers.last_mut() {
-        top.layer.thickness -= by;
-    }
-    layered
+/// Returns the angle of one of Chebyshev's points.
+fn angle(k: usize) -> f64 {
+    PI * (2 * k + 1) as f64 / (2 * THICKNESSES) as f64
 }

@@ -23,7 +23,7 @@ impl Experiment {
             return Err(self.wrong_setting("the loss tangent", loss_tangent, allowed));
         }
         if loss_tangent > 0.0 && self.is_elastic_load() {
-            return Err(Error::not_fitted(self, VISCOUS));
+            return Err(self.not_fitted(VISCOUS));
         }
         self.indentation.phases.clear();
         let count = self.measurement.points.len();

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ::fit::data::{Cantilever, Column, Doubt, Format, Notes, SENSITIVITIES, Segments};
+use ::fit::data::{Cantilever, Column, Doubt, DoubtKind, Format, Notes, SENSITIVITIES, Segments};
 use ::fit::report::{UnitOf, report};
 use ::fit::{Direction, Experiment, Fixed, Kind, Loss, Options, Parameter, Scope};
 use anyhow::{Context, anyhow, bail, ensure};
@@ -362,7 +362,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     arguments.reference.check(&free)?;
     if parameters.contains(&Parameter::BaselineSlope) {
-        let is_other = |doubt: &Doubt| !matches!(doubt, Doubt::Tilt { .. });
+        let is_other = |doubt: &Doubt| doubt.kind != DoubtKind::Tilt;
         let lists = notes.iter_mut().map(|notes| &mut notes.doubts);
         lists.for_each(|doubts| doubts.retain(is_other));
     }
@@ -429,15 +429,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     } else {
         let mut report = report(&fit, &experiments, &notes, &arguments.units);
         for doubt in notes.iter().flat_map(|notes| &notes.doubts) {
-            let Some(remedy) = doubt.remedy() else {
+            let Some(remedy) = &doubt.remedy else {
                 continue;
             };
-            let cause = match doubt {
-                Doubt::Sign(_) => "sign is wrong",
-                Doubt::Tilt { .. } => "baseline is tilted",
+            let cause = match doubt.kind {
+                DoubtKind::Sign => "sign is wrong",
+                DoubtKind::Tilt => "baseline is tilted",
                 _ => "directions are wrong",
             };
-            let step = format!("if the {cause}, {}\n", typed(&remedy));
+            let step = format!("if the {cause}, {}\n", typed(remedy));
             if !report.ends_with(&step) {
                 report += &step;
             }

@@ -30,8 +30,8 @@ pub fn fit(fit: &Fit, experiments: &[Experiment], notes: &[Notes]) -> Value {
     };
     let left_out =
         |fitted: &FittedExperiment, _: &Experiment| fitted.left_out.iter().map(group).collect();
-    let doubts =
-        told(experiments, notes).map(|(doubt, text)| json!({ "kind": doubt.kind(), "text": text }));
+    let doubts = told(experiments, notes)
+        .map(|(doubt, text)| json!({ "kind": doubt.kind.name(), "text": text }));
     let read = experiments.iter().zip(notes);
     let read = read.map(|(own, notes)| reading(&own.measurement, notes));
     let of_relaxation =

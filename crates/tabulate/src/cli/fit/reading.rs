@@ -70,10 +70,10 @@ pub fn told<'a>(
     files.iter().zip(notes).flat_map(|(file, notes)| {
         let name = &file.measurement.name;
         notes.doubts.iter().map(move |doubt| {
-            let text = match doubt.remedy() {
-                Some(remedy) => format!("{name}: {doubt}; if so, {}", typed(&remedy)),
-                None => format!("{name}: {doubt}"),
-            };
+            let mut text = format!("{name}: {}", doubt.text);
+            if let Some(remedy) = &doubt.remedy {
+                text += &format!("; if so, {}", typed(remedy));
+            }
             (doubt, text)
         })
     })
