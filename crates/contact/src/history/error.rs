@@ -108,7 +108,8 @@ pub enum HistoryError {
     /// A measured contact that grows after its first retract.
     #[error(
         "at {time:?} s the contact grows again after its first retract: measured histories are followed over one \
-         approach, which may be held, and one retract; give the points of one cycle that begins before the contact"
+         approach, which may be held, and one retract; give the points of one cycle that begins before the contact, and the \
+         values that were set where an instrument has overshot before a hold"
     )]
     GrowsAgain {
         /// The time, s.

@@ -5,7 +5,7 @@
 //! replaced by straight lines through them.
 
 use super::straight_lines::lines;
-use crate::statistics::range;
+use crate::statistics::{median, range};
 
 /// The least noise, in parts of the range of the values.
 const LEAST_NOISE: f64 = 1e-6;
@@ -27,13 +27,13 @@ impl Program {
     /// there.
     pub fn new(times: &[f64], measured: &[f64]) -> Self {
         let mut values = without_noise(times, measured);
-        let turn = largest(&values);
-        for i in 1..values.len() {
-            values[i] = if i <= turn {
-                values[i].max(values[i - 1])
-            } else {
-                values[i].min(values[i - 1])
-            };
+        let largest = largest(&values);
+        let turn = end_of_hold(times, &values, largest).unwrap_or(largest);
+        if !values.is_empty() {
+            make_rise(&mut values[..=turn]);
+            values[turn..].reverse();
+            make_rise(&mut values[turn..]);
+            values[turn..].reverse();
         }
         let changes = values.iter().zip(measured).map(|(a, b)| (a - b).abs());
         Self {
@@ -48,6 +48,57 @@ impl Program {
 fn largest(values: &[f64]) -> usize {
     let last = |&i: &usize, &j: &usize| values[i].total_cmp(&values[j]);
     (0..values.len()).max_by(last).unwrap_or(0)
+}
+
+/// Returns the number of the last point of a hold at the largest value, where the values of the hold go to and fro, as
+/// slow noise does, or settle after an overshoot: a contact that is followed through a small retract in a hold would grow
+/// again.
+fn end_of_hold(times: &[f64], values: &[f64], largest: usize) -> Option<usize> {
+    /// The part of the range within which values are held, and the part of the duration that a hold has at least.
+    const HELD: f64 = 0.01;
+    const LONG: f64 = 0.05;
+    /// The distance from their median that values of the hold have at most, over the median distance: twice that of a
+    /// straight line, and more.
+    const SCATTER: f64 = 3.0;
+    let least = values.get(largest)? - HELD * range(values.iter().copied());
+    let is_held = |value: &f64| *value >= least;
+    let [first, last] = [
+        values.iter().position(is_held)?,
+        values.iter().rposition(is_held)?,
+    ];
+    let is_long = times[last] - times[first] > LONG * (times[times.len() - 1] - times[0]);
+    let held = &values[first..=last];
+    let level = median(held.to_vec());
+    let scatter = median(held.iter().map(|value| (value - level).abs()).collect());
+    let end = values
+        .iter()
+        .rposition(|value| *value >= level - SCATTER * scatter)?;
+    let middle = largest.midpoint(end);
+    let part = (times[middle] - times[largest]) / (times[end] - times[largest]);
+    let settles = values[middle] < values[largest] + part * (values[end] - values[largest]);
+    (is_long && (settles || !rise_and_fall(held))).then_some(end)
+}
+
+/// Replaces values by the rising ones with the least squares of the changes.
+fn make_rise(values: &mut [f64]) {
+    // The sums and the numbers of neighbours that have one value.
+    let mut equal: Vec<(f64, usize)> = Vec::with_capacity(values.len());
+    let mean = |(sum, count): (f64, usize)| sum / count as f64;
+    for &value in &*values {
+        let mut last = (value, 1);
+        while let Some(&before) = equal.last()
+            && mean(before) > mean(last)
+        {
+            equal.pop();
+            last = (before.0 + last.0, before.1 + last.1);
+        }
+        equal.push(last);
+    }
+    let mut begin = 0;
+    for one in equal {
+        values[begin..begin + one.1].fill(mean(one));
+        begin += one.1;
+    }
 }
 
 /// Whether values rise to the largest one and fall from there.
@@ -173,6 +224,44 @@ mod tests {
                     (1..times.len() - 1).filter(|&i| (slope(i) - slope(i - 1)).abs() > 1e-9);
                 assert!(bends.count() <= 4, "{deviation:e}, {seed}");
             }
+        }
+    }
+
+    /// Neither hum, which the points follow, nor an overshoot makes a retract of a hold: it ends where the retract begins.
+    #[test]
+    fn slow_noise_of_a_hold_is_no_retract() {
+        let (times, values) = course(false);
+        let hum = |time: f64| 1e-3 * (2.0 * PI * 3.7 * time).sin();
+        let ring = |time: f64| 3e-3 * (-(time - 1.0) / 0.1).exp() * (50.0 * (time - 1.0)).cos();
+        let settling = |time: f64| 8e-3 * (-(time - 1.0) / 0.1).exp();
+        for (name, added) in [
+            ("hum", &hum as &dyn Fn(f64) -> f64),
+            ("ringing", &ring),
+            ("an overshoot", &settling),
+        ] {
+            let pairs = times.iter().zip(&values);
+            let measured: Vec<f64> = pairs
+                .map(|(&time, &value)| value + if value == 1.0 { added(time) } else { 0.0 })
+                .collect();
+            let program = Program::new(&times, &measured);
+            assert!(
+                (199..=201).contains(&program.turn),
+                "{name}: {}",
+                program.turn
+            );
+            assert!(program.changed > 5e-4 && program.changed < 1e-2, "{name}");
+            assert!(
+                worst(&program, &values) < 2e-3,
+                "{name}: {:e}",
+                worst(&program, &values)
+            );
+            assert!(rise_and_fall(
+                &program
+                    .points
+                    .iter()
+                    .map(|point| point.1)
+                    .collect::<Vec<_>>()
+            ));
         }
     }
 

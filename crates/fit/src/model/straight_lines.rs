@@ -184,7 +184,7 @@ impl Course<'_> {
     }
 
     /// Returns the corners of the lines of some parts. Where the values jump from one line to the next, there is a corner on
-    /// each side. A part that is not fitted has its corners at its points.
+    /// each side. Where they jump back, which slow noise makes of a steady course, a line joins the middles of both. A part that is not fitted has its corners at its points.
     fn corners(&self, parts: &[Part]) -> Vec<(f64, f64)> {
         let mut corners = Vec::new();
         let mut begins = true;
@@ -204,6 +204,11 @@ impl Course<'_> {
                     .meets(&next.line, [end, self.times[next.range.start]])
             });
             begins = corner.is_none();
+            if let Some(next) = next.filter(|next| begins && part.line.goes_back_to(&next.line)) {
+                corners.extend([&part.line, &next.line].map(|line| (line.time, line.value)));
+                begins = false;
+                continue;
+            }
             corners.push(corner.unwrap_or((end, part.line.at(end))));
         }
         corners
@@ -285,6 +290,13 @@ impl Line {
     /// Returns the standard error of the line at its ends.
     fn error_at_end(&self) -> f64 {
         2.0 * self.residual_sum().sqrt() / self.count
+    }
+
+    /// Tells whether the next line, with a slope of the same sign, begins farther back than this one ends.
+    fn goes_back_to(&self, next: &Self) -> bool {
+        let middle = f64::midpoint(self.time, next.time);
+        let jump = next.at(middle) - self.at(middle);
+        self.slope() * next.slope() > 0.0 && jump * self.slope() < 0.0
     }
 
     /// Returns the corner of this line and the next one; `None` where the values jump between the end of this line and
