@@ -233,10 +233,7 @@ fn pull_offs_of_short_ranges_are_those_of_the_first_order() {
             }
         }
     }
-    println!(
-        "{count} compared, {refused} out of reach, {no_disc} no disc, {above} above the square of the zone, \
-         {worst:.2} of it at most"
-    );
+    println!("{count} {refused} {no_disc} {above} {worst:.2}");
     assert!(count > 100, "{count}");
     assert!(100 * no_disc < count, "{no_disc}");
     assert!(worst < 10.0, "{worst}");

@@ -133,10 +133,7 @@ fn independent_series() {
                 None if name.starts_with("two-cycles") => 1e-5,
                 None => 1e-8,
             };
-            println!(
-                "{name}: {errors:?}, stated {:.1e}, allowed {allowed:.0e}",
-                course.error
-            );
+            println!("{name}: {errors:?} {:.1e} {allowed:.0e}", course.error);
             for error in errors {
                 assert!(error <= allowed, "{name}: {errors:?}");
                 // The curve has an error of its own.
