@@ -58,15 +58,35 @@ def test_the_attraction_acts_before_the_contact(cohesive):
     assert np.isnan(states.load).tolist() == [False, False, True]
 
 
-def test_numbers_are_those_of_rust_bit_for_bit(printed, stack):
+@pytest.mark.parametrize("control", ["load", "displacement"])
+def test_numbers_are_those_of_rust_bit_for_bit(printed, stack, control):
     primer = ROOT / "tables" / "stacks" / "primer.toml"
     flags = ("--sphere-radius=1e-4", "--sphere-modulus=2e6", "--work-of-adhesion=0.04")
+    flags = (*flags, f"--control={control}")
     expected = printed("pull-off", "--stack", primer, "--interaction-range=1e-8", *flags)
     system = cc.StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
-    found = cc.Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8).pull_off()
+    cohesive = cc.Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8)
+    found = cohesive.pull_off(control=control)
     for name, value in expected.items():
         assert getattr(found, name) == value
     assert len(expected) == 4
+
+
+def test_a_contact_that_opens_inside_is_refused():
+    """On a thin incompressible film a strong attraction holds the edge down and not the middle."""
+    film = cc.Elastic(young_modulus=1.2e4, poisson_ratio=0.5)
+    base = cc.Elastic(young_modulus=9.4e5, poisson_ratio=0.3)
+    system = cc.System(
+        sphere_radius=1.2e-6,
+        sphere_modulus=np.inf,
+        film=film,
+        film_thickness=1.2e-8,
+        substrate=base,
+    )
+    cohesive = cc.Cohesive(system=system, work_of_adhesion=0.15, interaction_range=1.5e-7)
+    error = refuses(cc.NoContactError, "would open there", lambda: cohesive.state([[5.3e-7]]))
+    assert (error.axis, error.index) == ("contact radius", (0, 0))
+    assert error.value == pytest.approx(5.3e-7)
 
 
 def test_what_is_not_solved_is_named(cohesive):

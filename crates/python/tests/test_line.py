@@ -27,6 +27,22 @@ def energy_release_rate(state):
     return (hertz - state.load) ** 2 / (8 * pi * MODULUS * a**3)
 
 
+@pytest.mark.parametrize("control", ["load", "displacement", cc.Spring(stiffness=100.0)])
+def test_a_line_of_one_energy_is_the_contact(jkr, control):
+    line, equilibria = jkr.line(0.04, 60e-6), jkr.equilibria(0.04, control=control)
+    value = 5e-4 if control == "load" else 5e-6
+    state = line.impose(control, value)
+    expected = equilibria.unloading(value)
+    assert state.contact_radius == pytest.approx(expected.contact_radius, rel=1e-12)
+    least = jkr.pull_off(0.04, control=control)
+    end = {"load": least.load, "displacement": least.penetration}
+    end = end[control] if isinstance(control, str) else least.penetration + least.load / 100.0
+    assert line.impose(control, end + 1e-6 * abs(end)) is not None
+    assert line.impose(control, end - 1e-6 * abs(end)) is None
+    assert line.state is None
+    assert line.impose(control, value) is None  # it does not form again
+
+
 def test_hysteresis_pins_the_line(jkr):
     law = cc.Hysteresis(advancing=0.03, receding=0.05)
     line = jkr.line(law, 50e-6)
