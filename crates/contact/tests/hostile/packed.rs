@@ -158,6 +158,18 @@ fn every_changed_byte_is_an_error_by_its_place_and_with_a_valid_checksum_harmles
     }
 }
 
+#[test]
+fn a_value_that_is_not_positive_is_malformed() {
+    let [(form, bytes), _] = packed();
+    for value in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        let last = bytes.len() - 8;
+        assert_malformed(
+            &format!("{form}, {value}"),
+            &[&bytes[PREFIX..last], &value.to_le_bytes()].concat(),
+        );
+    }
+}
+
 /// Lengths are forged at every place, in the fixed width of the header and in the variable width of
 /// the content.
 #[test]

@@ -1,7 +1,7 @@
 //! Properties of the results of any contact in the embedded table's box: signs, order and units.
 
 use contact::{CohesiveZone, Contact, Control};
-use interp::{Elastic, Material, Probe, System, Table};
+use interp::{Elastic, Material, Parameter, Probe, System, Table};
 use proptest::prelude::*;
 
 use crate::config;
@@ -44,6 +44,15 @@ fn system() -> impl Strategy<Value = System> {
 
 proptest! {
     #![proptest_config(config(300))]
+
+    #[test]
+    fn the_value_of_a_coordinate_is_the_parameter(modulus in magnitude(-30.0..=30.0), nu in -1.0..=0.5) {
+        for parameter in Parameter::ALL {
+            let (value, size) = if parameter == Parameter::Nu1 { (nu, 1.0) } else { (modulus, modulus) };
+            let again = parameter.value(parameter.coordinate(value));
+            prop_assert!((again - value).abs() < 2e-14 * size, "{}: {again} instead of {value}", parameter.name());
+        }
+    }
 
     /// Adhesion lowers load and penetration, and their energy release rate is the work of adhesion.
     #[test]
