@@ -4,8 +4,8 @@
 use std::f64::consts::PI;
 
 use acceptance::{
-    Contacts, Refused, assert_close, assert_matches, larger, looked_up, paper_system, relative,
-    rigid_probe, solid, solved,
+    Contacts, Refused, assert_close, assert_matches, flat_ended_cone, larger, looked_up,
+    paper_system, power_law, relative, rigid_probe, rounded_cone, solid, solved, system_of,
 };
 use contact::{Contact, Error, JkrFit, JkrPoint, Neglected};
 use interp::{HalfSpace, Material, Probe, System};
@@ -216,21 +216,18 @@ fn validity_says_where_a_stiff_film_makes_no_disc() {
         (1e4, 6.0, 0.76, -1e-4),
     ] {
         let (t, half_angle) = (1e-6, 88_f64.to_radians());
-        let contact = looked_up(&System {
-            probe: if exponent == 1.0 {
+        let contact = looked_up(&system_of(
+            if exponent == 1.0 {
                 Probe::Cone { half_angle }
             } else {
                 let coefficient = 0.03 * f64::powf(t, 1.0 - exponent);
-                Probe::PowerLaw {
-                    coefficient,
-                    exponent,
-                }
+                power_law(coefficient, exponent)
             },
-            sphere_modulus: f64::INFINITY,
-            film: solid(1e9, 0.3),
-            film_thickness: t,
-            substrate: solid(1e9 / contrast, 0.3),
-        });
+            f64::INFINITY,
+            solid(1e9, 0.3),
+            t,
+            solid(1e9 / contrast, 0.3),
+        ));
         let film = contact.validity(a_over_t * t).expect("in the table").film;
         let says = film.expect("coated").no_disc;
         let case = format!("{contrast} times as stiff, r^{exponent}, a/t {a_over_t}");
@@ -260,15 +257,9 @@ fn validity_says_where_a_stiff_film_makes_no_disc() {
     assert!(no_disc(&cone, 1e9, 1e-6));
     assert!(!no_disc(&Probe::Paraboloid { radius: 1e-3 }, 1e9, 1e-6));
     assert!(!no_disc(&Probe::FlatPunch { radius: 1e-6 }, 1e9, 1e-6));
-    let rounded = |radius: f64| Probe::RoundedCone {
-        radius,
-        half_angle: 1.5,
-    };
+    let rounded = |radius: f64| rounded_cone(radius, 1.5);
     assert!(no_disc(&rounded(1e-6), 1e9, 1e-6) && !no_disc(&rounded(1e-3), 1e9, 1e-6));
-    let flat = |radius: f64| Probe::FlatEndedCone {
-        radius,
-        half_angle: 1.5,
-    };
+    let flat = |radius: f64| flat_ended_cone(radius, 1.5);
     assert!(no_disc(&flat(1e-6), 1e8, 2e-6) && !no_disc(&flat(1e-8), 1e8, 2e-6));
     assert!(!no_disc(&cone, 1e6, 1e-6) && !no_disc(&cone, 1e9, 2e-5));
 }

@@ -1,7 +1,8 @@
 //! Load and penetration as functions of every input in SI units.
 
 use acceptance::{
-    Refused, assert_matches, assert_near, derivatives, larger, paper_system, shipped, solid,
+    Refused, assert_matches, assert_near, derivatives, half_space_of, larger, paper_system,
+    shipped, solid,
 };
 use contact::{Contact, Error, Input};
 use interp::{HalfSpace, MaterialParameter, Mechanics, Parameter, Probe, System, Table};
@@ -188,11 +189,7 @@ fn derivatives_on_a_half_space_are_those_of_jkr() {
     let probe = Probe::Paraboloid {
         radius: sphere_radius,
     };
-    let system = HalfSpace {
-        probe,
-        sphere_modulus,
-        solid,
-    };
+    let system = half_space_of(probe, sphere_modulus, solid);
     let contact = Contact::half_space(&system).expect("physical");
     let gradient = contact.gradient(a, w).expect("physical");
     for (i, input) in inputs.into_iter().enumerate() {
