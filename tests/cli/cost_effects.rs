@@ -3,10 +3,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_near, layer, material, solid, with_interfaces};
+use acceptance::{Contacts, assert_near, half_space_of, layer, material, solid, with_interfaces};
 use contact::Contact;
 use cost::effects::{A_OVER_R, EXPONENT, Effect, STRENGTHS, TABOR, errors};
-use interp::{HalfSpace, Material, Probe};
+use interp::{Material, Probe};
 use solve::solve_stack;
 use solve::stack::Interface;
 
@@ -51,11 +51,7 @@ fn errors_are_those_of_the_loads_of_other_systems() {
         assert!(((pressed - load) / pressed / strength - 1.0).abs() < 1e-12);
 
         let solid = solid(e0 * MODULUS, 0.25);
-        let bare = HalfSpace {
-            probe: Probe::Paraboloid { radius: RADIUS },
-            sphere_modulus: MODULUS,
-            solid,
-        };
+        let bare = half_space_of(Probe::Paraboloid { radius: RADIUS }, MODULUS, solid);
         let load_of = |[e1, nu1, e0]: [f64; 3], modulus| {
             loads(a, a_over_t, &material([e1, nu1, e0, 0.25]), modulus, w)[1]
         };

@@ -4,11 +4,13 @@ use contact::Contact;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-use acceptance::{Refused, assert_close, assert_names, low_rank, shipped, solid, table, workdir};
+use acceptance::{
+    Refused, assert_close, assert_names, low_rank, shipped, solid, system_of, table, workdir,
+};
 use cost::clock::Timing;
 use cost::lookup::{POINTS, Row, SEED, markdown, measure};
 use cost::{Measured, to_csv};
-use interp::{Probe, System, Table};
+use interp::{Probe, Table};
 use tabulate::measure::read_csv;
 use tabulate::table::random_points;
 
@@ -62,13 +64,13 @@ fn errors_are_those_of_loads_in_newtons() {
     for (x, material) in random_points(&table, COUNT, 1) {
         let (t, r, unit) = (2e-6, 3e-3, 5e6);
         let solid = |ratio: f64, nu: f64| solid(ratio * unit, nu);
-        let system = System {
-            probe: Probe::Paraboloid { radius: r },
-            sphere_modulus: unit,
-            film: solid(material.e1_over_e2(), material.nu1()),
-            film_thickness: t,
-            substrate: solid(material.e0_over_e2(), material.nu0()),
-        };
+        let system = system_of(
+            Probe::Paraboloid { radius: r },
+            unit,
+            solid(material.e1_over_e2(), material.nu1()),
+            t,
+            solid(material.e0_over_e2(), material.nu0()),
+        );
         let contact = Contact::in_table(&table, &system).expect("inside");
         let a = x * t;
         let q = solved(x, &material, 1e-12).quantities;

@@ -65,7 +65,7 @@ fn rows_have_errors_within_tolerances_that_are_the_same_in_every_run() {
     let rows = measure(Timing::Brief, &|| {});
     assert!(rows.iter().all(|row| row.seconds > 0.0));
     let file = workdir.write("solve.csv", to_csv(&rows));
-    let text = String::from_utf8(workdir.read("solve.csv")).expect("UTF-8");
+    let text = workdir.text("solve.csv");
     let header = "contact,a_over_t,e1_over_e2,nu1,e0_over_e2,nu0,method,tolerance,size,error_estimated,error,seconds";
     assert_eq!(text.lines().next(), Some(header));
     assert_eq!(text.lines().count(), rows.len() + 1);

@@ -1,8 +1,7 @@
 //! `tabulate curve`
 
 use acceptance::{
-    Data, assert_cases, assert_close, assert_names, looked_up, number, paper_system, rigid_probe,
-    solid, value, workdir,
+    Data, assert_cases, assert_close, assert_names, looked_up, number, paper_system, value, workdir,
 };
 use contact::{Contact, Control, JkrPoint, Validity};
 use interp::{Mechanics, Probe, System, Table};
@@ -47,28 +46,6 @@ fn curve_is_the_papers_by_default_and_the_same_from_the_table() {
             assert_eq!(case.get("jkr_abscissa"), jkr.abscissa);
             assert_eq!(case.get("jkr_ordinate"), jkr.ordinate);
         }
-    }
-}
-
-#[test]
-fn curve_takes_every_part_of_the_system() {
-    let workdir = workdir!();
-    let arguments = "curve --film-thickness 2e-6 --film-modulus 5e6 --film-poisson-ratio 0.4 \
-         --substrate-modulus inf --substrate-poisson-ratio 0.1 --sphere-radius 5e-4 \
-         --sphere-modulus inf --work-of-adhesion 0.07 --from 1e-6 --to 3e-6 --points 3 \
-         --tolerance 1e-8";
-    let data = workdir.csv(arguments);
-    let system = rigid_probe(
-        Probe::Paraboloid { radius: 5e-4 },
-        solid(5e6, 0.4),
-        2e-6,
-        solid(f64::INFINITY, 0.1),
-    );
-    assert_eq!(data.cases().count(), 3);
-    for (case, a) in data.cases().zip([1e-6, 2e-6, 3e-6]) {
-        assert!((case.get("contact_radius") / a - 1.0).abs() <= 4.0 * f64::EPSILON);
-        let state = solved_state(&system, case.get("contact_radius"), 0.07);
-        assert_eq!((case.get("load"), case.get("penetration")), state);
     }
 }
 

@@ -45,8 +45,7 @@ fn a_ratio_of_reduced_moduli_outside_the_table_is_explained() {
 #[test]
 fn a_file_of_that_name_is_reached_with_its_folder() {
     let workdir = workdir!();
-    let packed = table(TWO_QUANTITIES).to_packed().expect("a small table");
-    workdir.write("embedded", packed);
+    workdir.pack("embedded", &table(TWO_QUANTITIES));
     assert_names(&workdir.succeed("info ./embedded"), &["Two quantities"]);
     let title = &Table::embedded().description().title;
     assert_names(&workdir.succeed("info embedded"), &[title]);

@@ -131,7 +131,7 @@ fn csv_and_pictures_are_written() {
         fit(&workdir, &GEL, &files);
         assert!(workdir.read(picture).starts_with(start), "{picture}");
     }
-    let text = String::from_utf8(workdir.read("points.csv")).expect("text");
+    let text = workdir.text("points.csv");
     let data = Data::parse("points", &text);
     let expected = "file,line,segment,height,load,fit,residual,branch,outlier,without_film";
     assert_eq!(data.columns().join(","), expected);

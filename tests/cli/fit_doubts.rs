@@ -127,7 +127,7 @@ fn the_report_states_the_fixed_values_of_all_files() {
 fn errors_of_radii_come_from_a_flag_or_a_column() {
     let workdir = workdir!();
     lens(&workdir);
-    let text = String::from_utf8(workdir.read("data.csv")).expect("text");
+    let text = workdir.text("data.csv");
     let with_column: String = text
         .lines()
         .map(|line| match line {
@@ -168,7 +168,7 @@ fn a_saturated_detector_and_a_hidden_noise_say_what_to_do() {
     let report = workdir.succeed(format!("fit data.csv {fit} --radius-noise 3e-7"));
     let words = "the noise of the load is estimated; the noise of the ordinates: --noise 2uN";
     assert_names(&report, words);
-    let text = String::from_utf8(workdir.read("data.csv")).expect("text");
+    let text = workdir.text("data.csv");
     let clipped: String = text
         .lines()
         .map(|line| match line.split_once(',') {

@@ -41,7 +41,7 @@ fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
     let workdir = workdir!();
     simulate(&workdir);
     fit(&workdir, "--plot jkr.svg --plot-kind jkr");
-    let svg = String::from_utf8(workdir.read("jkr.svg")).expect("text");
+    let svg = workdir.text("jkr.svg");
     let [points, back] = COLOURS.map(|colour| markers(&svg, colour));
     assert_eq!([points.len(), back.len()], [30; 2]);
     let [[x0, y0], [x1, y1]] = [points[0], points[29]];
@@ -54,7 +54,7 @@ fn a_half_space_is_a_straight_line_of_the_jkr_plot() {
     fit(&workdir, "--plot data.svg --plot-kind data");
     fit(&workdir, "--plot default.svg");
     assert!(workdir.read("data.svg") == workdir.read("default.svg"));
-    let svg = String::from_utf8(workdir.read("data.svg")).expect("text");
+    let svg = workdir.text("data.svg");
     assert_eq!(COLOURS.map(|colour| markers(&svg, colour).len()), [60; 2]);
 }
 
@@ -74,7 +74,7 @@ fn no_point_that_is_far_off_is_missing_among_thousands() {
         "fit lens.csv {BODIES} --free film-modulus,work-of-adhesion --robust soft-l1 --plot data.svg"
     ));
     assert_names(&run.stdout, "3 of 4000 points; 501, 1502, 3333");
-    let svg = String::from_utf8(workdir.read("data.svg")).expect("text");
+    let svg = workdir.text("data.svg");
     // In the panel of the data and in that of the residuals.
     assert_eq!(markers(&svg, GREY).len(), 2 * 3);
 }

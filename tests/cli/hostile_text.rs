@@ -49,7 +49,7 @@ fn titles_are_shown_escaped() {
         assert_eq!(rows.lines().filter(forged).count(), 1, "{text}");
     }
     workdir.succeed("report x.h5 -o x.html");
-    let page = String::from_utf8(workdir.read("x.html")).expect("UTF-8");
+    let page = workdir.text("x.html");
     assert_harmless(&page);
     assert_names(&page, &[&format!("<title>{SHOWN}</title>")]);
     let json = workdir.succeed("info x.h5 --json");

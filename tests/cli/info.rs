@@ -52,8 +52,7 @@ fn info_prints_axes_quantities_and_certificate() {
     assert_names(meanings, &Parameter::ALL.map(Parameter::long_name));
     let [points, seed] = [certificate.points, certificate.seed];
     assert_names(&text, &format!("{points} direct solves, seed {seed}"));
-    let small = self::table(TWO_QUANTITIES);
-    workdir.write("small.bin", small.to_packed().expect("a small table"));
+    workdir.pack("small.bin", &self::table(TWO_QUANTITIES));
     let words = "eeq, delta0 (normalised by E2*); inf";
     assert_names(&workdir.succeed("info small.bin"), words);
 }

@@ -16,7 +16,7 @@ const POINTS: &str = "a_over_t,e1_over_e2,nu1,e0_over_e2\n1,1.5,0.5,inf\n2,1.5,0
 /// A folder with a table, a scene, points and rows of measurements.
 fn workdir() -> Workdir {
     let workdir = workdir!();
-    workdir.write("table", table(TWO_QUANTITIES).to_packed().expect("small"));
+    workdir.pack("table", &table(TWO_QUANTITIES));
     workdir.write("scene", TWO_QUANTITIES);
     workdir.write("points", POINTS);
     for costs in ["table", "effects", "lookup", "solve"] {

@@ -66,7 +66,7 @@ fn work_that_fails_ends_with_1_whoever_reads() {
     let workdir = workdir!();
     let sound = Table::read(shipped("paper.bin")).expect("a sound table");
     let wrong = forged(&sound, |_, _, value| 1.001 * value, |_| ()).expect("sound values");
-    workdir.write("wrong.bin", wrong.to_packed().expect("small"));
+    workdir.pack("wrong.bin", &wrong);
     for (args, status) in [
         ("check wrong.bin --points 20", 1),
         ("info missing.h5", 1),

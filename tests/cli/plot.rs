@@ -265,7 +265,7 @@ fn pictures_are_outlines_of_one_size_and_the_same_every_time() {
             assert!(workdir.read(a) == workdir.read(b), "{figure} varies");
         }
 
-        let svg = String::from_utf8(workdir.read("a.svg")).unwrap();
+        let svg = workdir.text("a.svg");
         let holds_text = svg.contains("<text") || svg.contains("font");
         assert!(!holds_text, "{figure}");
         // Well-formed, as wide as a README, and drawn without a font: the parser has none.

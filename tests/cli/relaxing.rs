@@ -17,7 +17,7 @@ fn simulate(workdir: &Workdir, law: &str, name: &str) -> String {
          --points 50 --sample-interval 20ms --hold 0.4 --noise 20pN --seed 3 -o {name}"
     );
     workdir.succeed(format!("{plan} {GEL} {law}"));
-    String::from_utf8(workdir.read(name)).expect("text")
+    workdir.text(name)
 }
 
 fn fit(workdir: &Workdir, more: &str) -> Value {

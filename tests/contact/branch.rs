@@ -1,6 +1,6 @@
 //! States at many imposed values, and their derivatives at a fixed imposed value.
 
-use acceptance::{Contacts, assert_names, looked_up, paper_system, solid, solved_contact};
+use acceptance::{Contacts, Refused, looked_up, paper_system, solid, solved_contact};
 use contact::{Branch, Contact, Control, Derivatives, Error, Input, State};
 use interp::{System, Table};
 
@@ -43,11 +43,8 @@ fn a_branch_holds_the_states_found_one_by_one() {
             let most = control.imposed(load, penetration);
             let least = control.imposed(end.load, end.penetration);
             for branch in [Branch::Loading, Branch::Unloading] {
-                let from = if branch == Branch::Loading {
-                    0.0
-                } else {
-                    least
-                };
+                let is_loading = branch == Branch::Loading;
+                let from = if is_loading { 0.0 } else { least };
                 let mut random = Contacts::new(1);
                 let even = (1..=300).map(|i| from + (most - from) * f64::from(i) / 300.0);
                 let descending: Vec<f64> = even.clone().rev().collect();
@@ -92,12 +89,9 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
         // Returns the contact and the work of adhesion with an input that is changed by a factor.
         let changed = |input: Input, factor: f64| {
             let system = with(&system, input, factor * value(&system, input));
-            let w = if input == Input::WorkOfAdhesion {
-                factor * W
-            } else {
-                W
-            };
             let range = [1e-5, 2e-4].map(|a| a / system.film_thickness);
+            let of_work = input == Input::WorkOfAdhesion;
+            let w = if of_work { factor * W } else { W };
             (solved_contact(&system, range, 1e-10), w)
         };
         let near =
@@ -128,17 +122,13 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
                         let equilibria = contact.equilibria(*w, control).expect("in range");
                         equilibria.unloading(imposed).expect("in range")
                     });
-                    for (found, difference, scale) in [
-                        (by.load, up.load - down.load, state.load.abs() + 1e-4),
-                        (
-                            by.penetration,
-                            up.penetration - down.penetration,
-                            state.penetration.abs() + 1e-7,
-                        ),
-                    ] {
+                    let off = |found: f64, difference: f64, scale: f64| {
                         let off = (found * size - difference / (2.0 * STEP)).abs() / scale;
                         assert!(off < 2e-5, "{control:?} {input:?}: {off:e}");
-                    }
+                    };
+                    off(by.load, up.load - down.load, state.load.abs() + 1e-4);
+                    let difference = up.penetration - down.penetration;
+                    off(by.penetration, difference, state.penetration.abs() + 1e-7);
                 }
             }
         }
@@ -158,14 +148,13 @@ fn values_without_a_contact_and_wrong_lengths_are_refused() {
     assert!(states[0].contact_radius > 0.0, "the first one is written");
     let error = equilibria.branch(&[-1e-7], Branch::Loading, &mut states[1..]);
     assert!(matches!(error, Err(Error::NoContact { .. })), "{error:?}");
-    let error = equilibria.branch(&[1e-6], Branch::Loading, &mut states);
-    assert_names(&error.expect_err("a length").to_string(), &["2", "1"]);
+    let found = equilibria.branch(&[1e-6], Branch::Loading, &mut states);
+    found.refused(&["2", "1"]);
     let mut derivatives = [Derivatives::ZERO; 3];
     let (values, inputs, loading) = ([1e-6, 2e-6], [Input::FilmModulus], Branch::Loading);
-    let error = equilibria
+    equilibria
         .branch_with_gradient(&values, loading, &inputs, &mut states, &mut derivatives)
-        .expect_err("a length");
-    assert_names(&error.to_string(), "number of derivatives; 3");
+        .refused("number of derivatives; 3");
     for value in [f64::NAN, f64::INFINITY] {
         let refused = equilibria.branch(&[value], Branch::Unloading, &mut states[1..]);
         assert!(refused.is_err());

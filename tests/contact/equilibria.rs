@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 
 use acceptance::{
-    Contacts, assert_matches, geometric, larger, looked_up, paper_system, relative, rigid_probe,
-    solid, solved_contact,
+    Contacts, assert_close, assert_matches, assert_near, geometric, larger, looked_up,
+    paper_system, relative, rigid_probe, solid, solved_contact,
 };
 use contact::{Contact, Control, Error, ForceDisplacement, State, work_of_adhesion_at_pull_off};
-use interp::{Curve, Probe, Quantities, System};
+use interp::{Curve, Probe, System};
 
 pub const CONTROLS: [Control; 3] = [
     Control::Load,
@@ -92,10 +92,7 @@ fn pull_off_of_a_rigid_sphere_from_a_film_on_a_rigid_base() {
         for (group, expected) in [1e-2, 1.0, 1e2, 1e4].into_iter().zip(expected) {
             let w = group * film.reduced() * t.powi(3) / (r * r);
             let found = contact.pull_off(w, Control::Load).expect("in range").load / (-PI * w * r);
-            assert!(
-                (found - expected).abs() <= PRINTED,
-                "{found}, not {expected}"
-            );
+            assert_near(found, expected, PRINTED);
         }
     }
 }
@@ -125,21 +122,15 @@ fn no_equilibrium_is_missed() {
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let pull_off = equilibria.pull_off().expect("in range");
             let found = imposed(control, &pull_off);
-            assert!(
-                found <= least && found >= least * 1.001,
-                "pull-off at {found}, on the grid {least}"
-            );
+            assert!((least * 1.001..=least).contains(&found), "{found}, {least}");
             for _ in 0..5 {
                 let value = least * contacts.uniform(-1.0, 0.999);
                 let expected: Vec<usize> = (0..4000)
                     .filter(|&i| (values[i] < value) != (values[i + 1] < value))
                     .collect();
                 let found = equilibria.at(value).expect("in range");
-                assert_eq!(
-                    found.len(),
-                    expected.len(),
-                    "at {value} of {least} under {control:?}"
-                );
+                let case = format!("at {value} of {least} under {control:?}");
+                assert_eq!(found.len(), expected.len(), "{case}");
                 most = most.max(found.len());
                 for (equilibrium, i) in found.iter().zip(expected) {
                     let state = &equilibrium.state;
@@ -196,19 +187,17 @@ fn force_displacement_curves_hold_together() {
                     assert!(rise >= -1e-11 * size && growth >= 0.0, "{pair:?}");
                 }
                 for state in states {
-                    let (load, penetration) = contact
-                        .load_and_penetration(state.contact_radius, w)
-                        .expect("in range");
-                    assert_eq!((state.load, state.penetration), (load, penetration));
+                    let found = contact.load_and_penetration(state.contact_radius, w);
+                    let expected = (state.load, state.penetration);
+                    assert_eq!(found.expect("in range"), expected);
                 }
             }
             let [loading, unloading] = [&curve.loading, &curve.unloading];
             assert_eq!(curve.jumps.len(), loading.len() + unloading.len());
             assert_eq!(curve.jumps[0].from, State::ORIGIN);
             for jump in &curve.jumps {
-                jump.to
-                    .into_iter()
-                    .for_each(|to| same(value(&jump.from), value(&to)));
+                let to = jump.to.unwrap_or(jump.from);
+                same(value(&jump.from), value(&to));
             }
             // Jumps lead from branch to branch.
             for (i, branch) in loading.iter().enumerate() {
@@ -231,10 +220,8 @@ fn force_displacement_curves_hold_together() {
                 Control::Displacement => Some(last.penetration),
                 Control::Spring { .. } => Some(value(&last)),
             };
-            assert_eq!(
-                apart.map(|to| (to.contact_radius, to.load)),
-                expected.map(|_| (0.0, 0.0))
-            );
+            let parted = apart.map(|to| (to.contact_radius, to.load));
+            assert_eq!(parted, expected.map(|_| (0.0, 0.0)));
             if let (Some(to), Some(expected)) = (apart, expected) {
                 assert!(relative(to.penetration, expected) <= 1e-12);
             }
@@ -271,12 +258,8 @@ fn the_work_of_adhesion_of_a_pull_off_load_is_its_least_energy_release_rate() {
 #[test]
 fn a_load_within_a_jump_of_the_pull_off_load_is_refused() {
     let probe = Probe::Paraboloid { radius: 1e-5 };
-    let contact = looked_up(&rigid_probe(
-        probe,
-        solid(1e4, 0.5),
-        1e-7,
-        solid(7e10, 0.22),
-    ));
+    let system = rigid_probe(probe, solid(1e4, 0.5), 1e-7, solid(7e10, 0.22));
+    let contact = looked_up(&system);
     let control = Control::Spring { stiffness: 10.0 };
     let found = |load| contact.work_of_adhesion_at_pull_off(load, control);
     let Err(Error::NoWorkOfAdhesion {
@@ -289,17 +272,11 @@ fn a_load_within_a_jump_of_the_pull_off_load_is_refused() {
         panic!("{:?}", found(-1e-6));
     };
     for (w, beside) in [(0.999, above), (1.001, below)] {
-        let load = contact
-            .pull_off(w * work_of_adhesion, control)
-            .expect("in range")
-            .load;
-        assert!(relative(load, beside) < 0.01, "{load:e} {beside:e}");
-        assert!(
-            relative(
-                found(load).expect("a load of a pull-off"),
-                w * work_of_adhesion
-            ) < 1e-6
-        );
+        let state = contact.pull_off(w * work_of_adhesion, control);
+        let load = state.expect("in range").load;
+        assert_close(load, beside, 0.01);
+        let of_load = found(load).expect("a load of a pull-off");
+        assert_close(of_load, w * work_of_adhesion, 1e-6);
     }
     assert!(below < -1e-6 && -1e-6 < above);
     let saturates = |_| Ok::<_, Error>(-1e-9);
@@ -327,13 +304,9 @@ fn a_load_that_falls_between_two_rises_is_jumped_over_both_ways() {
     let material = system.material().expect("physical");
     let node = |i: u32| {
         let x = 10_f64.powf(-2.0 + f64::from(i) / 1000.0);
-        (
-            x,
-            Quantities {
-                pi0: 1.0 / (1.0 + x.powi(6)) + 1e-4,
-                ..material.thick_film_limit()
-            },
-        )
+        let mut quantities = material.thick_film_limit();
+        quantities.pi0 = 1.0 / (1.0 + x.powi(6)) + 1e-4;
+        (x, quantities)
     };
     let nodes: Vec<_> = (0..=4000).map(node).collect();
     let curve = Curve::through(&nodes, material).expect("sound samples");

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused as _, larger, on_half_space, relative, solid};
+use acceptance::{Contacts, Refused as _, half_space_of, larger, on_half_space, relative, solid};
 use contact::{Contact, Control, State};
-use interp::{HalfSpace, Probe};
+use interp::Probe;
 
 use crate::jkr::Jkr;
 
@@ -24,13 +24,13 @@ fn systems(seed: u64) -> impl Iterator<Item = (Contact, Jkr)> {
             moduli[i % 10] = f64::INFINITY;
         }
         let (sphere, solid) = (moduli[0], solid(moduli[1], contacts.poisson_ratio()));
-        let system = HalfSpace {
-            probe: Probe::Paraboloid {
+        let system = half_space_of(
+            Probe::Paraboloid {
                 radius: contacts.log_uniform(1e-9, 1.0),
             },
-            sphere_modulus: sphere,
+            sphere,
             solid,
-        };
+        );
         let e = 1.0 / (1.0 / sphere + (1.0 - solid.poisson().powi(2)) / solid.young());
         let r = system.probe.radius().expect("a paraboloid");
         let least_penetration = contacts.log_uniform(1e-7, 9e-4) * r;

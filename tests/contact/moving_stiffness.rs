@@ -1,11 +1,11 @@
 //! The slope of the force curve, against differences of the curve and closed forms.
 
 use acceptance::{
-    Contacts, assert_matches, larger, looked_up, on_half_space, paper_system, rigid_probe, slopes,
-    solid,
+    Contacts, assert_matches, half_space_of, larger, looked_up, on_half_space, paper_system,
+    slopes, solid, system_of,
 };
 use contact::{Contact, Control, Error};
-use interp::{HalfSpace, Probe, System};
+use interp::Probe;
 
 use crate::shapes::shapes;
 
@@ -31,12 +31,9 @@ fn a_half_space_has_the_closed_form_of_jkr() {
         let compound = 1.0 / (1.0 / sphere + 1.0 / solid.reduced());
         // A contact of pull-off that is small beside the sphere.
         let w = compound * radius * contacts.log_uniform(1e-12, 1e-6);
-        let contact = Contact::half_space(&HalfSpace {
-            probe: Probe::Paraboloid { radius },
-            sphere_modulus: sphere,
-            solid,
-        })
-        .expect("physical");
+        let contact =
+            Contact::half_space(&half_space_of(Probe::Paraboloid { radius }, sphere, solid))
+                .expect("physical");
         let pull_off = contact.pull_off(w, Control::Load).expect("there is one");
         let a = pull_off.contact_radius * contacts.log_uniform(0.7, 30.0);
         let z = (pull_off.contact_radius / a).powf(1.5);
@@ -84,10 +81,13 @@ fn every_shape_has_the_slope_of_its_force_curve() {
         .into_iter()
         .flat_map(|probe| films.map(|film| (probe.clone(), film)))
     {
-        let system = System {
+        let system = system_of(
+            probe.clone(),
             sphere_modulus,
-            ..rigid_probe(probe.clone(), film, film_thickness, substrate)
-        };
+            film,
+            film_thickness,
+            substrate,
+        );
         let bare = Contact::half_space(&system.without_film()).expect("physical");
         for contact in [looked_up(&system), bare] {
             for (a, w) in [6e-6, 9e-6, 1.3e-5]

@@ -3,9 +3,12 @@
 mod direct;
 mod separation;
 
-use acceptance::{Refused, assert_matches, looked_up, on_half_space, relative, rigid_probe, solid};
+use acceptance::{
+    Refused, assert_matches, flat_ended_cone, half_space_of, looked_up, on_half_space, power_law,
+    relative, rigid_probe, rounded_cone, solid, system_of,
+};
 use contact::{Branch, Contact, Control, Input, Neglected, State};
-use interp::{Elastic, HalfSpace, Probe, Profile, System, Table};
+use interp::{Elastic, Probe, Profile, Table};
 
 use crate::gradient::{value, with};
 
@@ -38,25 +41,13 @@ pub fn shapes() -> Vec<Probe> {
     vec![
         Probe::Paraboloid { radius: 4e-5 },
         Probe::Sphere { radius: 4e-5 },
-        Probe::PowerLaw {
-            coefficient: 1e13,
-            exponent: 4.0,
-        },
-        Probe::PowerLaw {
-            coefficient: 1e6,
-            exponent: 2.5,
-        },
+        power_law(1e13, 4.0),
+        power_law(1e6, 2.5),
         Probe::Cone {
             half_angle: HALF_ANGLE,
         },
-        Probe::RoundedCone {
-            radius: 1e-5,
-            half_angle: HALF_ANGLE,
-        },
-        Probe::FlatEndedCone {
-            radius: 3e-6,
-            half_angle: HALF_ANGLE,
-        },
+        rounded_cone(1e-5, HALF_ANGLE),
+        flat_ended_cone(3e-6, HALF_ANGLE),
         Probe::Profile(profile()),
     ]
 }
@@ -92,10 +83,13 @@ fn derivatives_are_differences() {
     const STEP: f64 = 1e-3;
     let table = Table::embedded();
     for probe in shapes() {
-        let own = System {
-            sphere_modulus: 2e6,
-            ..rigid_probe(probe.clone(), solid(3.5e6, 0.4), 1e-5, solid(2e8, 0.25))
-        };
+        let own = system_of(
+            probe.clone(),
+            2e6,
+            solid(3.5e6, 0.4),
+            1e-5,
+            solid(2e8, 0.25),
+        );
         let contact = Contact::in_table_with_gradient(table, &own).expect("in the table");
         let a = 1.2e-5;
         let gradient = contact.gradient(a, W).expect("in range");
@@ -210,11 +204,7 @@ fn impossible_shapes_are_errors() {
         let own = rigid_probe(probe.clone(), film, 1e-6, film);
         let coated = Contact::in_table(Table::embedded(), &own);
         assert!(coated.is_err(), "{probe:?}");
-        let bare = HalfSpace {
-            probe: probe.clone(),
-            sphere_modulus: 1e6,
-            solid: film,
-        };
+        let bare = half_space_of(probe.clone(), 1e6, film);
         assert!(Contact::half_space(&bare).is_err(), "{probe:?}");
     };
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
@@ -272,10 +262,7 @@ fn neglected_effects_that_are_larger_than_the_shape_are_named() {
     assert_eq!(neglected(&incompressible, 3e-5), []);
     let thin = contact(sphere(), solid(1e6, 0.5), 1e-6, solid(1e9, 0.3));
     assert_eq!(neglected(&thin, 3e-5), [Neglected::Strain]);
-    let elastic = System {
-        sphere_modulus: 1e6,
-        ..rigid_probe(sphere(), solid(1e6, 0.5), 1e-3, solid(1e9, 0.3))
-    };
+    let elastic = system_of(sphere(), 1e6, solid(1e6, 0.5), 1e-3, solid(1e9, 0.3));
     let elastic = looked_up(&elastic);
     assert_eq!(neglected(&elastic, 3e-5), [Neglected::ElasticProbe]);
     assert_eq!(neglected(&elastic, 5e-6), []);
@@ -339,11 +326,7 @@ fn a_soft_lens_on_glass_has_no_displacement_sideways() {
         Probe::Paraboloid { radius: 1e-3 },
         Probe::Cone { half_angle: 1.52 },
     ] {
-        let lens = HalfSpace {
-            probe,
-            sphere_modulus: 2e6,
-            solid: glass,
-        };
+        let lens = half_space_of(probe, 2e6, glass);
         let at = Contact::half_space(&lens).expect("possible").validity(5e-5);
         let at = at.expect("in range");
         assert!(at.sideways < 1e-6, "{at:?}");
@@ -377,10 +360,7 @@ fn every_shape_is_made_of_its_name_and_numbers() {
 /// A flat end that is wide beside the film leaves few contact radii, and is no punch.
 #[test]
 fn a_wide_flat_end_names_its_largest_contact() {
-    let probe = Probe::FlatEndedCone {
-        radius: 5e-6,
-        half_angle: HALF_ANGLE,
-    };
+    let probe = flat_ended_cone(5e-6, HALF_ANGLE);
     let wide = contact(probe, solid(1e6, 0.3), 1e-8, solid(1e9, 0.3));
     assert!(wide.load(6e-6, 0.0).is_ok());
     let beyond = wide.load(1e-5, 0.0);

@@ -1,6 +1,8 @@
 //! Probes on films that are stiffer than their substrates.
 
-use acceptance::{looked_up, rigid_probe, solid};
+use acceptance::{
+    flat_ended_cone, looked_up, power_law, rigid_probe, rounded_cone, solid, system_of,
+};
 use contact::{Contact, Control};
 use interp::{Probe, System};
 
@@ -15,18 +17,9 @@ fn no_equilibrium_is_missed() {
     let half_angle = 70_f64.to_radians();
     let probes = [
         Probe::Cone { half_angle },
-        Probe::RoundedCone {
-            radius: 2e-7,
-            half_angle,
-        },
-        Probe::FlatEndedCone {
-            radius: 5e-8,
-            half_angle,
-        },
-        Probe::PowerLaw {
-            coefficient: 10.0,
-            exponent: 1.2,
-        },
+        rounded_cone(2e-7, half_angle),
+        flat_ended_cone(5e-8, half_angle),
+        power_law(10.0, 1.2),
         Probe::Paraboloid { radius: 1e-4 },
     ];
     let mut falling = 0;
@@ -62,15 +55,13 @@ fn no_equilibrium_is_missed() {
 fn the_pull_off_of_a_flat_ended_cone_does_not_depend_on_rounding() {
     for radius in [2.146283024914619e-5, 2.146283e-5] {
         let half_angle = 50_f64.to_radians();
-        let system = System {
-            sphere_modulus: 29.74e9,
-            ..rigid_probe(
-                Probe::FlatEndedCone { radius, half_angle },
-                solid(1e9, 0.3),
-                1e-6,
-                solid(6.8557e6, 0.45),
-            )
-        };
+        let system = system_of(
+            Probe::FlatEndedCone { radius, half_angle },
+            29.74e9,
+            solid(1e9, 0.3),
+            1e-6,
+            solid(6.8557e6, 0.45),
+        );
         let contact = looked_up(&system);
         let load = |a: f64| contact.load_and_penetration(a, 0.04).expect("in range").0;
         let radii = (0..3000).map(|i| radius * 20_f64.powf(f64::from(i) / 3000.0));

@@ -23,12 +23,7 @@ fn a_full_disk_is_an_error_and_what_is_finished_is_safe() {
         assert_eq!(is_told, limit > 1, "{run:?}");
         assert_eq!(workdir.read("table.h5"), b"what was there");
     }
-    assert!(
-        fs::metadata(workdir.path(JOURNAL))
-            .expect("it is kept")
-            .len()
-            > 40 * 512
-    );
+    assert!(workdir.read(JOURNAL).len() > 40 * 512);
     workdir.succeed(RESUME);
     assert_finished(&workdir);
 }
@@ -50,16 +45,10 @@ fn a_small_disk_that_fills_up_in_any_stage_is_an_error() {
              done; ls -a; cp scene.h5 ../table.h5"
         );
         let run = workdir.script(&format!("unshare -m sh -c '{script}' $0"));
-        let statuses: Vec<&str> = run
-            .stdout
-            .lines()
-            .filter_map(|line| line.strip_prefix("status "))
-            .collect();
-        println!("{statuses:?} {}", run.stderr);
-        assert!(
-            statuses.contains(&"1") && statuses.last() == Some(&"0"),
-            "{run:?}"
-        );
+        let lines = run.stdout.lines();
+        let mut statuses = lines.filter_map(|line| line.strip_prefix("status "));
+        assert!(statuses.any(|status| status == "1"), "{run:?}");
+        assert_eq!(statuses.next_back(), Some("0"), "{run:?}");
         for message in run.stderr.lines() {
             assert_names(message, &["cannot write", "No space left"]);
         }
@@ -108,14 +97,8 @@ fn a_read_only_folder_is_an_error_before_any_solving() {
     );
     println!("{run:?}");
     assert_eq!(run.status, 1);
-    assert!(
-        run.stderr.contains("cannot write folder/table.h5") || run.stderr.contains("mount"),
-        "{run:?}"
-    );
-    assert_eq!(
-        fs::read_dir(workdir.path("folder"))
-            .expect("a folder")
-            .count(),
-        0
-    );
+    let is_told = run.stderr.contains("cannot write folder/table.h5");
+    assert!(is_told || run.stderr.contains("mount"), "{run:?}");
+    let entries = fs::read_dir(workdir.path("folder"));
+    assert_eq!(entries.expect("a folder").count(), 0);
 }

@@ -157,10 +157,8 @@ fn kill_at(workdir: &Workdir, args: &str, bytes: usize) {
     let run = workdir.script(&format!(
         "ulimit -c 0; ulimit -f {blocks}; \"$0\" {args}; echo status $?"
     ));
-    assert!(
-        run.stdout.starts_with("status ") && run.stdout != "status 0\n",
-        "{run:?}"
-    );
+    let is_killed = run.stdout.starts_with("status ") && run.stdout != "status 0\n";
+    assert!(is_killed, "{run:?}");
     assert_eq!(workdir.read(JOURNAL).len(), 512 * blocks, "{run:?}");
 }
 
@@ -210,10 +208,8 @@ fn killed_at_random_moments_and_resumed_with_any_number_of_jobs_the_file_is_the_
             while kill_or_finish(&workdir, signal, &mut random) {
                 kills += 1;
                 let table = workdir.read("table.h5");
-                assert!(
-                    table == *WHOLE || table == b"what was there",
-                    "half a table"
-                );
+                let is_whole = table == *WHOLE || table == b"what was there";
+                assert!(is_whole, "half a table");
             }
             assert_finished(&workdir);
         }
@@ -256,22 +252,15 @@ fn what_is_finished_is_not_solved_again() {
     let workdir = workdir();
     kill_at(&workdir, GENERATE, bytes(pieces() * piece_points() / 2));
     let text = workdir.succeed(RESUME);
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("solved"))
-        .expect("a line on the points solved");
-    let numbers: Vec<usize> = line
-        .split(|c: char| !c.is_ascii_digit())
-        .filter_map(|word| word.parse().ok())
-        .collect();
-    println!("{line}");
+    let line = text.lines().find(|line| line.starts_with("solved"));
+    let line = line.expect("a line on the points solved");
+    let words = line.split(|c: char| !c.is_ascii_digit());
+    let numbers: Vec<usize> = words.filter_map(|word| word.parse().ok()).collect();
     assert!(line.contains("before"), "{line}");
+    assert_eq!(numbers[0], pieces() * piece_points());
     // The header takes the room of a part of a piece.
     let kept = [pieces() / 2 - 1, pieces() / 2].map(|pieces| pieces * piece_points());
-    assert!(
-        numbers[0] == pieces() * piece_points() && (kept[0]..=kept[1]).contains(&numbers[1]),
-        "{line}"
-    );
+    assert!((kept[0]..=kept[1]).contains(&numbers[1]), "{line}");
     assert_finished(&workdir);
     // There is nothing to go on from, so this begins at the beginning.
     let again = workdir.succeed(RESUME);
@@ -290,19 +279,17 @@ fn a_refined_run_is_resumed_with_its_own_certificate_only() {
     let whole = workdir.read("table.h5");
     kill_at(&workdir, generate, bytes(first) + bytes(second) / 2);
     let refined = || {
-        workdir
-            .read(JOURNAL)
-            .windows(9)
-            .any(|word| word == b"round = 1")
+        let journal = workdir.read(JOURNAL);
+        journal.windows(9).any(|word| word == b"round = 1")
     };
     assert!(refined());
-    for other in ["--seed 2", "--certificate-points 300"] {
-        let message = workdir.fail(1, format!("{generate} {other}"));
-        assert_names(
-            &message,
-            "cannot resume; certificate_points = 10000 and seed = 1",
-        );
-    }
+    let words = "cannot resume; certificate_points = 10000 and seed = 1";
+    workdir.refuses(format!(
+        "
+        1 | {generate} --seed 2 | {words}
+        1 | {generate} --certificate-points 300 | {words}
+        "
+    ));
     assert!(refined());
     workdir.succeed(format!("{generate} --jobs 1"));
     assert_equal(&workdir.read("table.h5"), &whole);
@@ -339,23 +326,13 @@ fn ctrl_c_says_what_is_kept_and_how_to_go_on() {
     };
     assert_eq!(run.stdout, "status 130\n");
     let total = pieces() * piece_points();
-    let kept = run
-        .stderr
-        .split(' ')
-        .find_map(|word| word.parse::<usize>().ok());
+    let mut words = run.stderr.split(' ');
+    let kept = words.find_map(|word| word.parse::<usize>().ok());
     let kept = kept.expect("a number of points");
-    assert!(
-        kept >= 7 * piece_points() && kept.is_multiple_of(piece_points()),
-        "{kept}"
-    );
-    assert_names(
-        &run.stderr,
-        &[
-            &format!("{kept} of {total} points solved"),
-            "kept in table.h5.unfinished",
-            "--resume",
-        ],
-    );
+    let are_pieces = kept >= 7 * piece_points() && kept.is_multiple_of(piece_points());
+    assert!(are_pieces, "{kept}");
+    let words = "points solved; kept in table.h5.unfinished; --resume";
+    assert_names(&run.stderr, &format!("{kept} of {total} {words}"));
     // As many as it says are there. One more may have been finished while it spoke.
     let text = workdir.succeed(RESUME);
     let resumed = [kept, kept + piece_points()].map(|kept| format!("({kept} before"));
@@ -381,10 +358,8 @@ fn of_two_generators_on_one_output_the_second_says_so() {
     let workdir = workdir();
     generate_and(&workdir, &|| {
         for second in [GENERATE, RESUME] {
-            assert_names(
-                &workdir.fail(1, second),
-                "table.h5; being made by another process",
-            );
+            let words = "table.h5; being made by another process";
+            workdir.refuses(format!("1 | {second} | {words}"));
         }
     });
     assert_finished(&workdir);
@@ -409,19 +384,13 @@ fn links_to_one_output_are_one_output_on_its_own_disk() {
     generate_and(&workdir, &|| {
         assert!(workdir.path("folder/real.h5.unfinished").exists());
         let second = "generate scene.toml -o folder/real.h5";
-        assert_names(
-            &workdir.fail(1, second),
-            "real.h5; being made by another process",
-        );
+        let words = "real.h5; being made by another process";
+        workdir.refuses(format!("1 | {second} | {words}"));
         assert_eq!(workdir.files(), ["folder", "scene.toml", "table.h5"]);
     });
     assert_equal(&workdir.read("folder/real.h5"), &WHOLE);
-    assert_eq!(
-        fs::read_dir(workdir.path("folder"))
-            .expect("a folder")
-            .count(),
-        1
-    );
+    let entries = fs::read_dir(workdir.path("folder"));
+    assert_eq!(entries.expect("a folder").count(), 1);
 }
 
 /// A nanosecond is over before anything is done, on any machine.
@@ -445,18 +414,9 @@ fn when_the_budget_is_spent_the_finished_pieces_are_kept() {
     for finished in begun + 1..pieces() {
         let run = budget(&workdir);
         assert_eq!(run.status, 1, "{run:?}");
-        let points = [finished, pieces()].map(|pieces| pieces * piece_points());
-        assert_names(
-            &run.stderr,
-            &[
-                "budget is spent",
-                &format!(
-                    "with {} of {} points solved; they are kept",
-                    points[0], points[1]
-                ),
-                "--resume",
-            ],
-        );
+        let [done, all] = [finished, pieces()].map(|pieces| pieces * piece_points());
+        let words = format!("budget is spent; with {done} of {all} points solved");
+        assert_names(&run.stderr, &format!("{words}; they are kept; --resume"));
     }
     assert_eq!(budget(&workdir).status, 0);
     assert_finished(&workdir);

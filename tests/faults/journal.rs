@@ -93,21 +93,15 @@ fn pieces_of_another_build_or_processor_are_not_resumed() {
     let journal = workdir.read(JOURNAL);
     assert_eq!(with_header(&journal, str::to_owned), journal);
     let text = String::from_utf8_lossy(&journal).into_owned();
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("build = "))
-        .expect("the build is named");
-    let build = line.trim_start_matches("build = ").trim_matches('"');
-    println!("{line}");
+    let build = text.lines().find_map(|line| line.strip_prefix("build = "));
+    let build = build.expect("the build is named").trim_matches('"');
     let (hash, processor) = build.split_once(" on ").expect("a build and a processor");
     for other in [
         format!("0000000000000000 on {processor}"),
         format!("{hash} on m68k"),
     ] {
-        workdir.write(
-            JOURNAL,
-            with_header(&journal, |header| header.replace(build, &other)),
-        );
+        let changed = with_header(&journal, |header| header.replace(build, &other));
+        workdir.write(JOURNAL, changed);
         workdir.refuses(format!("1 | {GENERATE} --resume | cannot resume; {JOURNAL}; another build; {other}; {build}; remove this file"));
     }
     workdir.write(JOURNAL, &journal);
@@ -123,16 +117,11 @@ fn what_a_killed_generation_leaves_is_removed_by_the_next() {
         let run = workdir.script(&format!(
             "ulimit -c 0; ulimit -f 12; \"$0\" {GENERATE} --resume; echo status $?"
         ));
-        assert!(
-            run.stdout.starts_with("status ") && run.stdout != "status 0\n",
-            "{run:?}"
-        );
-        let hidden: Vec<String> = workdir
-            .files()
-            .into_iter()
-            .filter(|name| name.starts_with(".table.h5.unfinished-"))
-            .collect();
-        assert_eq!(hidden.len(), 2, "{run:?}");
+        let is_killed = run.stdout.starts_with("status ") && run.stdout != "status 0\n";
+        assert!(is_killed, "{run:?}");
+        let files = workdir.files().into_iter();
+        let hidden = files.filter(|name| name.starts_with(".table.h5.unfinished-"));
+        assert_eq!(hidden.count(), 2, "{run:?}");
     }
     let run = workdir.run(format!("{GENERATE} --resume"));
     assert_eq!(run.status, 0, "{run:?}");

@@ -75,13 +75,8 @@ fn a_header_that_is_damaged_or_of_other_nodes_is_an_error_and_nothing_is_lost() 
         .expect("the first axis");
     let mut damaged = journal.clone();
     damaged[100] ^= 1;
-    let mut cases = vec![
-        (damaged, "cannot be read"),
-        (
-            with_header(&journal, |header| format!("{header}more = 1\n")),
-            "cannot be read",
-        ),
-    ];
+    let more = with_header(&journal, |header| format!("{header}more = 1\n"));
+    let mut cases = vec![(damaged, "cannot be read"), (more, "cannot be read")];
     let (_, others) = nodes.split_once(',').expect("four axes");
     for wrong in ["0", "1", "20000", "100000000000", "9223372036854775807"] {
         let forged = with(nodes, &format!("nodes = [{wrong},{others}"));
@@ -136,11 +131,8 @@ fn a_scene_that_has_changed_is_not_resumed_and_nothing_is_lost() {
         "1 | {RESUME} | cannot resume; {JOURNAL}; another text of the scene"
     ));
     workdir.write("scene.toml", SCENE);
-    let other = format!("{RESUME} --tolerance 1e-4");
-    assert_names(
-        &workdir.fail(1, &other),
-        "cannot resume; tolerance = 1e-6; 0.0001",
-    );
+    let words = "cannot resume; tolerance = 1e-6; 0.0001";
+    workdir.refuses(format!("1 | {RESUME} --tolerance 1e-4 | {words}"));
     assert!(workdir.read(JOURNAL) == journal, "the journal has changed");
     workdir.succeed(RESUME);
     assert_finished(&workdir);

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, on_half_space, solid};
-use contact::{Control, Relaxation};
+use acceptance::{Contacts, on_half_space, prony, solid};
+use contact::Control;
 use fit::{Direction, Experiment, Fit, Kind, Measurement, Parameter, Point, WarningKind};
 use interp::Probe;
 
@@ -170,10 +170,7 @@ fn the_loop_of_a_viscous_sample_is_named_with_its_energy() {
     let deepest = 1e-6;
     // A reduced modulus of 20 kPa at first, of 8 kPa at last. Half the way in is one relaxation time.
     let contact = on_half_space(Probe::Paraboloid { radius: RADIUS }, solid(1.5e4, 0.5));
-    let law = Relaxation::Prony {
-        relaxed: 0.4,
-        terms: vec![[0.6, 0.5]],
-    };
+    let law = prony(0.4, vec![[0.6, 0.5]]);
     let times: Vec<f64> = (0..=80).map(|i| f64::from(i) / 40.0).collect();
     let program = [(0.0, 0.0), (1.0, deepest), (2.0, 0.0)];
     let history = contact.history(&law).expect("a law");

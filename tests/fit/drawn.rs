@@ -3,11 +3,11 @@
 
 use std::f64::consts::PI;
 
-use acceptance::Contacts;
+use acceptance::{Contacts, system_of};
 use contact::{Contact, Control};
 use fit::Kind::{ForceHeight, LoadPenetration, LoadRadius, PenetrationRadius};
 use fit::{Bodies, Direction, Experiment, Free, Parameter, Point, simulate};
-use interp::{Elastic, Probe, System, Table};
+use interp::{Elastic, Probe, Table};
 
 use crate::imagined::measurement;
 
@@ -42,17 +42,17 @@ fn draw(random: &mut Contacts, seed: u64) -> Option<Drawn> {
     let film = random.log_uniform(1e3, 1e11);
     let radius = random.log_uniform(5e-6, 5e-3);
     let largest = radius * random.log_uniform(5e-3, 0.25);
-    let system = System {
-        probe: Probe::Paraboloid { radius },
-        sphere_modulus: if rigid {
+    let system = system_of(
+        Probe::Paraboloid { radius },
+        if rigid {
             f64::INFINITY
         } else {
             film * random.log_uniform(1e-2, 1e3)
         },
-        film: Elastic::new(film, random.uniform(0.2, 0.5)).ok()?,
-        film_thickness: largest / random.log_uniform(0.05, 30.0),
-        substrate: Elastic::new(film * random.log_uniform(1e-2, 1e5), 0.25).ok()?,
-    };
+        Elastic::new(film, random.uniform(0.2, 0.5)).ok()?,
+        largest / random.log_uniform(0.05, 30.0),
+        Elastic::new(film * random.log_uniform(1e-2, 1e5), 0.25).ok()?,
+    );
     let bodies = Bodies::Coated(system.clone());
     let contact = Contact::in_table(Table::embedded(), &system).ok()?;
     let hertz = contact.load(largest, 0.0).ok()?;

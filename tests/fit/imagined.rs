@@ -5,14 +5,16 @@ use std::ops::Range;
 use std::path::Path;
 use std::slice;
 
-use acceptance::{Contacts, Words, assert_names, paper_system, rigid_probe, solid, solved_contact};
+use acceptance::{
+    Contacts, Words, assert_names, half_space_of, paper_system, rigid_probe, solid, solved_contact,
+};
 use contact::Contact;
 use fit::data::Format;
 use fit::{
     Bodies, Direction, Error, Experiment, Fit, Free, Kind, Layered, Loss, Measurement, Numbering,
     Options, Parameter, Point, Warning, WarningKind,
 };
-use interp::{Elastic, HalfSpace, Probe, System, Table};
+use interp::{Elastic, Probe, System, Table};
 
 /// The parameters of a JKR test.
 pub const LENS: [Parameter; 2] = [Parameter::SphereModulus, Parameter::WorkOfAdhesion];
@@ -207,11 +209,11 @@ pub fn layered(experiment: &mut Experiment) -> &mut Layered {
 
 /// A sphere on a half-space.
 pub fn half_space(radius: f64, sphere_modulus: f64, solid: Elastic) -> Bodies {
-    Bodies::HalfSpace(HalfSpace {
-        probe: Probe::Paraboloid { radius },
+    Bodies::HalfSpace(half_space_of(
+        Probe::Paraboloid { radius },
         sphere_modulus,
         solid,
-    })
+    ))
 }
 
 /// The lens of the paper on a film of 10 um; the noise of its loads is 5 uN.

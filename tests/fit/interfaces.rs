@@ -1,6 +1,6 @@
 //! Fits of films that slide or are joined by springs, and what fits say about interfaces.
 
-use acceptance::{Refused, assert_names, solid, springs};
+use acceptance::{Refused, assert_names, solid, springs, system_of};
 use fit::{Bodies, Fit, Free, Kind, LayerQuantity, Parameter, WarningKind, forecast};
 use interp::{System, Table};
 use solve::solve_stack;
@@ -32,13 +32,13 @@ fn lens(interface: Interface, parameter: Parameter) -> Imagined {
 fn set(imagined: &mut Imagined, interface: Interface, change: impl Fn(&mut System)) {
     let mut system = match &imagined.truth.bodies {
         Bodies::Coated(system) => system.clone(),
-        Bodies::Layered(layered) => System {
-            probe: layered.probe.clone(),
-            sphere_modulus: layered.sphere_modulus,
-            film: layered.surface(),
-            film_thickness: layered.thickness(),
-            substrate: layered.base,
-        },
+        Bodies::Layered(layered) => system_of(
+            layered.probe.clone(),
+            layered.sphere_modulus,
+            layered.surface(),
+            layered.thickness(),
+            layered.base,
+        ),
         Bodies::HalfSpace(_) => unreachable!("a lens is on a film"),
     };
     change(&mut system);

@@ -1,19 +1,15 @@
 //! The reduced JKR plot of a fit.
 
-use acceptance::{Refused, solid};
+use acceptance::{Refused, half_space_of, solid};
 use fit::report::jkr_plot;
 use fit::{Bodies, Experiment, Free, Kind, Parameter, simulate};
-use interp::{HalfSpace, Probe, Table};
+use interp::{Probe, Table};
 
 use crate::imagined::{fit_all, measurement_at};
 
 fn experiment(kind: Kind, probe: Probe) -> Experiment {
     let radii = (0..30).map(|i| 4e-5 + 2e-6 * f64::from(i));
-    let bodies = Bodies::HalfSpace(HalfSpace {
-        probe,
-        sphere_modulus: f64::INFINITY,
-        solid: solid(1.5e6, 0.5),
-    });
+    let bodies = Bodies::HalfSpace(half_space_of(probe, f64::INFINITY, solid(1.5e6, 0.5)));
     Experiment {
         work_of_adhesion: 0.04,
         load_offset: 3e-5,

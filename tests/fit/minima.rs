@@ -76,10 +76,7 @@ fn assert_honest(name: &str, seeds: impl IntoParallelIterator<Item = u64>) {
     let values: usize = fits.iter().map(|(values, _)| values).sum();
     let missed: Vec<u64> = fits.iter().filter_map(|(_, missed)| *missed).collect();
     let expected = CHANCE * values as f64;
-    println!(
-        "{name}: {} fits; {missed:?} are missed, chance gives {expected:.3}",
-        fits.len()
-    );
+    println!("{name}: {} {missed:?} {expected:.3}", fits.len());
     assert!(missed.is_empty() && expected < 0.1, "{name}: {missed:?}");
 }
 

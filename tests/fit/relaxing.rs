@@ -1,6 +1,6 @@
 //! Fits of bodies that relax: the truth within the intervals, and the limits of the model.
 
-use acceptance::{Refused, assert_names, rigid_probe, solid};
+use acceptance::{Refused, assert_names, modified_power_law, prony, rigid_probe, solid};
 use contact::Relaxation;
 use fit::{
     Bodies, Direction, Error, Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind,
@@ -117,10 +117,7 @@ pub fn power() -> Relaxation {
 }
 
 fn linear_solid() -> Relaxation {
-    Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.3]],
-    }
+    prony(0.3, vec![[0.7, 0.3]])
 }
 
 #[test]
@@ -188,10 +185,7 @@ fn data_that_do_not_determine_the_law_are_the_reason_and_not_the_bodies() {
 
 #[test]
 fn a_relaxation_time_that_may_be_unseen_is_doubted() {
-    let law = Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.15]],
-    };
+    let law = prony(0.3, vec![[0.7, 0.15]]);
     let made = with_noise(&planned(Kind::LoadPenetration, 1e-5, &law, 1.0), 0.1, 1);
     let fit = fit_all(&[made], &free_of(&SOLID)).expect("sound data");
     let time = fit.estimate(Law(Time(0))).expect("free").value;
@@ -208,11 +202,7 @@ fn solids_are_recovered() {
     recover("standard linear solid", &[plan], &SOLID, 104, &[]);
     let plan = planned(Kind::ForceHeight, 1e-5, &linear_solid(), 1.0);
     recover("standard linear solid, heights", &[plan], &SOLID, 105, &[]);
-    let modified = Relaxation::ModifiedPowerLaw {
-        relaxed: 0.0,
-        exponent: 0.5,
-        time: 0.1,
-    };
+    let modified = modified_power_law(0.0, 0.5, 0.1);
     let free = [FilmModulus, Law(Exponent), Law(Time(0)), ContactPoint];
     let plan = planned(Kind::LoadPenetration, 1e-5, &modified, 1.0);
     // Its time is below two intervals in some sets.

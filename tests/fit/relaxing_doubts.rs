@@ -1,6 +1,6 @@
 //! Doubts about fits of bodies that relax, and what is refused.
 
-use acceptance::{Contacts, Refused, solid};
+use acceptance::{Contacts, Refused, prony, solid};
 use contact::Relaxation;
 use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
 
@@ -25,10 +25,7 @@ fn relaxing(law: Relaxation, young: f64, base: f64) -> Experiment {
 #[test]
 fn a_relaxation_time_that_the_points_do_not_see_is_doubted() {
     for (time, is_doubted) in [(0.01, true), (0.3, false), (10.0, true)] {
-        let law = Relaxation::Prony {
-            relaxed: 0.3,
-            terms: vec![[0.7, time]],
-        };
+        let law = prony(0.3, vec![[0.7, time]]);
         let data = relaxing(law, 2e3, f64::INFINITY);
         let bounds = Free::new(Law(Time(0))).within(0.5 * time, 2.0 * time);
         let found = fit_all(&[data], &[Free::new(FilmModulus), bounds]);

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{solid, solved_contact};
+use acceptance::{half_space_of, power_law, solid, solved_contact};
 use contact::{Contact, Control};
 use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point, WarningKind};
-use interp::{HalfSpace, Probe, Profile, System};
+use interp::{Probe, Profile, System};
 
 use crate::imagined::{Imagined, fitted, measurement};
 use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
@@ -151,11 +151,7 @@ fn a_flat_punch_on_a_film() {
 #[test]
 fn a_sphere_on_a_half_space() {
     let radius = 2e-5;
-    let half_space = HalfSpace {
-        probe: Probe::Sphere { radius },
-        sphere_modulus: 2e6,
-        solid: solid(3.5e6, 0.5),
-    };
+    let half_space = half_space_of(Probe::Sphere { radius }, 2e6, solid(3.5e6, 0.5));
     let modulus = 1.0 / (1.0 / 2e6 + 0.75 / 3.5e6);
     // Sneddon's sphere, and JKR's adhesion.
     let state = |a: f64| {
@@ -180,10 +176,7 @@ fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
     let points: Vec<[f64; 2]> = radii.map(|r| [r, r * r / (2.0 * radius)]).collect();
     let shapes = [
         Probe::Paraboloid { radius },
-        Probe::PowerLaw {
-            coefficient: 0.5 / radius,
-            exponent: 2.0,
-        },
+        power_law(0.5 / radius, 2.0),
         Probe::Profile(Profile::new(&points).expect("convex")),
     ];
     let modulus = 1e6 / 0.75;
@@ -192,11 +185,8 @@ fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
     let mut ended = 0;
     for seed in 0..12 {
         let fits = shapes.each_ref().map(|probe| {
-            let bodies = Bodies::HalfSpace(HalfSpace {
-                probe: probe.clone(),
-                sphere_modulus: f64::INFINITY,
-                solid: solid(1e6, 0.5),
-            });
+            let bodies =
+                Bodies::HalfSpace(half_space_of(probe.clone(), f64::INFINITY, solid(1e6, 0.5)));
             let free = [FilmModulus, WorkOfAdhesion, ContactPoint];
             let mut imagined = Imagined::lens(Kind::LoadPenetration, 10e-6, 2e-8, &free);
             imagined.truth.bodies = bodies;

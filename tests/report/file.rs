@@ -14,7 +14,7 @@ fn the_file_is_whole_and_the_same_twice() {
     for name in ["one.html", "two.html"] {
         assert_eq!(workdir.succeed(format!("report {source} -o {name}")), "");
     }
-    let page = String::from_utf8(workdir.read("one.html")).expect("UTF-8");
+    let page = workdir.text("one.html");
     assert_eq!(page.as_bytes(), workdir.read("two.html"));
     assert_eq!(workdir.files(), ["one.html", "two.html"]);
     let table = Table::read(shipped("paper.bin")).expect("the shipped table");

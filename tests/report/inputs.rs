@@ -1,6 +1,6 @@
 //! Wrong inputs of a page: in its address, and typed into its fields.
 
-use acceptance::{assert_names, rows, table};
+use acceptance::{assert_names, rounded_cone, rows, table};
 use interp::Probe;
 use serde_json::{Value, json};
 use tabulate::large_contact::LARGE_CONTACT;
@@ -202,10 +202,7 @@ fn a_page_with_a_probe_that_it_does_not_compute_is_refused() {
     let cone = refused(&all, Probe::Cone { half_angle: 1.0 });
     assert_names(&cone, "no cone; paraboloid; flat punch; `tabulate curve`");
     let half_angle = 1.0;
-    let rounded = Probe::RoundedCone {
-        radius: 1e-6,
-        half_angle,
-    };
+    let rounded = rounded_cone(1e-6, half_angle);
     assert_names(
         &refused(&all, rounded),
         "no rounded cone; paraboloid; flat punch",

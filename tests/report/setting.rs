@@ -1,8 +1,8 @@
 //! The settings of a page: its address, and the contact that they describe.
 
-use acceptance::solid;
+use acceptance::{solid, system_of};
 use contact::Contact;
-use interp::{Probe, Quantity, SubstratePoissonRatio, System, Table};
+use interp::{Probe, Quantity, SubstratePoissonRatio, Table};
 
 /// The settings of a page, in SI units. `film` and `substrate` are Young's modulus and Poisson
 /// ratio.
@@ -85,18 +85,18 @@ impl Setting {
     pub fn contact(&self, table: &Table) -> Contact {
         let solid = |[young, poisson]: [f64; 2]| solid(young, poisson);
         let radius = self.radius;
-        let system = System {
-            probe: match self.probe {
+        let system = system_of(
+            match self.probe {
                 "paraboloid" => Probe::Paraboloid { radius },
                 "sphere" => Probe::Sphere { radius },
                 "flat-punch" => Probe::FlatPunch { radius },
                 other => panic!("{other}"),
             },
-            sphere_modulus: self.sphere,
-            film: solid(self.film),
-            film_thickness: self.thickness,
-            substrate: solid(self.substrate),
-        };
+            self.sphere,
+            solid(self.film),
+            self.thickness,
+            solid(self.substrate),
+        );
         Contact::in_table(table, &system).expect("in the table")
     }
 }

@@ -62,7 +62,7 @@ fn assert_punch(contact: &Contact, csv: &Data, printed: &Data, what: &str) {
 /// Chromium.
 pub fn assert_shows(table: &Table, lines: &'static str, names: &str) -> Option<Value> {
     let (workdir, settings) = (workdir!(), settings(lines));
-    workdir.write("table.bin", table.to_packed().expect("packed"));
+    workdir.pack("table.bin", table);
     let page = report(table, &[], &SPHERE).expect("a report");
     let addresses: Vec<String> = settings
         .iter()

@@ -12,6 +12,7 @@ mod forgery;
 mod material;
 mod printed;
 mod refusals;
+mod shapes;
 mod stacks;
 mod tables;
 mod workdir;
@@ -25,10 +26,12 @@ pub use error::{
 };
 pub use forgery::{Checked, checksum, with_payload};
 pub use material::{
-    looked_up, material, on_half_space, paper_system, rigid_probe, solved, solved_contact,
+    half_space_of, looked_up, material, on_half_space, paper_system, rigid_probe, solved,
+    solved_contact, system_of,
 };
 pub use printed::{assert_estimate, estimate, json, kinds, number, value};
 pub use refusals::{Refused, Words, assert_cases, assert_names, rows};
+pub use shapes::{flat_ended_cone, modified_power_law, power_law, prony, rounded_cone};
 pub use stacks::{layer, random_stack, solid, springs, stack, with_interfaces};
 pub use tables::{BOX, RIGID_SPHERE, ends, forged, low_rank, shipped, table, write_hdf5};
 pub use workdir::{Run, Workdir, arguments, nothing_starts, start};

@@ -21,6 +21,23 @@ pub fn paper_system(film_thickness: f64) -> System {
     }
 }
 
+/// Returns a `probe` of a reduced modulus on a `film` of thickness `film_thickness` (m) on a `substrate`.
+pub const fn system_of(
+    probe: Probe,
+    sphere_modulus: f64,
+    film: Elastic,
+    film_thickness: f64,
+    substrate: Elastic,
+) -> System {
+    System {
+        probe,
+        sphere_modulus,
+        film,
+        film_thickness,
+        substrate,
+    }
+}
+
 /// Returns a rigid `probe` on a `film` of thickness `film_thickness` (m) on a `substrate`.
 pub const fn rigid_probe(
     probe: Probe,
@@ -28,23 +45,22 @@ pub const fn rigid_probe(
     film_thickness: f64,
     substrate: Elastic,
 ) -> System {
-    System {
+    system_of(probe, f64::INFINITY, film, film_thickness, substrate)
+}
+
+/// Returns a `probe` of a reduced modulus on a half-space.
+pub const fn half_space_of(probe: Probe, sphere_modulus: f64, solid: Elastic) -> HalfSpace {
+    HalfSpace {
         probe,
-        sphere_modulus: f64::INFINITY,
-        film,
-        film_thickness,
-        substrate,
+        sphere_modulus,
+        solid,
     }
 }
 
 /// Returns the contact of a rigid `probe` with a half-space.
 #[track_caller]
 pub fn on_half_space(probe: Probe, solid: Elastic) -> Contact {
-    let system = HalfSpace {
-        probe,
-        sphere_modulus: f64::INFINITY,
-        solid,
-    };
+    let system = half_space_of(probe, f64::INFINITY, solid);
     Contact::half_space(&system).unwrap_or_else(|e| panic!("{e}"))
 }
 

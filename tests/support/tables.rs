@@ -91,6 +91,11 @@ pub fn low_rank(table: &Table, error: f64) -> Table {
 }
 
 impl Workdir {
+    /// Writes a table in its packed form to the file `name`.
+    pub fn pack(&self, name: &str, table: &Table) {
+        self.write(name, table.to_packed().expect("not too large"));
+    }
+
     /// Reads the table in the file `name`.
     pub fn table(&self, name: &str) -> Table {
         let path = self.path(name);

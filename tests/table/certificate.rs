@@ -45,21 +45,12 @@ fn of_known_samples_the_worst_the_median_and_what_999_of_1000_keep_are_right() {
         })
         .collect();
     let found = certificate(&samples, 5);
-    assert_eq!(
-        (
-            found.max_error,
-            found.median_error,
-            found.points,
-            found.seed
-        ),
-        (1e-9 * 1999.0, 1e-9 * 1000.0, 2000, 5)
-    );
-    // Two of the two thousand errors are larger.
-    assert_eq!(found.p999_error, 1e-9 * 1997.0);
-    assert_eq!(
-        (found.worst_quantity, found.worst_point),
-        (Quantity::Gamma, [1999.0, 1.0, 2.0, 3.0])
-    );
+    assert_eq!((found.points, found.seed), (2000, 5));
+    // Two of the two thousand errors are larger than the third.
+    let errors = [found.max_error, found.median_error, found.p999_error];
+    assert_eq!(errors, [1999.0, 1000.0, 1997.0].map(|part| 1e-9 * part));
+    let worst = (found.worst_quantity, found.worst_point);
+    assert_eq!(worst, (Quantity::Gamma, [1999.0, 1.0, 2.0, 3.0]));
     assert_eq!(found.identity_errors, [Some(1499.0), None, None, Some(1.0)]);
 
     // Among a few samples, the 99.9 % error is the largest. NaN is larger than all others.
@@ -76,33 +67,19 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
     let table = table(FOUR_AXES);
     let samples = measured(&table, 1000, 3);
     assert_eq!(samples.len(), 1000);
-    assert!(
-        samples
-            .iter()
-            .zip(measured(&table, 1000, 3))
-            .all(|(a, b)| a.point == b.point),
-        "a seed gives other points the second time"
-    );
+    // A seed gives the same points again.
+    let points = |samples: &[Sample]| samples.iter().map(|one| one.point).collect::<Vec<_>>();
+    assert_eq!(points(&samples), points(&measured(&table, 1000, 3)));
     let ends = Parameter::ALL.map(|parameter| acceptance::ends(&table, parameter));
-    let at_ends = |sample: &Sample| {
-        (0..4)
-            .filter(|&k| sample.point[k] == ends[k].0 || sample.point[k] == ends[k].1)
-            .count()
-    };
-    assert!(
-        samples
-            .iter()
-            .all(|sample| (0..4).all(|k| (ends[k].0..=ends[k].1).contains(&sample.point[k])))
-    );
-    let count = |number| {
-        samples
-            .iter()
-            .filter(|sample| at_ends(sample) == number)
-            .count()
-    };
-    let counts = [0, 1, 2, 3, 4].map(count);
-    println!("points on 0, 1, 2, 3, 4 faces at once: {counts:?}");
-    assert_eq!(counts.iter().sum::<usize>(), 1000);
+    // The number of points on 0, 1, 2, 3 and 4 faces at once.
+    let mut counts = [0; 5];
+    for point in points(&samples) {
+        let places = || point.into_iter().zip(ends);
+        assert!(places().all(|(x, (first, last))| (first..=last).contains(&x)));
+        let on_faces = places().filter(|&(x, (first, last))| x == first || x == last);
+        counts[on_faces.count()] += 1;
+    }
+    println!("{counts:?}");
     // Every corner is there once. A tenth of the other points is on edges, and a fifth of the
     // random ones on the surface.
     assert_eq!(counts[4], 16);
@@ -114,15 +91,11 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
     // The worst point has the error that is certified.
     let found = certificate(&samples, 3);
     let again = sample(&table, found.worst_point).expect("inside");
-    assert_eq!(
-        (again.error, again.quantity),
-        (found.max_error, found.worst_quantity)
-    );
+    assert_eq!(again.error, found.max_error);
+    assert_eq!(again.quantity, found.worst_quantity);
     assert!(found.median_error < found.p999_error && found.p999_error <= found.max_error);
-    assert!(
-        sample(&table, [0.5, 1e9, 0.4, 30.0]).is_err(),
-        "outside the table"
-    );
+    let outside = sample(&table, [0.5, 1e9, 0.4, 30.0]);
+    assert!(outside.is_err());
 }
 
 /// The values of one quantity are off by one percent. The errors of the identities are those that
@@ -131,19 +104,12 @@ fn the_points_are_in_the_box_on_its_edges_and_corners_and_few_are_nodes() {
 fn the_identities_are_broken_by_as_much_as_the_values_are() {
     let sound = table(TWO_AXES);
     let scaled = |scaled: Quantity| {
-        let value = |quantity, _, value| {
-            if quantity == scaled {
-                1.01 * value
-            } else {
-                value
-            }
-        };
-        forged(&sound, value, |_| ()).expect("sound values")
+        let factor = |quantity| if quantity == scaled { 1.01 } else { 1.0 };
+        forged(&sound, |of, _, value| factor(of) * value, |_| ()).expect("sound values")
     };
     let broken = |table: &Table| {
-        certificate(&measured(table, 200, 4), 4)
-            .identity_errors
-            .map(|error| error.expect("all are held"))
+        let found = certificate(&measured(table, 200, 4), 4);
+        found.identity_errors.map(|error| error.expect("held"))
     };
     let kept = broken(&sound);
     println!("kept to {kept:?}");
@@ -163,10 +129,8 @@ fn the_identities_are_broken_by_as_much_as_the_values_are() {
     ] {
         let found = broken(&scaled(quantity));
         for (found, (expected, kept)) in found.iter().zip(expected.iter().zip(kept)) {
-            assert!(
-                (found - expected).abs() <= 1.1 * kept,
-                "{quantity:?}: {found:e}, not {expected:e}"
-            );
+            let miss = (found - expected).abs();
+            assert!(miss <= 1.1 * kept, "{quantity:?}: {found}, not {expected}");
         }
     }
 }

@@ -35,34 +35,20 @@ fn a_table_is_written_beside_its_scene_or_where_it_is_asked_for() {
     let found = workdir.table("scene.h5");
     assert_eq!(all_bits(&found), all_bits(&table(SCENE)));
     let description = found.description();
-    assert_eq!(
-        (
-            description.title.as_str(),
-            description.scene.as_str(),
-            description.tolerance
-        ),
-        ("A small box", SCENE, 1e-1)
-    );
-    assert_eq!(
-        (description.certificate.points, description.certificate.seed),
-        (50, 7)
-    );
-    assert_names(
-        &description.created_by,
-        &["tabulate ", env!("CARGO_PKG_VERSION")],
-    );
-    assert_names(
-        &summary,
-        "A small box; scene.h5; 32 points; 50 direct solves, seed 7",
-    );
+    assert_eq!(description.title, "A small box");
+    assert_eq!((&*description.scene, description.tolerance), (SCENE, 1e-1));
+    let certificate = description.certificate;
+    assert_eq!((certificate.points, certificate.seed), (50, 7));
+    let version = concat!("tabulate ; ", env!("CARGO_PKG_VERSION"));
+    assert_names(&description.created_by, version);
+    let words = "A small box; scene.h5; 32 points; 50 direct solves, seed 7";
+    assert_names(&summary, words);
 
     let other = "generate scene.toml -o other.h5 --certificate-points 50 --seed 7 --tolerance 5e-2";
     workdir.succeed(other);
     assert_eq!(workdir.table("other.h5").description().tolerance, 5e-2);
-    assert_eq!(
-        workdir.files(),
-        ["other.h5", "out_of_reach.toml", "scene.h5", "scene.toml"]
-    );
+    let files = ["other.h5", "out_of_reach.toml", "scene.h5", "scene.toml"];
+    assert_eq!(workdir.files(), files);
 }
 
 #[test]
@@ -100,28 +86,16 @@ fn a_table_that_misses_its_tolerance_is_written_and_the_status_is_1() {
     let run = workdir.run("generate coarse.toml --tolerance 1e-5 --certificate-points 100");
     assert_eq!(run.status, 1, "{run:?}");
     let table = workdir.table("coarse.h5");
-    let (error, tolerance) = (
-        table.description().certificate.max_error,
-        table.description().tolerance,
-    );
-    assert_eq!(tolerance, 1e-5);
+    assert_eq!(table.description().tolerance, 1e-5);
+    let error = table.description().certificate.max_error;
     assert!(error > 1e-5, "{error}");
-    assert_names(&run.stderr, &["coarse.h5", &format!("{error:.1e}"), "1e-5"]);
-    assert_eq!(
-        run.stderr.lines().count(),
-        1,
-        "no progress bar where there is no terminal: {}",
-        run.stderr
-    );
+    let words = format!("coarse.h5; {error:.1e}; 1e-5; is written; exceeds the tolerance");
+    assert_names(&run.stderr, &words);
+    // No progress bar where there is no terminal.
+    assert_eq!(run.stderr.lines().count(), 1, "{run:?}");
     assert_names(&run.stdout, &["certified error", &format!("{error:.1e}")]);
-    assert_names(&run.stderr, "is written; exceeds the tolerance");
-    let files = [
-        "coarse.h5",
-        "coarse.toml",
-        "out_of_reach.toml",
-        "scene.toml",
-    ];
-    assert_eq!(workdir.files(), files);
+    let files = "coarse.h5 coarse.toml out_of_reach.toml scene.toml";
+    assert_eq!(workdir.files().join(" "), files);
 }
 
 /// The corners of the box are nodes, at which a table has no error.
@@ -131,18 +105,10 @@ fn a_few_points_are_off_the_nodes() {
     let scene = "title = 'x'\na_over_t = { from = 1e-2, to = 1e2, nodes = 3 }\ne1_over_e2 = 1\nnu1 = 0.5\ne0_over_e2 = 1e4\n";
     workdir.write("scene.toml", scene);
     for points in ["1", "2", "10"] {
-        assert_eq!(
-            workdir
-                .run(format!("generate scene.toml --certificate-points {points}"))
-                .status,
-            1,
-            "{points} points"
-        );
-        let error = workdir
-            .table("scene.h5")
-            .description()
-            .certificate
-            .max_error;
+        let run = workdir.run(format!("generate scene.toml --certificate-points {points}"));
+        assert_eq!(run.status, 1, "{points} points");
+        let table = workdir.table("scene.h5");
+        let error = table.description().certificate.max_error;
         assert!(error > 1e-2, "{points} points: {error:e}");
     }
 }
@@ -154,23 +120,16 @@ fn a_range_that_no_number_of_nodes_resolves_is_an_error_that_names_it() {
     let workdir = workdir();
     workdir.write("steep.toml", "title = 'x'\ntolerance = 1e-8\na_over_t = 1\ne1_over_e2 = 1\nnu1 = { from = -0.999999999999999, to = 0.5 }\ne0_over_e2 = 10\n");
     let before = workdir.files();
-    assert_names(
-        &workdir.fail(1, "generate steep.toml"),
-        "nu1 would take; nodes or more; 1e-8; smaller range",
-    );
+    let words = "nu1 would take; nodes or more; 1e-8; smaller range";
+    workdir.refuses(format!("1 | generate steep.toml | {words}"));
     assert_eq!(workdir.files(), before);
 }
 
 #[test]
 fn a_plan_says_what_is_made_and_makes_nothing() {
     let workdir = workdir();
-    workdir.write(
-        "box.toml",
-        SCENE
-            .replace(", nodes = 8", "")
-            .replace(", nodes = 4", "")
-            .replace("1e-1", "1e-4"),
-    );
+    let scene = SCENE.replace(", nodes = 8", "").replace(", nodes = 4", "");
+    workdir.write("box.toml", scene.replace("1e-1", "1e-4"));
     let before = workdir.files();
     let plan = workdir.succeed("generate box.toml --plan");
     assert_eq!(workdir.files(), before);
@@ -247,8 +206,6 @@ fn wrong_arguments_are_named() {
         1 | generate scene -o scene | scene; it is the input
         ",
     );
-    assert_eq!(
-        workdir.files(),
-        ["out_of_reach.toml", "scene", "scene.toml"]
-    );
+    let files = ["out_of_reach.toml", "scene", "scene.toml"];
+    assert_eq!(workdir.files(), files);
 }

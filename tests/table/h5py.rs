@@ -42,19 +42,14 @@ fn read(path: &Path) -> Value {
 /// Returns the standard output of a command that succeeds.
 pub fn output(command: &mut Command) -> Vec<u8> {
     let output = start(command).wait_with_output().expect("python3 runs");
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
     output.stdout
 }
 
 pub fn hexadecimal(values: &[f64]) -> Value {
-    bits(values)
-        .iter()
-        .map(|word| format!("{word:016x}"))
-        .collect()
+    let bits = bits(values).into_iter();
+    bits.map(|word| format!("{word:016x}")).collect()
 }
 
 fn double(value: f64) -> Value {
@@ -73,15 +68,11 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         let value = attributes.remove(name).expect("an explanation");
         value[1].as_str().expect("text").to_owned()
     };
-    assert_names(
-        &explained("comment"),
-        "sphere of radius R; film of thickness t; a is the contact radius; 2 g^2/(pi a Es*) = w; F = F0 - S |dfp|; \
-         nu1 = b/(1 + b)",
-    );
-    assert_names(
-        &explained("references"),
-        "Barthel; J. Phys. D; 40 (2007) 1059",
-    );
+    let words = "sphere of radius R; film of thickness t; a is the contact radius; 2 g^2/(pi a Es*) = w; \
+                 F = F0 - S |dfp|; nu1 = b/(1 + b)";
+    assert_names(&explained("comment"), words);
+    let words = "Barthel; J. Phys. D; 40 (2007) 1059";
+    assert_names(&explained("references"), words);
     assert_eq!(explained("license"), "MIT OR Apache-2.0");
     let description = table.description();
     let certificate = &description.certificate;
@@ -145,12 +136,8 @@ fn assert_reads(table: &Table, normalised_by: &str) {
             "is_scale": false, "scales": named("/axes/"), "labels": named(""),
         });
         let bits = hexadecimal(table.values(quantity).expect("held"));
-        (
-            format!("/values/{}", quantity.name()),
-            bits,
-            attributes,
-            properties,
-        )
+        let path = format!("/values/{}", quantity.name());
+        (path, bits, attributes, properties)
     });
     let mut links = Vec::new();
     for (path, bits, attributes, mut expected) in axes.chain(values) {
@@ -158,12 +145,8 @@ fn assert_reads(table: &Table, normalised_by: &str) {
         let group = file["groups"][group].as_object_mut().expect("a group");
         let mut found = group.remove(name).unwrap_or_else(|| panic!("no {path}"));
         let properties = found.as_object_mut().expect("properties");
-        assert!(
-            properties
-                .remove("chunks")
-                .is_some_and(|chunks| chunks.is_array()),
-            "{path}"
-        );
+        let chunks = properties.remove("chunks");
+        assert!(chunks.is_some_and(|chunks| chunks.is_array()), "{path}");
         assert_eq!(properties.remove("bits"), Some(bits), "{path}");
         for (name, value) in [
             ("dtype", json!("float64")),
@@ -179,19 +162,15 @@ fn assert_reads(table: &Table, normalised_by: &str) {
     // There is nothing else, and the root has each dataset under its name.
     assert_eq!(file["groups"], json!({ "axes": {}, "values": {} }));
     links.sort();
-    assert_eq!(
-        (&file["links"], &file["extra"]),
-        (&json!(links), &json!([]))
-    );
+    assert_eq!(file["links"], json!(links));
+    assert_eq!(file["extra"], json!([]));
 }
 
 #[test]
 fn h5py_reads_a_table_of_four_axes() {
     let table = table(BOX);
-    assert!(
-        table.shape().iter().product::<usize>() > 1 << 15,
-        "several chunks"
-    );
+    // Several chunks.
+    assert!(table.shape().iter().product::<usize>() > 1 << 15);
     assert_reads(&table, "E2*");
 }
 

@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 
 use acceptance::{
-    BOX, Contacts, RIGID_SPHERE, all_bits, assert_names, error_at, larger, low_rank, shipped,
-    table, workdir, write_hdf5,
+    BOX, Contacts, RIGID_SPHERE, Refused, all_bits, assert_matches, assert_names, error_at, larger,
+    low_rank, shipped, table, workdir, write_hdf5,
 };
 use interp::{Description, MaterialParameter, Parameter, Quantity, Table};
 use tabulate::table::compress;
@@ -90,11 +90,8 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
             let [ours, theirs] = [&low_rank, &dense].map(gradient);
             for parameter in MaterialParameter::ALL {
                 let (Ok(ours), Ok(by)) = (ours.by(parameter), theirs.by(parameter)) else {
-                    assert!(
-                        ours.by(parameter).is_err() && theirs.by(parameter).is_err(),
-                        "{}",
-                        parameter.name()
-                    );
+                    let either = ours.by(parameter).or(theirs.by(parameter));
+                    assert!(either.is_err(), "{}", parameter.name());
                     continue;
                 };
                 for quantity in Quantity::ALL {
@@ -104,10 +101,7 @@ fn derivatives_are_those_of_the_dense_table_with_axes_of_one_node_too() {
                 known += 1;
             }
         }
-        println!(
-            "{}: {known} derivatives, at most {worst:.1e} apart",
-            dense.description().title
-        );
+        println!("{}: {known} {worst:.1e}", dense.description().title);
         // The truncation of a form changes the values by a small part of the tolerance, and the
         // derivatives by a larger one. Measured: 9.8e-8, 4.0e-6, 5.4e-7; 4.6e-5 where `Gamma` alone is held.
         let most = if scene == GAMMA_ALONE { 1e-4 } else { 1e-5 };
@@ -131,18 +125,14 @@ fn a_low_rank_table_has_the_error_it_was_given_at_the_nodes_and_little_more_betw
     const DROPPED: f64 = 0.005;
     for scene in [BOX, RIGID_SPHERE, TWO_AXES, ONE_AXIS, ONE_RADIUS] {
         let dense = table(scene);
-        assert!(
-            dense.low_rank().is_none()
-                && matches!(dense.expand(), Ok(std::borrow::Cow::Borrowed(_)))
-        );
+        assert!(dense.low_rank().is_none());
+        assert_matches!(dense.expand(), Ok(std::borrow::Cow::Borrowed(_)));
         for error in [1e-2, 1e-4, 1e-6, 1e-9, 1e-12] {
             let low_rank = low_rank(&dense, error);
             let ranks = low_rank.ranks().expect("it is low-rank");
-            assert!(
-                Quantity::ALL
-                    .into_iter()
-                    .all(|q| low_rank.values(q).is_none() && low_rank.holds(q) == dense.holds(q))
-            );
+            for q in Quantity::ALL {
+                assert!(low_rank.values(q).is_none() && low_rank.holds(q) == dense.holds(q));
+            }
             let expanded = low_rank.expand().expect("positive values");
             let reached = apart(&expanded, &dense);
             let mut contacts = Contacts::new(60);
@@ -163,31 +153,22 @@ fn a_low_rank_table_has_the_error_it_was_given_at_the_nodes_and_little_more_betw
             let packed = low_rank.to_packed().expect("a small table");
             // Rounding of logarithm and exponential.
             assert!(reached <= error * (1.0 + error) + 1e-14, "{reached:.1e}");
-            assert!(
-                reached >= USED * error || ranks == [[1; 3]],
-                "{reached:.1e}"
-            );
+            let is_used = reached >= USED * error || ranks == [[1; 3]];
+            assert!(is_used, "{reached:.1e}");
             let allowed = BETWEEN * error + DROPPED * dense.description().tolerance;
             assert!(different <= allowed, "{different:.1e}");
             let again = Table::from_packed(&packed).expect("a sound table");
             assert_eq!(again.description(), low_rank.description());
             assert_eq!(again.to_packed().expect("a small table"), packed);
-            assert_eq!(
-                all_bits(&again.expand().expect("positive values")),
-                all_bits(&expanded)
-            );
+            let again = again.expand().expect("positive values");
+            assert_eq!(all_bits(&again), all_bits(&expanded));
         }
     }
 }
 
 #[test]
 fn an_error_below_rounding_is_refused_with_what_was_reached() {
-    match compress(&table(TWO_AXES), 1e-17) {
-        Err(error @ tabulate::Error::Truncation { .. }) => {
-            assert_names(&error.to_string(), &["1.0e-17", "larger tolerance"])
-        }
-        other => panic!("{other:?}"),
-    }
+    compress(&table(TWO_AXES), 1e-17).refused("1.0e-17; larger tolerance");
 }
 
 #[test]
@@ -201,88 +182,53 @@ fn packing_keeps_the_tolerance_at_fresh_points_and_says_so() {
             "pack table.h5 -o table.bin --tolerance {tolerance} --points 1000"
         ));
         let packed = workdir.table("table.bin");
-        let (value, ranks) = (
-            tolerance.parse::<f64>().expect("a number"),
-            packed.ranks().expect("low-rank")[0],
-        );
+        let value: f64 = tolerance.parse().expect("a number");
+        let [a, b, c] = packed.ranks().expect("low-rank")[0];
         let description = packed.description();
-        let certificate = &description.certificate;
-        assert_eq!(
-            (description.tolerance, certificate.points, certificate.seed),
-            (value, 1000, own.seed + 1)
-        );
-        assert_eq!(
-            description,
-            &Description {
-                tolerance: value,
-                certificate: *certificate,
-                ..FOUR_AXES.description().clone()
-            }
-        );
+        let certificate = description.certificate;
+        assert_eq!((certificate.points, certificate.seed), (1000, own.seed + 1));
+        let expected = Description {
+            tolerance: value,
+            certificate,
+            ..FOUR_AXES.description().clone()
+        };
+        assert_eq!(*description, expected);
         assert!(certificate.max_error <= value);
         let size = workdir.read("table.bin").len();
-        let [a, b, c] = ranks;
         let form = format!("ranks {a}, {b}, {c}");
-        assert_names(
-            &summary,
-            &[
-                "low rank",
-                &form,
-                tolerance,
-                "table.bin",
-                &format!("{size} bytes"),
-                "1000 direct solves",
-            ],
-        );
-        assert_names(
-            &workdir.succeed("info table.bin"),
-            &[&form, "30 nodes", "low rank"],
-        );
+        let words = format!("low rank; {form}; {tolerance}; table.bin; {size} bytes");
+        assert_names(&summary, &format!("{words}; 1000 direct solves"));
+        let info = workdir.succeed("info table.bin");
+        assert_names(&info, &[&form, "30 nodes", "low rank"]);
 
         let mut contacts = Contacts::new(61);
         let worst = (0..500)
             .map(|_| contacts.point_of(&packed))
             .map(|(x, material)| error_at(&packed, x, &material))
             .fold(0.0, larger);
-        println!(
-            "{tolerance}: {form}, {size} bytes, certified {:.1e}, at 500 fresh points {worst:.1e}",
-            certificate.max_error
-        );
-        assert!(worst <= value);
+        assert!(worst <= value, "{worst:e}");
         sizes.push(size);
 
         // The certificate holds for the values at the nodes as well.
         workdir.succeed("unpack table.bin -o unpacked.h5");
         let unpacked = workdir.table("unpacked.h5");
         assert_eq!(unpacked.description(), description);
-        assert_eq!(
-            all_bits(&unpacked),
-            all_bits(&packed.expand().expect("positive values"))
-        );
+        let packed = packed.expand().expect("positive values");
+        assert_eq!(all_bits(&unpacked), all_bits(&packed));
         for name in ["table.bin", "unpacked.h5"] {
-            assert_names(
-                &workdir.succeed(format!("check {name} --points 300")),
-                "300 points; certified max",
-            );
+            let checked = workdir.succeed(format!("check {name} --points 300"));
+            assert_names(&checked, "300 points; certified max");
         }
     }
     assert!(sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
     let dense = workdir.read("table.h5").len();
-    println!(
-        "dense: {dense} bytes, {} times as many as at 1e-6",
-        dense / sizes[3]
-    );
+    println!("dense: {dense} {}", dense / sizes[3]);
     // Measured: 97.
     assert!(dense > 80 * sizes[3]);
     // Every command takes it; ten thousand points compare a table with four axes.
     workdir.write_points("1,1,0.4,30\n");
-    assert_eq!(
-        workdir
-            .succeed("query table.bin --points points.csv")
-            .lines()
-            .count(),
-        2
-    );
+    let answer = workdir.succeed("query table.bin --points points.csv");
+    assert_eq!(answer.lines().count(), 2);
     assert_names(&workdir.succeed("check table.bin"), &["10000 points"]);
 }
 
@@ -299,16 +245,9 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
         let dense = table(scene);
         write_hdf5(&dense, &workdir.path("table.h5"));
         let tolerance = 2.0 * dense.description().certificate.max_error + 1e-9;
-        let text = workdir.succeed(format!(
-            "pack table.h5 -o table.bin --tolerance {tolerance:e}"
-        ));
-        assert_names(
-            &text,
-            &[
-                &format!("{} direct solves", 2500 * axes),
-                &format!("{tolerance:e}"),
-            ],
-        );
+        let pack = format!("pack table.h5 -o table.bin --tolerance {tolerance:e}");
+        let words = format!("{} direct solves; {tolerance:e}", 2500 * axes);
+        assert_names(&workdir.succeed(pack), &words);
         let packed = workdir.table("table.bin");
         let [tile] = packed.low_rank().expect("low-rank") else {
             panic!("such a table is not divided")
@@ -334,18 +273,12 @@ fn tables_of_fewer_axes_are_packed_to_a_tolerance_and_checked_too() {
 
 #[test]
 fn the_same_table_gives_the_same_bytes_on_any_number_of_threads() {
-    let threads = |count| {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(count)
-            .build()
-            .expect("threads")
-    };
     let packed = |count| {
-        threads(count).install(|| {
-            low_rank(&FOUR_AXES, 1e-6)
-                .to_packed()
-                .expect("a small table")
-        })
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build();
+        let made = pool
+            .expect("threads")
+            .install(|| low_rank(&FOUR_AXES, 1e-6));
+        made.to_packed().expect("a small table")
     };
     assert!(packed(1) == packed(3));
 }
@@ -392,23 +325,15 @@ fn the_embedded_table_is_the_universal_one_and_as_accurate_as_it_says() {
     );
     assert!(table.low_rank().is_some() && table.quantities() == [Quantity::Gamma]);
     let ends = Parameter::REDUCED.map(|parameter| acceptance::ends(table, parameter));
-    assert_eq!(
-        ends,
-        [(1e-3, 1e3), (0.0, 1e10), (0.0, 0.5), (0.0, f64::INFINITY)]
-    );
-    assert!(
-        certificate.points >= 10_000 && certificate.max_error <= description.tolerance,
-        "{certificate:?}"
-    );
+    let expected = [(1e-3, 1e3), (0.0, 1e10), (0.0, 0.5), (0.0, f64::INFINITY)];
+    assert_eq!(ends, expected);
+    let is_kept = certificate.points >= 10_000 && certificate.max_error <= description.tolerance;
+    assert!(is_kept, "{certificate:?}");
     let size = table.to_packed().expect("it was packed").len();
     assert!(size <= 400_000, "{size} bytes");
     // Its own way of placing points, which finds the edges and corners of the box; truth as
     // accurate as the tolerance needs.
-    let measured =
-        tabulate::table::certify(table, 1000, certificate.seed + 1, &|_| {}).expect("within reach");
-    println!(
-        "{size} bytes, certified {:.1e}, at 1000 fresh points {:.1e}",
-        certificate.max_error, measured.max_error
-    );
-    assert!(measured.max_error <= description.tolerance);
+    let measured = tabulate::table::certify(table, 1000, certificate.seed + 1, &|_| {});
+    let error = measured.expect("within reach").max_error;
+    assert!(error <= description.tolerance, "{error:e}");
 }

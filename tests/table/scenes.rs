@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use acceptance::{assert_names, larger, material, shipped};
+use acceptance::{assert_matches, assert_names, larger, material, shipped};
 use interp::{Parameter, Quantity};
 use tabulate::table::{Extent, Plan, Scene, Values, sweep};
 
@@ -104,15 +104,9 @@ fn quantities_that_are_not_asked_for_are_not_kept_and_the_others_are_the_same() 
         let (scene, _, values, count) = solved(&format!("quantities = {names:?}\n{FULL}"));
         assert_eq!((scene.quantities.as_slice(), count), (quantities, all));
         for quantity in Quantity::ALL {
-            let expected = full[quantity as usize]
-                .as_ref()
-                .filter(|_| quantities.contains(&quantity));
-            assert_eq!(
-                values[quantity as usize].as_ref(),
-                expected,
-                "{}",
-                quantity.name()
-            );
+            let [all, found] = [&full, &values].map(|of| of[quantity as usize].as_ref());
+            let expected = all.filter(|_| quantities.contains(&quantity));
+            assert_eq!(found, expected, "{}", quantity.name());
         }
     }
 }
@@ -131,17 +125,11 @@ fn the_shipped_scenes_settle_what_their_names_say() {
         let scene = Scene::read(&shipped(&format!("{name}.toml")), None).expect("a sound scene");
         assert_eq!(scene.quantities.len(), quantities, "{name}");
         for parameter in [AOverT, E1OverE2, Nu1, E0OverE2] {
-            let settled = fixed
-                .iter()
-                .find(|(settled, _)| *settled == parameter)
-                .map(|&(_, value)| Extent::Fixed(value));
-            match (scene.extents[parameter as usize], settled) {
-                (found, Some(expected)) => {
-                    assert_eq!(found, expected, "{name}: {}", parameter.name())
-                }
-                (found, None) => {
-                    assert!(matches!(found, Extent::Range { .. }), "{name}: {found:?}")
-                }
+            let settled = fixed.iter().find(|(settled, _)| *settled == parameter);
+            let found = scene.extents[parameter as usize];
+            match settled {
+                Some(&(_, value)) => assert_eq!(found, Extent::Fixed(value), "{name}"),
+                None => assert_matches!(found, Extent::Range { .. }),
             }
         }
         assert_names(&scene.text, &["title", "tolerance"]);

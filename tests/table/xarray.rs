@@ -72,11 +72,8 @@ fn assert_reads(table: &Table, found: &Value) {
             });
             (parameter.name().to_owned(), contents)
         });
-        assert_eq!(
-            found["coordinates"],
-            Value::Object(coordinates.into_iter().collect()),
-            "{engine}"
-        );
+        let coordinates = Value::Object(coordinates.into_iter().collect());
+        assert_eq!(found["coordinates"], coordinates, "{engine}");
         let quantities = table.quantities().into_iter().map(|quantity| {
             let contents = json!({
                 "dimensions": all,
@@ -85,11 +82,8 @@ fn assert_reads(table: &Table, found: &Value) {
             });
             (quantity.name().to_owned(), contents)
         });
-        assert_eq!(
-            found["quantities"],
-            Value::Object(quantities.collect()),
-            "{engine}"
-        );
+        let quantities = Value::Object(quantities.collect());
+        assert_eq!(found["quantities"], quantities, "{engine}");
     }
 }
 
@@ -123,18 +117,10 @@ fn xarray_opens_the_papers_table_and_the_example_interpolates_it_to_its_toleranc
     let found = read(&path, &points);
     assert_reads(&table, &found);
 
-    let solved: Vec<_> = points
-        .iter()
-        .map(|(x, material)| solved(*x, material, TRUTH))
-        .collect();
-    let truth: Vec<_> = Quantity::ALL
-        .map(|quantity| {
-            (
-                quantity,
-                solved.iter().map(|four| four.get(quantity)).collect(),
-            )
-        })
-        .into();
+    let solved = points.iter().map(|(x, own)| solved(*x, own, TRUTH));
+    let solved: Vec<_> = solved.collect();
+    let of = |quantity| solved.iter().map(|four| four.get(quantity)).collect();
+    let truth = Quantity::ALL.map(|quantity| (quantity, of(quantity)));
     let [nine, three, linear] =
         ["degree 9", "degree 3", "linear"].map(|method| worst(&found[method], &truth));
     println!("degree 9: {nine:.1e}, degree 3: {three:.1e}, linear: {linear:.1e}");
@@ -143,22 +129,17 @@ fn xarray_opens_the_papers_table_and_the_example_interpolates_it_to_its_toleranc
     let stated = format!(
         "is {nine:.0e}. With `k=3` it is {three:.0e}, and with\n`table.interp`, which is linear in the parameters and values, {linear:.0e}."
     );
-    assert!(
-        text.contains(&stated),
-        "the README does not state: {stated}"
-    );
+    assert!(text.contains(&stated), "not in the README: {stated}");
 }
 
 /// The example as a user runs it, at the root of the repository.
 #[test]
 fn the_example_prints_the_solved_value() {
     let text = std::fs::read_to_string(readme()).expect("text");
-    let block = text
-        .split("```python\n")
-        .find(|block| block.contains("make_interp_spline"));
-    let (example, _) = block
-        .and_then(|block| block.split_once("```"))
-        .expect("the README has the example");
+    let mut blocks = text.split("```python\n");
+    let block = blocks.find(|block| block.contains("make_interp_spline"));
+    let example = block.and_then(|block| Some(block.split_once("```")?.0));
+    let example = example.expect("the README has the example");
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let printed = output(python().arg("-c").arg(example).current_dir(root));
     let printed = String::from_utf8(printed).expect("text");

@@ -1,9 +1,9 @@
 //! The embedded table answers every system of a catalogue of the laboratory: load and penetration
 //! from independent direct solves, in `tests/data/systems.csv`.
 
-use acceptance::{Data, solid};
+use acceptance::{Data, solid, system_of};
 use contact::Contact;
-use interp::{Probe, System, Table};
+use interp::{Probe, Table};
 
 /// Errors are relative to the sums of the sizes of the two terms of eq. 9, which may cancel. The
 /// table's tolerance is 1e-6.
@@ -18,15 +18,15 @@ fn every_system_of_the_catalogue_is_answered() {
                 .map(|property| case.get(&format!("{body}_{property}")));
             solid(modulus, poisson)
         };
-        let system = System {
-            probe: Probe::Paraboloid {
+        let system = system_of(
+            Probe::Paraboloid {
                 radius: case.get("sphere_radius"),
             },
-            sphere_modulus: case.get("sphere_modulus"),
-            film: elastic("film"),
-            film_thickness: case.get("film_thickness"),
-            substrate: elastic("substrate"),
-        };
+            case.get("sphere_modulus"),
+            elastic("film"),
+            case.get("film_thickness"),
+            elastic("substrate"),
+        );
         let (a, w) = (case.get("contact_radius"), case.get("work_of_adhesion"));
         let (load, penetration) = Contact::in_table(Table::embedded(), &system)
             .and_then(|contact| contact.load_and_penetration(a, w))

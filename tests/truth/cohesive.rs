@@ -226,10 +226,7 @@ fn the_load_is_the_slope_of_the_energy() {
                 (rise / descent - state.load) / scale,
                 (load - state.load) / scale,
             ];
-            println!(
-                "{confined} {lambda}: {errors:?}, F {:.3}",
-                state.load / scale
-            );
+            println!("{confined} {lambda} {errors:?} {:.3}", state.load / scale);
             worst = larger(worst, errors[0].abs());
             worst_sum = larger(worst_sum, errors[1].abs());
         }

@@ -2,7 +2,8 @@
 //! under several probes, and solves of the whole annulus on films.
 
 use acceptance::{
-    Refused, larger, looked_up, on_half_space, rigid_probe, simpson, solid, solved_contact, stack,
+    Refused, flat_ended_cone, larger, looked_up, on_half_space, power_law, rigid_probe,
+    rounded_cone, simpson, solid, solved_contact, stack,
 };
 use contact::{CohesiveEquilibrium, CohesiveZone, Contact, Control, ZoneSize, root};
 use interp::{Elastic, Probe};
@@ -65,13 +66,7 @@ fn the_remainder_is_of_second_order_under_every_smooth_probe() {
             },
             &|s| 0.5 * PI * s / 3.0,
         ),
-        (
-            Probe::PowerLaw {
-                coefficient: 1e12,
-                exponent: 4.0,
-            },
-            &|s| 8.0 / 3.0 * 1e12 * s.powi(4),
-        ),
+        (power_law(1e12, 4.0), &|s| 8.0 / 3.0 * 1e12 * s.powi(4)),
     ];
     for (probe, b) in probes {
         let contact = on_half_space(probe.clone(), solid(MODULUS, 0.0));
@@ -243,14 +238,8 @@ fn long_zones_and_shapes_with_edges_are_refused() {
     }
     for probe in [
         Probe::FlatPunch { radius: 1e-5 },
-        Probe::RoundedCone {
-            radius: 1e-5,
-            half_angle: 1.0,
-        },
-        Probe::FlatEndedCone {
-            radius: 1e-5,
-            half_angle: 1.0,
-        },
+        rounded_cone(1e-5, 1.0),
+        flat_ended_cone(1e-5, 1.0),
     ] {
         let name = probe.name();
         let contact = half_space(probe);

@@ -1,6 +1,6 @@
 //! Shapes of probes at their limits: derivatives below the nodes, and the flank of a rounded cone.
 
-use acceptance::{on_half_space, rigid_probe, solid};
+use acceptance::{on_half_space, rigid_probe, rounded_cone, solid};
 use contact::{Contact, Input};
 use interp::{Probe, Table};
 
@@ -37,10 +37,7 @@ fn derivatives_below_the_nodes_under_a_sphere_are_differences() {
 #[test]
 fn the_flank_of_a_rounded_cone_has_the_slope_of_the_cone() {
     let half_angle = 60_f64.to_radians();
-    let probe = Probe::RoundedCone {
-        radius: 1e-6,
-        half_angle,
-    };
+    let probe = rounded_cone(1e-6, half_angle);
     // 1/tan(60 deg); the flank begins at 0.577 um.
     for (a, slope) in [(5e-7, 0.5), (2e-6, 1.0 / 3.0_f64.sqrt())] {
         let contact = on_half_space(probe.clone(), solid(1e6, 0.3));

@@ -8,7 +8,7 @@ mod refused;
 
 use std::f64::consts::PI;
 
-use acceptance::{Case, Data, larger, on_half_space, rigid_probe, solid, solved_contact};
+use acceptance::{Case, Data, larger, on_half_space, prony, rigid_probe, solid, solved_contact};
 use contact::{Contact, Control, Course, Hysteresis, Phase, Relaxation, State, TimedContact};
 use interp::{Probe, System};
 
@@ -23,10 +23,7 @@ fn law(text: &str) -> Relaxation {
     match words[0] {
         "prony" => {
             let terms = words[2..].iter().map(|term| pair(term)).collect();
-            Relaxation::Prony {
-                relaxed: number(words[1]),
-                terms,
-            }
+            prony(number(words[1]), terms)
         }
         "power" => {
             let [exponent, time] = pair(words[1]);
@@ -133,10 +130,7 @@ fn independent_series() {
                 None if name.starts_with("two-cycles") => 1e-5,
                 None => 1e-8,
             };
-            println!(
-                "{name}: {errors:?}, stated {:.1e}, allowed {allowed:.0e}",
-                course.error
-            );
+            println!("{name}: {errors:?} {:.1e} {allowed:.0e}", course.error);
             for error in errors {
                 assert!(error <= allowed, "{name}: {errors:?}");
                 // The curve has an error of its own.
@@ -161,10 +155,7 @@ fn independent_series() {
 
 /// A solid that relaxes to 0.3 of its modulus in 0.6 s.
 fn solid_law() -> Relaxation {
-    Relaxation::Prony {
-        relaxed: 0.3,
-        terms: vec![[0.7, 0.6]],
-    }
+    prony(0.3, vec![[0.7, 0.6]])
 }
 
 /// A rigid probe on a half-space with `E* = 1`.
@@ -283,13 +274,7 @@ fn a_hold_relaxes_by_the_law() {
 #[test]
 fn creep_under_a_load() {
     let contact = half_space(PARABOLOID);
-    let laws = [
-        Relaxation::Prony {
-            relaxed: 0.0,
-            terms: vec![[0.6, 0.1], [0.4, 3.0]],
-        },
-        power_law(0.3),
-    ];
+    let laws = [prony(0.0, vec![[0.6, 0.1], [0.4, 3.0]]), power_law(0.3)];
     for law in laws {
         let program = [(0.0, 0.0), (0.5, 1e-4)];
         let times = [0.1, 0.5, 0.6, 3.0, 20.0];

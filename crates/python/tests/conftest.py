@@ -11,22 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Cone,
-    Elastic,
-    Experiment,
-    FlatEndedCone,
-    FlatPunch,
-    Layer,
-    Paraboloid,
-    PowerLaw,
-    Profile,
-    RoundedCone,
-    Sphere,
-    Stack,
-    System,
-    Table,
-)
+import coated_contact as cc
 
 ROOT = Path(__file__).resolve().parents[3]
 DATA = ROOT / "tests" / "data"
@@ -42,19 +27,21 @@ def make_system(
     substrate_poisson_ratio=0.25,
 ):
     """By default Barthel's elastomer sphere on an elastomer film on silicon."""
-    return System(
+    return cc.System(
         sphere_radius=sphere_radius,
         sphere_modulus=sphere_modulus,
-        film=Elastic(young_modulus=film_modulus, poisson_ratio=film_poisson_ratio),
+        film=cc.Elastic(young_modulus=film_modulus, poisson_ratio=film_poisson_ratio),
         film_thickness=film_thickness,
-        substrate=Elastic(young_modulus=substrate_modulus, poisson_ratio=substrate_poisson_ratio),
+        substrate=cc.Elastic(
+            young_modulus=substrate_modulus, poisson_ratio=substrate_poisson_ratio
+        ),
     )
 
 
 def loads_at(system, radii, **known):
     """A plan of loads at contact radii, with 0.04 J/m^2 of adhesion unless it is given."""
     fields = {"kind": "load-radius", "work_of_adhesion": 0.04} | known
-    return Experiment(abscissa=radii, system=system, **fields)
+    return cc.Experiment(abscissa=radii, system=system, **fields)
 
 
 def without_result(curve):
@@ -79,7 +66,7 @@ def system():
 
 @pytest.fixture(scope="session")
 def contact(system):
-    return Table.embedded().contact(system)
+    return cc.Table.embedded().contact(system)
 
 
 @pytest.fixture
@@ -96,27 +83,27 @@ def axes():
 
 # One of each shape, some micrometres wide.
 PROBES = [
-    Paraboloid(radius=1e-5),
-    Sphere(radius=1e-5),
-    PowerLaw(coefficient=2e9, exponent=3),
-    Cone(half_angle=1.2),
-    RoundedCone(radius=2e-6, half_angle=1.0),
-    FlatPunch(radius=3e-6),
-    FlatEndedCone(radius=1e-6, half_angle=1.1),
-    Profile(points=[(r * 1e-6, r * r * 5e-8) for r in range(9)]),
+    cc.Paraboloid(radius=1e-5),
+    cc.Sphere(radius=1e-5),
+    cc.PowerLaw(coefficient=2e9, exponent=3),
+    cc.Cone(half_angle=1.2),
+    cc.RoundedCone(radius=2e-6, half_angle=1.0),
+    cc.FlatPunch(radius=3e-6),
+    cc.FlatEndedCone(radius=1e-6, half_angle=1.1),
+    cc.Profile(points=[(r * 1e-6, r * r * 5e-8) for r in range(9)]),
 ]
 
 
 @pytest.fixture(scope="session")
 def stack():
     """An elastomer on a softer primer on silicon: tables/stacks/primer.toml."""
-    primer = Elastic(young_modulus=5e5, poisson_ratio=0.5)
-    elastomer = Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
-    return Stack(
-        base=Elastic(young_modulus=2e11, poisson_ratio=0.25),
+    primer = cc.Elastic(young_modulus=5e5, poisson_ratio=0.5)
+    elastomer = cc.Elastic(young_modulus=3.5e6, poisson_ratio=0.5)
+    return cc.Stack(
+        base=cc.Elastic(young_modulus=2e11, poisson_ratio=0.25),
         layers=[
-            Layer(name="primer", material=primer, thickness=2.5e-6),
-            Layer(name="elastomer", material=elastomer, thickness=7.5e-6),
+            cc.Layer(name="primer", material=primer, thickness=2.5e-6),
+            cc.Layer(name="elastomer", material=elastomer, thickness=7.5e-6),
         ],
     )
 

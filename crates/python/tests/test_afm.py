@@ -13,31 +13,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from coated_contact import (
-    ContactError,
-    Elastic,
-    FitError,
-    ForceMap,
-    HalfSpace,
-    Relaxation,
-    System,
-    fit_map,
-    read_afm,
-)
+import coated_contact as cc
 from coated_contact._afm import _Place, _surface
 from conftest import refuses
 
-GEL = HalfSpace(
+GEL = cc.HalfSpace(
     sphere_radius=1e-4,
     sphere_modulus=np.inf,
-    solid=Elastic(young_modulus=1e3, poisson_ratio=0.5),
+    solid=cc.Elastic(young_modulus=1e3, poisson_ratio=0.5),
 )
-COATED = System(
+COATED = cc.System(
     sphere_radius=1e-4,
     sphere_modulus=1e11,
-    film=Elastic(young_modulus=1e3, poisson_ratio=0.5),
+    film=cc.Elastic(young_modulus=1e3, poisson_ratio=0.5),
     film_thickness=5e-5,
-    substrate=Elastic(young_modulus=64e9, poisson_ratio=0.2),
+    substrate=cc.Elastic(young_modulus=64e9, poisson_ratio=0.2),
 )
 FREE = ["film_modulus", "contact_point", "baseline"]
 
@@ -124,13 +114,13 @@ def file_of(source, name, folder):
 def test_a_file_of_forces_says_so_and_refuses_a_sensitivity(tmp_path):
     name = PREFIX + "afm-workshop-fd_single_2021-10-22_14.16.csv"
     file = file_of("AFMFORMATS", name, tmp_path)
-    (one,) = read_afm(file, system=GEL, stiffness=0.05)
+    (one,) = cc.read_afm(file, system=GEL, stiffness=0.05)
     assert one.reading.endswith("N/m, with which the instrument made the forces")
     wrong = {"stiffness": 0.05, "sensitivity": 5e-8}
     words = "forces in newtons, which no sensitivity changes"
-    refuses(FitError, words, lambda: read_afm(file, system=GEL, **wrong))
+    refuses(cc.FitError, words, lambda: cc.read_afm(file, system=GEL, **wrong))
     volts = PREFIX + "afm-workshop-fd_single_2018-08-01_13.06.09.csv"
-    (one,) = read_afm(file_of("AFMFORMATS", volts, tmp_path), system=GEL, **GIVEN)
+    (one,) = cc.read_afm(file_of("AFMFORMATS", volts, tmp_path), system=GEL, **GIVEN)
     assert one.reading.endswith("stiffness 0.05 N/m")
 
 
@@ -154,10 +144,10 @@ def test_every_file_is_in_the_list():
 def test_files(source, name, wanted, curves, fitted, reason, tmp_path):
     path = file_of(source, name, tmp_path)
     if wanted:
-        with pytest.raises(FitError, match=f"give .*{wanted[0]}=, N/m|give .*=, m/V"):
-            read_afm(path, system=GEL)
-    found = read_afm(path, system=GEL, only="approach", **{one: GIVEN[one] for one in wanted})
-    assert isinstance(found, ForceMap)
+        with pytest.raises(cc.FitError, match=f"give .*{wanted[0]}=, N/m|give .*=, m/V"):
+            cc.read_afm(path, system=GEL)
+    found = cc.read_afm(path, system=GEL, only="approach", **{one: GIVEN[one] for one in wanted})
+    assert isinstance(found, cc.ForceMap)
     assert len(found) == curves
     assert found.refused == {}
     for one, time in zip(found, found.times, strict=True):
@@ -167,10 +157,10 @@ def test_files(source, name, wanted, curves, fitted, reason, tmp_path):
         assert not one.retract.any()
         assert one.stiffness > 0
         assert time is None or (time.shape == one.abscissa.shape and np.all(np.diff(time) >= 0))
-    results = fit_map(found, FREE, errors="nan")
+    results = cc.fit_map(found, FREE, errors="nan")
     assert int(np.isfinite(results.params["film_modulus"]).sum()) == fitted
     for error in results.failures.values():
-        assert isinstance(error, ContactError)
+        assert isinstance(error, cc.ContactError)
         assert reason in str(error)
     if fitted == curves:
         assert reason is None
@@ -183,7 +173,7 @@ def force_map(tmp_path):
 
 def test_a_curve_has_what_the_file_tells(force_map):
     afmformats = pytest.importorskip("afmformats")
-    found = read_afm(force_map, system=GEL, work_of_adhesion=1e-4, noise=1e-11)
+    found = cc.read_afm(force_map, system=GEL, work_of_adhesion=1e-4, noise=1e-11)
     original = afmformats.load_data(force_map)
     assert repr(found) == "<ForceMap of 4 curves on 10 x 10 pixels, 0 refused>"
     for one, time, curve in zip(found, found.times, original, strict=True):
@@ -203,7 +193,7 @@ def test_a_curve_has_what_the_file_tells(force_map):
         apart = (found.pixel[i] - found.pixel[0]) * found.pixel_size
         assert distance == pytest.approx(np.hypot(*apart), rel=0.02)
     assert found[1].name.endswith("curve 1")
-    softer = read_afm(force_map, system=GEL, stiffness=0.01)
+    softer = cc.read_afm(force_map, system=GEL, stiffness=0.01)
     scale = 0.01 / found[0].stiffness
     np.testing.assert_allclose(softer[0].ordinate, scale * found[0].ordinate, rtol=1e-9)
 
@@ -219,7 +209,7 @@ def test_curves_of_an_hdf5_file_are_in_the_order_of_the_measurement(force_map, t
             curve.metadata["enum"] = i
             curve.export_data(file, fmt="hdf5", metadata=True)
     thickness = 1e-6 * np.arange(1, 13)
-    found = read_afm(path, system=COATED, film_thickness=thickness)
+    found = cc.read_afm(path, system=COATED, film_thickness=thickness)
     assert [one.system.film_thickness for one in found] == thickness.tolist()
     for i, one in enumerate(found):
         np.testing.assert_array_equal(one.ordinate, np.asarray(measured[i % 4]["force"]))
@@ -230,20 +220,20 @@ def test_directions_and_pauses(tmp_path):
     """A stress relaxation has a pause before the approach, and another one after it."""
     name = "tests/data/fmt-jpk-sr_cell1-0008.jpk-force"
     path = file_of("AFMFORMATS", name, tmp_path)
-    found = read_afm(path, system=GEL)
+    found = cc.read_afm(path, system=GEL)
     assert [int((~found[0].retract).sum()), int(found[0].retract.sum())] == [2048, 1951]
     assert found.times[0][[0, -1]].tolist() == pytest.approx([1.0, 32.952], abs=1e-3)
-    (held,) = read_afm(path, system=GEL, relaxation=Relaxation.power_law(0.2))
+    (held,) = cc.read_afm(path, system=GEL, relaxation=cc.Relaxation.power_law(0.2))
     assert len(held.abscissa) > 2048 + 1951
     assert np.all(np.diff(held.time) > 0)
-    (approach,) = read_afm(path, system=GEL, relaxation=held.relaxation, only="approach")
+    (approach,) = cc.read_afm(path, system=GEL, relaxation=held.relaxation, only="approach")
     assert len(approach.abscissa) == len(held.abscissa) - 1951
     # The segments of an Igor file are not told: it is split at the smallest height.
     path = file_of("AFMFORMATS", "tests/data/fmt-igor-fd_U3_3_p10004.ibw", tmp_path)
-    (one,) = read_afm(path, system=GEL)
+    (one,) = cc.read_afm(path, system=GEL)
     assert one.abscissa[one.retract].min() >= one.abscissa.min()
     assert np.argmin(one.abscissa) == (~one.retract).sum() - 1
-    (only,) = read_afm(path, system=GEL, only="retract")
+    (only,) = cc.read_afm(path, system=GEL, only="retract")
     assert len(only.abscissa) == one.retract.sum()
 
 
@@ -251,7 +241,7 @@ def test_a_position_of_the_tip_tells_the_height(tmp_path):
     """What Chiaro calls "indentation" is no height of the base, whose tip is at height + F / k."""
     name = "tests/data/fmt-chiaro-txt_AEBP1_Indentation_002.zip"
     path = file_of("AFMFORMATS", name, tmp_path)
-    (one,) = read_afm(path, system=GEL)
+    (one,) = cc.read_afm(path, system=GEL)
     (curve,) = sys.modules["afmformats"].load_data(path)
     tip = one.abscissa + one.ordinate / one.stiffness
     np.testing.assert_allclose(curve["tip position"], tip, rtol=1e-12)
@@ -259,10 +249,10 @@ def test_a_position_of_the_tip_tells_the_height(tmp_path):
 
 def test_the_thickness_of_each_pixel(force_map):
     thickness = np.full((10, 10), 1e-5)
-    found = read_afm(force_map, system=COATED)
+    found = cc.read_afm(force_map, system=COATED)
     places = found.pixel
     thickness[tuple(places.T)] = [1e-5, 2e-5, 3e-5, -1e-6]
-    read = read_afm(force_map, system=COATED, film_thickness=thickness)
+    read = cc.read_afm(force_map, system=COATED, film_thickness=thickness)
     assert [one.system.film_thickness for one in read] == [1e-5, 2e-5, 3e-5]
     assert list(read.refused) == [3]
     assert "curve 3: the film is -1e-06 m thick there" in read.refused[3]
@@ -271,7 +261,7 @@ def test_the_thickness_of_each_pixel(force_map):
     assert image[tuple(places[1])] == 2e-5
     # The surface over the zero level, one for each curve.
     surface = np.array([1.1e-5, 1.2e-5, 1.3e-5, 1.4e-5])
-    read = read_afm(force_map, system=COATED, height_image=surface, zero_level=1e-6)
+    read = cc.read_afm(force_map, system=COATED, height_image=surface, zero_level=1e-6)
     thicknesses = [one.system.film_thickness for one in read]
     np.testing.assert_allclose(thicknesses, surface - 1e-6, rtol=1e-12)
 
@@ -279,16 +269,16 @@ def test_the_thickness_of_each_pixel(force_map):
 def test_the_surface_from_the_approach(force_map):
     """The contact points of the fits are within the noise of the surface that curves show."""
     zero = 4e-5
-    found = read_afm(force_map, system=COATED, zero_level=zero)
+    found = cc.read_afm(force_map, system=COATED, zero_level=zero)
     assert len(found) + len(found.refused) == 4
-    fitted = fit_map(read_afm(force_map, system=GEL, only="approach"), FREE, errors="nan")
+    fitted = cc.fit_map(cc.read_afm(force_map, system=GEL, only="approach"), FREE, errors="nan")
     for one, contact in zip(found, fitted.params["contact_point"], strict=True):
         assert abs(zero + one.system.film_thickness - contact) < 2e-6
 
 
 def test_maps_and_pictures(force_map, axes):
-    found = read_afm(force_map, system=GEL, only="approach")
-    results = fit_map(found, FREE, errors="nan")
+    found = cc.read_afm(force_map, system=GEL, only="approach")
+    results = cc.fit_map(found, FREE, errors="nan")
     moduli = results.params["film_modulus"]
     image = found.image(moduli)
     assert image.shape == (10, 10)
@@ -311,7 +301,7 @@ def test_maps_and_pictures(force_map, axes):
     (bar,) = axes.artists
     assert bar.txt_label.get_text() == "200 µm"
     axes.figure.canvas.draw()
-    refuses(FitError, r"shape \(2,\): give \(4,\)", lambda: found.image([1.0, 2.0]))
+    refuses(cc.FitError, r"shape \(2,\): give \(4,\)", lambda: found.image([1.0, 2.0]))
     # A curve that is not of the map, and two of one pixel.
     pixel = found.pixel.copy()
     pixel[0] = -1
@@ -319,7 +309,9 @@ def test_maps_and_pictures(force_map, axes):
     assert np.nansum(replace(found, pixel=pixel).image(moduli)) == pytest.approx(sum(others))
     pixel[0] = pixel[2]
     twice = replace(found, pixel=pixel)
-    refuses(FitError, "curves 0 and 2 are of one pixel, .*: give NaN", lambda: twice.image(moduli))
+    refuses(
+        cc.FitError, "curves 0 and 2 are of one pixel, .*: give NaN", lambda: twice.image(moduli)
+    )
     assert np.isfinite(twice.image([np.nan, *others])).sum() == 3
 
 
@@ -348,38 +340,44 @@ def test_the_tip_is_above_the_base_by_the_deflection():
 
 def test_wrong_calls_say_what_to_give(force_map, tmp_path):
     single = file_of("AFMFORMATS", "docs/data/force-save-example.jpk-force", tmp_path)
-    refuses(FitError, "holds no map", lambda: read_afm(single, system=GEL).image([1.0]))
+    refuses(cc.FitError, "holds no map", lambda: cc.read_afm(single, system=GEL).image([1.0]))
     with pytest.raises(FileNotFoundError):
-        read_afm(tmp_path / "none.jpk-force", system=GEL)
+        cc.read_afm(tmp_path / "none.jpk-force", system=GEL)
     text = tmp_path / "curve.png"
     text.write_text("1 2 3")
-    with pytest.raises(FitError, match=r"afmformats reads .*\.jpk-force, .*not '\.png'; read_exp"):
-        read_afm(text, system=GEL)
+    with pytest.raises(
+        cc.FitError, match=r"afmformats reads .*\.jpk-force, .*not '\.png'; read_exp"
+    ):
+        cc.read_afm(text, system=GEL)
     broken = tmp_path / "broken.jpk-force"
     broken.write_bytes(force_map.read_bytes()[:5000])
-    with pytest.raises(FitError, match=r"cannot be read: .*export it as text for read_experiment"):
-        read_afm(broken, system=GEL)
+    with pytest.raises(
+        cc.FitError, match=r"cannot be read: .*export it as text for read_experiment"
+    ):
+        cc.read_afm(broken, system=GEL)
     igor = file_of("AFMFORMATS", "tests/data/fmt-igor-fd_SiN_FD_plot.ibw", tmp_path)
-    with pytest.raises(FitError, match="has a stiffness and a sensitivity of its own"):
-        read_afm(igor, system=GEL, stiffness=1.0)
+    with pytest.raises(cc.FitError, match="has a stiffness and a sensitivity of its own"):
+        cc.read_afm(igor, system=GEL, stiffness=1.0)
     for name in ("stiffness", "sensitivity"):
         for value in (0.0, -1.0, np.nan, np.inf):
-            with pytest.raises(FitError, match="must be positive"):
-                read_afm(single, system=GEL, **{name: value})
-    refuses(FitError, "'up'", lambda: read_afm(single, system=GEL, only="up"))
-    with pytest.raises(FitError, match="a HalfSpace has no film whose thickness changes"):
-        read_afm(single, system=GEL, film_thickness=[1e-5])
-    with pytest.raises(FitError, match="height_image needs zero_level"):
-        read_afm(single, system=COATED, height_image=[1e-5])
-    with pytest.raises(FitError, match="film_thickness stands beside"):
-        read_afm(single, system=COATED, film_thickness=[1e-5], zero_level=0.0)
-    with pytest.raises(FitError, match=r"shape \(2, 2\): give \(4,\), one for each curve or \(10,"):
-        read_afm(force_map, system=COATED, film_thickness=np.ones((2, 2)))
-    with pytest.raises(FitError, match=r"film is .* thick there"):
-        read_afm(single, system=COATED, film_thickness=[np.nan])
+            with pytest.raises(cc.FitError, match="must be positive"):
+                cc.read_afm(single, system=GEL, **{name: value})
+    refuses(cc.FitError, "'up'", lambda: cc.read_afm(single, system=GEL, only="up"))
+    with pytest.raises(cc.FitError, match="a HalfSpace has no film whose thickness changes"):
+        cc.read_afm(single, system=GEL, film_thickness=[1e-5])
+    with pytest.raises(cc.FitError, match="height_image needs zero_level"):
+        cc.read_afm(single, system=COATED, height_image=[1e-5])
+    with pytest.raises(cc.FitError, match="film_thickness stands beside"):
+        cc.read_afm(single, system=COATED, film_thickness=[1e-5], zero_level=0.0)
+    with pytest.raises(
+        cc.FitError, match=r"shape \(2, 2\): give \(4,\), one for each curve or \(10,"
+    ):
+        cc.read_afm(force_map, system=COATED, film_thickness=np.ones((2, 2)))
+    with pytest.raises(cc.FitError, match=r"film is .* thick there"):
+        cc.read_afm(single, system=COATED, film_thickness=[np.nan])
 
 
 def test_without_afmformats_the_error_says_how_to_install_it(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "afmformats", None)
     with pytest.raises(ModuleNotFoundError, match="pip install afmformats"):
-        read_afm(tmp_path / "x.jpk-force", system=GEL)
+        cc.read_afm(tmp_path / "x.jpk-force", system=GEL)

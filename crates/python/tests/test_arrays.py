@@ -6,21 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Cohesive,
-    Cone,
-    ContactError,
-    Elastic,
-    Experiment,
-    Indentation,
-    InputError,
-    Profile,
-    Relaxation,
-    State,
-    States,
-    log_likelihood,
-    simulate,
-)
+import coated_contact as cc
 from conftest import loads_at, refuses
 
 W = 0.04
@@ -31,8 +17,8 @@ def test_scalars_give_scalars(contact):
         assert type(contact.load(a, W)) is float
         assert type(contact.stiffness(a)) is float
         assert type(contact.gradient(a, W).by("film_modulus").load) is float
-    assert isinstance(contact.pull_off(W), State)
-    assert isinstance(contact.pull_off([W]), States)
+    assert isinstance(contact.pull_off(W), cc.State)
+    assert isinstance(contact.pull_off([W]), cc.States)
 
 
 def test_arrays_broadcast(contact):
@@ -75,16 +61,16 @@ def test_numbers_need_not_be_aligned(contact, system):
         assert not given.flags.aligned
         assert np.array_equal(contact.load(given, W), contact.load(a, W))
         assert contact.load(given[:1], W) == contact.load(a[:1], W)
-    assert Cone(half_angle=behind_a_header([1.0])[0]) == Cone(half_angle=1.0)
+    assert cc.Cone(half_angle=behind_a_header([1.0])[0]) == cc.Cone(half_angle=1.0)
     points = np.stack([a, a * a], axis=1)
-    assert Profile(points=behind_a_header(points).reshape(5, 2)) == Profile(points=points)
+    assert cc.Profile(points=behind_a_header(points).reshape(5, 2)) == cc.Profile(points=points)
     small = replace(system, sphere_radius=1e-6)
-    cohesive = Cohesive(system=small, work_of_adhesion=W, interaction_range=1e-8)
+    cohesive = cc.Cohesive(system=small, work_of_adhesion=W, interaction_range=1e-8)
     r = np.linspace(0.0, 1e-7, 5)
     expected = cohesive.pressure(1e-7, r)
     assert np.array_equal(cohesive.pressure(1e-7, behind_a_header(r)), expected)
-    lens = simulate(loads_at(system, a, noise=1e-6), noise=1e-6, seed=1)
-    likelihood = log_likelihood(lens, ["film_modulus", "work_of_adhesion"])
+    lens = cc.simulate(loads_at(system, a, noise=1e-6), noise=1e-6, seed=1)
+    likelihood = cc.log_likelihood(lens, ["film_modulus", "work_of_adhesion"])
     at = np.array([3e6, 0.04])
     for given in (behind_a_header(at), np.repeat(at, 2)[::2]):
         assert likelihood(given) == likelihood(at)
@@ -101,7 +87,7 @@ def test_other_types_are_refused_by_name(contact, value):
 
 def test_an_error_names_the_first_point(contact):
     a = np.array([[65e-6, 65e-6], [65e-6, 2e-3]])
-    error = refuses(InputError, "below the sphere's radius", lambda: contact.load(a, W))
+    error = refuses(cc.InputError, "below the sphere's radius", lambda: contact.load(a, W))
     assert (error.axis, error.value, error.range) == ("contact radius", 2e-3, (0.0, 1e-3))
     assert error.index == (1, 1)
     assert any("(1, 1)" in note for note in error.__notes__)
@@ -110,7 +96,7 @@ def test_an_error_names_the_first_point(contact):
     assert found[0, 0] == contact.load(65e-6, W)
     assert np.isnan(contact.load(2e-3, W, errors="nan"))
     refuses(ValueError, "errors = 'ignore'", lambda: contact.load(a, W, errors="ignore"))
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(cc.InputError) as caught:
         contact.load(2e-3, W)
     assert caught.value.index is None
 
@@ -119,7 +105,7 @@ def test_a_point_beyond_the_first_block_is_found(contact):
     """The native part works in blocks of 65,536 points."""
     a = np.full(200_000, 65e-6)
     a[150_001] = -1.0
-    with pytest.raises(ContactError) as caught:
+    with pytest.raises(cc.ContactError) as caught:
         contact.load(a, W)
     assert caught.value.index == (150_001,)
     found = contact.load(a, W, errors="nan")
@@ -135,7 +121,7 @@ def test_states_broadcast(contact):
     assert np.isnan(states.load).tolist() == (imposed < least).tolist()
     for state, penetration in zip(states, imposed, strict=True):
         assert penetration < least or state == equilibria.unloading(penetration)
-    with pytest.raises(ContactError) as caught:
+    with pytest.raises(cc.ContactError) as caught:
         equilibria.unloading(imposed)
     assert caught.value.index == (0,)
     assert caught.value.range == (least, np.inf)
@@ -143,7 +129,7 @@ def test_states_broadcast(contact):
 
 def test_unknown_derivatives_are_errors(contact):
     gradient = contact.gradient([65e-6, 65e-6], [W, 0.0])
-    error = refuses(InputError, "work of adhesion", lambda: gradient.by("work_of_adhesion"))
+    error = refuses(cc.InputError, "work of adhesion", lambda: gradient.by("work_of_adhesion"))
     assert error.axis == "work of adhesion"
     gradient = contact.gradient([65e-6, 65e-6], [W, 0.0], errors="nan")
     assert np.isnan(gradient.by("work_of_adhesion").load).tolist() == [False, True]
@@ -188,7 +174,7 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
     refuses(ValueError, words, lambda: contact.load(first, other.sort_index(ascending=False)))
     shuffled = {"abscissa": first, "ordinate": other.iloc[[1, 0, 2]]}
     known = {"kind": "load-radius", "system": system, "work_of_adhesion": 0.04}
-    refuses(ValueError, words, lambda: Experiment(**known, **shuffled))
+    refuses(ValueError, words, lambda: cc.Experiment(**known, **shuffled))
     # A Series is paired with the columns of a DataFrame, as numpy does.
     frame = pandas.DataFrame({"s1": a, "s2": a})
     turned = pandas.DataFrame({"s2": w, "s1": w})
@@ -196,13 +182,15 @@ def test_labels_pair_numbers_as_their_places_do(contact, system):
     refuses(ValueError, words, lambda: contact.load(frame, turned))
     row = pandas.Series([0.01, 0.02], index=["s1", "s2"])
     assert np.array_equal(contact.load(frame, row)[:, 1], contact.load(a, 0.02))
-    law, time = Relaxation.power_law(0.2), pandas.Series([0, 1, 2], index=[0, 2, 1])
+    law, time = cc.Relaxation.power_law(0.2), pandas.Series([0, 1, 2], index=[0, 2, 1])
     program = pandas.Series([0, 1e-7, 0])
     refuses(ValueError, words, lambda: contact.history(time, law, penetration=program))
     plan = {"kind": "stiffness-depth", "abscissa": first, "ordinate": first, "system": system}
-    assert Experiment(**plan, indentation=Indentation(loads=first)).indentation.loads[0] == a[0]
-    other_loads = Indentation(loads=first[::-1])
-    refuses(ValueError, words, lambda: Experiment(**plan, indentation=other_loads))
+    assert (
+        cc.Experiment(**plan, indentation=cc.Indentation(loads=first)).indentation.loads[0] == a[0]
+    )
+    other_loads = cc.Indentation(loads=first[::-1])
+    refuses(ValueError, words, lambda: cc.Experiment(**plan, indentation=other_loads))
 
 
 def test_units_of_numbers_are_si_or_refused(contact, system):
@@ -210,7 +198,7 @@ def test_units_of_numbers_are_si_or_refused(contact, system):
 
     def modulus(value, **unit):
         given = xarray.DataArray(value, attrs=unit)
-        return Elastic(young_modulus=given, poisson_ratio=0.5).young_modulus
+        return cc.Elastic(young_modulus=given, poisson_ratio=0.5).young_modulus
 
     words = "young_modulus has the unit 'MPa' of its own: give its value in SI units"
     refuses(TypeError, words, lambda: modulus(3.5, units="MPa"))
@@ -222,6 +210,6 @@ def test_units_of_numbers_are_si_or_refused(contact, system):
     refuses(TypeError, words, lambda: contact.load(pascals, 0.04))
     loads = xarray.DataArray([1e-6, 2e-6], attrs={"units": "N"})
     swapped = {"kind": "load-penetration", "abscissa": loads, "ordinate": loads, "system": system}
-    refuses(TypeError, "abscissa has the unit 'N', but is in m", lambda: Experiment(**swapped))
+    refuses(TypeError, "abscissa has the unit 'N', but is in m", lambda: cc.Experiment(**swapped))
     held = xarray.DataArray(np.array([0.05]).view(Millimetres))
     refuses(TypeError, "unit of its own", lambda: contact.load(held, 0.04))

@@ -6,17 +6,7 @@ from math import inf, pi
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Contact,
-    ContactError,
-    Elastic,
-    HalfSpace,
-    InputError,
-    NoContactError,
-    ShortZone,
-    Spring,
-    Table,
-)
+import coated_contact as cc
 from conftest import make_system, refuses
 
 W = 0.05
@@ -26,14 +16,14 @@ W = 0.05
 def contact():
     """A hard sphere of 10 um on a film of 1 um."""
     system = make_system(sphere_radius=1e-5, sphere_modulus=7.5e10, film_thickness=1e-6)
-    return Table.embedded().contact(system)
+    return cc.Table.embedded().contact(system)
 
 
 @pytest.fixture(scope="module")
 def gel():
     """A rigid sphere of 1 um on a half-space."""
-    solid = Elastic(young_modulus=1e7, poisson_ratio=0.5)
-    return Contact.half_space(HalfSpace(sphere_radius=1e-6, sphere_modulus=inf, solid=solid))
+    solid = cc.Elastic(young_modulus=1e7, poisson_ratio=0.5)
+    return cc.Contact.half_space(cc.HalfSpace(sphere_radius=1e-6, sphere_modulus=inf, solid=solid))
 
 
 def test_a_state_is_that_of_jkr_at_the_tip_of_the_crack(contact):
@@ -54,7 +44,7 @@ def test_a_state_is_that_of_jkr_at_the_tip_of_the_crack(contact):
 CONTROLS = {
     "load": lambda state: state.load,
     "displacement": lambda state: state.penetration,
-    Spring(stiffness=10.0): lambda state: state.penetration + state.load / 10.0,
+    cc.Spring(stiffness=10.0): lambda state: state.penetration + state.load / 10.0,
 }
 
 
@@ -88,28 +78,28 @@ def test_the_error_of_jkr_on_a_half_space(gel):
     assert np.isnan(error[2])
     again = pickle.loads(pickle.dumps(attraction))
     assert np.array_equal(again.pull_off_error(), error, equal_nan=True)
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(cc.InputError) as caught:
         attraction.pull_off_error(errors="raise")
     assert caught.value.index == (2,)
     strict = gel.zone_size(W, interaction_range=[1e-9, 2e-9, 1e-7])
     assert np.isnan(strict.pull_off_error(errors="nan")).tolist() == [False, False, True]
-    with pytest.raises(InputError):
+    with pytest.raises(cc.InputError):
         strict.pull_off_error()
 
 
 def test_what_is_not_short_is_named(contact, gel):
-    with pytest.raises(InputError, match=r"more than 0\.25 times the thickness of") as caught:
+    with pytest.raises(cc.InputError, match=r"more than 0\.25 times the thickness of") as caught:
         contact.cohesive_zone(W, stress=5e5)
     error = caught.value
     assert (error.axis, error.range) == ("zone", (0.0, 0.25e-6))
     assert error.value > 0.25e-6
     corrected = contact.cohesive_zone(W, stress=2e6)
-    least = corrected.zone / ShortZone.LONGEST
+    least = corrected.zone / cc.ShortZone.LONGEST
     corrected.state(least * 1.001)
-    error = refuses(InputError, "contact radius", lambda: corrected.state([2e-6, least * 0.999]))
+    error = refuses(cc.InputError, "contact radius", lambda: corrected.state([2e-6, least * 0.999]))
     assert error.index == (1,)
     assert np.isnan(corrected.state([2e-6, least / 2], errors="nan").load).tolist() == [False, True]
-    with pytest.raises(NoContactError):
+    with pytest.raises(cc.NoContactError):
         corrected.equilibria(1.0)
-    refuses(ContactError, "control", lambda: corrected.pull_off(control="weight"))
+    refuses(cc.ContactError, "control", lambda: corrected.pull_off(control="weight"))
     refuses(TypeError, "positional", lambda: contact.cohesive_zone(W, 1e8))

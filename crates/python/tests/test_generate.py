@@ -1,7 +1,6 @@
 """Tables made from Python: accuracy against direct solves, files, interruption, and progress."""
 
 import os
-import signal
 
 import numpy as np
 import pytest
@@ -91,26 +90,6 @@ def test_an_interruption_keeps_what_is_solved(tmp_path, whole, stage):
     assert told[-1][0] == "checking"
     assert told[-1][1] == told[-1][2]
     assert os.listdir(tmp_path) == ["table.bin"]
-    assert path.read_bytes() == whole
-
-
-def test_a_signal_keeps_what_is_solved(tmp_path, whole):
-    """Like Ctrl-C, but by another signal, so that the tests themselves are not interrupted."""
-    path = tmp_path / "table.bin"
-
-    def interrupt(*_):
-        raise StoppedHereError
-
-    before = signal.signal(signal.SIGALRM, interrupt)
-    try:
-        with pytest.raises(StoppedHereError):
-            generate(
-                SCENE, path, tolerance=1e-7, progress=lambda *_: signal.raise_signal(signal.SIGALRM)
-            )
-    finally:
-        signal.signal(signal.SIGALRM, before)
-    assert os.listdir(tmp_path) == ["table.bin.unfinished"]
-    generate(SCENE, path, tolerance=1e-7, resume=True, progress=False)
     assert path.read_bytes() == whole
 
 

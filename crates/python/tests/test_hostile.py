@@ -7,33 +7,7 @@ import numpy as np
 import pytest
 
 import coated_contact
-from coated_contact import (
-    Cohesive,
-    Cone,
-    Contact,
-    ContactError,
-    Elastic,
-    FlatEndedCone,
-    FlatPunch,
-    HalfSpace,
-    Hysteresis,
-    PowerLaw,
-    Profile,
-    RateDependent,
-    Relaxation,
-    RoundedCone,
-    SolvedCurve,
-    Sphere,
-    Spring,
-    Stack,
-    StackSystem,
-    Table,
-    generate,
-    solve,
-    solve_stack,
-    solve_stick_punch,
-    stick_stiffening,
-)
+import coated_contact as cc
 from hostile_experiments import BODIES, EXPERIMENTS, LAYERS, contact_of, stack_of
 
 ENDS = [0.0, 5e-324, 1e-310, 2.3e-308, 1e-154, 1e-30, 2.2e-16, 0.25, 0.5, 1.0, 1e30, 1e154, 1.8e308]
@@ -42,14 +16,14 @@ HOSTILE = [sign * value for value in [*ENDS, np.inf] for sign in (1, -1)] + [np.
 
 def half_space_of(numbers):
     radius, sphere, solid, nu = numbers
-    solid = Elastic(young_modulus=solid, poisson_ratio=nu)
-    system = HalfSpace(sphere_radius=radius, sphere_modulus=sphere, solid=solid)
-    return Contact.half_space(system)
+    solid = cc.Elastic(young_modulus=solid, poisson_ratio=nu)
+    system = cc.HalfSpace(sphere_radius=radius, sphere_modulus=sphere, solid=solid)
+    return cc.Contact.half_space(system)
 
 
 def cohesive_of(numbers):
     system = contact_of(numbers[:7]).system
-    return Cohesive(system=system, work_of_adhesion=numbers[7], interaction_range=numbers[8])
+    return cc.Cohesive(system=system, work_of_adhesion=numbers[7], interaction_range=numbers[8])
 
 
 def numbers_of(state):
@@ -92,7 +66,7 @@ def validity(contact, a):
 
 def line_of(numbers):
     advancing, receding, radius = numbers
-    law = Hysteresis(advancing=advancing, receding=receding)
+    law = cc.Hysteresis(advancing=advancing, receding=receding)
     return half_space_of([1e-3, 2e6, 3.5e6, 0.45]).line(law, radius)
 
 
@@ -103,17 +77,19 @@ def moved(line, value):
 
 def ramped(*numbers):
     slow, v0, n, value, duration = numbers
-    line = half_space_of([1e-3, 2e6, 3.5e6, 0.45]).line(RateDependent(slow=slow, v0=v0, n=n), 65e-6)
+    line = half_space_of([1e-3, 2e6, 3.5e6, 0.45]).line(
+        cc.RateDependent(slow=slow, v0=v0, n=n), 65e-6
+    )
     found = line.ramp("load", value, duration=duration, tolerance=1e-2)
     return [*found.load, *found.energy_release_rate]
 
 
 def followed(contact, exponent, duration, depth, relaxed, time, at):
     """A penetration up and down under one law, and a load that grows under another."""
-    power = Relaxation.power_law(exponent, time)
+    power = cc.Relaxation.power_law(exponent, time)
     program = [0.0, duration, 2.0 * duration]
     found = contact.history(program, power, penetration=[0.0, depth, 0.0], at=[at], tolerance=1e-2)
-    zener = Relaxation.prony(relaxed, time)
+    zener = cc.Relaxation.prony(relaxed, time)
     grown = contact.history(program[:2], zener, load=[0.0, depth], at=[at], tolerance=1e-2)
     return [*found.load, *found.contact_radius, *grown.penetration]
 
@@ -123,16 +99,16 @@ def graded(*numbers):
 
     def material(height):
         part = height / thickness if thickness else 0.0
-        return Elastic(young_modulus=soft + (stiff - soft) * part, poisson_ratio=0.3)
+        return cc.Elastic(young_modulus=soft + (stiff - soft) * part, poisson_ratio=0.3)
 
-    base = Elastic(young_modulus=2e11, poisson_ratio=0.3)
-    stack = Stack.graded(base=base, thickness=thickness, count=3, material=material)
-    return solve_stack(a_over_t, stack, 2e6, 1e-4).gamma
+    base = cc.Elastic(young_modulus=2e11, poisson_ratio=0.3)
+    stack = cc.Stack.graded(base=base, thickness=thickness, count=3, material=material)
+    return cc.solve_stack(a_over_t, stack, 2e6, 1e-4).gamma
 
 
 def scene(*numbers):
     low, high, soft, stiff, nu1, base = numbers
-    table = generate(
+    table = cc.generate(
         {
             "title": "x",
             "tolerance": 1e-2,
@@ -149,7 +125,7 @@ def scene(*numbers):
 
 def on_table(table, numbers):
     modulus, radius, a, w = numbers
-    system = StackSystem(stack=table.stack, sphere_radius=radius, sphere_modulus=modulus)
+    system = cc.StackSystem(stack=table.stack, sphere_radius=radius, sphere_modulus=modulus)
     return table.contact(system).load(a, w)
 
 
@@ -169,7 +145,7 @@ def under(make, *valid, a=2e-6):
     def function(*numbers):
         *shape, a, w = numbers
         system = replace(contact_of(BODIES).system, probe=make(*shape))
-        return Table.embedded().contact(system).load_and_penetration(a, w)
+        return cc.Table.embedded().contact(system).load_and_penetration(a, w)
 
     return [*valid, a, 0.04], function
 
@@ -177,21 +153,23 @@ def under(make, *valid, a=2e-6):
 # The functions by their names, with a word where one has several entries: valid numbers, and the
 # function of them.
 FUNCTIONS = {
-    "Contact.load": on_film([65e-6, 0.04], Contact.load),
+    "Contact.load": on_film([65e-6, 0.04], cc.Contact.load),
     "Contact.penetration": ([65e-6, 0.04], lambda *n: contact_of(BODIES).penetration(*n)),
-    "Contact.load_and_penetration": on_film([65e-6, 0.04], Contact.load_and_penetration),
-    "Contact.stiffness": on_film([65e-6], Contact.stiffness),
-    "Contact.moving_stiffness": on_film([65e-6, 0.04], Contact.moving_stiffness),
+    "Contact.load_and_penetration": on_film([65e-6, 0.04], cc.Contact.load_and_penetration),
+    "Contact.stiffness": on_film([65e-6], cc.Contact.stiffness),
+    "Contact.moving_stiffness": on_film([65e-6, 0.04], cc.Contact.moving_stiffness),
     "Contact.gradient": on_film([65e-6, 0.04], gradient),
     "Contact.pull_off": on_film([0.04], lambda c, w: numbers_of(c.pull_off(w))),
     "Contact.pull_off by a spring": on_film(
-        [0.04, 5.0], lambda c, w, k: numbers_of(c.pull_off(w, control=Spring(stiffness=k)))
+        [0.04, 5.0], lambda c, w, k: numbers_of(c.pull_off(w, control=cc.Spring(stiffness=k)))
     ),
-    "Contact.work_of_adhesion_at_pull_off": on_film([-1e-6], Contact.work_of_adhesion_at_pull_off),
+    "Contact.work_of_adhesion_at_pull_off": on_film(
+        [-1e-6], cc.Contact.work_of_adhesion_at_pull_off
+    ),
     "Contact.equilibria": on_film([0.04, 1e-4], lambda c, w, f: stated(c.equilibria(w).at(f))),
     "Contact.force_displacement": on_film(
         [0.04, 1e-6, 5.0],
-        lambda c, w, most, k: curve(c.equilibria(w, control=Spring(stiffness=k)), most),
+        lambda c, w, most, k: curve(c.equilibria(w, control=cc.Spring(stiffness=k)), most),
     ),
     "Contact.half_space": (
         [1e-3, 2e6, 3.5e6, 0.45, 65e-6, 0.04],
@@ -222,7 +200,7 @@ FUNCTIONS = {
     ),
     "ShortZone.pull_off": on_film(
         [0.04, 1e8, 5.0],
-        lambda c, w, s, k: numbers_of(attracted(c, w, s).pull_off(control=Spring(stiffness=k))),
+        lambda c, w, s, k: numbers_of(attracted(c, w, s).pull_off(control=cc.Spring(stiffness=k))),
     ),
     "ShortZone.equilibria": on_film(
         [0.04, 1e8, 1e-4], lambda c, w, s, f: stated(attracted(c, w, s).equilibria(f))
@@ -232,8 +210,8 @@ FUNCTIONS = {
     "ContactLine.ramp": ([0.04, 1e-6, 0.6, 5e-4, 1.0], ramped),
     "RateDependent.energy_release_rate": (
         [0.03, 0.05, 1e-6, 0.6, 1e-6],
-        lambda *n: RateDependent(
-            slow=Hysteresis(advancing=n[0], receding=n[1]), v0=n[2], n=n[3]
+        lambda *n: cc.RateDependent(
+            slow=cc.Hysteresis(advancing=n[0], receding=n[1]), v0=n[2], n=n[3]
         ).energy_release_rate(n[4]),
     ),
     "Cohesive.state": (
@@ -246,27 +224,32 @@ FUNCTIONS = {
     ),
     "Cohesive.branch": cohesive([5e-5, 7e-5], lambda c, *ends: all_of(c.branch(ends, 2))),
     "Cohesive.pull_off": cohesive(
-        [5.0], lambda c, k: numbers_of(c.pull_off(control=Spring(stiffness=k)))
+        [5.0], lambda c, k: numbers_of(c.pull_off(control=cc.Spring(stiffness=k)))
     ),
-    "Cohesive.pressure": cohesive([65e-6, 1e-6], Cohesive.pressure),
-    "Cohesive.gap": cohesive([65e-6, 65.1e-6], Cohesive.gap),
-    "solve": ([1.5, 1.75, 0.45, 1e5, 0.25, 1e-6], lambda *n: [solve(*n).gamma, solve(*n).error]),
+    "Cohesive.pressure": cohesive([65e-6, 1e-6], cc.Cohesive.pressure),
+    "Cohesive.gap": cohesive([65e-6, 65.1e-6], cc.Cohesive.gap),
+    "solve": (
+        [1.5, 1.75, 0.45, 1e5, 0.25, 1e-6],
+        lambda *n: [cc.solve(*n).gamma, cc.solve(*n).error],
+    ),
     "solve_stack": (
         [*LAYERS, 1.5, 2e6],
-        lambda *n: solve_stack(n[6], stack_of(n[:6]), n[7], 1e-6).eeq,
+        lambda *n: cc.solve_stack(n[6], stack_of(n[:6]), n[7], 1e-6).eeq,
     ),
     "solve_stick_punch": (
         [1.0, 1.75, 0.5, 1e5, 0.25, 0.5, 1e-6],
-        lambda *n: [solve_stick_punch(*n).eeq_s, solve_stick_punch(*n).gamma_eff],
+        lambda *n: [cc.solve_stick_punch(*n).eeq_s, cc.solve_stick_punch(*n).gamma_eff],
     ),
     "stick_stiffening": on_film(
         [2e-5, 0.5, 1e-4],
-        lambda c, a, nu2, t: stick_stiffening(c.system, a, sphere_poisson_ratio=nu2, tolerance=t),
+        lambda c, a, nu2, t: cc.stick_stiffening(
+            c.system, a, sphere_poisson_ratio=nu2, tolerance=t
+        ),
     ),
     "SolvedCurve.contact": on_film(
         [0.5, 2.0, 1e-4],
         lambda c, low, high, tolerance: (
-            SolvedCurve(a_over_t=(low, high), tolerance=tolerance)
+            cc.SolvedCurve(a_over_t=(low, high), tolerance=tolerance)
             .contact(c.system)
             .contact_radius_range
         ),
@@ -282,16 +265,16 @@ FUNCTIONS = {
     "Stack.graded": ([1e-5, 1e6, 2e7, 1.5], graded),
     "Elastic": (
         [3.5e6, 0.45],
-        lambda *n: Elastic(young_modulus=n[0], poisson_ratio=n[1]).poisson_ratio,
+        lambda *n: cc.Elastic(young_modulus=n[0], poisson_ratio=n[1]).poisson_ratio,
     ),
-    "Sphere": under(lambda r: Sphere(radius=r), 1e-5),
-    "PowerLaw": under(lambda c, n: PowerLaw(coefficient=c, exponent=n), 2e9, 3.0),
-    "Cone": under(lambda angle: Cone(half_angle=angle), 1.2),
-    "RoundedCone": under(lambda r, b: RoundedCone(radius=r, half_angle=b), 2e-6, 1.0),
-    "FlatPunch": under(lambda r: FlatPunch(radius=r), 3e-6, a=3e-6),
-    "FlatEndedCone": under(lambda r, b: FlatEndedCone(radius=r, half_angle=b), 1e-6, 1.1),
+    "Sphere": under(lambda r: cc.Sphere(radius=r), 1e-5),
+    "PowerLaw": under(lambda c, n: cc.PowerLaw(coefficient=c, exponent=n), 2e9, 3.0),
+    "Cone": under(lambda angle: cc.Cone(half_angle=angle), 1.2),
+    "RoundedCone": under(lambda r, b: cc.RoundedCone(radius=r, half_angle=b), 2e-6, 1.0),
+    "FlatPunch": under(lambda r: cc.FlatPunch(radius=r), 3e-6, a=3e-6),
+    "FlatEndedCone": under(lambda r, b: cc.FlatEndedCone(radius=r, half_angle=b), 1e-6, 1.1),
     "Profile": under(
-        lambda r, z, s, y: Profile(points=[(0.0, 0.0), (r, z), (s, y)]), 2e-6, 1e-7, 4e-6, 4e-7
+        lambda r, z, s, y: cc.Profile(points=[(0.0, 0.0), (r, z), (s, y)]), 2e-6, 1e-7, 4e-6, 4e-7
     ),
     "generate": ([0.5, 2.0, 1.0, 3.0, 0.45, 1e5], scene),
 } | EXPERIMENTS
@@ -321,7 +304,7 @@ def finite_or_refused(valid, function, count):
     for numbers in any_numbers(valid, np.random.default_rng(1), count):
         try:
             result = function(*numbers)
-        except ContactError:
+        except cc.ContactError:
             refused += 1
         else:
             answered += 1
@@ -337,7 +320,7 @@ def test_any_numbers_give_finite_results_or_an_error(name):
 
 def test_a_table_of_a_stack(stack):
     ranges = {"a_over_t": {"from": 0.5, "to": 2}, "e1_over_e2": {"from": 1, "to": 3}}
-    table = generate({"title": "x", "tolerance": 1e-2, **ranges, "stack": stack}, progress=False)
+    table = cc.generate({"title": "x", "tolerance": 1e-2, **ranges, "stack": stack}, progress=False)
     valid = [2e6, 1e-3, 1e-5, 0.04]
     finite_or_refused(valid, lambda *n: on_table(table, n), 300)
 

@@ -7,29 +7,14 @@ import sys
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Elastic,
-    Experiment,
-    FitError,
-    Free,
-    Indentation,
-    Layer,
-    Stack,
-    StackSystem,
-    System,
-    branches,
-    fit,
-    log_likelihood,
-    predict,
-    simulate,
-)
+import coated_contact as cc
 from conftest import loads_at, refuses
 
-GLASS = Elastic(young_modulus=64e9, poisson_ratio=0.2)
-GEL = System(
+GLASS = cc.Elastic(young_modulus=64e9, poisson_ratio=0.2)
+GEL = cc.System(
     sphere_radius=5e-6,
     sphere_modulus=GLASS.reduced_modulus,
-    film=Elastic(young_modulus=3e4, poisson_ratio=0.45),
+    film=cc.Elastic(young_modulus=3e4, poisson_ratio=0.45),
     film_thickness=2e-6,
     substrate=GLASS,
 )
@@ -37,13 +22,13 @@ GEL = System(
 
 def lens(system, count=40):
     plan = loads_at(system, np.linspace(3e-5, 1.2e-4, count), noise=2e-6)
-    return simulate(plan, noise=2e-6, seed=1)
+    return cc.simulate(plan, noise=2e-6, seed=1)
 
 
 def cantilever(count=150):
     """A cycle of forces against heights, with adhesion and a baseline."""
     down = np.linspace(1e-6, -1e-6, count)
-    plan = Experiment(
+    plan = cc.Experiment(
         kind="force-height",
         abscissa=np.concatenate([down, down[::-1]]),
         retract=np.repeat([False, True], count),
@@ -53,42 +38,44 @@ def cantilever(count=150):
         stiffness=0.5,
         noise=1e-10,
     )
-    return simulate(plan, noise=1e-10, seed=2)
+    return cc.simulate(plan, noise=1e-10, seed=2)
 
 
 def on_a_stack():
     layers = [
-        Layer(name="primer", material=Elastic(young_modulus=5e5, poisson_ratio=0.5), thickness=2e-6)
+        cc.Layer(
+            name="primer", material=cc.Elastic(young_modulus=5e5, poisson_ratio=0.5), thickness=2e-6
+        )
     ]
-    stack = Stack(base=Elastic(young_modulus=2e11, poisson_ratio=0.25), layers=layers)
-    system = StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
+    stack = cc.Stack(base=cc.Elastic(young_modulus=2e11, poisson_ratio=0.25), layers=layers)
+    system = cc.StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=2e6)
     plan = loads_at(system, np.linspace(3e-5, 6e-5, 5), noise=2e-6)
-    return simulate(plan, noise=2e-6, seed=1)
+    return cc.simulate(plan, noise=2e-6, seed=1)
 
 
 def stiffnesses():
-    silicon = Elastic(young_modulus=1.7e11, poisson_ratio=0.28)
-    oxide = System(
+    silicon = cc.Elastic(young_modulus=1.7e11, poisson_ratio=0.28)
+    oxide = cc.System(
         sphere_radius=1e-5,
         sphere_modulus=1.147e12,
-        film=Elastic(young_modulus=7.2e10, poisson_ratio=0.17),
+        film=cc.Elastic(young_modulus=7.2e10, poisson_ratio=0.17),
         film_thickness=5e-7,
         substrate=silicon,
     )
-    plan = Experiment(
+    plan = cc.Experiment(
         kind="stiffness-depth",
         abscissa=np.linspace(4e-8, 2.5e-7, 10),
         system=oxide,
-        indentation=Indentation(beta=1.034, hardness=1e10),
+        indentation=cc.Indentation(beta=1.034, hardness=1e10),
         noise=0.01,
     )
-    return simulate(plan, noise=0.01, seed=1)
+    return cc.simulate(plan, noise=0.01, seed=1)
 
 
 def cases(system):
     """Experiments with free parameters, values near the truth, and the error of the gradient."""
     film = ["film_modulus", "film_thickness", "work_of_adhesion", "load_offset"]
-    prior = Free(parameter="film_modulus", prior=(3e6, 2e5))
+    prior = cc.Free(parameter="film_modulus", prior=(3e6, 2e5))
     curve = ["film_modulus", "work_of_adhesion", "contact_point", "baseline", "stiffness"]
     return {
         "lens": (lens(system), film, [3.6e6, 1.1e-5, 0.041, 1e-7], 1e-6),
@@ -108,7 +95,7 @@ def cases(system):
 @pytest.mark.parametrize("name", ["lens", "lens, prior", "curve", "two", "stack", "stiffness"])
 def test_the_gradient_is_that_of_differences(system, name):
     given, free, values, tolerance = cases(system)[name]
-    likelihood = log_likelihood(given, free)
+    likelihood = cc.log_likelihood(given, free)
     assert len(likelihood.names) == len(values)
     value, gradient = likelihood.value_and_gradient(values)
     # Lookups with and without derivatives differ by rounding.
@@ -128,20 +115,20 @@ def test_the_gradient_is_that_of_differences(system, name):
 def test_the_value_is_the_sum_over_the_points_that_count(system):
     given = cantilever()
     free = ["film_modulus", "contact_point"]
-    on = branches(given, free)
-    found = predict(given, branches=on)
+    on = cc.branches(given, free)
+    found = cc.predict(given, branches=on)
     used = np.array([one != "left-out" for one in on])
     residuals = (found.ordinate - given.ordinate)[used] / 1e-10
     expected = -0.5 * np.sum(residuals**2) - used.sum() * np.log(np.sqrt(2 * np.pi) * 1e-10)
     values = [GEL.film.young_modulus, given.contact_point]
-    assert log_likelihood(given, free)(values) == pytest.approx(expected, rel=1e-12)
+    assert cc.log_likelihood(given, free)(values) == pytest.approx(expected, rel=1e-12)
     # A prior is one more normal density.
-    prior = [Free(parameter="film_modulus", prior=(2e4, 5e3)), "contact_point"]
+    prior = [cc.Free(parameter="film_modulus", prior=(2e4, 5e3)), "contact_point"]
     density = -0.5 * 2.0**2 - np.log(np.sqrt(2 * np.pi) * 5e3)
-    assert log_likelihood(given, prior)(values) == pytest.approx(expected + density, rel=1e-12)
+    assert cc.log_likelihood(given, prior)(values) == pytest.approx(expected + density, rel=1e-12)
     # Fewer points count on the branches of a fit.
-    fitted = fit(given, free)
-    of_fit = log_likelihood(given, free, branches=[fitted.experiments[0].branch])
+    fitted = cc.fit(given, free)
+    of_fit = cc.log_likelihood(given, free, branches=[fitted.experiments[0].branch])
     best = list(fitted.params.values())
     constant = sum(not np.isnan(one) for one in fitted.experiments[0].fit)
     expected = -0.5 * fitted.chi_squared - constant * np.log(np.sqrt(2 * np.pi) * 1e-10)
@@ -152,7 +139,7 @@ def test_the_value_is_the_sum_over_the_points_that_count(system):
 
 
 def test_arrays_and_copies(system):
-    likelihood = log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
+    likelihood = cc.log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
     values = np.array([[3.4e6, 0.04], [3.5e6, 0.041], [3.6e6, 0.039]])
     one_by_one = [likelihood(row) for row in values]
     assert likelihood(values).tolist() == one_by_one
@@ -170,15 +157,15 @@ def test_arrays_and_copies(system):
     [[-1.0, 0.04], [0.0, 0.04], [3.5e6, -0.04], [np.nan, 0.04], [np.inf, 0.04], [1e30, 0.04]],
 )
 def test_without_a_contact_the_likelihood_is_zero(system, values):
-    likelihood = log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
+    likelihood = cc.log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
     value, gradient = likelihood.value_and_gradient(values)
     assert value == likelihood(values) == -np.inf
     assert np.all(np.isnan(gradient))
 
 
 def test_bounds_end_the_likelihood(system):
-    free = [Free(parameter="film_modulus", bounds=(3e6, 4e6)), "film_poisson_ratio"]
-    likelihood = log_likelihood(lens(system), free)
+    free = [cc.Free(parameter="film_modulus", bounds=(3e6, 4e6)), "film_poisson_ratio"]
+    likelihood = cc.log_likelihood(lens(system), free)
     assert np.isfinite(likelihood([3e6, 0.5]))
     assert (
         likelihood([2.99e6, 0.5]) == likelihood([3e6, 0.51]) == likelihood([3e6, -0.1]) == -np.inf
@@ -188,34 +175,38 @@ def test_bounds_end_the_likelihood(system):
 def test_what_cannot_be_used_is_refused(system):
     given = lens(system)
     free = ["film_modulus", "work_of_adhesion"]
-    with pytest.raises(FitError, match="the noise of experiment"):
-        log_likelihood(
-            Experiment(kind="load-radius", abscissa=[1e-5], ordinate=[0], system=system), free
+    with pytest.raises(cc.FitError, match="the noise of experiment"):
+        cc.log_likelihood(
+            cc.Experiment(kind="load-radius", abscissa=[1e-5], ordinate=[0], system=system), free
         )
-    likelihood = log_likelihood(given, free)
+    likelihood = cc.log_likelihood(given, free)
     for wrong in ([3e6], [3e6, 0.04, 0.0], 3e6, np.ones((2, 3))):
-        with pytest.raises(FitError, match="one value for each of film_modulus, work_of_adhesion"):
+        with pytest.raises(
+            cc.FitError, match="one value for each of film_modulus, work_of_adhesion"
+        ):
             likelihood(wrong)
     refuses(TypeError, "real numbers", lambda: likelihood(["a", "b"]))
     pandas = pytest.importorskip("pandas")
     named = pandas.Series({"film_modulus": 3.6e6, "work_of_adhesion": 0.04})
     assert likelihood(named) == likelihood(named.to_frame().T)[0] == likelihood([3.6e6, 0.04])
     for wrong in (named[::-1], named[::-1].to_frame().T):
-        refuses(FitError, "bring the values into this order", lambda w=wrong: likelihood(w))
-    with pytest.raises(FitError, match="number of branches of experiment = 3"):
-        log_likelihood(given, free, branches=[["advancing"] * 3])
-    with pytest.raises(FitError, match="number of experiments with branches = 2"):
-        log_likelihood(given, free, branches=[["advancing"] * 40] * 2)
-    refuses(FitError, "'up'", lambda: log_likelihood(given, free, branches=[["up"] * 40]))
+        refuses(cc.FitError, "bring the values into this order", lambda w=wrong: likelihood(w))
+    with pytest.raises(cc.FitError, match="number of branches of experiment = 3"):
+        cc.log_likelihood(given, free, branches=[["advancing"] * 3])
+    with pytest.raises(cc.FitError, match="number of experiments with branches = 2"):
+        cc.log_likelihood(given, free, branches=[["advancing"] * 40] * 2)
+    refuses(cc.FitError, "'up'", lambda: cc.log_likelihood(given, free, branches=[["up"] * 40]))
     with pytest.raises(TypeError, match="list of names for each"):
-        log_likelihood(given, free, branches="advancing")
-    refuses(FitError, "no height of a cantilever", lambda: log_likelihood(given, ["stiffness"]))
-    refuses(FitError, "there is no free parameter", lambda: log_likelihood(given, []))
+        cc.log_likelihood(given, free, branches="advancing")
+    refuses(
+        cc.FitError, "no height of a cantilever", lambda: cc.log_likelihood(given, ["stiffness"])
+    )
+    refuses(cc.FitError, "there is no free parameter", lambda: cc.log_likelihood(given, []))
 
 
 def test_emcee_takes_it_as_it_is(system):
     emcee = pytest.importorskip("emcee")
-    likelihood = log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
+    likelihood = cc.log_likelihood(lens(system), ["film_modulus", "work_of_adhesion"])
     sampler = emcee.EnsembleSampler(8, 2, likelihood, vectorize=True)
     start = np.array([3.5e6, 0.04]) * np.random.default_rng(1).uniform(0.99, 1.01, (8, 2))
     sampler.run_mcmc(start, 3)

@@ -6,22 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Cone,
-    Contact,
-    ContactError,
-    Elastic,
-    FlatPunch,
-    HalfSpace,
-    SolvedCurve,
-    Stack,
-    StackSystem,
-    Table,
-    fit,
-    fit_map,
-    generate,
-    solve,
-)
+import coated_contact as cc
 from conftest import ROOT, RUBBER_ON_GLASS, in_python, make_system, refuses
 from test_fit import WANTED, lens
 
@@ -34,13 +19,13 @@ def rigid(system):
 
 def of_substrate(poisson_ratio):
     """A system on a substrate of another Poisson ratio than that of the table."""
-    glass = Elastic(young_modulus=2e11, poisson_ratio=poisson_ratio)
+    glass = cc.Elastic(young_modulus=2e11, poisson_ratio=poisson_ratio)
     return replace(make_system(), substrate=glass)
 
 
 def bare(**probe):
-    solid = Elastic(young_modulus=1e6, poisson_ratio=0.5)
-    return Contact.half_space(HalfSpace(sphere_modulus=2e6, solid=solid, **probe))
+    solid = cc.Elastic(young_modulus=1e6, poisson_ratio=0.5)
+    return cc.Contact.half_space(cc.HalfSpace(sphere_modulus=2e6, solid=solid, **probe))
 
 
 def on(stack, **probe):
@@ -56,36 +41,36 @@ def at_end(seed):
 
 
 CASES = {
-    "an HDF5 table": (lambda _: Table.read(HDF5), "`Table.open`"),
-    "a packed table": (lambda _: Table.open(PACKED), "`Table.read`"),
-    "no table": (lambda _: Table.read(ROOT / "README.md"), "packed table"),
-    "bytes of HDF5": (lambda _: Table.from_packed(HDF5.read_bytes()), "`Table.open`"),
-    "a cone on a stack": (lambda stack: on(stack, probe=Cone(half_angle=1.2)), "`Paraboloid`"),
+    "an HDF5 table": (lambda _: cc.Table.read(HDF5), "`Table.open`"),
+    "a packed table": (lambda _: cc.Table.open(PACKED), "`Table.read`"),
+    "no table": (lambda _: cc.Table.read(ROOT / "README.md"), "packed table"),
+    "bytes of HDF5": (lambda _: cc.Table.from_packed(HDF5.read_bytes()), "`Table.open`"),
+    "a cone on a stack": (lambda stack: on(stack, probe=cc.Cone(half_angle=1.2)), "`Paraboloid`"),
     "a material outside": (
-        lambda _: Table.read(PACKED).contact(make_system(film_modulus=1e12)),
+        lambda _: cc.Table.read(PACKED).contact(make_system(film_modulus=1e12)),
         "`generate`",
     ),
     "an a/t outside": (
-        lambda _: SolvedCurve(a_over_t=(0.1, 2)).contact(make_system()).load(9e-5, 0.04),
+        lambda _: cc.SolvedCurve(a_over_t=(0.1, 2)).contact(make_system()).load(9e-5, 0.04),
         "`solve`",
     ),
     "an a/t far beyond": (
-        lambda _: Table.embedded().quantities(1e5, 1e6, 0.3, 1e-3),
+        lambda _: cc.Table.embedded().quantities(1e5, 1e6, 0.3, 1e-3),
         "`generate`",
     ),
-    "no equivalent": (lambda _: Table.read(PACKED).contact(of_substrate(0.1)), "`generate`"),
+    "no equivalent": (lambda _: cc.Table.read(PACKED).contact(of_substrate(0.1)), "`generate`"),
     "a rigid sphere": (
-        lambda _: Table.read(PACKED).contact(rigid(make_system())),
+        lambda _: cc.Table.read(PACKED).contact(rigid(make_system())),
         "`Table.embedded`",
     ),
     "a stack in a table of films": (
-        lambda stack: Table.embedded().contact(
-            StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
+        lambda stack: cc.Table.embedded().contact(
+            cc.StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6)
         ),
         "`generate`",
     ),
     "the line of a flat punch": (
-        lambda _: bare(probe=FlatPunch(radius=1e-6)).line(0.04, 1e-6),
+        lambda _: bare(probe=cc.FlatPunch(radius=1e-6)).line(0.04, 1e-6),
         "`Contact.pull_off`",
     ),
     "a motion without a speed": (
@@ -97,21 +82,23 @@ CASES = {
         "`Cohesive`",
     ),
     "a stack without layers": (
-        lambda stack: Stack(base=stack.base, layers=[]),
+        lambda stack: cc.Stack(base=stack.base, layers=[]),
         "`HalfSpace`",
     ),
-    "a point that is no number": (lambda _: fit(at_end(1), WANTED), "experiment, point 3: load"),
-    "a curve of a map": (lambda _: fit_map([lens(seed=1), at_end(2)], WANTED), "point 3"),
+    "a point that is no number": (lambda _: cc.fit(at_end(1), WANTED), "experiment, point 3: load"),
+    "a curve of a map": (lambda _: cc.fit_map([lens(seed=1), at_end(2)], WANTED), "point 3"),
     "a layer of a film": (
-        lambda _: fit(replace(lens(seed=1), system=make_system()), ["primer.modulus"]),
+        lambda _: cc.fit(replace(lens(seed=1), system=make_system()), ["primer.modulus"]),
         "no stack of layers",
     ),
     "a tolerance out of reach": (
-        lambda _: solve(1.0, 1.75, 0.5, 1e5, tolerance=1e-20),
+        lambda _: cc.solve(1.0, 1.75, 0.5, 1e5, tolerance=1e-20),
         "tolerance",
     ),
     "a scene without a range": (
-        lambda _: generate(RUBBER_ON_GLASS | {"a_over_t": {"from": 10, "to": 1}}, progress=False),
+        lambda _: cc.generate(
+            RUBBER_ON_GLASS | {"a_over_t": {"from": 10, "to": 1}}, progress=False
+        ),
         "a_over_t",
     ),
 }
@@ -120,7 +107,7 @@ CASES = {
 @pytest.mark.parametrize("case", CASES)
 def test_every_message_is_in_the_words_of_python(case, stack):
     provoke, word = CASES[case]
-    error = refuses((ContactError, OSError), re.escape(word), lambda: provoke(stack))
+    error = refuses((cc.ContactError, OSError), re.escape(word), lambda: provoke(stack))
     in_python(getattr(error, "allowed", None) or "")
 
 
@@ -128,7 +115,7 @@ def test_points_far_off_are_called_by_their_numbers():
     one = lens(seed=1, noise=2e-6)
     load = one.ordinate.copy()
     load[[4, 20]] += 3e-5
-    found = fit(replace(one, ordinate=load, noise=2e-6), WANTED, loss="huber")
+    found = cc.fit(replace(one, ordinate=load, noise=2e-6), WANTED, loss="huber")
     (words,) = [warning.text for warning in found.warnings if warning.kind == "outliers"]
     assert "in points 4, 20" in words
     for text in (words, found.report):
@@ -138,7 +125,7 @@ def test_points_far_off_are_called_by_their_numbers():
 def test_the_words_of_a_user_stay(tmp_path):
     """A name is shown as it was given, whatever it looks like."""
     name = "a::b --c"
-    with pytest.raises(ContactError, match=re.escape(name)):
-        fit(replace(at_end(1), name=name), WANTED)
+    with pytest.raises(cc.ContactError, match=re.escape(name)):
+        cc.fit(replace(at_end(1), name=name), WANTED)
     with pytest.raises(OSError, match=re.escape(name)):
-        Table.read(tmp_path / name)
+        cc.Table.read(tmp_path / name)

@@ -6,30 +6,7 @@ from math import inf
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Cone,
-    Elastic,
-    Experiment,
-    FitError,
-    Free,
-    Hysteresis,
-    Indentation,
-    InputError,
-    Layer,
-    Relaxation,
-    SolvedCurve,
-    Stack,
-    Table,
-    TableError,
-    design,
-    fit,
-    forecast,
-    generate,
-    predict,
-    read_experiment,
-    simulate,
-    solve,
-)
+import coated_contact as cc
 from conftest import loads_at, make_system, refuses
 
 LENS = loads_at(make_system(), np.linspace(4e-5, 1.2e-4, 30), noise=2e-6)
@@ -53,49 +30,57 @@ class Quantity:
 
 CASES = {
     "a unit": (TypeError, "SI", lambda: replace(make_system(), film_thickness=Quantity(10, "um"))),
-    "metres": (FitError, "10 m is above", lambda: simulate(TEN_METRES, noise=2e-6, seed=1)),
-    "a plan in metres": (FitError, "10 m is above", lambda: forecast(TEN_METRES, WANTED)),
-    "no friction": (InputError, "stick", lambda: replace(LENS, advancing=0.3)),
+    "metres": (cc.FitError, "10 m is above", lambda: cc.simulate(TEN_METRES, noise=2e-6, seed=1)),
+    "a plan in metres": (cc.FitError, "10 m is above", lambda: cc.forecast(TEN_METRES, WANTED)),
+    "no friction": (cc.InputError, "stick", lambda: replace(LENS, advancing=0.3)),
     "two works with friction": (
-        FitError,
+        cc.FitError,
         "work_of_adhesion_receding has no effect.*advancing",
         lambda: replace(LENS, friction="stick", work_of_adhesion_receding=0.1),
     ),
     "no friction, solved": (
-        InputError,
+        cc.InputError,
         "stick",
-        lambda: SolvedCurve(a_over_t=(0.1, 20), sphere_poisson_ratio=0.3),
+        lambda: cc.SolvedCurve(a_over_t=(0.1, 20), sphere_poisson_ratio=0.3),
     ),
-    "ends in no order": (InputError, "below the second", lambda: SolvedCurve(a_over_t=(2, 0.01))),
+    "ends in no order": (
+        cc.InputError,
+        "below the second",
+        lambda: cc.SolvedCurve(a_over_t=(2, 0.01)),
+    ),
     "a line that costs less": (
-        InputError,
+        cc.InputError,
         "1e-05 is below the advancing one = 5e-05",
-        lambda: Hysteresis(advancing=5e-5, receding=1e-5),
+        lambda: cc.Hysteresis(advancing=5e-5, receding=1e-5),
     ),
     "a scene with another key": (
-        TableError,
+        cc.TableError,
         "the scene: unknown field `accuracy`",
-        lambda: generate({"title": "x", "accuracy": 1e-3}, progress=False),
+        lambda: cc.generate({"title": "x", "accuracy": 1e-3}, progress=False),
     ),
     "a range with another key": (
-        TableError,
+        cc.TableError,
         'the scene: "nu1": unknown field `too`',
-        lambda: generate({"title": "x", "nu1": {"from": 0.1, "too": 2}}, progress=False),
+        lambda: cc.generate({"title": "x", "nu1": {"from": 0.1, "too": 2}}, progress=False),
     ),
     "a masked direction": (
         TypeError,
         "masked",
         lambda: replace(LENS, retract=np.ma.array([True] * 30, mask=[False] * 29 + [True])),
     ),
-    "a word for yes": (TypeError, "reference", lambda: Indentation(reference="no")),
-    "a word for own": (TypeError, "own", lambda: Free(parameter="load_offset", own="no")),
+    "a word for yes": (TypeError, "reference", lambda: cc.Indentation(reference="no")),
+    "a word for own": (TypeError, "own", lambda: cc.Free(parameter="load_offset", own="no")),
     "a number for a name": (TypeError, "name must be a str", lambda: replace(LENS, name=7)),
-    "the path of a table": (TypeError, "read", lambda: fit(LENS, WANTED, table="paper.bin")),
-    "no table": (TypeError, "False", lambda: forecast(LENS, WANTED, table=False)),
-    "starts in a mapping": (TypeError, "Free", lambda: fit(LENS, {"film_modulus": 1e6})),
-    "a mapping of derivatives": (TypeError, "by must", lambda: predict(LENS, {"film_modulus": 1})),
-    "one word": (TypeError, "list of words", lambda: fit(LENS, WANTED, allow="magnitudes")),
-    "a rigid sphere": (InputError, "inf", lambda: replace(make_system(), sphere_modulus=1e40)),
+    "the path of a table": (TypeError, "read", lambda: cc.fit(LENS, WANTED, table="paper.bin")),
+    "no table": (TypeError, "False", lambda: cc.forecast(LENS, WANTED, table=False)),
+    "starts in a mapping": (TypeError, "Free", lambda: cc.fit(LENS, {"film_modulus": 1e6})),
+    "a mapping of derivatives": (
+        TypeError,
+        "by must",
+        lambda: cc.predict(LENS, {"film_modulus": 1}),
+    ),
+    "one word": (TypeError, "list of words", lambda: cc.fit(LENS, WANTED, allow="magnitudes")),
+    "a rigid sphere": (cc.InputError, "inf", lambda: replace(make_system(), sphere_modulus=1e40)),
 }
 
 
@@ -106,49 +91,51 @@ def test_a_mistake_is_refused(case):
 
 
 def test_a_large_magnitude_may_be_meant():
-    assert forecast(TEN_METRES, WANTED, allow=["magnitudes"]).stderr["film_modulus"] > 0
+    assert cc.forecast(TEN_METRES, WANTED, allow=["magnitudes"]).stderr["film_modulus"] > 0
     plans = {"one": TEN_METRES, "other": TEN_METRES}
-    assert design(plans, WANTED, about="film_modulus", allow=["magnitudes"]).stderr["one"] > 0
+    assert cc.design(plans, WANTED, about="film_modulus", allow=["magnitudes"]).stderr["one"] > 0
 
 
 def test_the_rigid_bodies_of_a_history_are_its_own():
-    soft = Elastic(young_modulus=1e6, poisson_ratio=0.25)
+    soft = cc.Elastic(young_modulus=1e6, poisson_ratio=0.25)
     gel = replace(make_system(film_modulus=1e4), sphere_radius=1e-5, substrate=soft)
-    rigid = Elastic(young_modulus=inf, poisson_ratio=0.25)
+    rigid = cc.Elastic(young_modulus=inf, poisson_ratio=0.25)
 
     def history(beside):
-        contact = Table.embedded().contact(gel)
-        law = Relaxation.power_law(0.2)
+        contact = cc.Table.embedded().contact(gel)
+        law = cc.Relaxation.power_law(0.2)
         return contact.history([0, 1, 2], law, penetration=[0, 1e-7, 0], rigid=beside)
 
     def between_rigid(system):
-        return Table.embedded().contact(replace(system, sphere_modulus=inf, substrate=rigid))
+        return cc.Table.embedded().contact(replace(system, sphere_modulus=inf, substrate=rigid))
 
     assert history(between_rigid(gel)).unlike_bodies > 1e-4
     for other in [
-        Table.embedded().contact(gel),
+        cc.Table.embedded().contact(gel),
         between_rigid(replace(gel, film_thickness=1e-3)),
-        between_rigid(replace(gel, probe=Cone(half_angle=1.0))),
+        between_rigid(replace(gel, probe=cc.Cone(half_angle=1.0))),
     ]:
-        refuses(InputError, "same film, thickness and probe", lambda other=other: history(other))
+        refuses(cc.InputError, "same film, thickness and probe", lambda other=other: history(other))
     refuses(TypeError, "rigid must be the Contact", lambda: history(True))
     refuses(TypeError, "rigid must be the Contact", lambda: history(gel))
 
 
 def test_a_stack_relaxes_all_by_one_law():
-    layers = [Layer(material=make_system().film, thickness=1e-5)] * 2
-    stack = Stack(base=Elastic(young_modulus=inf, poisson_ratio=0.3), layers=layers)
+    layers = [cc.Layer(material=make_system().film, thickness=1e-5)] * 2
+    stack = cc.Stack(base=cc.Elastic(young_modulus=inf, poisson_ratio=0.3), layers=layers)
     contact = stack.contact(sphere_radius=1e-5, sphere_modulus=inf, a_over_t=(1e-3, 1))
-    law, program = Relaxation.power_law(0.2), {"penetration": [0, 1e-7, 0]}
+    law, program = cc.Relaxation.power_law(0.2), {"penetration": [0, 1e-7, 0]}
     assert contact.history([0, 1, 2], law, **program).unlike_bodies == 0.0
     together = "relax all by one law"
-    refuses(InputError, together, lambda: contact.history([0, 1, 2], law, **program, rigid=contact))
+    refuses(
+        cc.InputError, together, lambda: contact.history([0, 1, 2], law, **program, rigid=contact)
+    )
 
 
 def test_results_keep_no_array_of_the_caller():
     x = np.array([0.1, 1.0])
-    solution = solve(x, 1.75, 0.5, 1e5)
-    contact = Table.embedded().contact(make_system())
+    solution = cc.solve(x, 1.75, 0.5, 1e5)
+    contact = cc.Table.embedded().contact(make_system())
     ranges = np.array([1e-10, 1e-9])
     size = contact.zone_size(0.04, interaction_range=ranges)
     radii = np.array([5e-5, 6e-5])
@@ -162,11 +149,11 @@ def test_results_keep_no_array_of_the_caller():
 
 
 def test_a_fit_ends_within_its_bounds():
-    measured = simulate(LENS, noise=2e-6, seed=1)
+    measured = cc.simulate(LENS, noise=2e-6, seed=1)
     for least in np.geomspace(4e6, 1e8, 40):
         bounds = (least, 2 * least)
-        free = [Free(parameter="film_modulus", bounds=bounds), "work_of_adhesion"]
-        found = fit(measured, free, fixed_values=False, allow=["left-out"])
+        free = [cc.Free(parameter="film_modulus", bounds=bounds), "work_of_adhesion"]
+        found = cc.fit(measured, free, fixed_values=False, allow=["left-out"])
         assert bounds[0] <= found.params["film_modulus"] <= bounds[1]
 
 
@@ -174,7 +161,7 @@ def test_commas_that_may_part_thousands_are_told(tmp_path):
     def reading(rows):
         file = tmp_path / "lens.csv"
         file.write_text("Contact radius (um)\tLoad (uN)\n" + rows)
-        return read_experiment(file, system=make_system()).reading
+        return cc.read_experiment(file, system=make_system()).reading
 
     with pytest.warns(UserWarning, match="if the commas part thousands"):
         reading("41,250\t-190\n52,300\t-150\n63,410\t-80\n")
@@ -183,7 +170,7 @@ def test_commas_that_may_part_thousands_are_told(tmp_path):
 
 def test_a_bool_of_numpy_is_one():
     assert replace(LENS, all_relax=np.True_, from_deflection=np.False_).all_relax is True
-    assert Free(parameter="load_offset", own=np.True_).own is True
+    assert cc.Free(parameter="load_offset", own=np.True_).own is True
 
 
 def test_objects_are_written_as_dictionaries():
@@ -196,7 +183,7 @@ def test_heights_of_the_opposite_sense_are_named(work_of_adhesion):
     """Positions of the piezo grow towards the sample, and heights fall."""
     gel = make_system(sphere_radius=5e-6, sphere_modulus=inf, film_modulus=2e3, film_thickness=5e-6)
     heights = np.linspace(1e-6, -4e-7, 300)
-    plan = Experiment(
+    plan = cc.Experiment(
         kind="force-height",
         abscissa=np.r_[heights, heights[::-1]],
         retract=np.repeat([False, True], 300),
@@ -206,12 +193,12 @@ def test_heights_of_the_opposite_sense_are_named(work_of_adhesion):
     )
     free = ["film_modulus", "contact_point", "baseline"]
     free += ["work_of_adhesion"] if work_of_adhesion else []
-    measured = simulate(plan, noise=2e-11, seed=1)
+    measured = cc.simulate(plan, noise=2e-11, seed=1)
 
     def doubts(experiment):
         try:
-            return [warning.text for warning in fit(experiment, free).warnings]
-        except FitError as error:
+            return [warning.text for warning in cc.fit(experiment, free).warnings]
+        except cc.FitError as error:
             return [str(error)]
 
     assert not any("opposite sense" in text for text in doubts(measured))

@@ -10,28 +10,14 @@ from math import pi
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Elastic,
-    Experiment,
-    FitError,
-    Forecast,
-    Free,
-    HalfSpace,
-    InputError,
-    branches,
-    fit,
-    fit_map,
-    forecast,
-    predict,
-    simulate,
-)
+import coated_contact as cc
 from conftest import loads_at, make_system, refuses
 from test_fit import MODULUS, WANTED, W, jkr_load
 
-RIGID = HalfSpace(
+RIGID = cc.HalfSpace(
     sphere_radius=1e-3,
     sphere_modulus=MODULUS,
-    solid=Elastic(young_modulus=np.inf, poisson_ratio=0.3),
+    solid=cc.Elastic(young_modulus=np.inf, poisson_ratio=0.3),
 )
 RADII = np.linspace(50e-6, 110e-6, 40)
 
@@ -43,7 +29,7 @@ def planned(**known):
 def retract(points=60, **known):
     """A colloidal probe on a film, pulled off."""
     heights = np.linspace(-0.5e-6, 8e-6, points)
-    return Experiment(
+    return cc.Experiment(
         kind="force-height",
         abscissa=heights,
         retract=np.full(points, True),
@@ -55,7 +41,7 @@ def retract(points=60, **known):
 
 
 def test_predictions_are_jkr():
-    found = predict(planned(), ["sphere_modulus", "work_of_adhesion", "load_offset"])
+    found = cc.predict(planned(), ["sphere_modulus", "work_of_adhesion", "load_offset"])
     assert np.allclose(found.ordinate, jkr_load(RADII), rtol=1e-12, atol=1e-18)
     by_modulus = 4 * RADII**3 / 3e-3 - np.sqrt(2 * pi * W * RADII**3 / MODULUS)
     assert np.allclose(found.derivatives["sphere_modulus"], by_modulus, rtol=1e-11, atol=1e-22)
@@ -66,53 +52,57 @@ def test_predictions_are_jkr():
 
 
 def test_branches_come_from_the_data():
-    made = simulate(retract(contact_point=4e-6), noise=1e-8, seed=4)
-    from_data = branches(made, ["work_of_adhesion", "contact_point", "baseline"])
-    of_model = predict(made).branch
+    made = cc.simulate(retract(contact_point=4e-6), noise=1e-8, seed=4)
+    from_data = cc.branches(made, ["work_of_adhesion", "contact_point", "baseline"])
+    of_model = cc.predict(made).branch
     assert from_data.count("receding") > 20
     differ = [i for i in range(60) if from_data[i] != of_model[i]]
     assert all(from_data[i] == "left-out" for i in differ)
     assert len(differ) < 4
-    found = predict(made, branches=from_data)
+    found = cc.predict(made, branches=from_data)
     assert np.array_equal(np.isnan(found.ordinate), [b == "left-out" for b in from_data])
 
 
 def test_most_points_left_out_are_an_error_unless_allowed():
     """A work of adhesion that is taken for far smaller than it is."""
-    made = simulate(retract(points=100, contact_point=4e-6), noise=1e-7, seed=1)
+    made = cc.simulate(retract(points=100, contact_point=4e-6), noise=1e-7, seed=1)
     weak, free = replace(made, work_of_adhesion=1e-3), ["contact_point"]
     words = "points in contact are left out, more than a third"
-    refuses(FitError, words, lambda: fit(weak, free))
-    found = fit(weak, free, allow=["left-out"])
+    refuses(cc.FitError, words, lambda: cc.fit(weak, free))
+    found = cc.fit(weak, free, allow=["left-out"])
     (points,) = found.experiments
     assert points.left_out["beyond-end"] > 20
     assert sum(points.left_out.values()) == points.branch.count("left-out")
     assert "left-out" in {warning.kind for warning in found.warnings}
-    assert list(fit_map([weak], free, errors="nan").failures) == [0]
-    refuses(FitError, "allow.*left-out", lambda: fit(weak, free, allow=["leftout"]))
+    assert list(cc.fit_map([weak], free, errors="nan").failures) == [0]
+    refuses(cc.FitError, "allow.*left-out", lambda: cc.fit(weak, free, allow=["leftout"]))
 
 
 def test_what_would_not_be_determined_is_named():
     """Beside a thick film only the compound modulus of sphere and film counts."""
     one = loads_at(make_system(film_thickness=1e-2), [5e-5, 6e-5, 7e-5], noise=1e-6)
-    found = forecast(one, ["sphere_modulus", "film_modulus"])
+    found = cc.forecast(one, ["sphere_modulus", "film_modulus"])
     assert found.undetermined
     assert "film-modulus" in found.undetermined[0]
-    prior = Free(parameter="film_modulus", prior=(3.5e6, 1e5))
-    assert forecast(one, ["sphere_modulus", prior]).stderr["film_modulus"] == pytest.approx(
+    prior = cc.Free(parameter="film_modulus", prior=(3.5e6, 1e5))
+    assert cc.forecast(one, ["sphere_modulus", prior]).stderr["film_modulus"] == pytest.approx(
         1e5, rel=1e-3
     )
 
 
 def test_what_cannot_be_used_is_named():
-    refuses(FitError, "finite", lambda: fit(planned(), WANTED))
-    refuses(FitError, "number of branches = 1", lambda: predict(planned(), branches=["advancing"]))
-    refuses(FitError, "branch = 'up' cannot be used", lambda: predict(planned(), branches=["up"]))
-    refuses(FitError, "parameter = 'colour'", lambda: predict(planned(), ["colour"]))
-    refuses(TypeError, "must be a list", lambda: predict(planned(), "sphere_modulus"))
-    refuses(TypeError, "must be an Experiment", lambda: predict(3))
-    refuses(InputError, "seed = -1", lambda: simulate(planned(), noise=1.0, seed=-1))
-    refuses(FitError, "finite", lambda: branches(planned()))
+    refuses(cc.FitError, "finite", lambda: cc.fit(planned(), WANTED))
+    refuses(
+        cc.FitError, "number of branches = 1", lambda: cc.predict(planned(), branches=["advancing"])
+    )
+    refuses(
+        cc.FitError, "branch = 'up' cannot be used", lambda: cc.predict(planned(), branches=["up"])
+    )
+    refuses(cc.FitError, "parameter = 'colour'", lambda: cc.predict(planned(), ["colour"]))
+    refuses(TypeError, "must be a list", lambda: cc.predict(planned(), "sphere_modulus"))
+    refuses(TypeError, "must be an Experiment", lambda: cc.predict(3))
+    refuses(cc.InputError, "seed = -1", lambda: cc.simulate(planned(), noise=1.0, seed=-1))
+    refuses(cc.FitError, "finite", lambda: cc.branches(planned()))
 
 
 def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
@@ -127,16 +117,16 @@ def test_numbers_are_those_of_rust_bit_for_bit(tabulate, tmp_path):
     lines = [line for line in run.stdout.splitlines() if not line.startswith("#")]
     printed = list(csv.DictReader(lines))
     assert [float(row["contact_radius"]) for row in printed] == plan.abscissa.tolist()
-    made = simulate(plan, noise=5e-6, seed=3)
-    assert not np.array_equal(simulate(plan, noise=5e-6, seed=4).ordinate, made.ordinate)
+    made = cc.simulate(plan, noise=5e-6, seed=3)
+    assert not np.array_equal(cc.simulate(plan, noise=5e-6, seed=4).ordinate, made.ordinate)
     assert made.ordinate.tolist() == [float(row["load"]) for row in printed]
     run = subprocess.run(
         [program, *command, "--expect", "--json"], check=True, capture_output=True, text=True
     )
     expected = json.loads(run.stdout)
-    found = forecast(plan, WANTED)
+    found = cc.forecast(plan, WANTED)
     stderr = {name: one["stderr"] for name, one in expected["parameters"].items()}
-    assert isinstance(found, Forecast)
+    assert isinstance(found, cc.Forecast)
     assert (found.stderr, found.correlation.tolist()) == (stderr, expected["correlation"])
     assert found.warnings == ()
 
@@ -145,7 +135,7 @@ def test_a_plan_outside_the_model_is_told_as_its_fit_is() -> None:
     plan = loads_at(
         make_system(film_modulus=2e5, film_thickness=1e-4), np.linspace(4e-5, 4e-4, 20), noise=5e-6
     )
-    expected = forecast(plan, WANTED)
+    expected = cc.forecast(plan, WANTED)
     kinds = [warning.kind for warning in expected.warnings]
     assert kinds == ["large-contact", "large-strain"]
     assert "a/R reaches 0.40" in expected._repr_html_()

@@ -10,29 +10,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Cohesive,
-    Cone,
-    Contact,
-    ContactError,
-    Elastic,
-    Experiment,
-    FitError,
-    Free,
-    HalfSpace,
-    Hysteresis,
-    InputError,
-    OutsideTableError,
-    Paraboloid,
-    RateDependent,
-    SolvedCurve,
-    Sphere,
-    Spring,
-    StackSystem,
-    Table,
-    TableError,
-    __version__,
-)
+import coated_contact as cc
+from coated_contact import __version__
 from conftest import PROBES, ROOT, make_system, refuses
 
 PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
@@ -40,18 +19,18 @@ PACKED, HDF5 = ROOT / "tables" / "paper.bin", ROOT / "tables" / "paper.h5"
 
 @pytest.fixture(scope="module")
 def objects(system, contact, stack):
-    solid = Elastic(young_modulus=1e6, poisson_ratio=0.3)
-    half_space = HalfSpace(sphere_radius=1e-3, sphere_modulus=np.inf, solid=solid)
-    table = Table.read(PACKED)
+    solid = cc.Elastic(young_modulus=1e6, poisson_ratio=0.3)
+    half_space = cc.HalfSpace(sphere_radius=1e-3, sphere_modulus=np.inf, solid=solid)
+    table = cc.Table.read(PACKED)
     return [
         solid,
         system,
         half_space,
-        Spring(stiffness=0.5),
+        cc.Spring(stiffness=0.5),
         contact,
-        Contact.half_space(half_space),
-        contact.equilibria(0.04, control=Spring(stiffness=0.5)),
-        Table.embedded(),
+        cc.Contact.half_space(half_space),
+        contact.equilibria(0.04, control=cc.Spring(stiffness=0.5)),
+        cc.Table.embedded(),
         table,
         table.contact(make_system()),
         contact.pull_off(0.04),
@@ -59,14 +38,14 @@ def objects(system, contact, stack):
         replace(system, probe=PROBES[1]),
         stack,
         stack.layers[0],
-        StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6),
-        SolvedCurve(a_over_t=(0.1, 2)),
+        cc.StackSystem(stack=stack, sphere_radius=1e-4, sphere_modulus=2e6),
+        cc.SolvedCurve(a_over_t=(0.1, 2)),
         stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 2)),
-        Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8),
+        cc.Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8),
         contact.cohesive_zone(0.04, stress=1e8),
-        Hysteresis(advancing=0.04, receding=0.1),
-        RateDependent(slow=0.04, v0=1e-6, n=0.6),
-        Free(parameter="film_modulus", bounds=(1e5, 1e7)),
+        cc.Hysteresis(advancing=0.04, receding=0.1),
+        cc.RateDependent(slow=0.04, v0=1e-6, n=0.6),
+        cc.Free(parameter="film_modulus", bounds=(1e5, 1e7)),
     ]
 
 
@@ -90,35 +69,35 @@ def test_every_object_is_replaced_by_its_own_values(objects):
 
 
 def test_the_radius_of_a_system_is_replaced(system, stack):
-    solid = Elastic(young_modulus=1e6, poisson_ratio=0.3)
+    solid = cc.Elastic(young_modulus=1e6, poisson_ratio=0.3)
     of = {"sphere_radius": 1e-3, "sphere_modulus": 2e6}
-    for one in (system, HalfSpace(solid=solid, **of), StackSystem(stack=stack, **of)):
+    for one in (system, cc.HalfSpace(solid=solid, **of), cc.StackSystem(stack=stack, **of)):
         smaller = replace(one, sphere_radius=2e-5)
-        assert smaller.probe == Paraboloid(radius=2e-5)
+        assert smaller.probe == cc.Paraboloid(radius=2e-5)
         assert replace(smaller, sphere_radius=1e-3) == one
         both = replace(one, sphere_radius=2e-5, sphere_modulus=3e6)
         assert (both.sphere_radius, both.sphere_modulus) == (2e-5, 3e6)
         # The shape stays.
-        ball = replace(one, probe=Sphere(radius=1e-3))
-        assert replace(ball, sphere_radius=2e-5).probe == Sphere(radius=2e-5)
-        with pytest.raises(InputError, match="-1"):
+        ball = replace(one, probe=cc.Sphere(radius=1e-3))
+        assert replace(ball, sphere_radius=2e-5).probe == cc.Sphere(radius=2e-5)
+        with pytest.raises(cc.InputError, match="-1"):
             replace(one, sphere_radius=-1.0)
         with pytest.raises(TypeError, match="the probe is a Cone: replace the probe"):
-            replace(replace(one, probe=Cone(half_angle=1.2)), sphere_radius=2e-5)
+            replace(replace(one, probe=cc.Cone(half_angle=1.2)), sphere_radius=2e-5)
         with pytest.raises(TypeError, match="both given"):
-            replace(one, probe=Sphere(radius=1e-3), sphere_radius=2e-5)
+            replace(one, probe=cc.Sphere(radius=1e-3), sphere_radius=2e-5)
     with pytest.raises(TypeError, match="both given"):
-        HalfSpace(probe=Sphere(radius=1e-3), solid=solid, **of)
+        cc.HalfSpace(probe=cc.Sphere(radius=1e-3), solid=solid, **of)
 
 
 def test_the_places_of_a_planned_experiment_are_replaced(system):
-    plan = Experiment(kind="load-radius", abscissa=np.linspace(4e-5, 9e-5, 10), system=system)
+    plan = cc.Experiment(kind="load-radius", abscissa=np.linspace(4e-5, 9e-5, 10), system=system)
     finer = replace(plan, abscissa=np.linspace(4e-5, 9e-5, 50), noise=1e-6)
     assert finer.ordinate.shape == (50,)
     assert np.isnan(finer.ordinate).all()
     # What was measured is not given up.
     measured = replace(plan, ordinate=np.zeros(10))
-    refuses(FitError, "as long", lambda: replace(measured, abscissa=np.linspace(4e-5, 9e-5, 50)))
+    refuses(cc.FitError, "as long", lambda: replace(measured, abscissa=np.linspace(4e-5, 9e-5, 50)))
 
 
 def test_objects_do_not_change(objects):
@@ -138,7 +117,7 @@ def test_an_unpickled_contact_gives_the_same_numbers(contact):
 
 
 def test_errors_are_pickled_whole(contact):
-    with pytest.raises(ContactError) as caught:
+    with pytest.raises(cc.ContactError) as caught:
         contact.load([65e-6, 1.0], 0.04)
     error = pickle.loads(pickle.dumps(caught.value))
     assert type(error) is type(caught.value)
@@ -148,34 +127,36 @@ def test_errors_are_pickled_whole(contact):
 
 
 def test_values_that_cannot_be_are_refused(system):
-    with pytest.raises(InputError, match=r"Poisson ratio = 0\.6") as caught:
-        Elastic(young_modulus=1e6, poisson_ratio=0.6)
+    with pytest.raises(cc.InputError, match=r"Poisson ratio = 0\.6") as caught:
+        cc.Elastic(young_modulus=1e6, poisson_ratio=0.6)
     error = caught.value
     assert (error.axis, error.value, error.allowed) == ("Poisson ratio", 0.6, "in (-1, 0.5]")
-    refuses(InputError, "film_thickness", lambda: dataclasses.replace(system, film_thickness=0.0))
+    refuses(
+        cc.InputError, "film_thickness", lambda: dataclasses.replace(system, film_thickness=0.0)
+    )
     refuses(TypeError, "film must be an Elastic", lambda: dataclasses.replace(system, film=1e6))
     with pytest.raises(TypeError, match="young_modulus must be real"):
-        Elastic(young_modulus="1e6", poisson_ratio=0.3)
-    refuses(TypeError, "one number", lambda: Elastic(young_modulus=[1e6], poisson_ratio=0.3))
-    refuses(TypeError, "positional", lambda: Elastic(1e6, 0.3))
-    refuses(TypeError, "a contact needs", lambda: Contact(system=system, table=None))
+        cc.Elastic(young_modulus="1e6", poisson_ratio=0.3)
+    refuses(TypeError, "one number", lambda: cc.Elastic(young_modulus=[1e6], poisson_ratio=0.3))
+    refuses(TypeError, "positional", lambda: cc.Elastic(1e6, 0.3))
+    refuses(TypeError, "a contact needs", lambda: cc.Contact(system=system, table=None))
 
 
 def test_numpy_numbers_become_floats():
-    solid = Elastic(young_modulus=np.float32(1e6), poisson_ratio=np.int64(0))
+    solid = cc.Elastic(young_modulus=np.float32(1e6), poisson_ratio=np.int64(0))
     assert (type(solid.young_modulus), type(solid.poisson_ratio)) == (float, float)
-    assert solid == Elastic(young_modulus=1e6, poisson_ratio=0)
+    assert solid == cc.Elastic(young_modulus=1e6, poisson_ratio=0)
 
 
 def test_controls(contact):
-    with pytest.raises(ContactError, match="control = 'weight' cannot be used"):
+    with pytest.raises(cc.ContactError, match="control = 'weight' cannot be used"):
         contact.pull_off(0.04, control="weight")
     with pytest.raises(TypeError):
         contact.force_displacement(0.04, most=1e-6, points=10.5)
 
 
 def test_tables_tell_what_they_are():
-    table = Table.open(HDF5)
+    table = cc.Table.open(HDF5)
     assert table.held == ("pi0", "eeq", "gamma", "delta0")
     assert list(table.axes) == ["a_over_t", "e1_over_e2", "nu1", "e0_over_e2"]
     assert table.axes["nu1"].tolist() == [0.5]
@@ -185,42 +166,44 @@ def test_tables_tell_what_they_are():
 
 
 def test_files_of_both_forms_hold_one_table():
-    packed, hdf5 = Table.read(PACKED), Table.open(HDF5)
+    packed, hdf5 = cc.Table.read(PACKED), cc.Table.open(HDF5)
     system = make_system(film_thickness=1e-6)
     a = np.linspace(1e-5, 1e-4, 10)
     found = [table.contact(system).load(a, 0.04) for table in (packed, hdf5)]
     assert np.allclose(*found, rtol=1e-7, atol=0)
-    assert np.allclose(found[0], Table.embedded().contact(system).load(a, 0.04), rtol=1e-5, atol=0)
-    assert Table.from_packed(packed.to_packed()) == packed
-    assert packed != Table.embedded()
+    assert np.allclose(
+        found[0], cc.Table.embedded().contact(system).load(a, 0.04), rtol=1e-5, atol=0
+    )
+    assert cc.Table.from_packed(packed.to_packed()) == packed
+    assert packed != cc.Table.embedded()
     assert packed != "paper"
 
 
 def test_a_material_outside_a_table_is_named():
-    with pytest.raises(OutsideTableError, match="nu1") as caught:
-        Table.open(HDF5).contact(make_system(film_poisson_ratio=0.3))
-    assert caught.value.__cause__ is None or isinstance(caught.value.__cause__, ContactError)
+    with pytest.raises(cc.OutsideTableError, match="nu1") as caught:
+        cc.Table.open(HDF5).contact(make_system(film_poisson_ratio=0.3))
+    assert caught.value.__cause__ is None or isinstance(caught.value.__cause__, cc.ContactError)
 
 
 def test_files_that_cannot_be_read(tmp_path):
     missing = tmp_path / "no such table"
-    for read in (Table.read, Table.open):
+    for read in (cc.Table.read, cc.Table.open):
         with pytest.raises(FileNotFoundError) as caught:
             read(missing)
         assert caught.value.filename == str(missing)
         assert caught.value.strerror == os.strerror(errno.ENOENT)
         with pytest.raises(IsADirectoryError):
             read(tmp_path)
-    refuses(TableError, "HDF5", lambda: Table.read(HDF5))
-    with pytest.raises(TableError):
-        Table.open(PACKED)
+    refuses(cc.TableError, "HDF5", lambda: cc.Table.read(HDF5))
+    with pytest.raises(cc.TableError):
+        cc.Table.open(PACKED)
     damaged = bytearray(PACKED.read_bytes())
     damaged[-1] ^= 1
-    refuses(TableError, "corrupt", lambda: Table.from_packed(bytes(damaged)))
-    refuses(TableError, "truncated", lambda: Table.from_packed(bytes(damaged[:-1])))
-    with pytest.raises(TableError):
-        Table.from_packed(b"")
-    refuses(TypeError, "make a table with", lambda: Table(3))
+    refuses(cc.TableError, "corrupt", lambda: cc.Table.from_packed(bytes(damaged)))
+    refuses(cc.TableError, "truncated", lambda: cc.Table.from_packed(bytes(damaged[:-1])))
+    with pytest.raises(cc.TableError):
+        cc.Table.from_packed(b"")
+    refuses(TypeError, "make a table with", lambda: cc.Table(3))
 
 
 def test_the_version_is_that_of_the_workspace():

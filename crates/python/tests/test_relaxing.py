@@ -9,17 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Elastic,
-    Experiment,
-    FitError,
-    InputError,
-    Relaxation,
-    fit,
-    forecast,
-    predict,
-    simulate,
-)
+import coated_contact as cc
 from conftest import make_system, refuses
 
 GEL = make_system(
@@ -27,20 +17,20 @@ GEL = make_system(
 )
 TIME = np.linspace(0.0, 2.0, 80)
 DEPTH = 6e-7 * (1.0 - 1.2 * np.abs(TIME - 1.0))
-LAW = Relaxation.power_law(0.2)
+LAW = cc.Relaxation.power_law(0.2)
 FREE = ["film_modulus", "relaxation_exponent", "contact_point"]
 
 
-def plan(**known: Any) -> Experiment:
+def plan(**known: Any) -> cc.Experiment:
     fields = {"time": TIME, "relaxation": LAW, "noise": 1e-10, **known}
-    return Experiment(kind="load-penetration", abscissa=DEPTH, system=GEL, **fields)
+    return cc.Experiment(kind="load-penetration", abscissa=DEPTH, system=GEL, **fields)
 
 
 def test_modulus_and_law_are_found() -> None:
-    made = simulate(plan(), noise=1e-10, seed=1)
+    made = cc.simulate(plan(), noise=1e-10, seed=1)
     assert np.array_equal(made.time, TIME)
-    other = replace(made, relaxation=Relaxation.power_law(0.4))
-    found = fit(other, FREE)
+    other = replace(made, relaxation=cc.Relaxation.power_law(0.4))
+    found = cc.fit(other, FREE)
     for name, truth in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)]:
         assert found.params[name] == pytest.approx(truth, abs=4 * found.stderr[name])
     times, moduli, changed, unlike, steps = found.experiments[0].relaxation
@@ -48,19 +38,21 @@ def test_modulus_and_law_are_found() -> None:
     assert changed == unlike == 0.0
     assert 0.0 < steps < 1e-4
     assert "Young's modulus" in str(found)
-    expected = forecast(plan(), FREE)
+    expected = cc.forecast(plan(), FREE)
     assert found.stderr["film_modulus"] == pytest.approx(expected.stderr["film_modulus"], rel=0.2)
 
 
 def test_several_terms_have_names() -> None:
-    law = Relaxation.prony(0.2, [0.05, 0.6], [0.5, 0.3])
+    law = cc.Relaxation.prony(0.2, [0.05, 0.6], [0.5, 0.3])
     names = ["relaxed_fraction", "relaxation_time", "relaxation_time.2", "relaxation_weight.2"]
-    found = predict(plan(relaxation=law), ["film_modulus", *names])
+    found = cc.predict(plan(relaxation=law), ["film_modulus", *names])
     loads = found.ordinate
     assert found.derivatives["film_modulus"] * 2e3 == pytest.approx(loads, rel=1e-3, abs=1e-12)
     step = 1e-4
     moved = [
-        predict(plan(relaxation=Relaxation.prony(0.2, [0.05, 0.6 + s], [0.5, 0.3])), []).ordinate
+        cc.predict(
+            plan(relaxation=cc.Relaxation.prony(0.2, [0.05, 0.6 + s], [0.5, 0.3])), []
+        ).ordinate
         for s in (-step, step)
     ]
     slope = (moved[1] - moved[0]) / (2 * step)
@@ -78,20 +70,26 @@ def test_several_terms_have_names() -> None:
     ],
 )
 def test_what_cannot_be_simulated_says_why(known: dict[str, Any], words: str) -> None:
-    refuses((FitError, InputError), words, lambda: simulate(plan(**known), noise=0.0, seed=0))
+    refuses(
+        (cc.FitError, cc.InputError), words, lambda: cc.simulate(plan(**known), noise=0.0, seed=0)
+    )
 
 
 def test_wrong_types_are_refused() -> None:
     refuses(TypeError, "Relaxation", lambda: plan(relaxation=0.2))
     refuses(TypeError, "all_relax", lambda: plan(all_relax=1))
-    refuses(FitError, "one number for each point", lambda: plan(time=TIME[1:]))
-    with pytest.raises(FitError, match="does not have"):
-        fit(simulate(plan(), noise=1e-10, seed=0), ["film_modulus", "relaxation_time"])
-    refuses(FitError, "parameter", lambda: fit(plan(), ["relaxation_time.x"]))
+    refuses(cc.FitError, "one number for each point", lambda: plan(time=TIME[1:]))
+    with pytest.raises(cc.FitError, match="does not have"):
+        cc.fit(cc.simulate(plan(), noise=1e-10, seed=0), ["film_modulus", "relaxation_time"])
+    refuses(cc.FitError, "parameter", lambda: cc.fit(plan(), ["relaxation_time.x"]))
 
 
 def test_bodies_that_do_not_relax() -> None:
-    soft = replace(GEL, substrate=Elastic(young_modulus=2e4, poisson_ratio=0.4))
-    made = simulate(plan(), noise=1e-10, seed=1)
-    refuses((FitError, InputError), "all_relax=True", lambda: fit(replace(made, system=soft), FREE))
-    assert fit(replace(made, system=soft, all_relax=True), FREE).converged
+    soft = replace(GEL, substrate=cc.Elastic(young_modulus=2e4, poisson_ratio=0.4))
+    made = cc.simulate(plan(), noise=1e-10, seed=1)
+    refuses(
+        (cc.FitError, cc.InputError),
+        "all_relax=True",
+        lambda: cc.fit(replace(made, system=soft), FREE),
+    )
+    assert cc.fit(replace(made, system=soft, all_relax=True), FREE).converged

@@ -8,18 +8,7 @@ from dataclasses import fields, is_dataclass, replace
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Experiment,
-    Indentation,
-    Paraboloid,
-    RateDependent,
-    Table,
-    fit,
-    fit_map,
-    forecast,
-    predict,
-    solve,
-)
+import coated_contact as cc
 from conftest import make_system, without_result
 from test_fit import WANTED, lens
 
@@ -29,9 +18,11 @@ A = np.linspace(42e-6, 130e-6, 40)
 
 @pytest.fixture(scope="module")
 def measured():
-    load = Table.embedded().contact(FILM).load(A, 0.04)
+    load = cc.Table.embedded().contact(FILM).load(A, 0.04)
     load += 3e-5 + 2e-6 * np.random.default_rng(1).standard_normal(len(A))
-    return Experiment(kind="load-radius", abscissa=A, ordinate=load, system=FILM, name="lens.csv")
+    return cc.Experiment(
+        kind="load-radius", abscissa=A, ordinate=load, system=FILM, name="lens.csv"
+    )
 
 
 OPTIONS = {
@@ -45,7 +36,7 @@ OPTIONS = {
 def test_a_fit_has_the_report_and_the_numbers_of_the_program(program, tmp_path, measured, flag):
     """All but the first line, which names the columns of a file, and the default noise."""
     given = replace(measured, noise=2e-6, abscissa_noise=3e-8)
-    found = fit(given, [*WANTED, "load_offset"], **OPTIONS[flag])
+    found = cc.fit(given, [*WANTED, "load_offset"], **OPTIONS[flag])
     path = tmp_path / "lens.csv"
     rows = zip(measured.abscissa.tolist(), measured.ordinate.tolist(), strict=True)
     path.write_text("contact_radius,load\n" + "".join(f"{a!r},{load!r}\n" for a, load in rows))
@@ -96,7 +87,7 @@ def test_a_fit_has_the_report_and_the_numbers_of_the_program(program, tmp_path, 
 def test_a_map_prints_a_summary():
     curves = [lens(seed=seed) for seed in range(30)]
     curves[4] = without_result(curves[4])
-    found = fit_map(curves, WANTED, errors="nan")
+    found = cc.fit_map(curves, WANTED, errors="nan")
     lines = str(found).splitlines()
     assert len(lines) < 10
     assert lines[0] == "30 curves, 29 converged"
@@ -104,22 +95,22 @@ def test_a_map_prints_a_summary():
     assert f"median {median:.4g} " in lines[2]
     assert lines[2].endswith("J/m^2")
     assert lines[-1] == "no result: 1 curves"
-    assert "nan" in str(fit_map([], WANTED))
+    assert "nan" in str(cc.fit_map([], WANTED))
 
 
 @pytest.fixture(scope="module")
 def results(measured):
-    contact = Table.embedded().contact(FILM)
+    contact = cc.Table.embedded().contact(FILM)
     several = [lens(seed=seed, load_offset=1e-6 * seed) for seed in range(30)]
-    timed = contact.line(RateDependent(slow=0.04, v0=1e-6, n=0.6), 65e-6)
+    timed = contact.line(cc.RateDependent(slow=0.04, v0=1e-6, n=0.6), 65e-6)
     return [
         measured,
-        fit(measured, WANTED),
-        fit(measured, WANTED).experiments[0],
-        fit(several, [*WANTED, "load_offset"]),
-        fit_map(several, WANTED),
-        forecast(replace(measured, noise=1e-6, work_of_adhesion=0.04), WANTED),
-        predict(measured, WANTED),
+        cc.fit(measured, WANTED),
+        cc.fit(measured, WANTED).experiments[0],
+        cc.fit(several, [*WANTED, "load_offset"]),
+        cc.fit_map(several, WANTED),
+        cc.forecast(replace(measured, noise=1e-6, work_of_adhesion=0.04), WANTED),
+        cc.predict(measured, WANTED),
         contact.pull_off(np.linspace(0.01, 0.1, 20)),
         contact.force_displacement(0.04, most=1e-6, points=20),
         contact.gradient(A, 0.04),
@@ -127,8 +118,8 @@ def results(measured):
         contact.validity(A),
         contact.zone_size(np.linspace(0.01, 0.1, 20)),
         timed.ramp("load", 1e-3, duration=1.0, tolerance=1e-3),
-        solve([[1.0, 2.0]], 1.75, 0.5, 1e5),
-        Paraboloid(radius=1e-3),
+        cc.solve([[1.0, 2.0]], 1.75, 0.5, 1e5),
+        cc.Paraboloid(radius=1e-3),
     ]
 
 
@@ -151,8 +142,8 @@ def test_short_lines_hold_the_numbers(results):
     )
     assert "<40 values>" in repr(results[0])
     assert "<1 x 2 values>" in repr(results[14])
-    assert "area=(24.56,), " in repr(Indentation())
-    assert repr(Paraboloid(radius=1e-3)) == "Paraboloid(radius=0.001)"
+    assert "area=(24.56,), " in repr(cc.Indentation())
+    assert repr(cc.Paraboloid(radius=1e-3)) == "Paraboloid(radius=0.001)"
 
 
 def test_no_field_of_a_result_is_lost(results):

@@ -7,16 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Elastic,
-    FlatPunch,
-    InputError,
-    OutsideTableError,
-    StackSystem,
-    Table,
-    TableError,
-    generate,
-)
+import coated_contact as cc
 from conftest import ROOT, make_system, refuses
 
 RANGES = {"a_over_t": {"from": 0.05, "to": 20}, "e1_over_e2": {"from": 0.1, "to": 10}}
@@ -28,17 +19,17 @@ def scene(stack, tolerance=1e-5):
 
 @pytest.fixture(scope="module")
 def table(stack):
-    return generate(scene(stack), progress=False)
+    return cc.generate(scene(stack), progress=False)
 
 
 def on(stack, sphere_modulus=2e6):
-    return StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=sphere_modulus)
+    return cc.StackSystem(stack=stack, sphere_radius=1e-3, sphere_modulus=sphere_modulus)
 
 
 def test_a_table_has_its_stack(table, stack):
     assert table.stack == stack
     assert [layer.name for layer in table.stack.layers] == ["primer", "elastomer"]
-    assert Table.embedded().stack is None
+    assert cc.Table.embedded().stack is None
     assert list(table.axes) == ["a_over_t", "e1_over_e2", "nu1", "e0_over_e1"]
     again = pickle.loads(pickle.dumps(table))
     assert (again, again.stack) == (table, stack)
@@ -59,10 +50,10 @@ def test_a_contact_answers_what_a_solved_one_does(table, stack):
     assert pickle.loads(pickle.dumps(contact)) == contact
     assert "primer" in contact._repr_html_()
     punch = table.contact(
-        StackSystem(stack=stack, probe=FlatPunch(radius=2e-5), sphere_modulus=2e6)
+        cc.StackSystem(stack=stack, probe=cc.FlatPunch(radius=2e-5), sphere_modulus=2e6)
     )
     assert punch.stiffness(2e-5) == contact.stiffness(2e-5)
-    refuses(InputError, "no derivatives", lambda: contact.gradient(65e-6, 0.04))
+    refuses(cc.InputError, "no derivatives", lambda: contact.gradient(65e-6, 0.04))
 
 
 def test_files_of_both_forms_hold_one_table(tmp_path, program, stack):
@@ -71,27 +62,29 @@ def test_files_of_both_forms_hold_one_table(tmp_path, program, stack):
     scene_file.write_text(text.replace("1e-7", "1e-4"))
     command = [program, "generate", scene_file, "-o", hdf5]
     subprocess.run(command, check=True, capture_output=True)
-    opened = Table.open(hdf5)
+    opened = cc.Table.open(hdf5)
     assert opened.stack == stack
     packed = tmp_path / "stack.bin"
-    made = generate(scene_file, packed, progress=False)
-    assert Table.read(packed) == made
+    made = cc.generate(scene_file, packed, progress=False)
+    assert cc.Table.read(packed) == made
     a = np.geomspace(1e-6, 5e-4, 20)
     numbers = [one.contact(on(stack)).load(a, 0.04) for one in (opened, made)]
     assert np.allclose(*numbers, rtol=1e-13, atol=0)
 
 
 def test_other_bodies_are_refused(table, stack):
-    refuses(OutsideTableError, "of one stack of layers", lambda: table.contact(make_system()))
+    refuses(cc.OutsideTableError, "of one stack of layers", lambda: table.contact(make_system()))
     other = replace(stack, layers=stack.layers[:1])
-    refuses(OutsideTableError, "of another stack", lambda: table.contact(on(other)))
+    refuses(cc.OutsideTableError, "of another stack", lambda: table.contact(on(other)))
 
 
 def test_scenes_that_cannot_be_used_are_named(stack):
     wrong = {**scene(stack), "nu1": 0.3}
-    refuses(TableError, "nu1 does not go with", lambda: generate(wrong, progress=False))
-    rigid = Elastic(young_modulus=float("inf"), poisson_ratio=0.3)
+    refuses(cc.TableError, "nu1 does not go with", lambda: cc.generate(wrong, progress=False))
+    rigid = cc.Elastic(young_modulus=float("inf"), poisson_ratio=0.3)
     on_rigid = scene(replace(stack, base=rigid), 1e-2)
-    assert generate(on_rigid, progress=False).stack.base.young_modulus == float("inf")
+    assert cc.generate(on_rigid, progress=False).stack.base.young_modulus == float("inf")
     surface = replace(stack, surface=stack.layers[0].material)
-    refuses(InputError, "surface of its own", lambda: generate(scene(surface), progress=False))
+    refuses(
+        cc.InputError, "surface of its own", lambda: cc.generate(scene(surface), progress=False)
+    )

@@ -5,16 +5,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Contact,
-    Elastic,
-    Experiment,
-    HalfSpace,
-    InputError,
-    Spring,
-    Table,
-    predict,
-)
+import coated_contact as cc
 from conftest import refuses, rows, system_of
 
 SYSTEMS = rows("systems")
@@ -22,8 +13,8 @@ SYSTEMS = rows("systems")
 
 @pytest.fixture(scope="module")
 def jkr():
-    solid = Elastic(young_modulus=1e6, poisson_ratio=0.5)
-    return Contact.half_space(HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=solid))
+    solid = cc.Elastic(young_modulus=1e6, poisson_ratio=0.5)
+    return cc.Contact.half_space(cc.HalfSpace(sphere_radius=1e-3, sphere_modulus=2e6, solid=solid))
 
 
 def test_pull_off_of_jkr(jkr):
@@ -35,11 +26,11 @@ def test_pull_off_of_jkr(jkr):
     assert np.allclose(of_loads, w, rtol=1e-12, atol=0)
     of_rigid = jkr.work_of_adhesion_at_pull_off(rigid.load[0], control="displacement")
     assert of_rigid == pytest.approx(1e-4, rel=1e-12)
-    refuses(InputError, "pull-off load = 1e-6", lambda: jkr.work_of_adhesion_at_pull_off(1e-6))
+    refuses(cc.InputError, "pull-off load = 1e-6", lambda: jkr.work_of_adhesion_at_pull_off(1e-6))
     # A very stiff spring is a rigid machine, a very soft one a dead weight.
-    stiff = jkr.pull_off(0.04, control=Spring(stiffness=1e12))
+    stiff = jkr.pull_off(0.04, control=cc.Spring(stiffness=1e12))
     assert stiff.load == pytest.approx(jkr.pull_off(0.04, control="displacement").load, rel=1e-6)
-    soft = jkr.pull_off(0.04, control=Spring(stiffness=1e-6))
+    soft = jkr.pull_off(0.04, control=cc.Spring(stiffness=1e-6))
     assert soft.load == pytest.approx(jkr.pull_off(0.04).load, rel=1e-12)
     # a^3 = 9 pi w R^2/(8 E*), with the compliances of sphere and solid.
     modulus = 1 / (1 / 2e6 + 0.75 / 1e6)
@@ -83,8 +74,8 @@ def test_gradients_have_their_names(contact):
     by = ["sphere_modulus", "film_modulus", "film_poisson_ratio", "film_thickness"]
     by.append("work_of_adhesion")
     for kind, which in (("load-radius", "load"), ("penetration-radius", "penetration")):
-        lens = Experiment(kind=kind, abscissa=a, system=contact.system, work_of_adhesion=w)
-        for name, derivative in predict(lens, by).derivatives.items():
+        lens = cc.Experiment(kind=kind, abscissa=a, system=contact.system, work_of_adhesion=w)
+        for name, derivative in cc.predict(lens, by).derivatives.items():
             assert getattr(gradient.by(name), which) == pytest.approx(derivative, rel=1e-9), name
 
 
@@ -107,7 +98,7 @@ def test_numbers_are_those_of_rust_bit_for_bit(tabulate):
         }
         arguments = [f"--{name}={value!r}" for name, value in options.items()]
         printed = tabulate("curve", "embedded", *arguments)
-        contact = Table.embedded().contact(system)
+        contact = cc.Table.embedded().contact(system)
         a = np.array([point["contact_radius"] for point in printed])
         load, penetration = contact.load_and_penetration(a, w)
         stiffness, moving = contact.stiffness(a), contact.moving_stiffness(a, w)

@@ -6,27 +6,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from coated_contact import (
-    Cohesive,
-    Contact,
-    Elastic,
-    Experiment,
-    FitError,
-    ForceDisplacement,
-    Free,
-    Indentation,
-    Paraboloid,
-    RateDependent,
-    Stack,
-    States,
-    Table,
-    fit,
-    fit_map,
-    forecast,
-    predict,
-    simulate,
-    solve,
-)
+import coated_contact as cc
 from coated_contact._fit_plot import Curve
 from conftest import PROBES, loads_at, make_system, refuses, without_result
 from test_fit import WANTED, lens
@@ -52,26 +32,18 @@ def test_a_force_curve_is_a_table(curve):
 
 def test_every_branch_of_a_force_curve_has_its_rows():
     pytest.importorskip("pandas")
-    one, two, three = (States(*np.full((3, 2), value)) for value in (1.0, 2.0, 3.0))
-    table = ForceDisplacement(loading=(one, two), unloading=(three,), jumps=()).to_pandas()
+    one, two, three = (cc.States(*np.full((3, 2), value)) for value in (1.0, 2.0, 3.0))
+    table = cc.ForceDisplacement(loading=(one, two), unloading=(three,), jumps=()).to_pandas()
     assert table.load.tolist() == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
     assert table.branch.tolist() == [0, 0, 1, 1, 0, 0]
-
-
-def test_states_are_a_table(contact):
-    pytest.importorskip("pandas")
-    states = contact.pull_off([[0.02, 0.04]])
-    assert np.array_equal(states.to_pandas().load, states.load.ravel())
-    pytest.importorskip("xarray")
-    assert dict(states.to_xarray().sizes) == {"dim_0": 1, "dim_1": 2}
 
 
 @pytest.fixture(scope="module")
 def many(contact):
     """Results that are columns of one shape, and what is drawn of them."""
-    timed = contact.line(RateDependent(slow=0.04, v0=1e-6, n=0.6), 65e-6)
-    system = replace(contact.system, probe=Paraboloid(radius=1e-5))
-    cohesive = Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8)
+    timed = contact.line(cc.RateDependent(slow=0.04, v0=1e-6, n=0.6), 65e-6)
+    system = replace(contact.system, probe=cc.Paraboloid(radius=1e-5))
+    cohesive = cc.Cohesive(system=system, work_of_adhesion=0.04, interaction_range=1e-8)
     return [
         (contact.pull_off(np.linspace(0.01, 0.1, 20)), "penetration"),
         (contact.cohesive_zone(0.04, stress=1e8).state([[5e-5, 6e-5, 7e-5]]), "penetration"),
@@ -109,7 +81,7 @@ def test_columns_are_drawn(many, axes):
 def test_a_solution_is_a_table_and_drawn(axes):
     pytest.importorskip("pandas")
     x, nu1 = np.geomspace(0.1, 10, 5)[:, None], np.array([0.3, 0.5])
-    solution = solve(x, 1.75, nu1, 1e5)
+    solution = cc.solve(x, 1.75, nu1, 1e5)
     table = solution.to_pandas()
     assert np.array_equal(table.eeq, solution.eeq.ravel())
     assert table.nu1.tolist() == [0.3, 0.5] * 5
@@ -119,27 +91,27 @@ def test_a_solution_is_a_table_and_drawn(axes):
     assert np.array_equal(lines[1].get_ydata(), solution.eeq.ravel())
     assert axes.get_xlabel() == "a_over_t"
     assert f"<td>{solution.eeq[0, 0]:.6g}</td>" in solution._repr_html_()
-    refuses(ValueError, "single numbers", lambda: solve(1.0, 1.75, 0.5, 1e5).plot(axes))
+    refuses(ValueError, "single numbers", lambda: cc.solve(1.0, 1.75, 0.5, 1e5).plot(axes))
 
 
 def test_fits_are_tables():
     pytest.importorskip("pandas")
     one = lens(seed=1)
-    found = fit(one, WANTED)
+    found = cc.fit(one, WANTED)
     table = found.experiments[0].to_pandas()
     assert np.array_equal(table.residual, one.ordinate - table.fit)
-    predicted = predict(one, WANTED)
+    predicted = cc.predict(one, WANTED)
     table = predicted.to_pandas()
     assert np.array_equal(table.by_sphere_modulus, predicted.derivatives["sphere_modulus"])
     pytest.importorskip("xarray")
-    several = fit_map([lens(seed=seed) for seed in range(3)], WANTED)
+    several = cc.fit_map([lens(seed=seed) for seed in range(3)], WANTED)
     table, data = several.to_pandas(), several.to_xarray()
     assert table.index.name == "curve"
     for columns in (table, data):
         errors = columns["work_of_adhesion_stderr"]
         assert np.array_equal(errors, several.stderr["work_of_adhesion"])
     assert data["sphere_modulus"].attrs["units"] == "Pa"
-    shown = forecast(replace(one, noise=1e-6), WANTED)._repr_html_()
+    shown = cc.forecast(replace(one, noise=1e-6), WANTED)._repr_html_()
     assert "expected error" in shown
     assert "work_of_adhesion" in shown
 
@@ -160,7 +132,7 @@ def test_a_force_curve_is_drawn(curve, axes):
 
 
 def test_a_fit_is_drawn(axes):
-    found = fit(lens(seed=1), WANTED)
+    found = cc.fit(lens(seed=1), WANTED)
     assert found.plot(axes) is axes
     points, line = axes.get_lines()
     assert np.array_equal(points.get_ydata(), found.experiments[0].ordinate)
@@ -182,9 +154,9 @@ def test_a_fit_is_drawn(axes):
     ],
 )
 def test_a_fit_of_contact_stiffness_is_drawn(axes, kind, abscissa, label):
-    tip = Indentation(hardness=1e10)
-    plan = Experiment(kind=kind, abscissa=abscissa, system=oxide(), indentation=tip)
-    found = fit(simulate(plan, noise=0.01, seed=1), ["film_modulus"])
+    tip = cc.Indentation(hardness=1e10)
+    plan = cc.Experiment(kind=kind, abscissa=abscissa, system=oxide(), indentation=tip)
+    found = cc.fit(cc.simulate(plan, noise=0.01, seed=1), ["film_modulus"])
     found.plot(axes)
     assert (axes.get_xlabel(), axes.get_ylabel()) == (label, "contact stiffness (N/m)")
     assert legend(axes) == ["data", "fit", "fit without the film"]
@@ -199,7 +171,7 @@ def legend(axes):
 def there_and_back():
     """A force curve on a film: approach and retract, with a jump and a baseline."""
     x = np.linspace(-1e-7, 4e-7, 60)
-    plan = Experiment(
+    plan = cc.Experiment(
         kind="load-penetration",
         abscissa=np.concatenate([x, x[::-1]]),
         retract=np.arange(120) >= 60,
@@ -207,9 +179,9 @@ def there_and_back():
         work_of_adhesion=0.01,
         work_of_adhesion_receding=0.03,
     )
-    measured = simulate(plan, noise=1e-7, seed=1)
+    measured = cc.simulate(plan, noise=1e-7, seed=1)
     wanted = ["film_modulus", "work_of_adhesion", "work_of_adhesion_receding"]
-    return fit(measured, wanted)
+    return cc.fit(measured, wanted)
 
 
 def test_approach_and_retract_are_told_apart(there_and_back, axes):
@@ -241,7 +213,7 @@ def test_points_of_a_hold_are_joined_in_their_order_in_time():
 def test_a_jkr_plot_is_drawn(axes):
     """Without a film it is the straight line 4 E*/(3 sqrt 6) x - sqrt(4 w E*/3)."""
     one = lens(seed=1)
-    found = fit(replace(one, ordinate=one.ordinate + 1e-5), [*WANTED, "load_offset"])
+    found = cc.fit(replace(one, ordinate=one.ordinate + 1e-5), [*WANTED, "load_offset"])
     found.plot(axes, kind="jkr")
     points, line = axes.get_lines()
     modulus, w, offset = found.params.values()
@@ -256,20 +228,20 @@ def test_a_jkr_plot_is_drawn(axes):
 
 
 def test_what_cannot_be_drawn_is_refused(there_and_back, axes):
-    with pytest.raises(FitError, match=r"no JKR plot: it needs loads .* contact radii"):
+    with pytest.raises(cc.FitError, match=r"no JKR plot: it needs loads .* contact radii"):
         there_and_back.plot(axes, kind="jkr")
     refuses(ValueError, 'give "data" or "jkr"', lambda: there_and_back.plot(axes, kind="line"))
     load = loads_at(make_system(), np.linspace(5e-5, 1e-4, 20))
     depth = replace(load, kind="penetration-radius")
-    both = [simulate(depth, noise=1e-9, seed=1), simulate(load, noise=1e-6, seed=1)]
-    found = fit(both, WANTED)
+    both = [cc.simulate(depth, noise=1e-9, seed=1), cc.simulate(load, noise=1e-6, seed=1)]
+    found = cc.fit(both, WANTED)
     refuses(ValueError, "experiment=0", lambda: found.plot(axes))
     found.plot(axes, experiment=0)
     assert axes.get_ylabel() == "penetration (m)"
 
 
 def test_several_experiments_are_told_apart(axes):
-    found = fit([lens(seed=seed, name=f"curve {seed}") for seed in range(3)], WANTED)
+    found = cc.fit([lens(seed=seed, name=f"curve {seed}") for seed in range(3)], WANTED)
     found.plot(axes)
     assert legend(axes) == ["curve 0", "curve 1", "curve 2", "fit"]
     colours = [line.get_color() for line in axes.get_lines()]
@@ -286,7 +258,7 @@ def test_notebooks_show_a_contact_to_scale(contact):
     height = np.interp(160 + np.sqrt(2 * 100 * film * film), x, 90 - y)
     assert height == pytest.approx(film, rel=0.02)
     assert "t = 1e-05 m" in bodies
-    half_space = Contact.half_space(contact.system.without_film())
+    half_space = cc.Contact.half_space(contact.system.without_film())
     assert "t =" not in half_space._repr_html_()
 
 
@@ -299,7 +271,7 @@ def outline(drawn):
 @pytest.mark.parametrize("probe", PROBES, ids=lambda probe: probe.name)
 def test_every_probe_is_drawn_to_scale(probe):
     system = replace(make_system(film_thickness=2e-7), probe=probe)
-    contact = Table.embedded().contact(system)
+    contact = cc.Table.embedded().contact(system)
     svg, bodies = contact._repr_html_().split("</svg>")
     drawn = ElementTree.fromstring(svg + "</svg>")
     scale = float(drawn.findall("rect")[1].get("height")) / 2e-7
@@ -326,9 +298,9 @@ def test_layers_are_drawn_in_their_order(stack):
 
 def test_many_layers_are_listed_in_short():
     def material(height):
-        return Elastic(young_modulus=1e6 + 1e11 * height, poisson_ratio=0.4)
+        return cc.Elastic(young_modulus=1e6 + 1e11 * height, poisson_ratio=0.4)
 
-    stack = Stack.graded(base=material(0.0), thickness=1e-5, count=40, material=material)
+    stack = cc.Stack.graded(base=material(0.0), thickness=1e-5, count=40, material=material)
     shown = stack.contact(sphere_radius=1e-4, sphere_modulus=2e6, a_over_t=(0.1, 1))._repr_html_()
     # The probe and the base, nine layers, and the others in one line.
     assert shown.count("<tr>") == 1 + 12
@@ -337,8 +309,8 @@ def test_many_layers_are_listed_in_short():
 
 def test_notebooks_show_fits_as_text():
     one = lens(seed=1, name="<script>")
-    bounded = Free(parameter="sphere_modulus", bounds=(2.2e6, 3e6), start=2.5e6)
-    found = fit(one, [bounded, "work_of_adhesion"])
+    bounded = cc.Free(parameter="sphere_modulus", bounds=(2.2e6, 3e6), start=2.5e6)
+    found = cc.fit(one, [bounded, "work_of_adhesion"])
     shown = found._repr_html_()
     assert f"{found.params['work_of_adhesion']:.6g}" in shown
     assert found.warnings
@@ -351,7 +323,7 @@ def test_notebooks_show_fits_as_text():
 def small_map():
     curves = [lens(seed=seed) for seed in range(6)]
     curves[4] = without_result(curves[4])
-    return fit_map(curves, WANTED, errors="nan")
+    return cc.fit_map(curves, WANTED, errors="nan")
 
 
 def test_a_map_is_drawn(small_map, axes):
@@ -384,4 +356,4 @@ def test_notebooks_show_maps_as_text(small_map):
     unknown = replace(small_map, stderr=small_map.stderr | {"work_of_adhesion": errors})
     assert f"<td>{known:.2g}</td>" in unknown._repr_html_()
     assert "<td>no result</td><td>1</td>" in shown
-    assert "nan" in fit_map([], WANTED)._repr_html_()
+    assert "nan" in cc.fit_map([], WANTED)._repr_html_()

@@ -4,7 +4,7 @@ mod published;
 
 use acceptance::{
     Workdir, assert_close, assert_names, assert_near, estimate, larger, looked_up, number,
-    paper_system, solid, workdir,
+    paper_system, solid, system_of, workdir,
 };
 use interp::{Probe, System};
 use serde_json::Value;
@@ -98,13 +98,13 @@ fn simulated_stiffnesses_are_found_again() {
 #[test]
 fn files_of_nanoindenters_are_read() {
     let workdir = workdir!();
-    let system = System {
-        probe: Probe::Paraboloid { radius: 0.1 },
-        sphere_modulus: 1.1466e12,
-        film: solid(7.2e10, 0.17),
-        film_thickness: 5e-7,
-        substrate: solid(1.7e11, 0.28),
-    };
+    let system = system_of(
+        Probe::Paraboloid { radius: 0.1 },
+        1.1466e12,
+        solid(7.2e10, 0.17),
+        5e-7,
+        solid(1.7e11, 0.28),
+    );
     let contact = looked_up(&system);
     let mut rows = Vec::new();
     for i in 1..=20 {

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, relative};
-use contact::{Control, CrackTip, Error, Hysteresis, RateDependent, State};
+use acceptance::{Refused, assert_close, larger, relative};
+use contact::{Control, CrackTip, Hysteresis, RateDependent, State};
 
 use crate::contact::half_space;
-use crate::crack_tip::{R, W, film, impose, integral, rate_dependent, steps};
+use crate::crack_tip::{W, film, impose, integral, rate_dependent, steps};
 use crate::jkr::Jkr;
 
 #[test]
@@ -19,25 +19,20 @@ fn speed_and_energy_are_each_others_inverse() {
         {
             let energy = law.energy_release_rate(speed).expect("finite");
             let factor = 1.0 + (speed.abs() / 1e-6).powf(n);
-            let expected = if speed > 0.0 {
-                0.05 * factor
-            } else {
+            let advances = speed <= 0.0;
+            let expected = if advances {
                 0.03 / factor
+            } else {
+                0.05 * factor
             };
-            assert!(relative(energy, expected) < 1e-15);
+            assert_close(energy, expected, 1e-15);
             // A small excess over the energy at rest has few digits.
             let digits = 1e-15 / n * (1.0 + 1.0 / (factor - 1.0));
-            let found = law.speed(energy);
-            assert!(
-                relative(found, speed) < 10.0 * digits,
-                "{found} for {speed}"
-            );
+            assert_close(law.speed(energy), speed, 10.0 * digits);
         }
-        assert_eq!([0.03, 0.04, 0.05].map(|energy| law.speed(energy)), [0.0; 3]);
-        assert_eq!(
-            [0.0, -1.0].map(|energy| law.speed(energy)),
-            [f64::NEG_INFINITY; 2]
-        );
+        let speeds = [0.03, 0.04, 0.05, 0.0, -1.0].map(|energy| law.speed(energy));
+        let at_once = f64::NEG_INFINITY;
+        assert_eq!(speeds, [0.0, 0.0, 0.0, at_once, at_once]);
     }
 }
 
@@ -109,19 +104,15 @@ fn a_ramp_is_as_accurate_as_its_tolerance() {
             for decade in 3..=9 {
                 let tolerance = 0.1_f64.powi(decade);
                 let (mut whole, mut parts) = (line.clone(), line.clone());
-                whole
-                    .ramp(Control::Displacement, to, 1.0, tolerance)
-                    .expect("solved");
+                let control = Control::Displacement;
+                whole.ramp(control, to, 1.0, tolerance).expect("solved");
                 for penetration in steps(start.penetration, to, 7) {
-                    parts
-                        .ramp(Control::Displacement, penetration, 1.0 / 7.0, tolerance)
-                        .expect("solved");
+                    let ramp = parts.ramp(control, penetration, 1.0 / 7.0, tolerance);
+                    ramp.expect("solved");
                 }
                 let [whole, parts] = [whole, parts]
                     .map(|line| line.state().expect("in contact").contact_radius / truth - 1.0);
-                println!(
-                    "v0 = {v0:e}, n = {n}, to {to:e}, tolerance 1e-{decade}: {whole:.1e}, in parts {parts:.1e}"
-                );
+                println!("{v0:e} {n} {to:e} {decade} {whole:.1e} {parts:.1e}");
                 assert!(whole.abs() <= tolerance && parts.abs() <= tolerance);
             }
         }
@@ -145,9 +136,7 @@ fn the_time_of_parting_is_as_accurate_as_the_tolerance() {
         for decade in 3..=8 {
             let tolerance = 0.1_f64.powi(decade);
             let apart = time(tolerance) - exact;
-            println!(
-                "v0 = {v0:e}, n = {n}, tolerance 1e-{decade}: parted {apart:.1e} off {exact} s"
-            );
+            println!("{v0:e} {n} {decade} {apart:.1e} {exact}");
             assert!(apart.abs() <= tolerance);
         }
     }
@@ -172,49 +161,23 @@ fn the_pull_off_load_grows_with_a_power_of_the_rate() {
             let rate = 10.0_f64.powi(decade);
             let mut line = contact.line(law, A0).expect("physical");
             let from = -line.state().expect("in contact").load;
-            let (hold, power) = (
-                (8.0 * PI * jkr.e * W * A0.powi(3)).powf(1.0 / n),
-                2.0 / n + 1.0,
-            );
+            let hold = (8.0 * PI * jkr.e * W * A0.powi(3)).powf(1.0 / n);
+            let power = 2.0 / n + 1.0;
             let expected = (from.powf(power) + rate * power * A0 * hold / (V0 * (3.0 / n + 1.0)))
                 .powf(1.0 / power);
             let (to, duration) = (-2.0 * expected, (2.0 * expected - from) / rate);
             let moments = line.ramp(Control::Load, to, duration, 1e-6);
             assert_eq!(line.state(), None);
-            let load = -moments
-                .expect("solved")
-                .last()
-                .expect("a moment")
-                .state
-                .load;
+            let moments = moments.expect("solved");
+            let load = -moments.last().expect("a moment").state.load;
             let apart = relative(load, expected);
             exponent = (load / before.1).log10();
-            println!(
-                "n = {n}, {rate:e} N/s: pulled off at {load:e} N, {apart:.1e} off the closed form, exponent {exponent:.4}"
-            );
+            println!("{n} {rate:e} {load:e} {apart:.1e} {exponent:.4}");
             assert!(apart < before.0, "closer with every decade");
             before = (apart, load);
         }
         assert!(before.0 <= CLOSE, "{}", before.0);
         assert!(relative(exponent, n / (n + 2.0)) <= CLOSE, "{exponent}");
-    }
-}
-
-/// At any speed of the sphere, the contact radius is at least that without adhesion, and the energy
-/// release rate is positive.
-#[test]
-fn an_advancing_line_stays_outside_hertz() {
-    let contact = half_space();
-    let jkr = Jkr::of(&contact, W);
-    let law = rate_dependent(1e-9, 0.6);
-    let mut line = contact.line(law, 20e-6).expect("physical");
-    let moments = line.ramp(Control::Load, 0.1, 1e-3, 1e-6).expect("solved");
-    for moment in &moments[1..] {
-        let state = moment.state;
-        let hertz = (3.0 * R * state.load.max(0.0) / (4.0 * jkr.e)).cbrt();
-        assert!(state.contact_radius >= hertz, "{moment:?}");
-        assert!(moment.energy_release_rate > 0.0, "{moment:?}");
-        assert!(state.contact_radius < jkr.radii(state.load)[0]);
     }
 }
 
@@ -238,11 +201,7 @@ fn a_pinned_line_does_not_move_in_time() {
 fn a_law_without_a_rate_has_no_time() {
     let contact = half_space();
     let mut line = contact.line(W, 60e-6).expect("physical");
-    let Err(Error::Table(interp::Error::InvalidArgument { name, .. })) =
-        line.ramp(Control::Load, 1e-3, 1.0, 1e-6)
-    else {
-        panic!("infinitely fast")
-    };
-    assert_eq!(name, "speed of the crack-tip law");
+    let ramp = line.ramp(Control::Load, 1e-3, 1.0, 1e-6);
+    ramp.refused("speed of the crack-tip law");
     assert_eq!(line.state().expect("in contact").contact_radius, 60e-6);
 }

@@ -12,14 +12,10 @@ use super::{W, film, impose, rate_dependent};
 fn check(states: &[TimedState], a1: f64, duration: f64) {
     assert_eq!(states[0].time, 0.0);
     for pair in states.windows(2) {
-        let (rise, moved) = (
-            pair[1].time - pair[0].time,
-            pair[1].state.contact_radius - pair[0].state.contact_radius,
-        );
-        assert!(
-            (0.0..=0.010_000_1 * duration).contains(&rise),
-            "{rise} of {duration}"
-        );
+        let rise = pair[1].time - pair[0].time;
+        let moved = pair[1].state.contact_radius - pair[0].state.contact_radius;
+        let allowed = 0.0..=0.010_000_1 * duration;
+        assert!(allowed.contains(&rise), "{rise} of {duration}");
         assert!(moved.abs() <= 0.010_000_1 * a1, "{moved} of {a1}");
     }
 }
@@ -76,11 +72,12 @@ fn every_ramp_ends() {
             continue;
         };
         let w = log_uniform(1e-3, 1.0);
-        let advancing = if i % 2 == 0 {
-            w
+        let least = if i % 2 == 0 {
+            1.0
         } else {
-            w * log_uniform(0.1, 1.0)
+            log_uniform(0.1, 1.0)
         };
+        let advancing = w * least;
         let slow = Hysteresis::new(advancing, w).expect("in order");
         let law = RateDependent::new(slow, log_uniform(1e-10, 1e-3), log_uniform(0.15, 5.0));
         let Ok(at_rest) = contact.zero_load(w) else {
@@ -143,10 +140,8 @@ fn the_slowest_ramps_are_the_slow_motion() {
                     let excess = (65e-6 / duration).powf(n);
                     let apart = relative(found.contact_radius, expected.contact_radius);
                     worst = larger(worst, apart / (excess + 1e-9));
-                    assert!(
-                        apart < 2.0 * excess + 1e-9,
-                        "{duration} {n} {control:?}: {apart:e}"
-                    );
+                    let is_near = apart < 2.0 * excess + 1e-9;
+                    assert!(is_near, "{duration} {n} {control:?}: {apart:e}");
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{larger, relative};
+use acceptance::{assert_near, larger, relative};
 use contact::{Control, Hysteresis};
 
 use crate::contact::half_space;
@@ -39,10 +39,7 @@ fn a_constant_work_of_adhesion_is_jkr() {
     for penetration in steps(0.0, apart * (1.0 - 1e-9), 100) {
         let state = impose(&mut line, Control::Displacement, penetration);
         let expected = jkr.penetration(state.contact_radius);
-        assert!(
-            (expected - penetration).abs() <= EXACT * apart.abs(),
-            "{expected} at {penetration}"
-        );
+        assert_near(penetration, expected, EXACT * apart.abs());
     }
     let last = line.state().expect("in contact").load / (PI * W * R);
     assert!((last + 5.0 / 6.0).abs() < 1e-4, "{last}");
@@ -65,11 +62,7 @@ fn a_pinned_line_is_a_flat_punch_until_an_energy_is_reached() {
         let state = impose(&mut line, Control::Displacement, penetration);
         assert_eq!(state.contact_radius, a);
         let punch = grown.load + 2.0 * grows.e * a * (penetration - 8e-6);
-        assert!(
-            (state.load - punch).abs() <= 1e-13 * grown.load,
-            "{} at {penetration}",
-            state.load
-        );
+        assert_near(state.load, punch, 1e-13 * grown.load);
     }
     let state = impose(&mut line, Control::Displacement, leaves - 1e-12);
     assert!(state.contact_radius < a);
@@ -104,10 +97,7 @@ fn the_work_of_a_cycle_is_the_energy_left_at_the_line() {
             let largest = cycle[4000].contact_radius;
             let area = PI * (largest.powi(2) - start.contact_radius.powi(2));
             let left = (receding - advancing) * area;
-            println!(
-                "{control:?}: work {work:e} J, left at the line {left:e} J, apart {:.1e}",
-                work / left - 1.0
-            );
+            println!("{control:?}: {work:e} {left:e} {:.1e}", work / left - 1.0);
             assert!(cycle[8000].contact_radius / start.contact_radius - 1.0 < 1e-12 && area > 0.0);
             assert!((work / left - 1.0).abs() <= CLOSE);
         }

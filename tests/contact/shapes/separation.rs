@@ -2,7 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_matches, geometric, on_half_space, rigid_probe, solid};
+use acceptance::{
+    Contacts, assert_matches, flat_ended_cone, geometric, on_half_space, power_law, rigid_probe,
+    rounded_cone, solid,
+};
 use contact::{Branch, Contact, Control, Derivatives, Error, Input, State};
 use interp::{Probe, Profile};
 
@@ -37,10 +40,7 @@ fn random_profile(contacts: &mut Contacts, size: f64) -> Probe {
 fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
     const POINTS: u32 = 1500;
     // A flat end far below the nodes.
-    let blunt = Probe::FlatEndedCone {
-        radius: 2e-8,
-        half_angle: 68.75_f64.to_radians(),
-    };
+    let blunt = flat_ended_cone(2e-8, 68.75_f64.to_radians());
     let system = rigid_probe(blunt.clone(), solid(2e4, 0.5), 1e-3, solid(7e10, 0.25));
     let material = system.material().expect("physical");
     // The smallest contact of this curve is not that of the end.
@@ -67,19 +67,10 @@ fn equilibria_of_any_probe_are_those_of_a_fine_scan() {
             0 => Probe::Sphere {
                 radius: 10.0 * size,
             },
-            1 => Probe::PowerLaw {
-                coefficient: 0.1 * size.powf(-1.5),
-                exponent: 2.5,
-            },
+            1 => power_law(0.1 * size.powf(-1.5), 2.5),
             2 => Probe::Cone { half_angle },
-            3 => Probe::RoundedCone {
-                radius: size,
-                half_angle,
-            },
-            4 | 5 => Probe::FlatEndedCone {
-                radius: size,
-                half_angle,
-            },
+            3 => rounded_cone(size, half_angle),
+            4 | 5 => flat_ended_cone(size, half_angle),
             _ => random_profile(&mut contacts, size),
         };
         let contact = contact(probe.clone(), film, t, substrate);
@@ -263,10 +254,7 @@ fn a_flat_punch_has_one_contact_radius() {
 #[test]
 fn a_flat_end_separates_like_a_punch() {
     let (radius, film, substrate) = (5e-6, solid(1e6, 0.5), solid(1e9, 0.3));
-    let cone = Probe::FlatEndedCone {
-        radius,
-        half_angle: 0.9,
-    };
+    let cone = flat_ended_cone(radius, 0.9);
     let w = 1e-4;
     for (cone, punch) in [
         (

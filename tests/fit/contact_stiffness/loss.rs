@@ -1,8 +1,8 @@
 //! Storage and loss: the modulus and the loss tangent of a film from stiffness and phase.
 
-use acceptance::{Data, Refused, larger, rigid_probe, solid};
+use acceptance::{Data, Refused, larger, rigid_probe, solid, system_of};
 use fit::{Bodies, Kind, Parameter, WarningKind, simulate};
-use interp::{Probe, System, Table};
+use interp::{Probe, Table};
 use rayon::prelude::*;
 
 use super::{at_radii, experiment, fitted, oxide};
@@ -22,13 +22,13 @@ fn a_complex_modulus_is_found_to_one_percent_up_to_a_loss_tangent_of_one() {
         let get = |i: usize, name: &str| cases[rows[i]].get(name);
         let (unit, thickness) = (1e9, 1e-6);
         let (young, tangent) = (get(0, "e1_over_e2") * unit, get(0, "loss_tangent"));
-        let system = System {
-            probe: Probe::Paraboloid { radius: 0.1 },
-            sphere_modulus: unit,
-            film: solid(1.3 * young, get(0, "nu1")),
-            film_thickness: thickness,
-            substrate: solid(get(0, "e0_over_e2") * unit, get(0, "nu0")),
-        };
+        let system = system_of(
+            Probe::Paraboloid { radius: 0.1 },
+            unit,
+            solid(1.3 * young, get(0, "nu1")),
+            thickness,
+            solid(get(0, "e0_over_e2") * unit, get(0, "nu0")),
+        );
         let point = |i| {
             let a = get(i, "a_over_t") * thickness;
             let stiffness = 2.0 * a * unit * get(i, "eeq");

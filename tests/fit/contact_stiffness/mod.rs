@@ -6,7 +6,7 @@ mod refused;
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, assert_close, larger, rigid_probe, solid, solved_contact};
+use acceptance::{Contacts, assert_close, larger, rigid_probe, solid, solved_contact, system_of};
 use contact::Contact;
 use fit::{
     AreaFunction, Bodies, ContactDepth, Error, Experiment, Fit, Free, Indentation, Kind, Parameter,
@@ -23,13 +23,13 @@ use crate::recovery::{SETS, assert_recovers};
 
 /// A diamond on 500 nm of silicon dioxide on silicon.
 pub fn oxide() -> System {
-    System {
-        probe: Probe::Paraboloid { radius: 1e-5 },
-        sphere_modulus: 1.1466e12,
-        film: solid(7.2e10, 0.17),
-        film_thickness: 5e-7,
-        substrate: solid(1.7e11, 0.28),
-    }
+    system_of(
+        Probe::Paraboloid { radius: 1e-5 },
+        1.1466e12,
+        solid(7.2e10, 0.17),
+        5e-7,
+        solid(1.7e11, 0.28),
+    )
 }
 
 /// The contact by direct solves, without the table.

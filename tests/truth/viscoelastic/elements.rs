@@ -1,6 +1,6 @@
 //! Elements, which serve any history, beside the integrals and beside themselves.
 
-use acceptance::{on_half_space, rigid_probe, solid, solved_contact};
+use acceptance::{modified_power_law, on_half_space, rigid_probe, solid, solved_contact};
 use contact::{Control, Relaxation};
 use interp::Probe;
 
@@ -17,11 +17,7 @@ fn elements_agree_with_the_integrals() {
         power_law(0.2),
         power_law(0.5),
         power_law(0.8),
-        Relaxation::ModifiedPowerLaw {
-            relaxed: 0.2,
-            exponent: 0.5,
-            time: 0.1,
-        },
+        modified_power_law(0.2, 0.5, 0.1),
         Relaxation::FractionalZener {
             relaxed: 0.2,
             exponent: 0.5,
@@ -130,11 +126,7 @@ fn units() {
     let [length, pressure, time] = [3e-6, 7e4, 2e-3];
     let of = |l: f64, p: f64, s: f64, program: &[(f64, f64)], control: Control| {
         let contact = on_half_space(Probe::Paraboloid { radius: l }, solid(0.75 * p, 0.5));
-        let law = Relaxation::ModifiedPowerLaw {
-            relaxed: 0.1,
-            exponent: 0.4,
-            time: 0.3 * s,
-        };
+        let law = modified_power_law(0.1, 0.4, 0.3 * s);
         let value = |value: f64| {
             if control == Control::Load {
                 value * l * l * p

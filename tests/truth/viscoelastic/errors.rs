@@ -8,7 +8,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::{PARABOLOID, half_space, solid_law};
-use acceptance::{rigid_probe, solid, solved_contact};
+use acceptance::{modified_power_law, prony, rigid_probe, rounded_cone, solid, solved_contact};
 
 fn spread(random: &mut Pcg64Mcg, from: f64, to: f64) -> f64 {
     10f64.powf(random.random_range(from..to))
@@ -26,20 +26,16 @@ fn law(random: &mut Pcg64Mcg) -> Relaxation {
             let part = random.random_range(0.05..0.95);
             let other = spread(random, -4.0, 3.0);
             let rest = 1.0 - relaxed;
-            Relaxation::Prony {
+            prony(
                 relaxed,
-                terms: vec![[part * rest, time], [(1.0 - part) * rest, other]],
-            }
+                vec![[part * rest, time], [(1.0 - part) * rest, other]],
+            )
         }
         1 => Relaxation::PowerLaw {
             exponent: random.random_range(0.01..0.9),
             time,
         },
-        2 => Relaxation::ModifiedPowerLaw {
-            relaxed,
-            exponent: random.random_range(0.01..0.95),
-            time,
-        },
+        2 => modified_power_law(relaxed, random.random_range(0.01..0.95), time),
         _ => Relaxation::FractionalZener {
             relaxed,
             exponent: random.random_range(0.05..0.95),
@@ -90,10 +86,7 @@ fn film() -> System {
 
 fn contacts() -> Vec<Contact> {
     let tip = Probe::Cone { half_angle: 1.1 };
-    let rounded = Probe::RoundedCone {
-        radius: 1e-3,
-        half_angle: 1.1,
-    };
+    let rounded = rounded_cone(1e-3, 1.1);
     [PARABOLOID, tip, rounded]
         .into_iter()
         .map(half_space)
@@ -252,11 +245,7 @@ fn smaller_contacts_than_those_of_the_curve() {
 #[test]
 fn terms_too_weak_for_elements_are_left_out() {
     let contact = half_space(PARABOLOID);
-    let law = Relaxation::ModifiedPowerLaw {
-        relaxed: 0.78,
-        exponent: 0.24,
-        time: 44.5,
-    };
+    let law = modified_power_law(0.78, 0.24, 44.5);
     let history = contact.history(&law).expect("a law");
     let program = [(0.0, 0.0), (5.0, 1e-2), (7.0, 5e-3), (10.0, 8e-3)];
     let [coarse, fine, finest] = [1e-3, 1e-4, 1e-5].map(|tolerance| {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use contact::Relaxation;
+use acceptance::modified_power_law;
 
 use super::{PARABOLOID, half_space, power_law, solid_law};
 
@@ -24,11 +24,7 @@ fn complex_stiffness() {
         assert!((storage / stiffness - (0.3 + 0.7 * x * x / (1.0 + x * x))).abs() < 1e-14);
         assert!((loss / stiffness - 0.7 * x / (1.0 + x * x)).abs() < 1e-14);
         // Both laws tend to the Debye form, Gamma-weighted: the modified law with a large time is constant.
-        let [storage, loss] = complex(Relaxation::ModifiedPowerLaw {
-            relaxed: 0.0,
-            exponent: 0.5,
-            time: 1e12,
-        });
+        let [storage, loss] = complex(modified_power_law(0.0, 0.5, 1e12));
         assert!(
             (storage / stiffness - 1.0).abs() < 1e-6 && loss < 1e-6 * stiffness,
             "{storage} {loss}"

@@ -1,7 +1,8 @@
 //! What is refused of contacts in time, and what is answered at the ends of the range.
 
 use acceptance::{
-    Refused, assert_matches, assert_names, larger, rigid_probe, solid, solved_contact,
+    Refused, assert_matches, assert_names, larger, modified_power_law, rigid_probe, solid,
+    solved_contact, system_of,
 };
 use contact::{Control, HistoryError, Hysteresis, RateDependent, Relaxation, TimedContact};
 use interp::{Probe, System};
@@ -69,15 +70,13 @@ fn bodies_that_do_not_relax() {
 #[test]
 fn the_bound_for_an_elastic_sphere_holds() {
     let of = |sphere_modulus: f64, young: f64| {
-        let system = System {
+        let system = system_of(
+            Probe::Paraboloid { radius: 1e-5 },
             sphere_modulus,
-            ..rigid_probe(
-                Probe::Paraboloid { radius: 1e-5 },
-                solid(young, 0.5),
-                1e-3,
-                solid(f64::INFINITY, 0.5),
-            )
-        };
+            solid(young, 0.5),
+            1e-3,
+            solid(f64::INFINITY, 0.5),
+        );
         solved_contact(&system, [1e-6, 1e-2], 1e-9)
     };
     let film = 1e3;
@@ -205,14 +204,7 @@ fn mistakes() {
         (power(0.5, 0.0), "relaxation time"),
         (prony(0.3, [0.6, 1.0]), "sum"),
         (prony(-0.1, [1.1, 1.0]), "relaxed fraction"),
-        (
-            Relaxation::ModifiedPowerLaw {
-                relaxed,
-                exponent: f64::NAN,
-                time,
-            },
-            "exponent",
-        ),
+        (modified_power_law(relaxed, f64::NAN, time), "exponent"),
         (
             Relaxation::FractionalZener {
                 relaxed,

@@ -75,21 +75,6 @@ fn packed() -> [(&'static str, Vec<u8>); 2] {
         .map(|(form, table)| (form, table.to_packed().expect("small")))
 }
 
-/// Returns pseudorandom bytes from a fixed seed (xorshift).
-fn noise(count: usize) -> Vec<u8> {
-    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state.to_le_bytes()
-    };
-    (0..count.div_ceil(8))
-        .flat_map(|_| next())
-        .take(count)
-        .collect()
-}
-
 #[test]
 fn the_prefix_is_that_of_the_format() {
     for (form, bytes) in packed() {
@@ -417,27 +402,4 @@ fn evaluating_a_contact_does_not_allocate() {
             .expect("inside");
     });
     assert_eq!(allocated.count_total, 0);
-}
-
-#[test]
-fn ten_megabytes_of_noise_are_an_error() {
-    let noise = noise(10_000_000);
-    let uniform = [0x00, 0x01, 0x80, 0xfb, 0xfd, 0xff].map(|byte| vec![byte; noise.len()]);
-    for content in uniform.iter().chain([&noise]) {
-        assert!(matches!(read(content), Err(Error::Foreign(_))));
-        assert!(matches!(
-            read(&[b"COATTBL\n", content.as_slice()].concat()),
-            Err(Error::Version { .. })
-        ));
-        assert_malformed("noise alone", content);
-        // The noise follows a part of a valid payload, or all of it.
-        for (form, bytes) in packed() {
-            for kept in (PREFIX..bytes.len()).step_by(101).chain([bytes.len()]) {
-                assert_malformed(
-                    &format!("{form}, noise behind {kept} bytes"),
-                    &[&bytes[PREFIX..kept], content].concat(),
-                );
-            }
-        }
-    }
 }
