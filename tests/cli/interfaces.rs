@@ -235,3 +235,24 @@ fn a_stack_file_has_the_interfaces_of_its_layers() {
         solve_file(&workdir, &STACK.replacen(from, to, 1)).expect_err("refused")
     });
 }
+
+/// What springs open is no strain of the film above them.
+#[test]
+fn springs_that_open_do_not_strain_the_film() {
+    let workdir = workdir!();
+    let note = |flags: &str| {
+        let run = workdir.answer(format!("curve --specimen paper --points=2 {flags}"));
+        run.stderr.contains("would compress the film")
+    };
+    let rigid = "--sphere-modulus=inf --film-poisson-ratio=0.3";
+    for (stiffness, is_strained) in [
+        ("1e9", [false, false]),
+        ("1e11", [false; 2]),
+        ("1e16", [false, true]),
+    ] {
+        for (flags, is_strained) in ["", rigid].into_iter().zip(is_strained) {
+            let springs = format!("{flags} --interface-stiffness=1e16,{stiffness}");
+            assert_eq!(note(&springs), is_strained, "{springs}");
+        }
+    }
+}

@@ -71,7 +71,9 @@ pub struct FilmValidity {
     /// The compression of the film over its thickness, `(delta0/t) (1 - S/S0)`: the part of the
     /// penetration without adhesion that the bare substrate, of stiffness `S0`, would not have at the
     /// same load. It is the size of the strain of the film, and the model is linear. Negative where
-    /// the substrate is softer than the film. Where the curve does not cover `a/t`, it is `delta0/t`
+    /// the substrate is softer than the film. What springs between the layers open, estimated rather too large, is taken off:
+    /// it is no strain.
+    /// Where the curve does not cover `a/t`, it is `delta0/t`
     /// with the penetration on a half-space.
     pub strain: f64,
     /// Whether `a/t` is between the first and the last node of the table or curve. Beyond them an
@@ -288,7 +290,17 @@ impl Contact {
                 } else {
                     finite_result(a, factor * a_over_t * a_over_t)?
                 };
-                let strain = finite_result(a, without * of_film / system.film_thickness)?;
+                /// What springs below a film open under a flat punch, over that under the mean pressure: 1 where they
+                /// are softer than all else, and about 1.3 where the pressure is that on a half-space.
+                const UNEVEN: f64 = 1.5;
+                let t = system.film_thickness;
+                let opening = curve.stack().map_or(0.0, |stack| stack.opening * t);
+                let springs = UNEVEN * bare * (1.0 - of_film) * opening / (PI * (a * a + t * t));
+                let strain = match of_film {
+                    softer if softer > 0.0 => (softer - springs).max(0.0),
+                    stiffer => stiffer,
+                };
+                let strain = finite_result(a, without * strain / t)?;
                 let bending = match of_film {
                     stiffer if stiffer < 0.0 => finite_result(
                         a,

@@ -57,6 +57,8 @@ pub struct StackShape {
     pub compressibility: f64,
     /// The thickness of the top layer over `t`.
     pub top: f64,
+    /// What the springs between layers open together under a pressure of 1 Pa, over `t`, 1/Pa.
+    pub opening: f64,
 }
 
 /// The accuracy of the table that a curve was made from.

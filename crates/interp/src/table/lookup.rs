@@ -1,6 +1,7 @@
 //! The lookup of the curve of one material: the preparation, once for a table, and the sums for
 //! each material.
 
+use crate::Table;
 use crate::curve::quantity_resampler::QuantityResampler;
 use crate::curve::sensitivity::Sensitivities;
 use crate::material::equivalence::{Equivalence, Invariants};
@@ -192,11 +193,9 @@ impl Lookup {
 /// Adds the expansions beyond the nodes to a curve of the table, and accepts its values between
 /// them.
 fn accept(curve: Curve, description: &Description) -> Result<Curve, Error> {
-    /// The least `es/E2*`, to which the quantities are proportional, so that they stay above 1e-30.
-    const SOFTEST: f64 = 1e-25;
     let ratio = curve.material().sphere_film_modulus();
     let allowed = "at least 1e-25: check the moduli of film and sphere, and their units";
-    Error::unless(ratio >= SOFTEST, "1/(1 + E2*/E1*)", ratio, allowed)?;
+    Error::unless(ratio >= Table::SOFTEST, "1/(1 + E2*/E1*)", ratio, allowed)?;
     let curve = curve.with_expansions(description.certificate.max_error, description.tolerance);
     if let Some((quantity, value)) = curve.unreasonable() {
         return Err(Error::Malformed(format!(

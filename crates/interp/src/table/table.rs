@@ -44,6 +44,9 @@ enum Content {
 }
 
 impl Table {
+    /// The least `es/E2* = 1/(1 + E2*/E1*)`, to which the quantities are proportional, so that they stay above 1e-30.
+    pub const SOFTEST: f64 = 1e-25;
+
     /// Makes a table from its parts.
     ///
     /// `axes` holds the nodes of each of [`Parameter::ALL`], [`Parameter::REDUCED`] or
@@ -370,7 +373,7 @@ impl Table {
     /// [`Error::OfStack`] in a table of one stack of layers; [`Error::Normalisation`] for a rigid
     /// sphere in a table for compliant spheres, or the reverse; [`Error::OutsideTable`] for a
     /// material outside the box; [`Error::Equivalent`] if the equivalent does not exist or is
-    /// outside the box; [`Error::Unphysical`] if the film is softer than `1e-25 E2*`;
+    /// outside the box; [`Error::Unphysical`] if the film is softer than [`Table::SOFTEST`] `E2*`;
     /// [`Error::Malformed`] if a quantity leaves `[1e-30, 1e30]`, which happens only in forged tables.
     pub fn curve(&self, material: &Material) -> Result<Curve, Error> {
         self.accept_films()?;

@@ -230,9 +230,14 @@ impl Stack {
 
     /// Returns what a contact needs to know of this stack beside its curve.
     pub fn shape(&self) -> StackShape {
+        let springs = self
+            .layers
+            .iter()
+            .map(|layer| layer.interface.stiffnesses()[1]);
         StackShape {
             compressibility: self.compressibility(),
             top: self.merged().top().thickness / self.thickness(),
+            opening: springs.map(f64::recip).sum::<f64>() / self.thickness(),
         }
     }
 

@@ -246,10 +246,12 @@ impl Bodies {
         }
     }
 
-    /// Returns a contact radius (m) up to which an attraction of finite range is solved, if the range is short: the
-    /// attraction acts somewhat farther than the contact.
-    pub fn reach_of_attraction(&self) -> f64 {
-        0.9 * cohesive::REACH * self.top_thickness()
+    /// Returns a contact radius (m) up to which an attraction of a `range` (m) is solved: it acts farther than the
+    /// contact, up to where the gap of the paraboloid alone is twice the range at most.
+    pub fn reach_of_attraction(&self, range: f64) -> f64 {
+        let most = cohesive::REACH * self.top_thickness();
+        let gap = 4.0 * range * self.system.probe.radius().unwrap_or(0.0);
+        (0.9 * most).min((most * most - gap).max(0.01 * most * most).sqrt())
     }
 
     /// Returns the contact radius (m) up to which layers are solved; infinite for one bonded film, and for a

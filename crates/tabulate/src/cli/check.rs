@@ -116,16 +116,15 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         print(text.as_bytes())?;
     }
+    let more = (certified.points.saturating_mul(MORE))
+        .clamp(ENOUGH as u64, super::points::MOST_POINTS.unsigned_abs());
     for (name, error, allowed) in errors {
         ensure!(
             holds(error, allowed),
             "{} is less accurate than it states: its {name} is {error:.3e}, more than {allowed:.3e}; make it anew with \
-             `tabulate generate SCENE.toml --certificate-points {}`: at more points, larger errors are found",
-            arguments.table,
-            certified
-                .points
-                .saturating_mul(MORE)
-                .clamp(ENOUGH as u64, super::points::MOST_POINTS.unsigned_abs())
+             `tabulate generate SCENE.toml --certificate-points {more}`, or a packed one with `tabulate pack TABLE.h5 --points \
+             {more}`: at more points, larger errors are found",
+            arguments.table
         );
     }
     Ok(())

@@ -213,8 +213,8 @@ impl Arguments {
         };
         let most = if self.history.is_stuck() {
             most.min(friction::reach(bodies))
-        } else if self.attracting.interaction_range.is_some() {
-            most.min(bodies.reach_of_attraction())
+        } else if let Some(range) = self.attracting.interaction_range {
+            most.min(bodies.reach_of_attraction(range))
         } else {
             most.min(bodies.reach_of_layers())
         };

@@ -18,7 +18,7 @@ use crate::table::{Budget, Observer, Scene, low_rank};
 /// The time of the next table is predicted from its planned nodes, the points of its two
 /// certificates, and the time per point of the last table. A table that is still being solved when
 /// the budget ends is given up. The first tolerance without a table, and the reason, is in
-/// [`Measured::left_out`].
+/// [`Measured::left_out`]. So is a loose one whose low-rank form misses it; then the next one is tried.
 ///
 /// # Errors
 /// Those of [`generate`](crate::table::generate()) and of packing if not even the first table can
@@ -30,7 +30,9 @@ pub fn measure(
     timing: Timing,
     observer: &dyn Observer,
 ) -> Result<Measured<Row>, Error> {
-    let mut rows: Vec<Row> = Vec::new();
+    let mut measured = Measured::from(Vec::new());
+    let rows: &mut Vec<Row> = &mut measured.rows;
+    let mut missed = None;
     let mut seconds_per_point = None;
     for tolerance in TOLERANCES.into_iter().filter(|&one| one >= tightest) {
         let scene = Scene {
@@ -50,14 +52,14 @@ pub fn measure(
                 });
                 rows.push(row);
             }
+            // Another grid has another low-rank form.
+            Err(error @ Error::Packed { .. }) if rows.is_empty() => {
+                measured.left_out.push(without(tolerance, &error, budget));
+                missed = Some(error);
+            }
             Err(error) if !rows.is_empty() && is_limit(&error) => {
-                return Ok(Measured {
-                    rows,
-                    left_out: vec![format!(
-                        "There is no table to {tolerance:e}: {}.",
-                        reason(&error, budget)
-                    )],
-                });
+                measured.left_out.push(without(tolerance, &error, budget));
+                break;
             }
             Err(Error::Budget { spent }) => {
                 return Err(Error::Budget {
@@ -67,15 +69,19 @@ pub fn measure(
             Err(error) => return Err(error),
         }
     }
-    Ok(rows.into())
+    match missed {
+        Some(error) if measured.rows.is_empty() => Err(error),
+        _ => Ok(measured),
+    }
 }
 
-/// An error in words, with the budget if it is about that.
-fn reason(error: &Error, budget: Option<Budget<'_>>) -> String {
-    match error {
-        Error::Budget { .. } => format!("{error}{}", of_budget(budget)),
-        _ => error.to_string(),
-    }
+/// Says why there is no table, with the budget if it is about that.
+fn without(tolerance: f64, error: &Error, budget: Option<Budget<'_>>) -> String {
+    let budget = match error {
+        Error::Budget { .. } => of_budget(budget),
+        _ => String::new(),
+    };
+    format!("There is no table to {tolerance:e}: {error}{budget}.")
 }
 
 fn of_budget(budget: Option<Budget<'_>>) -> String {

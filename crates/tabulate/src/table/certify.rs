@@ -127,6 +127,9 @@ pub fn measure(
     })
 }
 
+/// The most places that are tried for each point.
+const MOST_TRIED: usize = 100;
+
 /// Returns the points of [`measure`].
 fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
@@ -144,9 +147,16 @@ fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
             )
         })
     };
+    let is_answered = |&[_, values @ ..]: &[f64; 4]| {
+        let material = material(table.parameters(), table.description().nu0, values);
+        material.is_ok_and(|material| material.sphere_film_modulus() >= Table::SOFTEST)
+    };
     let mut places: Vec<[f64; 4]> = (0..corners.min(count / 10)).map(corner).collect();
-    for i in places.len()..count {
-        places.push(match i % 10 {
+    for _ in 0..MOST_TRIED * count {
+        if places.len() == count {
+            break;
+        }
+        let place = match places.len() % 10 {
             0 if !free.is_empty() => {
                 let mut place = corner(random.random_range(0..corners));
                 let along = free[random.random_range(0..free.len())];
@@ -157,7 +167,11 @@ fn places(table: &Table, count: usize, seed: u64) -> Vec<[f64; 4]> {
                 .each_ref()
                 .map(|axis| axis.middle_of_a_wide_cell(&mut random)),
             _ => axes.each_ref().map(|axis| axis.anywhere(&mut random)),
-        });
+        };
+        // Two moduli that go to 0 and to infinity make films so soft that the table does not answer.
+        if is_answered(&place) {
+            places.push(place);
+        }
     }
     places
 }
