@@ -88,7 +88,7 @@ fn rows_say_what_generate_says_of_the_scene_without_an_effect() {
     );
 
     workdir.write("other.csv", "tolerance\n1\n");
-    let words = "cannot read other.csv; line 2; missing field";
+    let words = "cannot read other.csv; line 2; there is no column";
     workdir.refuses(format!(
         "1 | plot effects --data other.csv -o other.svg | {words}"
     ));

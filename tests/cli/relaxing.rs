@@ -43,6 +43,23 @@ fn what_is_simulated_is_found() {
     assert!(fit(&workdir, "--relaxation sls")["parameters"]["relaxed_fraction"].is_object());
 }
 
+/// A history before, in and after contact is read with the words of its phases.
+#[test]
+fn a_history_is_data() {
+    let workdir = workdir!();
+    let program = "--program 'penetration 0:0 1:400nm 1.5:400nm 2.5:0' --points 101";
+    workdir.succeed(format!(
+        "history --film-modulus 2kPa {GEL} {POWER} {program} -o data.csv"
+    ));
+    let found = fit(
+        &workdir,
+        "--kind load-penetration --relaxation power-law --value contact-point=0 --value baseline=0",
+    );
+    for (name, truth) in [("film_modulus", 2e3), ("relaxation_exponent", 0.2)] {
+        assert_estimate(&found, name, truth, 1e-4 * truth);
+    }
+}
+
 #[test]
 fn the_interval_between_points_stands_for_times() {
     let workdir = workdir!();

@@ -385,6 +385,7 @@ fn a_penetration_that_goes_back_and_forth() {
     let found = fit_all(&[data], &free).expect("a fit");
     let relaxation = found.experiments[0].relaxation.expect("it relaxes");
     let changed = relaxation.made_monotone;
-    assert!((2e-8..6e-8).contains(&changed), "{changed:e}");
+    // Neighbours share the change.
+    assert!((1e-8..6e-8).contains(&changed), "{changed:e}");
     assert!(found.warns_of(WarningKind::NotMonotone));
 }

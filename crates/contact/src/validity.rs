@@ -274,9 +274,8 @@ impl Contact {
         // Where the curve does not cover `a/t`, the size is that of a paraboloid on a half-space.
         let without = self.adhesionless_penetration(a).unwrap_or(a * a_over_r);
         let bare = 2.0 * a * self.mechanics().sphere_substrate_modulus();
-        let of_film = self
-            .stiffness(a)
-            .map_or(1.0, |stiffness| 1.0 - stiffness / bare);
+        let stiffness = self.stiffness(a).unwrap_or(0.0);
+        let of_film = 1.0 - stiffness / bare;
         let film = match self.system().zip(self.curve()) {
             Some((system, curve)) => {
                 let (a_over_t, nu1) = (a / system.film_thickness, system.film.poisson());
@@ -295,7 +294,7 @@ impl Contact {
                 const UNEVEN: f64 = 1.5;
                 let t = system.film_thickness;
                 let opening = curve.stack().map_or(0.0, |stack| stack.opening * t);
-                let springs = UNEVEN * bare * (1.0 - of_film) * opening / (PI * (a * a + t * t));
+                let springs = UNEVEN * stiffness * opening / (PI * (a * a + t * t));
                 let strain = match of_film {
                     softer if softer > 0.0 => (softer - springs).max(0.0),
                     stiffer => stiffer,

@@ -66,7 +66,16 @@ pub fn located(error: csv::Error, line: u64) -> io::Error {
         csv::ErrorKind::UnequalLengths {
             expected_len, len, ..
         } => format!("it has {len} cells, and the header {expected_len}"),
-        csv::ErrorKind::Deserialize { err, .. } => err.to_string(),
+        csv::ErrorKind::Deserialize { err, .. } => {
+            match err.kind().to_string().strip_prefix("missing field ") {
+                Some(column) => {
+                    format!(
+                        "there is no column {column}: give the CSV of the command that writes it"
+                    )
+                }
+                None => err.to_string(),
+            }
+        }
         _ => text,
     };
     invalid(format!("line {line}: {why}"))

@@ -270,7 +270,11 @@ impl Rows<'_> {
             let word = cells[index];
             // Where the cell is empty the segment is that of the row before.
             if !word.is_empty() {
-                let segment = Segment::parse(word);
+                let segment = match word {
+                    // Without contact a way is what it was.
+                    "separated" => Some(Segment::Moving(self.moved.unwrap_or(Direction::Approach))),
+                    _ => Segment::parse(word),
+                };
                 let unknown = || failure(index, Problem::Segment(word.to_owned()));
                 self.segment = Some(segment.ok_or_else(unknown)?);
                 // Before the surface is found there is no contact.

@@ -15,7 +15,7 @@ use super::assigned::Assigned;
 use super::hold;
 use super::problem::Problem;
 use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
-use crate::{Branch, Experiment, Kind, Warning, WarningKind};
+use crate::{Branch, Experiment, Kind, Parameter, Warning, WarningKind};
 
 /// The part of the largest penetration, or of the largest area of contact, below which curves are
 /// not compared: there a contact forms and ends.
@@ -86,16 +86,23 @@ pub(super) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
              directions of the points, and whether the position drifts"
         ))]);
     }
-    let directions = if experiment.measurement.points[0].direction.is_some() {
-        ""
-    } else {
-        "give the points their directions, then "
+    let has_directions = experiment.measurement.points[0].direction.is_some();
+    let step = match (
+        has_directions,
+        experiment.get(Parameter::WorkOfAdhesionReceding),
+    ) {
+        (_, Some(_)) => "",
+        (true, None) => {
+            "free the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the reason, or "
+        }
+        (false, None) => {
+            "give the points their directions, then free the work of adhesion of retract (work-of-adhesion-receding) where \
+             adhesion is the reason, or "
+        }
     };
     let mut doubts = vec![WarningKind::Hysteresis.with(format!(
         "{name}: between loading and unloading lies a loop that the fitted model does not \
-         make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {directions}free \
-         the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the \
-         reason, or fit one direction alone{}",
+         make, of {size} (hysteresis: viscous, of the adhesion, or plastic); {step}fit one direction alone{}",
         if experiment.times.is_empty() {
             ""
         } else {

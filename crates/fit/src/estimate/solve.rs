@@ -13,11 +13,13 @@ use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{
     Branch, Error, Experiment, Fit, FittedExperiment, FittedPoint, Free, LeftOut, Options,
-    Parameter, WithoutFilm,
+    Parameter, WarningKind, WithoutFilm,
 };
 
 /// The number of standard deviations beyond which a residual is an outlier.
 const OUTLIER: f64 = 5.0;
+/// The number of standard errors from the least squares beyond which a fit that contacts have stopped is none.
+const FAR: f64 = 3.0;
 /// The most minima that intervals may replace by lower ones.
 const MOST_RESTARTS: usize = 8;
 
@@ -316,6 +318,7 @@ fn result(
         fixed_values::pass_on(&mut fit);
     }
     fit.warnings = warnings::warnings(&fit, found, data, options, intervals.as_deref());
+    fit.converged &= !(found.is_stopped(FAR) && fit.warns_of(WarningKind::EndOfTable));
     fit
 }
 

@@ -11,8 +11,8 @@ use super::fixed_values::residuals_with;
 use super::loss::influence;
 use super::problem::Problem;
 use super::uncertainty::Uncertainty;
-use crate::statistics::BEYOND_CHANCE;
-use crate::{Direction, Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
+use crate::statistics::{BEYOND_CHANCE, median};
+use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -24,6 +24,8 @@ const HINT: f64 = 3.5;
 const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
 const FEWEST: usize = 5;
+/// The distance of the baselines of two ways, over the noise of a reading, from which on they differ.
+const APART: f64 = 2.0;
 /// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal
 /// distribution,
 /// -1.2 of a uniform one, and -2 of two values. It is not looked at below [`MANY`] points.
@@ -339,14 +341,37 @@ impl<'a> Score<'a> {
         let contacts = (0..points.len()).filter(in_contact);
         let ways = [false, true].map(|way| contacts.clone().filter(|&i| unloads(i) == way).count());
         let has_both = ways.iter().all(|&count| count >= FEWEST);
-        let advice = format!(
-            "{}fit each direction with a work of adhesion of its own (work-of-adhesion-receding), or one direction alone",
-            if has_directions {
-                ""
-            } else {
-                "give the points their directions, then "
-            }
-        );
+        let rest = |way: bool| {
+            let is_rest =
+                |i: &usize| assigned.branches[*i] == Branch::Baseline && unloads(*i) == way;
+            let numbers = (0..points.len()).filter(is_rest);
+            let off = numbers
+                .map(|i| points[i].ordinate - assigned.experiment.baseline_at(points[i].abscissa));
+            off.collect::<Vec<f64>>()
+        };
+        let [before, after] = [rest(false), rest(true)];
+        let is_measured = before.len().min(after.len()) >= FEWEST;
+        let apart = (median(after) - median(before)).abs();
+        let advice = if is_measured && apart > APART * assigned.seen_noise() {
+            format!(
+                "their baselines are {apart:.2e} N apart, as drag of the liquid or drift makes them: fit one direction alone"
+            )
+        } else if assigned
+            .experiment
+            .get(Parameter::WorkOfAdhesionReceding)
+            .is_some()
+        {
+            "fit one direction alone".to_owned()
+        } else {
+            format!(
+                "{}fit each direction with a work of adhesion of its own (work-of-adhesion-receding), or one direction alone",
+                if has_directions {
+                    ""
+                } else {
+                    "give the points their directions, then "
+                }
+            )
+        };
         if has_both
             && assigned.experiment.work_of_adhesion > 0.0
             && let Some((gain, _)) = self.gain_of(e, Parameter::WorkOfAdhesion, unloads)

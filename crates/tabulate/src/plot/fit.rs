@@ -220,7 +220,8 @@ fn style(one: &Drawn<'_>, mark: &Mark, experiments: usize) -> (Colour, Marker) {
 fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without: &str) -> Panel {
     let mut data = Panel::new(title, x.axis(), y.axis());
     let place = |mark: &Mark, value: f64| [x.at(mark.x), y.at(value)];
-    for one in members {
+    let names = short_names(members);
+    for (one, file) in members.iter().zip(&names) {
         for mark in one.drawn() {
             let (colour, marker) = style(one, mark, members.len());
             data.markers([place(mark, mark.y)], colour, marker);
@@ -236,15 +237,8 @@ fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without:
         }
         if members.len() > 1 && one.number < MOST_NAMES {
             let places = one.marks.iter().map(|mark| place(mark, mark.y));
-            let file = one.name.rsplit(['/', '\\']).next().unwrap_or(one.name);
             let colour = COLOURS[one.number % COLOURS.len()];
-            label(
-                &mut data,
-                places.collect(),
-                &legible(file),
-                colour,
-                Side::Right,
-            );
+            label(&mut data, places.collect(), file, colour, Side::Right);
         }
     }
     let first = &members[0];
@@ -277,6 +271,46 @@ fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without:
     let unused = |mark: &Mark| (!mark.used).then_some(mark.y);
     name(&unused, "left out or far off", GREY, Side::Right);
     data
+}
+
+/// Returns the names of files. Of long ones the words that all have at their begin or end are left out, and of what is then
+/// still long the end.
+fn short_names(members: &[Drawn<'_>]) -> Vec<String> {
+    const LONG: usize = 24;
+    let is_long = |name: &str| name.chars().count() > LONG;
+    let files = members
+        .iter()
+        .map(|one| one.name.rsplit(['/', '\\']).next());
+    let files: Vec<String> = files
+        .map(|file| legible(file.unwrap_or_default()))
+        .collect();
+    if !files.iter().any(|file| is_long(file)) {
+        return files;
+    }
+    let words = |file: &'_ String| -> Vec<String> {
+        let words = file.split_inclusive([' ', '_', '-', ',']);
+        words.map(str::to_owned).collect()
+    };
+    let all: Vec<Vec<String>> = files.iter().map(words).collect();
+    let fewest = all.iter().map(Vec::len).min().unwrap_or(0);
+    let alike = |place: &dyn Fn(&Vec<String>) -> usize| {
+        let first = &all[0][place(&all[0])];
+        all.iter().all(|own| own[place(own)] == *first)
+    };
+    let most = |taken: usize| fewest.saturating_sub(1 + taken);
+    let first = (0..most(0)).take_while(|&i| alike(&|_| i)).count();
+    let last = (0..most(first))
+        .take_while(|&i| alike(&|own| own.len() - 1 - i))
+        .count();
+    let name = |own: &Vec<String>| {
+        let kept = own[first..own.len() - last].concat();
+        let kept = kept.trim_end_matches([' ', '_', '-', ',']);
+        match is_long(kept) {
+            true => kept.chars().take(LONG - 1).chain(['…']).collect(),
+            false => kept.to_owned(),
+        }
+    };
+    all.iter().map(name).collect()
 }
 
 /// Writes a text beside one of the points, if there are any. Of many points some are tried, because

@@ -2,6 +2,8 @@
 //! penetration and with imposed load, under any probe. Arrows are the jumps at the ends of
 //! stability.
 
+use std::ops::RangeInclusive;
+
 use contact::{Contact, Control, ForceDisplacement, Jump, State};
 use interp::Probe;
 use solve::stack::Interface;
@@ -151,6 +153,9 @@ pub fn figure(films: &[Film], probe: &Probe, interface: Interface) -> Figure {
     Figure::new(460, panels)
 }
 
+/// The part of the axis of penetrations in which the name of a film has room on the right of its curve where this rises.
+const ROOM: RangeInclusive<f64> = 0.45..=0.77;
+
 fn panel(
     title: String,
     films: &[Film],
@@ -185,13 +190,16 @@ fn panel(
             let (from, to) = arrow(jump, axes);
             panel.arrow(from, to, colour);
         }
-        // The label is beside the curve above zero load, or below its lowest point.
+        // The label is beside the curve above zero load, where there is room on the right, or below its lowest point.
+        let [from, to] = axes.ends[0];
         let height = |state: &&State| {
-            let load = axes.point(state)[1];
-            if side == Side::Below {
-                load
-            } else {
-                (load - 0.15 * axes.ends[1][1]).abs()
+            let [penetration, load] = axes.point(state);
+            match side {
+                Side::Below => load,
+                Side::Right if !ROOM.contains(&((penetration - from) / (to - from))) => {
+                    f64::INFINITY
+                }
+                _ => (load - 0.15 * axes.ends[1][1]).abs(),
             }
         };
         let named = branches
