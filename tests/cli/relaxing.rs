@@ -47,7 +47,7 @@ fn what_is_simulated_is_found() {
 #[test]
 fn a_history_is_data() {
     let workdir = workdir!();
-    let program = "--program 'penetration 0:0 1:400nm 1.5:400nm 2.5:0' --points 101";
+    let program = "--program 'penetration 0:-100nm 1:300nm 1.5:300nm 2.5:-100nm' --points 101";
     workdir.succeed(format!(
         "history --film-modulus 2kPa {GEL} {POWER} {program} -o data.csv"
     ));

@@ -5,7 +5,7 @@ use crate::{Branch, Fixed, LossAngle, Parameter};
 /// The result of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// Whether the method found a minimum. If not, the numbers are those of its last step. One that ended by more than 3
+    /// Whether the method found a minimum. If not, the numbers are those of its last step. One that ended by more than 10
     /// standard errors before the minimum, because no contact is known beyond, has not found it.
     pub converged: bool,
     /// The number of times that the model was evaluated at all points.

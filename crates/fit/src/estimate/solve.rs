@@ -19,7 +19,7 @@ use crate::{
 /// The number of standard deviations beyond which a residual is an outlier.
 const OUTLIER: f64 = 5.0;
 /// The number of standard errors from the least squares beyond which a fit that contacts have stopped is none.
-const FAR: f64 = 3.0;
+const FAR: f64 = 10.0;
 /// The most minima that intervals may replace by lower ones.
 const MOST_RESTARTS: usize = 8;
 
