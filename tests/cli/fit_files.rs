@@ -1,8 +1,8 @@
 //! `tabulate fit`: files that need a word of the user, and what heads of files tell.
 
 use acceptance::{
-    Workdir, assert_cases, assert_close, assert_estimate, assert_names, assert_near, number,
-    workdir,
+    Workdir, assert_cases, assert_close, assert_estimate, assert_names, assert_near, estimate,
+    number, workdir,
 };
 use serde_json::Value;
 
@@ -31,6 +31,7 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         unit.csv | Radius,Load [mN]\n1,2\n2,3\n
         phase.csv | height,force,phase\n1,2,sideways\n2,3,sideways\n
         separation.csv | Separation (nm),Force (nN)\n1,2\n2,1\n
+        gap.csv | Gap (nm),Force (nN)\n1,2\n2,1\n
         hc.csv | hc (nm),Load (mN),Stiffness [N/m]\n1,2,3\n2,3,4\n
         durchmesser.csv | Kontaktdurchmesser (mm);Kraft (mN)\n0,1;2\n0,2;3\n
         area.csv | contact area [um^2];F [mN]\n1;2\n2;3\n
@@ -49,7 +50,8 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         bare.csv |  | such as "um" of contact_radius; type --column "contact_radius=1 [UNIT]" --column "load=2 [UNIT]", with the unit of the numbers in place of UNIT, such as mN or um
         volts.csv |  | type --stiffness N/m --sensitivity m/V
         unit.csv |  | no unit; name its unit, such as "um"; type --column "contact_radius=Radius [UNIT]", with the unit of the numbers
-        separation.csv |  | (a separation, from which the deflection is taken off); type --kind force-height --column "height=Separation (nm)" --stiffness 1e9N/m
+        separation.csv |  | "Separation (nm)"; is the height and the deflection; type --stiffness N/m
+        gap.csv |  | (a separation, from which the deflection is taken off); type --kind force-height --column "separation=Gap (nm)" --stiffness N/m
         hc.csv | --kind stiffness-depth | (a contact depth, which is less than the penetration); type --column "penetration=hc (nm)" --epsilon 0
         durchmesser.csv |  | "Kontaktdurchmesser (mm)" (a length, to be converted); and name the quantity and its unit in the heading
         phase.csv |  | sideways; type --segments split
@@ -172,6 +174,41 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
         of_stiffness(&other).expect("forces in newtons were made with the stiffness of the file");
     assert_names(&doubt, "line 4; 0.05; 0.06; 1.2; give the deflection");
     assert_eq!(of_stiffness(&given), None);
+}
+
+/// A separation is the height again where the deflection is taken off.
+#[test]
+fn separations_are_fitted_as_heights() {
+    let workdir = workdir!();
+    let simulate = format!("--kind force-height {GEL}");
+    let more =
+        "--work-of-adhesion 5e-5 --stiffness 0.1 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
+    let curve = workdir.simulate(format!("{simulate} {more}"));
+    workdir.write("height.csv", &curve);
+    let mut rows = String::from("Tip-Sample Separation (nm);Force (nN)\n");
+    for row in curve.lines() {
+        let numbers: Vec<f64> = row.split(',').map_while(|cell| cell.parse().ok()).collect();
+        if let [height, force, ..] = numbers[..] {
+            rows += &format!("{:?};{:?}\n", 1e9 * (height + force / 0.1), 1e9 * force);
+        }
+    }
+    workdir.write("separation.csv", &rows);
+    workdir.write("gap.csv", rows.replace("Tip-Sample Separation", "Gap"));
+    let of = |name: &str, more: &str| {
+        let flags = format!("--stiffness 0.1 --segments split --json {more}");
+        workdir.json(fit(name, &flags))
+    };
+    let heights = of("height.csv", "");
+    let named = "--kind force-height --column 'separation=Gap (nm)'";
+    for found in [of("separation.csv", ""), of("gap.csv", named)] {
+        for name in ["film_modulus", "contact_point"] {
+            let [[value, error], [own, _]] = [&heights, &found].map(|one| estimate(one, name));
+            assert!(
+                (own - value).abs() < 1e-3 * error,
+                "{name}: {own}, not {value}"
+            );
+        }
+    }
 }
 
 /// The doubt says which flag turns the sign, whether the fit fails or not, and the flag does.

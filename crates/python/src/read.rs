@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use fit::data::{
-    Cantilever, Column, Format, Named, RIGID, Reading, Reduced, Remedy, Role, Segments, read,
+    Cantilever, Column, Format, Named, Reading, Reduced, Remedy, Role, Segments, read,
 };
 use fit::report::reading;
 use fit::{Direction, Kind};
@@ -135,7 +135,7 @@ pub fn in_python(remedy: &Remedy) -> String {
                 let columns = columns.join(", ");
                 let reduced = named.reduced.map(|reduced| match reduced {
                     Reduced::ContactDepth => ", indentation=Indentation(epsilon=0)".to_owned(),
-                    Reduced::Separation => format!(", stiffness={RIGID}"),
+                    Reduced::Separation => ", stiffness=...".to_owned(),
                 });
                 let [kind, reduced] = [kind, reduced].map(Option::unwrap_or_default);
                 format!("{kind}columns={{{columns}}}{reduced}")

@@ -122,7 +122,7 @@ def test_several_curves_and_directions_that_may_be_wrong_are_told(write):
         ("penetration,load\n1,2\n2,3\n", {"columns": {"lode": "P"}}, ["lode", "contact_radius"]),
         ("penetration,load\n1,2\n2,3\n", {"columns": {"load": "-"}}, ["empty"]),
         ("penetration,P\n1,2\n2,3\n", {"columns": {"load": "P [UNIT]"}}, ["in its place", "[mN]"]),
-        ("Gap [nm],Load [mN]\n1,2\n2,3\n", {}, ['{"height": "Gap [nm]"}, stiffness=1e9']),
+        ("Gap [nm],Load [mN]\n1,2\n2,3\n", {}, ['{"separation": "Gap [nm]"}, stiffness=']),
         ("penetration,load\n1,2\n2,3\n", {"kind": "load"}, ["'load'", "load-penetration"]),
         ("height_m,force_N\n1,2\n2,3\n", {"stiffness": 1, "sensitivity": 1e-8}, ["volts"]),
         ("penetration,load\n1,2\n2,3\n", {"segments": "up"}, ["'up'", "split"]),

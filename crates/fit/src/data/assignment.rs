@@ -110,7 +110,9 @@ impl Columns<'_> {
             used.push(Role::Segment);
             used.extend(own.into_iter().filter_map(Role::error));
             used.extend(kind.at_radii().then_some(Role::ContactArea));
-            used.extend((*kind == Kind::ForceHeight).then_some(Role::Deflection));
+            if *kind == Kind::ForceHeight {
+                used.extend([Role::Deflection, Role::Separation]);
+            }
             let mut columns = self.format.columns.iter();
             columns.all(|column| used.contains(&column.role))
         };
@@ -133,6 +135,12 @@ impl Columns<'_> {
             .collect();
         let least = kinds.iter().map(|one| one.roles.len()).min().unwrap_or(0);
         kinds.retain(|one| one.roles.len() == least);
+        // Beside other quantities a separation is one more column.
+        let of_separation =
+            |one: &Missing| one.kind == Kind::ForceHeight && one.roles == [Role::Height];
+        if kinds.iter().any(of_separation) && self.is_there(Role::Separation) {
+            return Ok(Kind::ForceHeight);
+        }
         match &kinds[..] {
             [one] if least == 0 => Ok(one.kind),
             _ if least == 0 => Err(Problem::SeveralKinds {
@@ -146,24 +154,27 @@ impl Columns<'_> {
 
     /// Returns the quantities of a kind that no column is recognised as, in any direction.
     fn missing(&self, kind: Kind) -> Vec<Role> {
-        let is_there = |role| {
-            DIRECTIONS
-                .into_iter()
-                // Which of two columns it is, is asked later.
-                .any(|direction| !matches!(self.find(role, direction), Ok(None)))
-        };
         let is_missing = |role: &Role| {
             let by_deflection = *role == Role::Load
                 && (kind == Kind::ForceHeight || self.format.kind.is_some())
-                && is_there(Role::Deflection);
+                && self.is_there(Role::Deflection);
+            let by_separation = *role == Role::Height
+                && self.format.kind.is_some()
+                && self.is_there(Role::Separation);
             let by_area = *role == Role::ContactRadius
                 && self.takes_area(kind)
-                && is_there(Role::ContactArea);
-            !is_there(*role) && !by_deflection && !by_area
+                && self.is_there(Role::ContactArea);
+            !self.is_there(*role) && !by_deflection && !by_separation && !by_area
         };
         let needed = beside::needed(kind).iter().copied();
         let roles = roles(kind).into_iter().chain(needed);
         roles.filter(is_missing).collect()
+    }
+
+    /// Tells whether there is a column of a role, in any direction. Which of two columns it is, is asked later.
+    fn is_there(&self, role: Role) -> bool {
+        let mut directions = DIRECTIONS.into_iter();
+        directions.any(|direction| !matches!(self.find(role, direction), Ok(None)))
     }
 
     /// Tells whether a contact area gives the radius. Beside a load or a penetration it may be computed
@@ -180,8 +191,9 @@ impl Columns<'_> {
     fn pair(&self, kind: Kind, direction: Option<Direction>) -> Result<Option<Pair>, DataError> {
         let [abscissa, ordinate] = roles(kind);
         let alone = |role: Role, direction| match self.find(role, direction)? {
-            // A deflection where there is no load.
+            // A deflection where there is no load, and a separation where there is no height.
             None if role == Role::Load => self.find(Role::Deflection, direction),
+            None if role == Role::Height => self.find(Role::Separation, direction),
             found => Ok::<_, DataError>(found),
         };
         let of = |role: Role| match alone(role, direction)? {

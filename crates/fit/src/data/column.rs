@@ -21,6 +21,8 @@ named! {
         Height = "height",
         /// The deflection of the cantilever, positive in compression.
         Deflection = "deflection",
+        /// The separation of tip and sample: the height and the deflection, force/stiffness.
+        Separation = "separation",
         /// The segment: approach, retract or pause.
         Segment = "segment",
         /// The standard deviation of the contact radius.

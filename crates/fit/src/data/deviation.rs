@@ -65,6 +65,7 @@ impl Columns<'_> {
         let source = self.source(role, index, Some(unit.unwrap_or(of.unit)), false)?;
         Ok(Some(Source {
             assumed_si: unit.is_none() && of.assumed_si,
+            compliance: 0.0,
             ..source
         }))
     }

@@ -100,7 +100,10 @@ fn stiffness(pair: &Pair, notes: &Notes) -> Option<Doubt> {
     /// A cantilever that is stiffer by this factor stands for a rigid one, of heights without the deflection.
     const RIGID: f64 = 1e3;
     let (named, given) = (notes.head.stiffness.as_ref()).zip(notes.cantilever.stiffness)?;
-    let are_forces = pair.sources().map(|source| source.role) == [Role::Height, Role::Load];
+    let are_forces = matches!(
+        pair.sources().map(|source| source.role),
+        [Role::Height | Role::Separation, Role::Load]
+    );
     let differs = (given / named.value - 1.0).abs() > SAME && given < RIGID * named.value;
     let forces = &pair.ordinate.heading;
     let (line, of_head, factor) = (named.line, named.value, given / named.value);

@@ -100,9 +100,7 @@ pub struct Missing {
 impl Missing {
     /// Returns the column that could be each missing one: the first of its dimension that is
     /// recognised as nothing else, each once. A contact area gives a contact radius. A contact depth can be
-    /// a penetration only where a contact stiffness is measured. A separation can be a height only beside
-    /// a force: the stiffness given with it is that of a rigid cantilever, which turns no deflection into
-    /// a force.
+    /// a penetration only where a contact stiffness is measured. A separation gives a height beside a force.
     pub fn candidates<'a>(&self, columns: &'a [Found]) -> Vec<Option<&'a Found>> {
         let mut taken: Vec<&str> = Vec::new();
         let is_force = |found: &Found| {
@@ -354,6 +352,13 @@ pub enum Problem {
         /// Why a line that names a value tells none.
         untold: Option<Untold>,
     },
+    /// A separation needs the stiffness.
+    #[error(
+        "a separation of tip and sample is the height and the deflection, which is taken off again by the stiffness (N/m) \
+         of the cantilever, and the file does not name it{}",
+        .0.as_ref().map(|untold| format!(": {untold}")).unwrap_or_default(),
+    )]
+    NoStiffness(Option<Untold>),
     /// Two heads of a file differ in a value that is used.
     #[error(
         "{name:?} is {} in line {} and {} in line {}; say which one holds",

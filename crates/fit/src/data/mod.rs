@@ -56,6 +56,6 @@ pub use failure::{DataError, Found, Missing, Problem};
 pub use head::{Head, HeadValue, SENSITIVITIES, Untold};
 pub use heading::Reduced;
 pub use number::Marks;
-pub use remedy::{Named, RIGID, Remedy};
+pub use remedy::{Named, Remedy};
 pub use segment::Split;
 pub use source::Source;

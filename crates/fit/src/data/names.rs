@@ -93,6 +93,14 @@ impl Role {
                 // Optics11.
                 "cantilever",
             ],
+            Self::Separation => &[
+                "separation",
+                // Bruker.
+                "tip sample separation",
+                "tip separation",
+                // Asylum Research.
+                "sep",
+            ],
             Self::Segment => &["segment", "segment type", "phase", "direction"],
             Self::ContactStiffness => &[
                 "contact stiffness",

@@ -132,7 +132,8 @@ impl Notes {
     /// Returns the values of the head that the columns need, in words, each with the one that was used.
     pub fn from_head(&self) -> Vec<String> {
         let mut roles = self.columns.iter().map(|one| one.role);
-        let needs_stiffness = roles.any(|role| matches!(role, Role::Deflection | Role::Height));
+        let needs_stiffness =
+            roles.any(|role| matches!(role, Role::Deflection | Role::Height | Role::Separation));
         let (head, given) = (&self.head, self.cantilever);
         let stiffness = head.stiffness.as_ref().zip(given.stiffness);
         let sensitivity = head.sensitivity.as_ref().zip(given.sensitivity);

@@ -33,13 +33,10 @@ pub struct Named {
     /// cannot be told, ends in `[UNIT]` where the unit cannot, and begins with a minus where the numbers
     /// count in the opposite sense.
     pub columns: Vec<(Role, String)>,
-    /// What one of the columns is in truth: a contact depth needs an epsilon of 0, and a separation the
-    /// stiffness of a rigid cantilever.
+    /// What one of the columns is in truth: a contact depth needs an epsilon of 0, and a separation the stiffness of the
+    /// cantilever.
     pub reduced: Option<Reduced>,
 }
-
-/// The stiffness, N/m, of a cantilever that does not bend.
-pub const RIGID: &str = "1e9";
 
 impl Remedy {
     /// Returns what is to be filled in, in words.
@@ -80,6 +77,9 @@ impl DataError {
                 let way = |one: &Missing| {
                     let candidates = one.candidates(columns).into_iter();
                     let heading = |(role, found): (&Role, Option<&Found>)| match found {
+                        Some(found) if found.heading.reduced() == Some(Reduced::Separation) => {
+                            (Role::Separation, found.heading.text.clone())
+                        }
                         Some(found) => (found.role.unwrap_or(*role), found.heading.text.clone()),
                         None => (*role, any()),
                     };
@@ -111,6 +111,7 @@ impl DataError {
             Problem::NoCantilever { volts, .. } => Remedy::Cantilever {
                 sensitivity: *volts,
             },
+            Problem::NoStiffness(_) => Remedy::Cantilever { sensitivity: false },
             Problem::TwoValues { .. } => Remedy::Cantilever { sensitivity: true },
             Problem::Segment(_) => Remedy::Split,
             _ => return None,

@@ -313,7 +313,7 @@ impl Rows<'_> {
             }
             let abscissa = match pair.abscissa.role {
                 Role::ContactArea => (abscissa / std::f64::consts::PI).sqrt(),
-                _ => abscissa,
+                _ => abscissa - pair.abscissa.compliance * ordinate,
             };
             let Some(beside) = beside(&pair.beside, ordinate, &mut value)? else {
                 return Ok(None);

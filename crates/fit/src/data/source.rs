@@ -26,6 +26,8 @@ pub struct Source {
     pub typed: String,
     /// Whether the column has no unit and is taken to be in SI units.
     pub assumed_si: bool,
+    /// What is to be taken off for each newton of the force, m: 0, or that of the deflection in a separation.
+    pub compliance: f64,
 }
 
 /// The headings, and what the user says about them.
@@ -162,6 +164,20 @@ impl Columns<'_> {
             sensitivity,
         } = self.format.cantilever;
         let mut factor = if negative { -unit.size } else { unit.size };
+        let mut compliance = 0.0;
+        if role == Role::Separation {
+            let Some(stiffness) = stiffness else {
+                return Err(at(Problem::NoStiffness(self.untold.cloned())));
+            };
+            compliance = stiffness.recip();
+            if !(compliance > 0.0 && compliance.is_finite()) {
+                let sensitivity = None;
+                return Err(at(Problem::NoForce {
+                    stiffness,
+                    sensitivity,
+                }));
+            }
+        }
         if role == Role::Deflection {
             let volts = unit.dimension == Dimension::Voltage;
             let (Some(stiffness), Some(sensitivity)) =
@@ -189,6 +205,7 @@ impl Columns<'_> {
             typed: heading.clone(),
             heading,
             assumed_si,
+            compliance,
         })
     }
 

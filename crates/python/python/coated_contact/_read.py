@@ -24,6 +24,7 @@ Role = Literal[
     "penetration",
     "height",
     "deflection",
+    "separation",
     "segment",
     "contact_radius_error",
     "load_error",
@@ -73,8 +74,8 @@ def read_experiment(
     columns : mapping, optional
         Columns that are not recognised: the heading, with a unit if the file has none, or the
         number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
-        ``"deflection"``, ``"segment"``, ``"contact_stiffness"``, ``"contact_area"``,
-        ``"phase_shift"``, ``"loss_stiffness"`` or ``"time"``, and for the standard deviation of one
+        ``"deflection"``, ``"separation"``, ``"segment"``, ``"contact_stiffness"``,
+        ``"contact_area"``, ``"phase_shift"``, ``"loss_stiffness"`` or ``"time"``, and for the standard deviation of one
         of them with ``_error``, such as ``"load_error"``. A minus before it turns the sign. Where
         approach and retract have columns of their own, give both headings.
     segments : {"auto", "file", "split"}

@@ -89,7 +89,7 @@ pub struct Arguments {
     #[arg(long, value_parser = kinds())]
     kind: Option<Kind>,
     /// A column that is not recognised: NAME=HEADING [UNIT]. NAME is one of contact_radius, load,
-    /// penetration, height, deflection, segment, time, contact_stiffness, contact_area, phase_shift and
+    /// penetration, height, deflection, separation, segment, time, contact_stiffness, contact_area, phase_shift and
     /// loss_stiffness, or with _error a column of standard deviations: load_error. The number of the column may stand for the heading, with `extend` or `retract`
     /// after it for one direction; a minus before it turns the sign
     #[arg(long = "column", value_name = "NAME=HEADING [UNIT]")]

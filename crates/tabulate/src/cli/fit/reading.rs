@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ::fit::Experiment;
-use ::fit::data::{Doubt, Format, Named, Notes, RIGID, Reading, Reduced, Remedy, read};
+use ::fit::data::{Doubt, Format, Named, Notes, Reading, Reduced, Remedy, read};
 use anyhow::anyhow;
 
 /// Reads a file. An error says which flag helps.
@@ -91,7 +91,7 @@ pub fn typed(remedy: &Remedy) -> String {
                     .map(|(role, heading)| format!(" --column \"{}={heading}\"", role.name()));
                 let reduced = named.reduced.map(|reduced| match reduced {
                     Reduced::ContactDepth => " --epsilon 0".to_owned(),
-                    Reduced::Separation => format!(" --stiffness {RIGID}N/m"),
+                    Reduced::Separation => " --stiffness N/m".to_owned(),
                 });
                 let all = kind.into_iter().chain(columns).chain(reduced);
                 all.collect::<String>()
