@@ -285,6 +285,7 @@ fn a_fit_that_would_leave_the_table_is_warned_of() {
     let options = Options::default();
     let found = fit(&limited, &[experiment], &lens.free, &options).expect("it starts inside");
     assert_warns(&found, WarningKind::EndOfTable, "the table ends");
+    assert!(!found.converged);
 }
 
 #[test]

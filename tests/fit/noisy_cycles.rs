@@ -4,7 +4,9 @@ use acceptance::{Contacts, rigid_probe, solid};
 use fit::{Bodies, Direction, Experiment, Kind, Parameter, WarningKind, simulate};
 use interp::{Elastic, Probe, System, Table};
 
-use crate::imagined::{FORCE_CURVE, assert_warned, fit_with, free_of, measurement_at, off};
+use crate::imagined::{
+    FORCE_CURVE, assert_warned, assert_warns, fit_with, free_of, measurement_at, off,
+};
 
 /// A rigid sphere on a film on a stiff substrate.
 fn system(radius: f64, film: Elastic, thickness: f64) -> System {
@@ -188,5 +190,41 @@ fn filtered_noise_does_not_hide_the_baseline() {
             );
         }
         assert_warned(&found, WarningKind::PoorFit);
+    }
+}
+
+/// The drag of a liquid has another sign on each way. A second work of adhesion would take it for hysteresis.
+#[test]
+fn baselines_of_two_ways_that_differ_are_told() {
+    let plan = Experiment {
+        work_of_adhesion: 8e-5,
+        stiffness: Some(0.02),
+        ..cycle(
+            system(1e-5, solid(2e4, 0.5), 5e-6),
+            [0.6e-6, -0.5e-6],
+            400,
+            3e-11,
+        )
+    };
+    let mut data = simulate(Table::embedded(), &plan, 3e-11, 1).expect("in the table");
+    for point in &mut data.measurement.points {
+        let is_retract = point.direction == Some(Direction::Retract);
+        point.ordinate += if is_retract { -1e-10 } else { 1e-10 };
+    }
+    let hysteresis = [&FORCE_CURVE[..], &[Parameter::WorkOfAdhesionReceding]].concat();
+    for (free, kind, words) in [
+        (
+            &FORCE_CURVE[..],
+            WarningKind::MixedBranches,
+            "their baselines are; e-10 N apart; fit one direction alone",
+        ),
+        (
+            &hysteresis[..],
+            WarningKind::Hysteresis,
+            "or plastic); fit one direction alone",
+        ),
+    ] {
+        let found = fit_with(&data, &free_of(free), |_| {}).expect("a fit");
+        assert_warns(&found, kind, words);
     }
 }

@@ -33,8 +33,12 @@ pub enum QuantityError {
     },
     /// What follows the number is not a unit.
     #[error(
-        "{unit:?} in {text:?} is not a unit that is known; units are such as um, mN, kPa, N/m, mJ/m^2 or s, and case \
-         counts: mN and MN, Pa and not pa"
+        "{unit:?} in {text:?} is not a unit that is known; {}",
+        match () {
+            () if unit.contains(',') => "one value is wanted here, and no list",
+            () if unit.contains('%') => "give the number in the unit of the quantity, and no percentage",
+            () => "units are such as um, mN, kPa, N/m, mJ/m^2 or s, and case counts: mN and MN, Pa and not pa",
+        }
     )]
     UnknownUnit {
         /// The whole text.
@@ -205,6 +209,8 @@ mod tests {
             ("0,1", length, "\"0,1\"; mark is a point"),
             ("5e", length, "\"e\" in \"5e\"; case counts"),
             ("30UM", length, "\"UM\"; case counts"),
+            ("1um,2um", length, "no list"),
+            ("10%", length, "no percentage"),
             ("30GPa", length, "a length is wanted; 30um"),
             (
                 "30um",
