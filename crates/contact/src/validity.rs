@@ -71,8 +71,7 @@ pub struct FilmValidity {
     /// The compression of the film over its thickness, `(delta0/t) (1 - S/S0)`: the part of the
     /// penetration without adhesion that the bare substrate, of stiffness `S0`, would not have at the
     /// same load. It is the size of the strain of the film, and the model is linear. Negative where
-    /// the substrate is softer than the film. What springs between the layers open, estimated rather too large, is taken off:
-    /// it is no strain.
+    /// the substrate is softer than the film. What springs between the layers open is taken off, about: it is no strain.
     /// Where the curve does not cover `a/t`, it is `delta0/t`
     /// with the penetration on a half-space.
     pub strain: f64,
@@ -289,17 +288,19 @@ impl Contact {
                 } else {
                     finite_result(a, factor * a_over_t * a_over_t)?
                 };
-                /// What springs below a film open under a flat punch, over that under the mean pressure: 1 where they
-                /// are softer than all else, and about 1.3 where the pressure is that on a half-space.
-                const UNEVEN: f64 = 1.5;
+                /// What springs open under a flat punch where all else is softer, over that under the mean pressure, less 1:
+                /// the pressure of the edge, up to a distance of t.
+                const OF_EDGE: f64 = 0.4;
                 let t = system.film_thickness;
                 let opening = curve.stack().map_or(0.0, |stack| stack.opening * t);
-                let springs = UNEVEN * stiffness * opening / (PI * (a * a + t * t));
-                let strain = match of_film {
-                    softer if softer > 0.0 => (softer - springs).max(0.0),
+                let springs = stiffness * opening / (PI * (a * a + t * t));
+                let compressed = match of_film {
+                    softer if softer > 0.0 => {
+                        (softer - springs * (1.0 + OF_EDGE * (1.0 - softer))).max(0.0)
+                    }
                     stiffer => stiffer,
                 };
-                let strain = finite_result(a, without * strain / t)?;
+                let strain = finite_result(a, without * compressed / t)?;
                 let bending = match of_film {
                     stiffer if stiffer < 0.0 => finite_result(
                         a,

@@ -108,8 +108,8 @@ pub enum HistoryError {
     /// A measured contact that grows after its first retract.
     #[error(
         "at {time:?} s the contact grows again after its first retract: measured histories are followed over one \
-         approach, which may be held, and one retract; give the points of one cycle that begins before the contact, and the \
-         values that were set where an instrument has overshot before a hold"
+         approach, which may be held, and one retract; give the points of one cycle that begins before the contact, and where \
+         the instrument has overshot before a hold the values that were set in place of those measured"
     )]
     GrowsAgain {
         /// The time, s.

@@ -110,8 +110,8 @@ fn stiffness(pair: &Pair, notes: &Notes) -> Option<Doubt> {
     (are_forces && differs).then(|| {
         DoubtKind::Stiffness.with(format!(
             "{forces:?} holds forces, and line {line} names the stiffness {of_head} N/m, with which they were probably \
-             made from the deflection; the stiffness as given, {given} N/m, leaves them as they are: multiply them by \
-             {factor:.6}, or give the deflection in place of the forces"
+             made from the deflection; the stiffness as given, {given} N/m, leaves the forces as they are: multiply the \
+             forces by {factor:.6}, or give the deflection in place of the forces"
         ))
     })
 }

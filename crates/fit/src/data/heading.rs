@@ -22,6 +22,9 @@ pub struct Heading {
 const BRACKETS: [(char, char); 3] = [('[', ']'), ('(', ')'), ('{', '}')];
 /// Units that end the names of other quantities: `depth h`.
 const IN_BRACKETS_ONLY: [&str; 5] = ["h", "min", "g", "mg", "kg"];
+/// What separates the words of a heading.
+const SEPARATORS: &str =
+    "_/-,:;|=.<>)]}\"'`*#@~\\$\u{b7}\u{2022}\u{2013}\u{2014}\u{2215}\u{ff08}\u{ff09}";
 /// The codes of the two letters for micro, which some programs write in their place.
 const MICRO_SIGNS: [&str; 2] = ["U.00B5", "U.03BC"];
 /// Words for what is no length or force of the contact itself.
@@ -187,7 +190,9 @@ fn damaged_unit(text: &str) -> Option<String> {
     let is_sign = |c: char| !c.is_alphanumeric();
     let text = text.trim_end_matches(is_sign);
     let before = text.trim_end_matches(char::is_alphanumeric);
-    Unit::parse(&text[before.len()..])?;
+    // A unit with a prefix has lost nothing.
+    let unit = &text[before.len()..];
+    Unit::parse(unit).filter(|one| one.size == 1.0 || unit == "g")?;
     let words = before.trim_end_matches(is_sign);
     if let Some(code) = MICRO_SIGNS.iter().find(|code| words.ends_with(*code)) {
         return Some(text[words.len() - code.len()..].to_owned());
@@ -196,7 +201,7 @@ fn damaged_unit(text: &str) -> Option<String> {
         Some((_, inside)) => (true, inside),
         None => (false, &before[words.len()..]),
     };
-    let separates = |c: char| c.is_whitespace() || !opens && "_/-,:;|=.".contains(c);
+    let separates = |c: char| c.is_whitespace() || !opens && SEPARATORS.contains(c);
     let signs = signs.trim_start_matches(separates);
     let is_damaged = !words.is_empty() && !signs.is_empty();
     is_damaged.then(|| text[before.len() - signs.len()..].to_owned())
@@ -249,6 +254,10 @@ mod tests {
             ("Load..U.00B5.N.", "load u 00b5 n", ""),
             ("Load..N.", "load", "N"),
             ("Load ( N)", "load", "N"),
+            ("Force [retract] N", "force", "N"),
+            ("Force \u{2013} uN", "force", "uN"),
+            ("Load <N>", "load", "N"),
+            ("\u{8377}\u{91cd}\u{ff08}N\u{ff09}", "\u{8377}\u{91cd}", "N"),
             ("contact.radius", "contact radius", ""),
         ] {
             let found = Heading::parse(text);

@@ -270,9 +270,11 @@ impl Rows<'_> {
             let word = cells[index];
             // Where the cell is empty the segment is that of the row before.
             if !word.is_empty() {
-                let segment = match word {
-                    // Without contact a way is what it was.
-                    "separated" => Some(Segment::Moving(self.moved.unwrap_or(Direction::Approach))),
+                let segment = match &*word.to_lowercase() {
+                    // Where a history has no contact, or its line rests, it goes on in its way.
+                    "separated" | "resting" => {
+                        Some(Segment::Moving(self.moved.unwrap_or(Direction::Approach)))
+                    }
                     _ => Segment::parse(word),
                 };
                 let unknown = || failure(index, Problem::Segment(word.to_owned()));

@@ -59,7 +59,7 @@ impl Segment {
             | "unload" | "recede" | "receding" | "backward" | "out" | "up" | "true" => {
                 Self::Moving(Direction::Retract)
             }
-            "pause" | "hold" | "dwell" | "rest" | "resting" | "intermediate" => Self::Pause,
+            "pause" | "hold" | "dwell" | "rest" | "intermediate" => Self::Pause,
             _ => return None,
         })
     }

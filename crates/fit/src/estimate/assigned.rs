@@ -2,7 +2,8 @@
 
 use super::search::range;
 use crate::model::{AbscissaError, Assignment, ContactOf};
-use crate::{Branch, Error, Experiment};
+use crate::statistics::median;
+use crate::{Branch, Direction, Error, Experiment, Point};
 
 /// An experiment with the branches of its points.
 #[derive(Clone, Debug)]
@@ -80,6 +81,38 @@ impl Assigned {
     pub fn seen_noise(&self) -> f64 {
         let known = self.experiment.usual_noise();
         known.or(self.local_noise).unwrap_or(0.0)
+    }
+
+    /// Returns whether each point was measured on retract: where not all have a direction, after that of the largest
+    /// imposed value.
+    pub fn unloading(&self) -> Vec<bool> {
+        let points = &self.experiment.measurement.points;
+        let turn = self.order.first().copied().unwrap_or(0);
+        let has_directions = points.iter().all(|point| point.direction.is_some());
+        let unloads = |(i, point): (usize, &Point)| match has_directions {
+            true => point.direction == Some(Direction::Retract),
+            false => i > turn,
+        };
+        points.iter().enumerate().map(unloads).collect()
+    }
+
+    /// Returns by how much the baselines of approach and retract differ, N, if they do by more than the noise.
+    pub fn baselines_apart(&self) -> Option<f64> {
+        /// The distance over the noise of a reading from which on they differ, and the fewest points of each.
+        const APART: f64 = 2.0;
+        const FEWEST: usize = 5;
+        let unloading = self.unloading();
+        let level = |way: bool| {
+            let points = self.experiment.measurement.points.iter().enumerate();
+            let of_way = points
+                .filter(|&(i, _)| self.branches[i] == Branch::Baseline && unloading[i] == way);
+            let readings = of_way
+                .map(|(_, point)| point.ordinate - self.experiment.baseline_at(point.abscissa));
+            let readings: Vec<f64> = readings.collect();
+            (readings.len() >= FEWEST).then(|| median(readings))
+        };
+        let apart = (level(true)? - level(false)?).abs();
+        (apart > APART * self.seen_noise()).then_some(apart)
     }
 
     /// Returns the number of points that count.

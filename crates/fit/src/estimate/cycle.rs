@@ -87,15 +87,16 @@ pub(super) fn doubts(problem: &Problem<'_>, e: usize) -> Option<Vec<Warning>> {
         ))]);
     }
     let has_directions = experiment.measurement.points[0].direction.is_some();
+    let is_free = experiment.get(Parameter::WorkOfAdhesionReceding).is_some();
     let step = match (
         has_directions,
-        experiment.get(Parameter::WorkOfAdhesionReceding),
+        is_free || assigned.baselines_apart().is_some(),
     ) {
-        (_, Some(_)) => "",
-        (true, None) => {
+        (_, true) => "",
+        (true, false) => {
             "free the work of adhesion of retract (work-of-adhesion-receding) where adhesion is the reason, or "
         }
-        (false, None) => {
+        (false, false) => {
             "give the points their directions, then free the work of adhesion of retract (work-of-adhesion-receding) where \
              adhesion is the reason, or "
         }

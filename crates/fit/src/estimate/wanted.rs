@@ -11,8 +11,8 @@ use super::fixed_values::residuals_with;
 use super::loss::influence;
 use super::problem::Problem;
 use super::uncertainty::Uncertainty;
-use crate::statistics::{BEYOND_CHANCE, median};
-use crate::{Branch, Direction, Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
+use crate::statistics::BEYOND_CHANCE;
+use crate::{Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
 
 /// A column counts as a combination of those that are fitted if less than this part of it is left
 /// without them.
@@ -24,8 +24,6 @@ const HINT: f64 = 3.5;
 const MISLED: f64 = 5.0;
 /// The fewest points of each way for which one work of adhesion is doubted.
 const FEWEST: usize = 5;
-/// The distance of the baselines of two ways, over the noise of a reading, from which on they differ.
-const APART: f64 = 2.0;
 /// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal
 /// distribution,
 /// -1.2 of a uniform one, and -2 of two values. It is not looked at below [`MANY`] points.
@@ -328,31 +326,14 @@ impl<'a> Score<'a> {
         let assigned = &problem.assigned[e];
         let points = &assigned.experiment.measurement.points;
         let name = &assigned.experiment.measurement.name;
-        let turn = assigned.order.first().copied().unwrap_or(0);
         let has_directions = points.iter().all(|point| point.direction.is_some());
-        let unloads = |i: usize| {
-            if has_directions {
-                points[i].direction == Some(Direction::Retract)
-            } else {
-                i > turn
-            }
-        };
+        let unloading = assigned.unloading();
+        let unloads = |i: usize| unloading[i];
         let in_contact = |i: &usize| assigned.branches[*i].is_contact();
         let contacts = (0..points.len()).filter(in_contact);
         let ways = [false, true].map(|way| contacts.clone().filter(|&i| unloads(i) == way).count());
         let has_both = ways.iter().all(|&count| count >= FEWEST);
-        let rest = |way: bool| {
-            let is_rest =
-                |i: &usize| assigned.branches[*i] == Branch::Baseline && unloads(*i) == way;
-            let numbers = (0..points.len()).filter(is_rest);
-            let off = numbers
-                .map(|i| points[i].ordinate - assigned.experiment.baseline_at(points[i].abscissa));
-            off.collect::<Vec<f64>>()
-        };
-        let [before, after] = [rest(false), rest(true)];
-        let is_measured = before.len().min(after.len()) >= FEWEST;
-        let apart = (median(after) - median(before)).abs();
-        let advice = if is_measured && apart > APART * assigned.seen_noise() {
+        let advice = if let Some(apart) = assigned.baselines_apart() {
             format!(
                 "their baselines are {apart:.2e} N apart, as drag of the liquid or drift makes them: fit one direction alone"
             )

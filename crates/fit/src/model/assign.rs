@@ -66,14 +66,18 @@ impl Experiment {
             }
             Kind::LoadPenetration | Kind::ForceHeight => {
                 let segments = self.segments();
-                let of_way = |way: &Vec<usize>| {
-                    let near = noise_in(way)?;
-                    let far = rest_noise(&self.readings(way, 0.0));
-                    Some(far.filter(|far| *far > ALIKE * near).unwrap_or(near))
-                };
-                let noises: Vec<f64> = segments.iter().filter_map(of_way).collect();
+                let noises: Vec<f64> = segments.iter().filter_map(|one| noise_in(one)).collect();
                 let mean = noises.iter().sum::<f64>() / noises.len() as f64;
                 local_noise = (!noises.is_empty()).then_some(mean);
+                if let Some(filtered) = self.filtered_noise(&segments) {
+                    local_noise = local_noise.map(|near| {
+                        if filtered > ALIKE * near {
+                            filtered
+                        } else {
+                            near
+                        }
+                    });
+                }
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 let adheres = |work| is_free(work) || self.get(work).is_some_and(|w| w > 0.0);
                 if Parameter::WORKS.into_iter().any(adheres) {
@@ -298,6 +302,23 @@ impl Experiment {
         (most > CLEAR * noise).then_some(most)
     }
 
+    /// Returns the largest noise of the readings without a contact at the ends of the segments. A segment that ends in
+    /// tension, below the others, tells none.
+    fn filtered_noise(&self, segments: &[Vec<usize>]) -> Option<f64> {
+        let ways = segments.iter().filter(|way| way.len() >= FEWEST);
+        let ends: Vec<[f64; 2]> = ways
+            .filter_map(|way| rest(&self.readings(way, 0.0)))
+            .collect();
+        let highest = ends
+            .iter()
+            .map(|[level, _]| *level)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let at_rest = ends
+            .iter()
+            .filter(|[level, noise]| *level > highest - CLEAR * noise);
+        at_rest.map(|[_, noise]| *noise).reduce(f64::max)
+    }
+
     /// Returns the ordinates of points without the `slope` of the baseline.
     pub(super) fn readings(&self, numbers: &[usize], slope: f64) -> Vec<f64> {
         let points = numbers.iter().map(|&i| &self.measurement.points[i]);
@@ -324,9 +345,9 @@ impl Experiment {
     }
 }
 
-/// Returns the noise of the last readings of a way about a straight line, which differences of neighbours do not show where
-/// a filter has made them alike; `None` where the readings do not cross the line often, but follow a course.
-fn rest_noise(readings: &[f64]) -> Option<f64> {
+/// Returns the mean of the last readings of a way, and their noise about a straight line, which differences of neighbours do
+/// not show where a filter has made them alike; `None` where the readings do not cross the line often, but follow a course.
+fn rest(readings: &[f64]) -> Option<[f64; 2]> {
     /// The fewest crossings of noise, and the distance from the line beyond which a reading is on a side of it, over the
     /// noise.
     const FEWEST_CROSSINGS: usize = 4;
@@ -337,18 +358,13 @@ fn rest_noise(readings: &[f64]) -> Option<f64> {
     let mean = last.iter().sum::<f64>() / last.len() as f64;
     let product: f64 = places().zip(last).map(|(x, y)| x * y).sum();
     let slope = product / places().map(|x| x * x).sum::<f64>();
-    let off: Vec<f64> = places()
-        .zip(last)
-        .map(|(x, y)| y - mean - slope * x)
-        .collect();
+    let off = places().zip(last).map(|(x, y)| y - mean - slope * x);
+    let off: Vec<f64> = off.collect();
     let noise = robust_deviation(off.iter().copied());
-    let mut sides: Vec<bool> = off
-        .iter()
-        .filter(|y| y.abs() > CROSSED * noise)
-        .map(|&y| y > 0.0)
-        .collect();
+    let sides = off.iter().filter(|y| y.abs() > CROSSED * noise);
+    let mut sides: Vec<bool> = sides.map(|&y| y > 0.0).collect();
     sides.dedup();
-    (sides.len() > FEWEST_CROSSINGS).then_some(noise)
+    (sides.len() > FEWEST_CROSSINGS).then_some([mean, noise])
 }
 
 /// Estimates the standard deviation of independent noise from differences of readings in order: the second

@@ -60,6 +60,8 @@ fn end_of_hold(times: &[f64], values: &[f64], largest: usize) -> Option<usize> {
     /// The distance from their median that values of the hold have at most, over the median distance: twice that of a
     /// straight line, and more.
     const SCATTER: f64 = 3.0;
+    /// The fall in the last quarter of a hold over that in as many points of the retract, at most.
+    const LEVEL: f64 = 0.2;
     let least = values.get(largest)? - HELD * range(values.iter().copied());
     let is_held = |value: &f64| *value >= least;
     let [first, last] = [
@@ -73,10 +75,18 @@ fn end_of_hold(times: &[f64], values: &[f64], largest: usize) -> Option<usize> {
     let end = values
         .iter()
         .rposition(|value| *value >= level - SCATTER * scatter)?;
-    let middle = largest.midpoint(end);
-    let part = (times[middle] - times[largest]) / (times[end] - times[largest]);
-    let settles = values[middle] < values[largest] + part * (values[end] - values[largest]);
-    (is_long && (settles || !rise_and_fall(held))).then_some(end)
+    // After an overshoot the values become level. A retract that slows down goes on.
+    let quarter = (end - largest) / 4;
+    let fall = |from: usize, to: usize| values[from] - values[to.min(values.len() - 1)];
+    let late = fall(end - quarter, end).abs();
+    let other = if end + 1 < values.len() {
+        fall(end, end + quarter)
+    } else {
+        fall(largest, largest + quarter)
+    };
+    let becomes_level = late < LEVEL * other;
+    let settles = fall(largest, largest + quarter) > late;
+    (is_long && becomes_level && (settles || !rise_and_fall(held))).then_some(end)
 }
 
 /// Replaces values by the rising ones with the least squares of the changes.

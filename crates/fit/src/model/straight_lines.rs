@@ -184,7 +184,8 @@ impl Course<'_> {
     }
 
     /// Returns the corners of the lines of some parts. Where the values jump from one line to the next, there is a corner on
-    /// each side. Where they jump back, which slow noise makes of a steady course, a line joins the middles of both. A part that is not fitted has its corners at its points.
+    /// each side. Where they jump back, which slow noise makes of a steady course, a line joins the middles of both. A part
+    /// that is not fitted has its corners at its points.
     fn corners(&self, parts: &[Part]) -> Vec<(f64, f64)> {
         let mut corners = Vec::new();
         let mut begins = true;

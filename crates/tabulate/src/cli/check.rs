@@ -122,8 +122,8 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         ensure!(
             holds(error, allowed),
             "{} is less accurate than it states: its {name} is {error:.3e}, more than {allowed:.3e}; make it anew with \
-             `tabulate generate SCENE.toml --certificate-points {more}`, or a packed one with `tabulate pack TABLE.h5 --points \
-             {more}`: at more points, larger errors are found",
+             `tabulate generate SCENE.toml --certificate-points {more}`, or a packed one with `tabulate pack TABLE.h5 -o TABLE.bin \
+             --points {more}`: at more points, larger errors are found",
             arguments.table
         );
     }

@@ -226,6 +226,7 @@ impl Arguments {
         } else {
             1.0
         };
+        let least = if least < to { least } else { 0.0 };
         [self.from.unwrap_or((USUAL[0] * scale).max(least)), to]
     }
 }

@@ -220,7 +220,7 @@ fn style(one: &Drawn<'_>, mark: &Mark, experiments: usize) -> (Colour, Marker) {
 fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without: &str) -> Panel {
     let mut data = Panel::new(title, x.axis(), y.axis());
     let place = |mark: &Mark, value: f64| [x.at(mark.x), y.at(value)];
-    let names = short_names(members);
+    let names = short_names(members.iter().map(|one| one.name));
     for (one, file) in members.iter().zip(&names) {
         for mark in one.drawn() {
             let (colour, marker) = style(one, mark, members.len());
@@ -274,13 +274,11 @@ fn data_panel(title: &str, x: &Scale, y: &Scale, members: &[Drawn<'_>], without:
 }
 
 /// Returns the names of files. Of long ones the words that all have at their begin or end are left out, and of what is then
-/// still long the end.
-fn short_names(members: &[Drawn<'_>]) -> Vec<String> {
+/// still long the begin, if the names still differ.
+fn short_names<'a>(paths: impl Iterator<Item = &'a str>) -> Vec<String> {
     const LONG: usize = 24;
     let is_long = |name: &str| name.chars().count() > LONG;
-    let files = members
-        .iter()
-        .map(|one| one.name.rsplit(['/', '\\']).next());
+    let files = paths.map(|path| path.rsplit(['/', '\\']).next());
     let files: Vec<String> = files
         .map(|file| legible(file.unwrap_or_default()))
         .collect();
@@ -288,7 +286,7 @@ fn short_names(members: &[Drawn<'_>]) -> Vec<String> {
         return files;
     }
     let words = |file: &'_ String| -> Vec<String> {
-        let words = file.split_inclusive([' ', '_', '-', ',']);
+        let words = file.split_inclusive([' ', '_', '-', ',', '.']);
         words.map(str::to_owned).collect()
     };
     let all: Vec<Vec<String>> = files.iter().map(words).collect();
@@ -304,13 +302,23 @@ fn short_names(members: &[Drawn<'_>]) -> Vec<String> {
         .count();
     let name = |own: &Vec<String>| {
         let kept = own[first..own.len() - last].concat();
-        let kept = kept.trim_end_matches([' ', '_', '-', ',']);
+        let kept = kept.trim_end_matches([' ', '_', '-', ',', '.']);
+        let skipped = kept.chars().count().saturating_sub(LONG - 1);
         match is_long(kept) {
-            true => kept.chars().take(LONG - 1).chain(['…']).collect(),
+            true => ['…']
+                .into_iter()
+                .chain(kept.chars().skip(skipped))
+                .collect(),
             false => kept.to_owned(),
         }
     };
-    all.iter().map(name).collect()
+    let names: Vec<String> = all.iter().map(name).collect();
+    let is_new = |i: usize| !names[i].is_empty() && !names[..i].contains(&names[i]);
+    if (0..names.len()).all(is_new) {
+        names
+    } else {
+        files
+    }
 }
 
 /// Writes a text beside one of the points, if there are any. Of many points some are tried, because
@@ -432,4 +440,31 @@ fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
         [low.min(value), high.max(value)]
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short_names;
+
+    #[test]
+    fn long_names_keep_what_differs() {
+        let of = |names: &[&str]| short_names(names.iter().copied()).join("; ");
+        assert_eq!(of(&["data/a.csv", "b.csv"]), "a.csv; b.csv");
+        let film = |film: &str| format!("2026-11-29_sampleB_film{film}_spot3.csv");
+        let films = ["3um", "30um"].map(film);
+        assert_eq!(of(&[&films[0], &films[1]]), "film3um; film30um");
+        let dots = [
+            "measurement.of.the.sample.number.1.csv",
+            "measurement.of.the.sample.number.2.csv",
+        ];
+        assert_eq!(of(&dots), "1; 2");
+        let words = ["abcdefghijklmnopqrstuvwxyz1", "abcdefghijklmnopqrstuvwxyz2"];
+        assert_eq!(
+            of(&words),
+            "…efghijklmnopqrstuvwxyz1; …efghijklmnopqrstuvwxyz2"
+        );
+        // What differs may be empty, or cut away.
+        let equal = ["1abcdefghijklmnopqrstuvwxyz", "2abcdefghijklmnopqrstuvwxyz"];
+        assert_eq!(of(&equal), equal.join("; "));
+    }
 }
