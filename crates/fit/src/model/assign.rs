@@ -6,7 +6,7 @@
 use super::split::{FEWEST, KnownBaseline, tail};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
-use crate::statistics::{differences_of, robust_deviation};
+use crate::statistics::{differences_of, median, robust_deviation};
 
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
@@ -306,9 +306,7 @@ impl Experiment {
     /// tension, below the others, tells none.
     fn filtered_noise(&self, segments: &[Vec<usize>]) -> Option<f64> {
         let ways = segments.iter().filter(|way| way.len() >= FEWEST);
-        let ends: Vec<[f64; 2]> = ways
-            .filter_map(|way| rest(&self.readings(way, 0.0)))
-            .collect();
+        let ends: Vec<[f64; 2]> = ways.map(|way| rest(&self.readings(way, 0.0))).collect();
         let highest = ends
             .iter()
             .map(|[level, _]| *level)
@@ -345,26 +343,26 @@ impl Experiment {
     }
 }
 
-/// Returns the mean of the last readings of a way, and their noise about a straight line, which differences of neighbours do
-/// not show where a filter has made them alike; `None` where the readings do not cross the line often, but follow a course.
-fn rest(readings: &[f64]) -> Option<[f64; 2]> {
-    /// The fewest crossings of noise, and the distance from the line beyond which a reading is on a side of it, over the
-    /// noise.
-    const FEWEST_CROSSINGS: usize = 4;
-    const CROSSED: f64 = 0.3;
+/// Returns the median of the last readings of a way, and the noise that their fourth differences over growing distances show:
+/// over short ones a filter has made them alike. A curve, a bend or a jump among them shows little.
+fn rest(readings: &[f64]) -> [f64; 2] {
+    /// The part of the readings over which a difference extends at most.
+    const PART: usize = 3;
     let last = &readings[readings.len() - tail(readings.len())..];
-    let middle = 0.5 * (last.len() - 1) as f64;
-    let places = || (0..last.len()).map(|i| i as f64 - middle);
-    let mean = last.iter().sum::<f64>() / last.len() as f64;
-    let product: f64 = places().zip(last).map(|(x, y)| x * y).sum();
-    let slope = product / places().map(|x| x * x).sum::<f64>();
-    let off = places().zip(last).map(|(x, y)| y - mean - slope * x);
-    let off: Vec<f64> = off.collect();
-    let noise = robust_deviation(off.iter().copied());
-    let sides = off.iter().filter(|y| y.abs() > CROSSED * noise);
-    let mut sides: Vec<bool> = sides.map(|&y| y > 0.0).collect();
-    sides.dedup();
-    (sides.len() > FEWEST_CROSSINGS).then_some([mean, noise])
+    let over = |distance: usize| {
+        let differences = last.windows(4 * distance + 1).map(|part| {
+            let at = |i: usize| part[i * distance];
+            at(0) - 4.0 * at(1) + 6.0 * at(2) - 4.0 * at(3) + at(4)
+        });
+        // Those of independent noise have 70 times its variance.
+        robust_deviation(differences) / 70.0_f64.sqrt()
+    };
+    let distances = std::iter::successors(Some(1), |distance| Some(2 * distance));
+    let distances = distances.take_while(|distance| 4 * distance * PART <= last.len());
+    [
+        median(last.to_vec()),
+        distances.map(over).fold(0.0, f64::max),
+    ]
 }
 
 /// Estimates the standard deviation of independent noise from differences of readings in order: the second

@@ -5,7 +5,7 @@
 //! replaced by straight lines through them.
 
 use super::straight_lines::lines;
-use crate::statistics::{median, range};
+use crate::statistics::{median, range, robust_deviation};
 
 /// The least noise, in parts of the range of the values.
 const LEAST_NOISE: f64 = 1e-6;
@@ -28,7 +28,7 @@ impl Program {
     pub fn new(times: &[f64], measured: &[f64]) -> Self {
         let mut values = without_noise(times, measured);
         let largest = largest(&values);
-        let turn = end_of_hold(times, &values, largest).unwrap_or(largest);
+        let turn = end_of_hold(times, [&values, measured], largest).unwrap_or(largest);
         if !values.is_empty() {
             make_rise(&mut values[..=turn]);
             values[turn..].reverse();
@@ -51,17 +51,19 @@ fn largest(values: &[f64]) -> usize {
 }
 
 /// Returns the number of the last point of a hold at the largest value, where the values of the hold go to and fro, as
-/// slow noise does, or settle after an overshoot: a contact that is followed through a small retract in a hold would grow
-/// again.
-fn end_of_hold(times: &[f64], values: &[f64], largest: usize) -> Option<usize> {
+/// slow noise does: a contact that is followed through a small retract in a hold would grow again.
+fn end_of_hold(times: &[f64], [values, measured]: [&[f64]; 2], largest: usize) -> Option<usize> {
     /// The part of the range within which values are held, and the part of the duration that a hold has at least.
     const HELD: f64 = 0.01;
     const LONG: f64 = 0.05;
     /// The distance from their median that values of the hold have at most, over the median distance: twice that of a
     /// straight line, and more.
     const SCATTER: f64 = 3.0;
-    /// The fall in the last quarter of a hold over that in as many points of the retract, at most.
-    const LEVEL: f64 = 0.2;
+    /// The distance of the medians of the first and the last third of a hold over that scatter or the noise that the
+    /// lines have taken off, at most.
+    const STEADY: f64 = 2.0;
+    /// The distance from the median of the lowest value of the hold over that of the largest one, at least.
+    const EVEN: f64 = 0.3;
     let least = values.get(largest)? - HELD * range(values.iter().copied());
     let is_held = |value: &f64| *value >= least;
     let [first, last] = [
@@ -75,18 +77,15 @@ fn end_of_hold(times: &[f64], values: &[f64], largest: usize) -> Option<usize> {
     let end = values
         .iter()
         .rposition(|value| *value >= level - SCATTER * scatter)?;
-    // After an overshoot the values become level. A retract that slows down goes on.
-    let quarter = (end - largest) / 4;
-    let fall = |from: usize, to: usize| values[from] - values[to.min(values.len() - 1)];
-    let late = fall(end - quarter, end).abs();
-    let other = if end + 1 < values.len() {
-        fall(end, end + quarter)
-    } else {
-        fall(largest, largest + quarter)
-    };
-    let becomes_level = late < LEVEL * other;
-    let settles = fall(largest, largest + quarter) > late;
-    (is_long && becomes_level && (settles || !rise_and_fall(held))).then_some(end)
+    // Neither a slow fall nor an overshoot is noise: they go one way.
+    let third = held.len() / 3;
+    let ends = [&held[..third], &held[held.len() - third..]].map(|part| median(part.to_vec()));
+    let noise = robust_deviation((first..=last).map(|i| values[i] - measured[i]));
+    let is_steady = (ends[0] - ends[1]).abs() <= STEADY * scatter.max(noise);
+    let arrived = held.iter().position(|value| *value >= level).unwrap_or(0) + first;
+    let lowest = values[arrived..=end].iter().copied().fold(level, f64::min);
+    let is_even = level - lowest + noise >= EVEN * (values[largest] - level);
+    (is_long && is_steady && is_even && !rise_and_fall(held)).then_some(end)
 }
 
 /// Replaces values by the rising ones with the least squares of the changes.
@@ -237,18 +236,13 @@ mod tests {
         }
     }
 
-    /// Neither hum, which the points follow, nor an overshoot makes a retract of a hold: it ends where the retract begins.
+    /// Neither hum nor ringing, which the points follow, makes a retract of a hold: it ends where the retract begins.
     #[test]
     fn slow_noise_of_a_hold_is_no_retract() {
         let (times, values) = course(false);
         let hum = |time: f64| 1e-3 * (2.0 * PI * 3.7 * time).sin();
         let ring = |time: f64| 3e-3 * (-(time - 1.0) / 0.1).exp() * (50.0 * (time - 1.0)).cos();
-        let settling = |time: f64| 8e-3 * (-(time - 1.0) / 0.1).exp();
-        for (name, added) in [
-            ("hum", &hum as &dyn Fn(f64) -> f64),
-            ("ringing", &ring),
-            ("an overshoot", &settling),
-        ] {
+        for (name, added) in [("hum", &hum as &dyn Fn(f64) -> f64), ("ringing", &ring)] {
             let pairs = times.iter().zip(&values);
             let measured: Vec<f64> = pairs
                 .map(|(&time, &value)| value + if value == 1.0 { added(time) } else { 0.0 })
@@ -272,6 +266,57 @@ mod tests {
                     .map(|point| point.1)
                     .collect::<Vec<_>>()
             ));
+        }
+    }
+
+    /// A hold in which the values fall slowly, or after an overshoot, and a retract that slows down are followed, and so are
+    /// steps of an approach.
+    #[test]
+    fn what_goes_one_way_is_kept() {
+        let (times, ramps) = course(false);
+        let of = |value: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
+            times
+                .iter()
+                .zip(&ramps)
+                .map(|(&time, &ramp)| value(time, ramp))
+                .collect()
+        };
+        let creep = |time: f64, ramp: f64| {
+            if ramp == 1.0 {
+                1.0 - 5e-3 * (time - 1.0)
+            } else {
+                ramp
+            }
+        };
+        let settles = |time: f64, ramp: f64| {
+            ramp + if ramp == 1.0 {
+                5e-3 * (-(time - 1.0) / 0.1).exp()
+            } else {
+                0.0
+            }
+        };
+        let slows = |time: f64, ramp: f64| {
+            if time < 1.0 {
+                ramp
+            } else {
+                (-(time - 1.0) / 20.0).exp()
+            }
+        };
+        let steps = |time: f64, _: f64| (time.fract() * 2.0).min(1.0) + time.floor();
+        for (name, values) in [
+            ("creep", of(&creep)),
+            ("an overshoot", of(&settles)),
+            ("a slow retract", of(&slows)),
+            ("steps", of(&steps)),
+        ] {
+            assert_eq!(Program::new(&times, &values).changed, 0.0, "{name}");
+            for seed in 0..10 {
+                let range = range(values.iter().copied());
+                let program = Program::new(&times, &noisy(&values, 3e-4 * range, seed));
+                let worst = worst(&program, &values) / range;
+                // The lines cut a sharp corner.
+                assert!(worst < 6e-3, "{name}, {seed}: {worst:e}");
+            }
         }
     }
 

@@ -205,7 +205,9 @@ impl Course<'_> {
                     .meets(&next.line, [end, self.times[next.range.start]])
             });
             begins = corner.is_none();
-            if let Some(next) = next.filter(|next| begins && part.line.goes_back_to(&next.line)) {
+            if let Some(next) =
+                next.filter(|next| begins && part.line.goes_back_to(&next.line, end))
+            {
                 corners.extend([&part.line, &next.line].map(|line| (line.time, line.value)));
                 begins = false;
                 continue;
@@ -293,11 +295,13 @@ impl Line {
         2.0 * self.residual_sum().sqrt() / self.count
     }
 
-    /// Tells whether the next line, with a slope of the same sign, begins farther back than this one ends.
-    fn goes_back_to(&self, next: &Self) -> bool {
-        let middle = f64::midpoint(self.time, next.time);
-        let jump = next.at(middle) - self.at(middle);
-        self.slope() * next.slope() > 0.0 && jump * self.slope() < 0.0
+    /// Tells whether the next line, whose slope is like that of this one, begins at a time farther back than this one ends.
+    fn goes_back_to(&self, next: &Self, time: f64) -> bool {
+        /// The ratio of the slopes, at most.
+        const ALIKE: f64 = 1.5;
+        let ratio = next.slope() / self.slope();
+        let jump = next.at(time) - self.at(time);
+        (ALIKE.recip()..=ALIKE).contains(&ratio) && jump * self.slope() < 0.0
     }
 
     /// Returns the corner of this line and the next one; `None` where the values jump between the end of this line and

@@ -208,7 +208,9 @@ impl Arguments {
             Probe::Paraboloid { radius } | Probe::Sphere { radius } => {
                 Validity::WARNING_A_OVER_R * radius
             }
-            Probe::Profile(profile) => OF_PROFILE * profile.end(),
+            Probe::Profile(profile) => {
+                profile.end() * OF_PROFILE.max(0.5 * (1.0 + profile.flat_end() / profile.end()))
+            }
             _ => f64::INFINITY,
         };
         let most = if self.history.is_stuck() {
