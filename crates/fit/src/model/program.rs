@@ -303,11 +303,13 @@ mod tests {
             }
         };
         let steps = |time: f64, _: f64| (time.fract() * 2.0).min(1.0) + time.floor();
+        let sudden = |time: f64, _: f64| time.floor();
         for (name, values) in [
             ("creep", of(&creep)),
             ("an overshoot", of(&settles)),
             ("a slow retract", of(&slows)),
             ("steps", of(&steps)),
+            ("sudden steps", of(&sudden)),
         ] {
             assert_eq!(Program::new(&times, &values).changed, 0.0, "{name}");
             for seed in 0..10 {

@@ -297,11 +297,12 @@ impl Line {
 
     /// Tells whether the next line, whose slope is like that of this one, begins at a time farther back than this one ends.
     fn goes_back_to(&self, next: &Self, time: f64) -> bool {
-        /// The ratio of the slopes, at most.
+        /// The ratio of the slopes, and the jump over the rise from the middle of one line to that of the other, at most.
         const ALIKE: f64 = 1.5;
+        const SMALL: f64 = 0.5;
         let ratio = next.slope() / self.slope();
-        let jump = next.at(time) - self.at(time);
-        (ALIKE.recip()..=ALIKE).contains(&ratio) && jump * self.slope() < 0.0
+        let jump = (next.at(time) - self.at(time)) / (self.slope() * (next.time - self.time));
+        (ALIKE.recip()..=ALIKE).contains(&ratio) && (-SMALL..0.0).contains(&jump)
     }
 
     /// Returns the corner of this line and the next one; `None` where the values jump between the end of this line and
