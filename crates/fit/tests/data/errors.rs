@@ -105,10 +105,10 @@ fn a_length_is_offered_only_as_what_it_can_be() {
     let none = Format::default();
     let depths = of_kind(Kind::StiffnessDepth);
     let cases = r"
-        Tip-Sample Separation (nm),Force (nN) | height=Tip-Sample Separation (nm) Separation
-        Abstand [nm],Kraft [nN] | height=Abstand [nm] load=Kraft [nN] Separation
-        gap [nm],force | height=gap [nm] Separation
-        Separation (nm),Deflection (nN) | height=Separation (nm) Separation
+        Tip-Sample Separation (nm),Force (nN) | the stiffness
+        Separation (nm),Deflection (nN) | the stiffness
+        Abstand [nm],Kraft [nN] | separation=Abstand [nm] load=Kraft [nN] Separation
+        gap [nm],force | separation=gap [nm] Separation
         Piezo distance (nm),Force (nN) | contact_radius=Piezo distance (nm), penetration=Piezo distance (nm), height=Piezo distance (nm)
         Contact Depth (nm),Load (mN),Stiffness [N/m] | penetration=Contact Depth (nm) ContactDepth
         hc [nm],Load (mN),Stiffness [N/m] | penetration=hc [nm] ContactDepth
@@ -132,6 +132,9 @@ fn a_length_is_offered_only_as_what_it_can_be() {
         let error = read(&format!("{heads}\n{row}\n{row}\n"), format).expect_err(&heads);
         let ways = match error.remedy() {
             Some(Remedy::Columns(ways)) => ways,
+            Some(Remedy::Cantilever { sensitivity: false }) if expected == "the stiffness" => {
+                continue;
+            }
             None => Vec::new(),
             Some(other) => panic!("{heads}: {other:?}"),
         };

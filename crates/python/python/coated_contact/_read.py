@@ -76,8 +76,9 @@ def read_experiment(
         number from 1, for ``"contact_radius"``, ``"load"``, ``"penetration"``, ``"height"``,
         ``"deflection"``, ``"separation"``, ``"segment"``, ``"contact_stiffness"``,
         ``"contact_area"``, ``"phase_shift"``, ``"loss_stiffness"`` or ``"time"``, and for the
-        standard deviation of one of them with ``_error``, such as ``"load_error"``. A minus before it turns the sign. Where
-        approach and retract have columns of their own, give both headings.
+        standard deviation of one of them with ``_error``, such as ``"load_error"``. A minus
+        before it turns the sign. Where approach and retract have columns of their own, give both
+        headings.
     segments : {"auto", "file", "split"}
         ``"file"``: directions come from the file. ``"split"``: the points are split at the turn of
         the height, penetration or load that is the abscissa, and at contact radii at the largest
