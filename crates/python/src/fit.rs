@@ -152,7 +152,7 @@ fn checked_fit(
             text,
         }));
     }
-    if found.converged && !allow_magnitudes {
+    if found.found_values() && !allow_magnitudes {
         accept("the fit", &found.magnitudes())?;
     }
     Ok(found)

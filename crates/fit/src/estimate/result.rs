@@ -45,6 +45,11 @@ impl Fit {
             .find(|estimate| estimate.parameter == parameter)
     }
 
+    /// Tells whether the values are more than those of a last step: a minimum, or the end of the contacts that are known.
+    pub fn found_values(&self) -> bool {
+        self.converged || self.warns_of(WarningKind::EndOfTable)
+    }
+
     /// Tells whether there is a warning of a kind.
     pub fn warns_of(&self, kind: WarningKind) -> bool {
         self.warnings.iter().any(|warning| warning.kind == kind)

@@ -417,7 +417,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     };
     let fit = ::fit::fit(table, &experiments, &free, &options)
         .map_err(|error| doubted(error, &experiments, &notes))?;
-    if fit.converged {
+    if fit.found_values() {
         allow::magnitudes(&fit.magnitudes(), allowed)
             .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, &experiments)))
             .map_err(|error| with_doubts(error, &experiments, &notes))?;
