@@ -218,6 +218,20 @@ fn tolerances_out_of_reach_are_left_out_and_the_reason_is_said() {
     assert!(!workdir.files().contains(&"none.csv".to_owned()));
 }
 
+/// The low-rank form of one grid may miss its tolerance, and that of the next one hold.
+#[test]
+fn a_loose_tolerance_that_is_missed_is_left_out() {
+    let workdir = workdir();
+    workdir.write("scene.toml", include_str!("../../tables/adhesionless.toml"));
+    let run = workdir.answer("cost table scene.toml --to 1e-3 -o table.csv");
+    assert_names(&run.stderr, "There is no table to 1e-2; low-rank form");
+    let made: Vec<f64> = rows(&workdir, "table.csv")
+        .iter()
+        .map(|row| row.tolerance)
+        .collect();
+    assert_eq!(made, [1e-3]);
+}
+
 #[test]
 fn bad_scenes_and_budgets_are_errors_that_name_the_value() {
     let workdir = workdir();

@@ -118,6 +118,28 @@ fn a_steep_probe_is_told_of() {
     assert_names(&steep, "the slope is 2.75; from the axis");
 }
 
+/// The radii that are not given begin at a flat end, and end where an attraction of a long range is solved.
+#[test]
+fn default_radii_are_answered() {
+    let workdir = workdir!();
+    workdir.write("flat.csv", "r [um],z [um]\n0,0\n1,0\n2,0\n3,1\n4,3\n5,6\n");
+    workdir.write("edge.csv", "r [um],z [um]\n0,0\n0.98,0\n0.99,0\n1,0.02\n");
+    for (flags, from) in [
+        (
+            "--probe flat-ended-cone --half-angle 80 --sphere-radius 3um",
+            3e-6,
+        ),
+        ("--probe profile --profile flat.csv", 1.5e-6),
+        ("--probe profile --profile edge.csv", 9.85e-7),
+        ("--interaction-range 1um", 6.8e-7),
+        ("--interaction-range 5um", 8e-8),
+    ] {
+        let run = workdir.answer(format!("curve --specimen paper --points 3 {flags}"));
+        let rows = Data::parse("curve", &run.stdout);
+        assert_close(rows.first().get("contact_radius"), from, 1e-2);
+    }
+}
+
 #[test]
 fn curve_and_pull_off_take_the_range_of_the_attraction() {
     let workdir = workdir!();

@@ -50,8 +50,8 @@ fn a_message_says_what_is_missing_what_is_there_and_what_to_type() {
         bare.csv |  | such as "um" of contact_radius; type --column "contact_radius=1 [UNIT]" --column "load=2 [UNIT]", with the unit of the numbers in place of UNIT, such as mN or um
         volts.csv |  | type --stiffness N/m --sensitivity m/V
         unit.csv |  | no unit; name its unit, such as "um"; type --column "contact_radius=Radius [UNIT]", with the unit of the numbers
-        separation.csv |  | "Separation (nm)"; is the height and the deflection; type --stiffness N/m
-        gap.csv |  | (a separation, from which the deflection is taken off); type --kind force-height --column "separation=Gap (nm)" --stiffness N/m
+        separation.csv |  | "Separation (nm)"; is the height and the deflection together; type --stiffness N/m
+        gap.csv |  | (a separation: the height and the deflection together); type --kind force-height --column "separation=Gap (nm)" --stiffness N/m
         hc.csv | --kind stiffness-depth | (a contact depth, which is less than the penetration); type --column "penetration=hc (nm)" --epsilon 0
         durchmesser.csv |  | "Kontaktdurchmesser (mm)" (a length, to be converted); and name the quantity and its unit in the heading
         phase.csv |  | sideways; type --segments split
@@ -125,12 +125,17 @@ fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
     workdir.refuses(format!("1 | fit diameters.csv {LENS} | {words}"));
 }
 
+/// Simulates heights and forces with a cantilever of a stiffness, N/m.
+fn curve(workdir: &Workdir, stiffness: &str) -> String {
+    workdir.simulate(format!(
+        "--kind force-height {GEL} --work-of-adhesion 5e-5 --stiffness {stiffness} --from 1e-6 --to=-1e-6 --noise 2e-11 \
+         --seed 1"
+    ))
+}
+
 /// Simulates a force curve, and writes it in the style of JPK, with a pause of more columns.
 fn export(workdir: &Workdir) {
-    let simulate = format!("--kind force-height {GEL}");
-    let more =
-        "--work-of-adhesion 5e-5 --stiffness 0.05 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
-    let curve = workdir.simulate(format!("{simulate} {more}"));
+    let curve = curve(workdir, "0.05");
     let rows = |segment: &str| -> String {
         let rows = curve.lines().filter_map(|row| row.strip_suffix(segment));
         let rows = rows.map(|row| row.trim_end_matches(',').replace(',', " "));
@@ -180,10 +185,7 @@ fn the_stiffness_of_the_head_is_used_unless_another_is_given() {
 #[test]
 fn separations_are_fitted_as_heights() {
     let workdir = workdir!();
-    let simulate = format!("--kind force-height {GEL}");
-    let more =
-        "--work-of-adhesion 5e-5 --stiffness 0.1 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
-    let curve = workdir.simulate(format!("{simulate} {more}"));
+    let curve = curve(&workdir, "0.1");
     workdir.write("height.csv", &curve);
     let mut rows = String::from("Tip-Sample Separation (nm);Force (nN)\n");
     for row in curve.lines() {
@@ -215,10 +217,7 @@ fn separations_are_fitted_as_heights() {
 #[test]
 fn a_doubt_about_a_sign_says_what_to_type() {
     let workdir = workdir!();
-    let simulate = format!("--kind force-height {GEL}");
-    let more =
-        "--work-of-adhesion 5e-5 --stiffness 0.1 --from 1e-6 --to=-1e-6 --noise 2e-11 --seed 1";
-    let curve = workdir.simulate(format!("{simulate} {more}"));
+    let curve = curve(&workdir, "0.1");
     // Heights that grow towards the sample.
     let rows = curve.lines().filter_map(|row| {
         let mut cells = row.split(',');

@@ -83,6 +83,16 @@ fn the_embedded_table_states_what_it_answers_and_explains_its_rows() {
     assert_eq!(object["answers"], serde_json::json!(all));
 }
 
+/// One of its random places has a film too soft and a substrate too stiff to be answered.
+#[test]
+fn a_check_keeps_to_materials_that_are_answered() {
+    let workdir = workdir!();
+    assert_eq!(
+        workdir.json("check embedded --seed 6 --json")["holds"],
+        true
+    );
+}
+
 #[test]
 fn a_check_states_the_errors_of_each_quantity_that_the_table_answers() {
     let workdir = workdir!();

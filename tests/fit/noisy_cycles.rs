@@ -133,11 +133,27 @@ fn a_start_is_found_where_the_approach_is_short() {
     assert!(squares < 4.0, "{squares}");
 }
 
+/// The noise of the cycles on a soft film, N.
+const NOISE: f64 = 3e-11;
+
+/// Plans a cycle on a film of 20 kPa and 5 um with a long baseline.
+fn on_a_soft_film() -> Experiment {
+    Experiment {
+        work_of_adhesion: 8e-5,
+        stiffness: Some(0.02),
+        ..cycle(
+            system(1e-5, solid(2e4, 0.5), 5e-6),
+            [0.6e-6, -0.5e-6],
+            400,
+            NOISE,
+        )
+    }
+}
+
 /// A filter makes the noise of neighbours alike, and their differences show little of it: the scatter of the readings
 /// without contact tells which of them are in contact.
 #[test]
 fn filtered_noise_does_not_hide_the_baseline() {
-    const NOISE: f64 = 3e-11;
     const WIDTH: f64 = 2.0;
     const REACH: usize = 8;
     let weights: Vec<f64> = (0..=2 * REACH)
@@ -149,16 +165,7 @@ fn filtered_noise_does_not_hide_the_baseline() {
         .map(|weight| weight * weight)
         .sum::<f64>()
         .sqrt();
-    let plan = Experiment {
-        work_of_adhesion: 8e-5,
-        stiffness: Some(0.02),
-        ..cycle(
-            system(1e-5, solid(2e4, 0.5), 5e-6),
-            [0.6e-6, -0.5e-6],
-            400,
-            NOISE,
-        )
-    };
+    let plan = on_a_soft_film();
     for seed in 0..6 {
         let exact = simulate(Table::embedded(), &plan, 1e-20, seed).expect("in the table");
         let mut numbers = Contacts::new(seed);
@@ -196,17 +203,8 @@ fn filtered_noise_does_not_hide_the_baseline() {
 /// The drag of a liquid has another sign on each way. A second work of adhesion would take it for hysteresis.
 #[test]
 fn baselines_of_two_ways_that_differ_are_told() {
-    let plan = Experiment {
-        work_of_adhesion: 8e-5,
-        stiffness: Some(0.02),
-        ..cycle(
-            system(1e-5, solid(2e4, 0.5), 5e-6),
-            [0.6e-6, -0.5e-6],
-            400,
-            3e-11,
-        )
-    };
-    let mut data = simulate(Table::embedded(), &plan, 3e-11, 1).expect("in the table");
+    let plan = on_a_soft_film();
+    let mut data = simulate(Table::embedded(), &plan, NOISE, 1).expect("in the table");
     for point in &mut data.measurement.points {
         let is_retract = point.direction == Some(Direction::Retract);
         point.ordinate += if is_retract { -1e-10 } else { 1e-10 };

@@ -77,7 +77,7 @@ impl fmt::Display for Found {
                     write!(f, " (a contact depth, which is less than the penetration)")
                 }
                 Some(Reduced::Separation) => {
-                    write!(f, " (a separation, from which the deflection is taken off)")
+                    write!(f, " (a separation: the height and the deflection together)")
                 }
                 None if heading.is_derived() => write!(f, " ({}, to be converted)", unit.dimension),
                 None => write!(f, " ({})", unit.dimension),
@@ -354,8 +354,8 @@ pub enum Problem {
     },
     /// A separation needs the stiffness.
     #[error(
-        "a separation of tip and sample is the height and the deflection, which is taken off again by the stiffness (N/m) \
-         of the cantilever, and the file does not name it{}",
+        "a separation of tip and sample is the height and the deflection together, and the height follows from it by the \
+         force and the stiffness (N/m) of the cantilever, which the file does not name{}",
         .0.as_ref().map(|untold| format!(": {untold}")).unwrap_or_default(),
     )]
     NoStiffness(Option<Untold>),

@@ -65,12 +65,12 @@ const CONTACT_DEPTHS: [&str; 6] = [
     "profondeur de contact",
 ];
 
-/// A length from which something is already taken off.
+/// A length that differs from a penetration or a height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reduced {
     /// The depth of the contact below its edge: a penetration where epsilon is 0.
     ContactDepth,
-    /// The separation of tip and sample, without the deflection: a height of a rigid cantilever.
+    /// The separation of tip and sample: the height and the deflection together.
     Separation,
 }
 
@@ -151,7 +151,7 @@ impl Heading {
                 || self.name.split(' ').any(is_other))
     }
 
-    /// Returns the length that the text names, if it is one from which something is taken off.
+    /// Returns the length that the text names, if it is one that differs.
     pub fn reduced(&self) -> Option<Reduced> {
         let has = |parts: &[&str]| parts.iter().any(|part| self.name.contains(part));
         let begins =

@@ -26,7 +26,7 @@ pub struct Source {
     pub typed: String,
     /// Whether the column has no unit and is taken to be in SI units.
     pub assumed_si: bool,
-    /// What is to be taken off for each newton of the force, m: 0, or that of the deflection in a separation.
+    /// The deflection for each newton of the force, m, which a separation has beside the height; 0 in other columns.
     pub compliance: f64,
 }
 

@@ -6,7 +6,7 @@
 use super::split::{FEWEST, KnownBaseline, tail};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
-use crate::statistics::{differences_of, median, robust_deviation};
+use crate::statistics::{differences_of, median, noise_over, robust_deviation};
 
 /// The radii of a retract above this part of the largest radius of the approach may belong to a
 /// line that does not move.
@@ -69,15 +69,10 @@ impl Experiment {
                 let noises: Vec<f64> = segments.iter().filter_map(|one| noise_in(one)).collect();
                 let mean = noises.iter().sum::<f64>() / noises.len() as f64;
                 local_noise = (!noises.is_empty()).then_some(mean);
-                if let Some(filtered) = self.filtered_noise(&segments) {
-                    local_noise = local_noise.map(|near| {
-                        if filtered > ALIKE * near {
-                            filtered
-                        } else {
-                            near
-                        }
-                    });
-                }
+                let filtered = self.filtered_noise(&segments);
+                let is_more =
+                    |filtered: &f64| local_noise.is_some_and(|near| *filtered > ALIKE * near);
+                local_noise = filtered.filter(is_more).or(local_noise);
                 let noise = self.usual_noise().or(local_noise).unwrap_or(0.0);
                 let adheres = |work| is_free(work) || self.get(work).is_some_and(|w| w > 0.0);
                 if Parameter::WORKS.into_iter().any(adheres) {
@@ -349,19 +344,13 @@ fn rest(readings: &[f64]) -> [f64; 2] {
     /// The part of the readings over which a difference extends at most.
     const PART: usize = 3;
     let last = &readings[readings.len() - tail(readings.len())..];
-    let over = |distance: usize| {
-        let differences = last.windows(4 * distance + 1).map(|part| {
-            let at = |i: usize| part[i * distance];
-            at(0) - 4.0 * at(1) + 6.0 * at(2) - 4.0 * at(3) + at(4)
-        });
-        // Those of independent noise have 70 times its variance.
-        robust_deviation(differences) / 70.0_f64.sqrt()
-    };
     let distances = std::iter::successors(Some(1), |distance| Some(2 * distance));
     let distances = distances.take_while(|distance| 4 * distance * PART <= last.len());
     [
         median(last.to_vec()),
-        distances.map(over).fold(0.0, f64::max),
+        distances
+            .map(|distance| noise_over(distance, last))
+            .fold(0.0, f64::max),
     ]
 }
 

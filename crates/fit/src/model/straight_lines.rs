@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::statistics::{MEDIAN, median};
+use crate::statistics::noise_over;
 
 /// The distances, in points, over which fourth differences show the noise: noise of neighbours that are alike is seen over
 /// the larger ones alone.
@@ -66,17 +66,10 @@ struct Noise {
 }
 
 impl Noise {
-    /// Returns the noise of values whose course is smooth nearly everywhere, from their fourth differences: those of
-    /// independent noise have 70 times its variance.
+    /// Returns the noise of values whose course is smooth nearly everywhere.
     fn of(values: &[f64], least: f64) -> Self {
-        let over = |distance: usize| {
-            let differences = values.windows(4 * distance + 1).map(|part| {
-                let at = |i: usize| part[i * distance];
-                (at(0) - 4.0 * at(1) + 6.0 * at(2) - 4.0 * at(3) + at(4)).abs()
-            });
-            median(differences.collect()) / (MEDIAN * 70.0_f64.sqrt())
-        };
-        let [near, farther @ ..] = DISTANCES.map(over).map(|deviation| deviation.max(least));
+        let over = |distance: usize| noise_over(distance, values).max(least);
+        let [near, farther @ ..] = DISTANCES.map(over);
         let mut deviation = near;
         for far in farther {
             if far > LARGEST_RATIO * deviation {
