@@ -18,14 +18,14 @@ fn evenly_spaced_points_of_a_paraboloid_give_the_paraboloid() {
     assert_eq!(without_origin, profile);
 }
 
-/// The slope rises from the middle between the last point of height 0 and the next one.
+/// The slope rises from half the shorter distance to the points beside the last one of height 0.
 #[test]
 fn the_flat_end_of_a_profile_bounds_its_contacts() {
     let end = |points: &[[f64; 2]]| Profile::new(points).expect("convex").flat_end();
     assert_eq!(end(&[[0.0, 0.0], [1.0, 0.5], [2.0, 2.0]]), 0.0);
     let flat = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 1.0]];
     assert_eq!(end(&flat), 1.5);
-    assert_eq!(end(&flat[2..]), 1.0);
+    assert_eq!(end(&flat[2..]), 1.5);
     let probe = Probe::Profile(Profile::new(&flat).expect("convex"));
     let contact = on_half_space(probe, solid(1.0, 0.3));
     assert_eq!(contact.contact_radius_range()[0], 1.5);
@@ -33,6 +33,32 @@ fn the_flat_end_of_a_profile_bounds_its_contacts() {
     contact
         .load(1.4, 0.0)
         .refused("at least the radius of the flat end, 1.5 m");
+}
+
+/// A cone behind a flat end, however its points are spaced: loads at all contacts but those at the rounded edge.
+#[test]
+fn a_flat_end_has_the_width_of_its_points() {
+    let half_angle = 70_f64.to_radians();
+    let shape = |r: f64| [r, (r - 1.0).max(0.0) / half_angle.tan()];
+    let cone = Probe::FlatEndedCone {
+        radius: 1.0,
+        half_angle,
+    };
+    let exact = on_half_space(cone, solid(1.0, 0.3));
+    for radii in [&[0.0, 1.0, 1.01, 3.0][..], &[0.0, 0.99, 1.0, 3.0]] {
+        let points: Vec<[f64; 2]> = radii.iter().copied().map(shape).collect();
+        let profile = Profile::new(&points).expect("convex");
+        assert!((profile.flat_end() - 0.995).abs() < 1e-12);
+        let measured = on_half_space(Probe::Profile(profile), solid(1.0, 0.3));
+        for a in [1.03, 1.2, 2.0, 2.9] {
+            let [load, expected] =
+                [&measured, &exact].map(|one| one.load(a, 0.0).expect("it is larger"));
+            assert!(
+                (load / expected - 1.0).abs() < 2e-3,
+                "{a}: {load} {expected}"
+            );
+        }
+    }
 }
 
 #[test]

@@ -16,7 +16,8 @@ const OF_POINT: f64 = 0.05;
 /// The points are smoothed by this rule: the slope `dz/dr` is 0 on the axis, it is that of the straight
 /// line between two points midway between them, and it is a linear function of `r` in between. Beyond the last middle it continues linearly to the
 /// last point. So the slope is continuous, the shape is convex if the points are, and evenly
-/// spaced points of a paraboloid give the paraboloid. Points that lie above the convex hull of all by at most 1e-3 of the
+/// spaced points of a paraboloid give the paraboloid. At the edge of a flat end the slope begins to rise half the shorter
+/// of the two distances to the next points before the edge, and has risen as far behind it, so that no height is lost. Points that lie above the convex hull of all by at most 1e-3 of the
 /// height of the profile and 5 % of their own are lowered to it: rounded numbers of a straight flank are not convex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
@@ -96,6 +97,15 @@ impl Profile {
             chords.push([0.5 * (before[0] + r), slope]);
             corner += usize::from(r >= to[0]);
             before = [r, z];
+        }
+        let flat = chords.partition_point(|chord| chord[1] == 0.0);
+        if flat > 0 {
+            let edge = rest[flat - 1][0];
+            let rounded = (edge - chords[flat - 1][0]).min(chords[flat][0] - edge);
+            chords[flat - 1][0] = edge - rounded;
+            if edge + rounded < chords[flat][0] {
+                chords.insert(flat, [edge + rounded, chords[flat][1]]);
+            }
         }
         let mut slopes = vec![[0.0, 0.0]];
         slopes.append(&mut chords);
