@@ -11,6 +11,9 @@ pub(crate) const MEDIAN: f64 = 0.674_49;
 /// deviations: one fit in 300,000 exceeds it.
 pub(crate) const BEYOND_CHANCE: f64 = 4.5;
 
+/// The numbers from which on sums of squares overflow.
+pub(crate) const LARGEST: f64 = 1e150;
+
 /// Returns the median; 0 of no values.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     if values.is_empty() {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use contact::{CohesiveZone, Contact, Control, ZoneSize};
 use interp::{Material, Probe, Quantities, Table};
 
-use super::rows::films_on_glass;
+use super::films::films_on_glass;
 use crate::clock::Timing;
 use solve::{A_OVER_T, Error, solve};
 

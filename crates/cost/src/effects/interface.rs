@@ -4,7 +4,7 @@
 use contact::Contact;
 use interp::{Curve, Material, Probe, Quantities, System, Table};
 
-use super::rows::films_on_glass;
+use super::films::films_on_glass;
 use crate::clock::Timing;
 use solve::stack::{Interface, MOST_A_OVER_TOP, Stack};
 use solve::{Error, solve_stack, stack_curve};

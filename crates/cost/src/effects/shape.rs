@@ -4,7 +4,7 @@
 use contact::{Contact, Validity};
 use interp::{Material, Probe, System, Table};
 
-use super::rows::films_on_glass;
+use super::films::films_on_glass;
 use crate::clock::Timing;
 use solve::{Error, solve_power_laws};
 

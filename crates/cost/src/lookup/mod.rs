@@ -8,15 +8,17 @@
 //!
 //! `form` measures the forms that hold in the whole box of a table (`linear` has two of them),
 //! `layer` the series for thin layers. `load` compares loads, `timer` measures times, `summary`
-//! prints the rows.
+//! prints the rows, `measure` measures them all.
 
 mod form;
 mod layer;
 mod linear;
 mod load;
+mod measure;
 mod rows;
 mod summary;
 mod timer;
 
-pub use self::rows::{FURTHER, Family, NEW, POINTS, Point, Row, SEED, measure, solves};
+pub use self::measure::{POINTS, SEED, measure, solves};
+pub use self::rows::{FURTHER, Family, NEW, Point, Row};
 pub use self::summary::markdown;

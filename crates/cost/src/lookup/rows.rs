@@ -1,12 +1,9 @@
 //! The rows that are measured of lookups.
 
-use interp::{Material, Table};
+use interp::Material;
 use serde::{Deserialize, Serialize};
-use solve::Error;
 
-use super::{form, layer};
-use crate::clock::Timing;
-use crate::{COUNT, ERROR, Measured, Measurement, TIME};
+use crate::{COUNT, ERROR, Measurement, TIME};
 
 /// The basis of a form of lookup.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -63,11 +60,6 @@ impl Measurement for Row {
     ];
 }
 
-/// The number of points of the command.
-pub const POINTS: usize = 1000;
-/// The seed of these points.
-pub const SEED: u64 = 1;
-
 /// The number of points that are solved directly at each tolerance, for their times and errors.
 /// Times differ by a factor of a thousand, so the mean of fewer would not be reliable.
 pub(super) const SOLVED: usize = 200;
@@ -79,31 +71,3 @@ pub const FURTHER: &str = "a further point";
 
 /// A contact: `a/t` and material.
 pub type Point = (f64, Material);
-
-/// Measures all rows of a table with all four quantities over `e1_over_e2` and `e0_over_e2`, at `points` of its box.
-///
-/// A table in low-rank form is measured in this form and expanded. `progress` is called with the
-/// number of contacts that have been solved since the last call.
-///
-/// # Errors
-/// Those of the solve and of the lookup.
-///
-/// # Panics
-/// If there are no `points`.
-pub fn measure(
-    table: &Table,
-    points: &[Point],
-    timing: Timing,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<Measured<Row>, Error> {
-    let mut measured = form::measure(table, points, timing, progress)?;
-    measured
-        .rows
-        .extend(layer::measure(points.len(), timing, progress)?);
-    Ok(measured)
-}
-
-/// Returns the number of solves that [`measure`] reports.
-pub const fn solves(points: usize) -> usize {
-    form::solves(points) + layer::solves(points)
-}

@@ -1,6 +1,5 @@
 //! An experiment as a fit takes it: with the branch of each point, and the deviations of its readings.
 
-use super::search::range;
 use crate::model::{AbscissaError, Assignment, ContactOf};
 use crate::statistics::median;
 use crate::{Branch, Direction, Error, Experiment, Point};
@@ -27,7 +26,11 @@ pub(crate) struct Assigned {
 impl Assigned {
     /// Takes an experiment with the branches of its points, as a fit begins.
     pub fn new(experiment: Experiment, (branches, order, local_noise): Assignment) -> Self {
-        let least = || local_noise.unwrap_or(0.0).max(1e-6 * range(&experiment));
+        let least = || {
+            local_noise
+                .unwrap_or(0.0)
+                .max(1e-6 * experiment.compared_range())
+        };
         Self {
             noise: experiment.usual_noise().unwrap_or_else(least),
             experiment,

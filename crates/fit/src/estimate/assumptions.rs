@@ -6,6 +6,7 @@ use interp::{Probe, Table};
 
 use super::problem::Problem;
 use super::{friction, no_adhesion};
+use crate::model::ends_of_radii;
 use crate::{Bodies, Error, Estimate, Experiment, Options, Parameter, Warning, WarningKind};
 
 /// A contact radius (m) below which there is no continuum.
@@ -25,16 +26,8 @@ impl Experiment {
         let contact = self.bodies.contact(table, &[])?;
         let radii = self.predictions(table, None, &[])?.contact_radii;
         let range = Options::default().interaction_range;
-        Ok(doubts(self, &contact, ends(radii), range, &[]))
+        Ok(doubts(self, &contact, ends_of_radii(radii), range, &[]))
     }
-}
-
-/// Returns the smallest and the largest of the contact radii (m) that are above 0: infinity and 0 without contacts.
-pub(super) fn ends(radii: impl IntoIterator<Item = f64>) -> [f64; 2] {
-    let of_contacts = radii.into_iter().filter(|radius| *radius > 0.0);
-    of_contacts.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], a| {
-        [least.min(a), most.max(a)]
-    })
 }
 
 /// Warns of contacts outside the assumptions of the model in experiment `e`, at the present values; `None` where these have

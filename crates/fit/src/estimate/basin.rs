@@ -1,9 +1,6 @@
 //! The neighbourhood of a minimum that is known, in which no other start is followed.
 
-use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::{DMatrix, DVector};
-
-use super::problem::Problem;
 
 /// The neighbourhood of a minimum from which every start leads to it.
 #[derive(Clone, Debug)]
@@ -20,12 +17,9 @@ impl Basin {
     /// nothing.
     const FARTHEST: f64 = 10.0;
 
-    /// Returns the neighbourhood of the present values; `None` where there are no derivatives.
-    pub fn of(problem: &Problem<'_>) -> Option<Self> {
-        Some(Self {
-            x: problem.x.clone(),
-            jacobian: problem.jacobian()?,
-        })
+    /// Takes the coordinates of the minimum, and the derivatives of the residuals there.
+    pub const fn new(x: DVector<f64>, jacobian: DMatrix<f64>) -> Self {
+        Self { x, jacobian }
     }
 
     /// Tells whether coordinates belong to the minimum.

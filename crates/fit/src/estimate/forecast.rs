@@ -4,10 +4,10 @@ use interp::Table;
 
 use super::assigned::Assigned;
 use super::assumptions;
+use super::few::hold_back;
 use super::problem::Problem;
-use super::search::{Beyond, ROUNDS, clear_branches, hold_back};
+use super::search::{Beyond, ROUNDS, clear_branches};
 use super::slot::slots;
-use super::solve::slot_names;
 use super::uncertainty::{Uncertainty, estimates};
 use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Parameter};
 
@@ -110,7 +110,7 @@ pub fn forecast(
         .collect();
     Ok(Forecast {
         correlation: uncertainty.correlation(),
-        undetermined: uncertainty.undetermined(&slot_names(&problem)),
+        undetermined: uncertainty.undetermined(&problem.slot_names()),
         warnings,
         estimates,
     })

@@ -5,7 +5,7 @@ use interp::Probe;
 use solve::solve_stack;
 use solve::stack::{Interface, Layer, Stack};
 
-use super::minima::Minimum;
+use super::minimum::Minimum;
 use super::profile::with_fixed;
 use super::uncertainty::Uncertainty;
 use crate::{Bodies, LayerQuantity, Parameter, Warning, WarningKind};

@@ -6,9 +6,8 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 
 use super::assigned::Assigned;
-use super::problem::LARGEST;
-use super::start::IsUnknown;
-use crate::statistics::{extremes, median};
+use super::starts::IsUnknown;
+use crate::statistics::{LARGEST, extremes, median};
 use crate::{Branch, Experiment, Kind, Parameter};
 
 /// The most points that a search for a start uses.

@@ -1,7 +1,7 @@
 //! The points that a fit leaves out, by reason.
 
 use super::assigned::Assigned;
-use super::minima::Minimum;
+use super::minimum::Minimum;
 use super::search::{End, ends};
 use crate::{Branch, Error, LeftOut, LeftOutReason, Numbering};
 

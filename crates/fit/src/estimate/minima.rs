@@ -3,16 +3,19 @@
 use std::rc::Rc;
 
 use interp::Table;
+use levenberg_marquardt::LeastSquaresProblem;
 
 use super::assigned::Assigned;
 use super::basin::Basin;
+use super::few::{hold_back, thin};
+use super::minimum::{Minimum, Rival};
 use super::no_adhesion;
 use super::problem::{Ending, Problem};
-use super::search::{COARSE, PATIENCE, hold_back, is_bad, settle, thin};
+use super::search::{COARSE, PATIENCE, is_bad, settle};
 use super::slot::{Slot, slots};
 use super::start::{self, Variation};
 use super::uncertainty::Uncertainty;
-use super::valley::{Bend, MARGIN, bend, doubtful, is_costly, other_sides};
+use super::valley::{MARGIN, bend, doubtful, is_costly, other_sides};
 use crate::statistics::BEYOND_CHANCE;
 use crate::{Branch, Error, Experiment, Free, LayerQuantity, Loss, Parameter};
 
@@ -30,24 +33,6 @@ const FEWER: usize = 12;
 const ALIKE: f64 = 1.0;
 /// Minima whose values differ by less than this number of standard errors are one.
 const APART: f64 = 3.0;
-
-/// A minimum, and what is known about the way to it.
-pub(crate) struct Minimum<'a> {
-    pub problem: Problem<'a>,
-    /// The uncertainty there; `None` where there are no derivatives.
-    pub uncertainty: Option<Uncertainty>,
-    /// Other minima that the data do not rule out.
-    pub rivals: Vec<Rival>,
-    /// A value whose standard error says too little.
-    pub bend: Option<Bend>,
-}
-
-/// A minimum that is worse, but not by more than chance explains.
-pub(crate) struct Rival {
-    pub values: Vec<f64>,
-    /// The excess of its sum of squares.
-    pub excess: f64,
-}
 
 /// Finds the best minimum, and its rivals.
 ///
@@ -116,7 +101,9 @@ pub(crate) fn minimum<'a>(
     starts.extend(places.iter().cloned());
     for mut start in starts {
         let known = ends.iter().filter(|end| end.ending == Ending::Converged);
-        start.known = known.filter_map(Basin::of).collect();
+        start.known = known
+            .filter_map(|end| Some(Basin::new(end.x.clone(), end.jacobian()?)))
+            .collect();
         let mut end = start.minimise(FEWER, COARSE);
         end.known = Rc::new([]);
         if end.ending != Ending::Known {
@@ -247,33 +234,11 @@ fn has_known_scale(problem: &Problem<'_>, e: usize) -> bool {
     problem.loss != Loss::Squares || problem.assigned[e].experiment.usual_noise().is_some()
 }
 
-impl<'a> Minimum<'a> {
-    /// Tells whether contacts were refused on the way to the least squares, so that the fit ended by more than
-    /// `short` standard errors before.
-    pub fn is_stopped(&self, short: f64) -> bool {
-        let is_short = |own: &Uncertainty| own.short > short;
-        self.problem.refused && self.uncertainty.as_ref().is_some_and(is_short)
-    }
-
-    /// Takes the minimum of a problem, which has failed where there are no derivatives.
-    pub fn new(mut problem: Problem<'a>, uncertainty: Option<Uncertainty>) -> Self {
-        if uncertainty.is_none() {
-            problem.ending = Ending::Failed;
-        }
-        Self {
-            problem,
-            uncertainty,
-            rivals: Vec::new(),
-            bend: None,
-        }
-    }
-
-    /// Starts again from a place that is lower than this minimum, which becomes a rival of the new
-    /// one.
-    pub fn replace_by(&mut self, lower: Problem<'a>, data: &[Assigned]) {
-        let old = std::mem::replace(self, settle(lower, data));
-        self.rivals.extend(rival(self, &old));
-    }
+/// Starts again from a place that is lower than this minimum, which becomes a rival of the new one.
+pub(crate) fn replace_by<'a>(minimum: &mut Minimum<'a>, lower: Problem<'a>, data: &[Assigned]) {
+    let old = std::mem::replace(minimum, settle(lower, data));
+    let rival = rival(minimum, &old);
+    minimum.rivals.extend(rival);
 }
 
 /// Returns another minimum, that is none of the rivals known, if chance may have made it worse.

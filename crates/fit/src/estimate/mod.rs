@@ -1,9 +1,10 @@
 //! Finding the parameters, their uncertainty, and what the data do not tell.
 //!
 //! `solve` leads from the data to the result. `slot` lists the values to be found and their
-//! coordinates, `jkr` and `start` find where the method starts, `assigned` is an experiment with the
-//! branches of its points, `problem` the least-squares problem with its `loss`, and `blocks` decomposes the derivatives of many experiments. `minima`
-//! compares the minima that several starts lead to, `basin` tells which of them lead to a known one,
+//! coordinates, `jkr`, `starts` and `start` find where the method starts, `assigned` is an experiment with the
+//! branches of its points, `few` the points that count at first, `problem` the least-squares problem with its `loss`,
+//! `minimise` its minimisation, and `blocks` decomposes the derivatives of many experiments. `minima`
+//! compares the minima (`minimum`) that several starts lead to, `basin` tells which of them lead to a known one,
 //! `valley` looks for others, and `search` leads to each of them. `uncertainty` gives the errors there,
 //! `profile` intervals without linearisation, `without_film` the fit of JKR, `left_out` the points that
 //! do not count, `noise` estimates the noise, `warnings` lists the doubts, with `agreement`,
@@ -19,6 +20,7 @@ mod basin;
 mod blocks;
 mod cycle;
 mod detector;
+mod few;
 mod fixed_values;
 mod forecast;
 mod friction;
@@ -30,6 +32,8 @@ mod left_out;
 mod likelihood;
 mod loss;
 mod minima;
+mod minimise;
+mod minimum;
 mod no_adhesion;
 mod noise;
 mod prior;
@@ -43,6 +47,7 @@ mod shared_noise;
 mod slot;
 mod solve;
 mod start;
+mod starts;
 mod table_error;
 mod twice;
 mod uncertainty;

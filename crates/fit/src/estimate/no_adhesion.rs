@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use contact::Contact;
 
 use super::problem::Problem;
-use super::search::range;
 use crate::{Error, Experiment, Kind, Warning, WarningKind};
 
 /// The part of the range of the loads by which a work of adhesion that ended at 0 changes a load.
@@ -24,9 +23,9 @@ pub(super) fn is_none(
     let by_adhesion = |stiffness: f64| a * (4.0 * PI * work_of_adhesion * stiffness).sqrt();
     !kind.is_stiffness()
         && kind != Kind::PenetrationRadius
-        && contact
-            .stiffness(a)
-            .is_ok_and(|stiffness| by_adhesion(stiffness) < NO_ADHESION * range(experiment))
+        && contact.stiffness(a).is_ok_and(|stiffness| {
+            by_adhesion(stiffness) < NO_ADHESION * experiment.compared_range()
+        })
 }
 
 /// Returns the work of adhesion that changes the load at the contact radius `a` by a `part` of the range of the
@@ -38,7 +37,7 @@ pub(super) fn work_of_part(
     part: f64,
 ) -> Result<f64, Error> {
     let stiffness = contact.stiffness(a)?;
-    Ok((part * range(experiment) / a).powi(2) / (4.0 * PI * stiffness))
+    Ok((part * experiment.compared_range() / a).powi(2) / (4.0 * PI * stiffness))
 }
 
 /// Lists the slots of the works of adhesion that ended at 0, which their logarithms never reach.

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use super::assigned::Assigned;
 use super::problem::Problem;
-use super::search::range;
 use super::uncertainty::Uncertainty;
 use crate::statistics::{
     MEDIAN, ratio_of_squares, robust_deviation, student_deviations, weighted_median,
@@ -59,7 +58,7 @@ pub(super) fn estimate_noise(
         let own = residuals.rows(rows.start, rows.len());
         let sizes = own.iter().zip(&before);
         let sizes: Vec<f64> = sizes.map(|(r, deviation)| (r * deviation).abs()).collect();
-        let least = LEAST * range(&assigned.experiment);
+        let least = LEAST * assigned.experiment.compared_range();
         let noise = match alone {
             Some(alone) => alone.with(of_files.iter().flatten().filter(|one| alone.agrees(one))),
             None => beside_abscissae(assigned, problem.loss, &points, &sizes, leverages),

@@ -3,9 +3,7 @@
 use nalgebra::DVector;
 
 use super::problem::Problem;
-use super::solve::slot_names;
 use super::uncertainty::Uncertainty;
-use super::warnings::after_number;
 use crate::{Warning, WarningKind};
 
 /// The distance of data and prior, in standard errors of both, from which one of them is doubted: one
@@ -21,7 +19,7 @@ pub(super) fn add(
     uncertainty: &Uncertainty,
     residuals: &DVector<f64>,
 ) {
-    let names = slot_names(problem);
+    let names = problem.slot_names();
     let with_prior = problem.slots.iter().enumerate();
     let with_prior = with_prior.filter_map(|(i, slot)| Some((i, slot.parameter, slot.prior?)));
     for (row, (slot, parameter, prior)) in (problem.counting()..).zip(with_prior) {
@@ -29,7 +27,7 @@ pub(super) fn add(
         let own = 1.0 - uncertainty.leverages[row];
         let distance = residuals[row].abs() / own.sqrt();
         if own > ADDED && distance > FAR {
-            let unit = after_number(parameter);
+            let unit = parameter.after_number();
             warnings.push(WarningKind::Prior.with(format!(
                 "the prior of {}, {:.4e} +- {:.1e}{unit}, and the data are {distance:.0} standard \
                  errors apart, and the fit, {:.4e}{unit}, lies between them: check the prior, the \

@@ -1,4 +1,4 @@
-//! The least-squares problem, for the crate `levenberg-marquardt`.
+//! The least-squares problem: the data with the present values, residuals and derivatives.
 
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
@@ -7,23 +7,15 @@ use std::rc::Rc;
 
 use contact::Contact;
 use interp::Table;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
-use nalgebra::storage::Owned;
-use nalgebra::{DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 
 use super::assigned::Assigned;
-use super::assumptions;
 use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
-use crate::model::Predicted;
+use crate::model::{Predicted, ends_of_radii};
+use crate::statistics::LARGEST;
 use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};
-
-/// The residuals at parameters without a contact, such as those outside the table. They are so
-/// large that the method rejects the step.
-const REFUSED: f64 = 1e100;
-/// The numbers from which on sums of squares overflow.
-pub(super) const LARGEST: f64 = 1e150;
 
 /// The parameters to be found, at their present values, with the data.
 #[derive(Clone)]
@@ -115,6 +107,18 @@ impl<'a> Problem<'a> {
         self.assigned.iter().map(|one| &one.experiment)
     }
 
+    /// Returns the names of the values to be found.
+    pub fn slot_names(&self) -> Vec<String> {
+        let name = |slot: &Slot| match slot.experiment {
+            Some(e) if self.assigned.len() > 1 => format!(
+                "{} of {}",
+                slot.parameter, self.assigned[e].experiment.measurement.name
+            ),
+            _ => slot.parameter.to_string(),
+        };
+        self.slots.iter().map(name).collect()
+    }
+
     /// Returns the first slot of a parameter.
     pub fn slot_of(&self, parameter: Parameter) -> Option<usize> {
         self.slots
@@ -204,7 +208,7 @@ impl<'a> Problem<'a> {
     pub fn contact_radii(&self, e: usize) -> Option<[f64; 2]> {
         let radii = &self.predicted.as_ref()?[e].radii;
         let counting = self.assigned[e].counting_points().map(|i| radii[i]);
-        Some(assumptions::ends(counting))
+        Some(ends_of_radii(counting))
     }
 
     /// Returns the contact of bodies, with the derivatives with respect to the slots if they are asked
@@ -388,73 +392,5 @@ impl<'a> Problem<'a> {
     pub fn misfit(&self) -> f64 {
         self.weighted_residuals()
             .map_or(f64::INFINITY, |residuals| residuals.norm_squared())
-    }
-
-    /// Minimises from the present values, until relative changes are below `tolerance`.
-    pub fn minimise(mut self, patience: usize, tolerance: f64) -> Self {
-        self.ending = Ending::Converged;
-        if self.slots.is_empty() {
-            return self;
-        }
-        (self.refused, self.beyond_table) = (false, false);
-        // The coordinates are scaled already, by a factor of e or by the range of the data.
-        let method = LevenbergMarquardt::new()
-            .with_scale_diag(false)
-            .with_stepbound(1.0)
-            .with_ftol(tolerance)
-            .with_xtol(tolerance)
-            .with_gtol(0.0)
-            .with_patience(patience);
-        let (mut problem, report) = method.minimize(self);
-        problem.ending = match report.termination {
-            _ if problem.ending == Ending::Known => Ending::Known,
-            // A fit that rounding has stopped has converged.
-            TerminationReason::NoImprovementPossible(_) => Ending::Converged,
-            TerminationReason::LostPatience => Ending::OutOfPatience,
-            ref reason if reason.was_successful() => Ending::Converged,
-            _ => Ending::Failed,
-        };
-        problem
-    }
-}
-
-impl LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, x: &DVector<f64>) {
-        self.x.copy_from(x);
-        if self.known.iter().any(|basin| basin.holds(x)) {
-            self.ending = Ending::Known;
-        }
-        if self.ending == Ending::Known {
-            return;
-        }
-        if let Err(error) = self.update() {
-            self.predicted = None;
-            self.refused = true;
-            self.beyond_table |= error.is_beyond_table();
-        }
-    }
-
-    fn params(&self) -> DVector<f64> {
-        self.x.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        if self.ending == Ending::Known {
-            return None;
-        }
-        if let Some((_, residuals)) = self.compressed() {
-            return Some(residuals);
-        }
-        let refused = || DVector::from_element(self.residual_count(), REFUSED);
-        Some(self.weighted_residuals().unwrap_or_else(refused))
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let compressed = self.compressed().map(|(jacobian, _)| jacobian);
-        compressed.or_else(|| self.weighted_jacobian())
     }
 }

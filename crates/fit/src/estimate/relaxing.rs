@@ -2,7 +2,7 @@
 
 use contact::LawParameter;
 
-use super::minima::Minimum;
+use super::minimum::Minimum;
 use super::problem::Problem;
 use super::relaxing_start::accept_zeros;
 use crate::statistics::range;

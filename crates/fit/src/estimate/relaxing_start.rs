@@ -6,7 +6,7 @@ use contact::LawParameter;
 use interp::{Probe, Table};
 
 use super::assigned::Assigned;
-use super::start::{IsUnknown, Starts};
+use super::starts::{IsUnknown, Starts};
 use crate::model::{Program, contacts_of, noise_of};
 use crate::statistics::{extremes, median, range};
 use crate::{Direction, Error, Experiment, Parameter, Point};

@@ -2,23 +2,20 @@
 //! back, and the noise is estimated.
 
 use super::assigned::Assigned;
-use super::minima::Minimum;
+use super::few::hold_back;
+use super::minimum::Minimum;
 use super::noise::estimate_noise;
 use super::problem::{Ending, Problem};
 use super::uncertainty::Uncertainty;
-use crate::statistics::{self, MEDIAN, excess, extremes, median};
-use crate::{Branch, Experiment, Loss, Point};
+use crate::statistics::{MEDIAN, excess, median};
+use crate::{Branch, Loss, Point};
 
 /// The most evaluations over the number of parameters + 1.
 pub(super) const PATIENCE: usize = 60;
-/// The most points of each branch that count at first.
-const FEW: usize = 40;
 /// The relative changes of the sum of squares and of the values at which the method stops: on few
 /// points, where more points follow, and at last.
 pub(super) const COARSE: f64 = 1e-4;
 const FINE: f64 = 1e-8;
-/// The part of the imposed values of a branch, counted from its end, that is held back at first.
-const HELD_BACK: f64 = 0.03;
 /// Points count from this number of standard errors of the end of their branch on. Nearer to it a
 /// force is no linear function of the parameters.
 const CLEAR: f64 = 4.0;
@@ -37,58 +34,6 @@ pub(super) const SHORT: f64 = 0.1;
 const WEIGHTS_CHANGE: f64 = 1e-3;
 /// An excess of the sum of squares, in standard deviations, at which other starts are tried.
 const BAD: f64 = 4.5;
-
-/// Returns the range of the ordinates.
-pub(super) fn range(experiment: &Experiment) -> f64 {
-    let count = experiment.measurement.points.len();
-    statistics::range((0..count).map(|i| experiment.compared(i)))
-}
-
-/// Leaves out the points near the end of a branch that ends within the data.
-pub(super) fn hold_back(assigned: &Assigned) -> Assigned {
-    let mut assigned = assigned.clone();
-    let experiment = &assigned.experiment;
-    let kind = experiment.measurement.kind;
-    if kind.at_radii() || kind.is_stiffness() {
-        return assigned;
-    }
-    let points = &experiment.measurement.points;
-    for branch in Branch::CONTACTS {
-        let own = points.iter().zip(&assigned.branches);
-        let own = own.filter(|(_, own)| **own == branch);
-        let positions = own.map(|(point, _)| experiment.sense() * point.abscissa);
-        let [least, most] = extremes(positions);
-        let adhesive = experiment.work_of(branch) > 0.0;
-        let ends = least + HELD_BACK * (most - least);
-        for (point, own) in points.iter().zip(&mut assigned.branches) {
-            if adhesive && *own == branch && experiment.sense() * point.abscissa < ends {
-                *own = Branch::LeftOut;
-            }
-        }
-    }
-    assigned
-}
-
-/// Leaves out all but [`FEW`] points of each branch, and without adhesion of contact and of flat ends.
-pub(super) fn thin(mut assigned: Assigned) -> Assigned {
-    let parts = assigned.branches_without_flat_ends(true);
-    for part in [
-        Branch::Advancing,
-        Branch::Receding,
-        Branch::Baseline,
-        Branch::LeftOut,
-    ] {
-        let own = |&i: &usize| parts[i] == part && assigned.branches[i] != Branch::LeftOut;
-        let own: Vec<usize> = assigned.order.iter().copied().filter(own).collect();
-        let stride = own.len().div_ceil(FEW).max(1);
-        for (n, i) in own.into_iter().enumerate() {
-            if n % stride != 0 {
-                assigned.branches[i] = Branch::LeftOut;
-            }
-        }
-    }
-    assigned
-}
 
 /// Tells whether the residuals are larger than the noise, given or seen in neighbouring ordinates.
 pub(super) fn is_bad(problem: &Problem<'_>) -> bool {

@@ -4,7 +4,8 @@ use contact::HistoryError;
 use interp::{Probe, Table};
 
 use super::assigned::Assigned;
-use super::minima::{Minimum, minimum};
+use super::minima::{minimum, replace_by};
+use super::minimum::Minimum;
 use super::problem::{Ending, Problem};
 use super::slot::{Slot, slots};
 use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
@@ -121,7 +122,7 @@ fn intervals<'a>(
         };
         match profile::intervals(&found.problem, uncertainty, deviations) {
             Ok(ends) => return Some(ends),
-            Err(lower) => found.replace_by(*lower, data),
+            Err(lower) => replace_by(found, *lower, data),
         }
     }
     // Each round has found a lower minimum: this one is none.
@@ -178,7 +179,7 @@ fn with_error(found: &Minimum<'_>, is: impl Fn(f64) -> bool) -> Vec<usize> {
 
 /// Returns the names of slots, between "and".
 fn names_of(problem: &Problem<'_>, slots: &[usize]) -> String {
-    let names = slot_names(problem);
+    let names = problem.slot_names();
     let names: Vec<&str> = slots.iter().map(|&slot| &*names[slot]).collect();
     names.join(" and ")
 }
@@ -260,18 +261,6 @@ fn accept(options: &Options) -> Result<(), Error> {
     Ok(())
 }
 
-/// Returns the names of the values to be found.
-pub(crate) fn slot_names(problem: &Problem<'_>) -> Vec<String> {
-    let name = |slot: &Slot| match slot.experiment {
-        Some(e) if problem.assigned.len() > 1 => format!(
-            "{} of {}",
-            slot.parameter, problem.assigned[e].experiment.measurement.name
-        ),
-        _ => slot.parameter.to_string(),
-    };
-    problem.slots.iter().map(name).collect()
-}
-
 /// Puts the result together.
 fn result(
     found: &Minimum<'_>,
@@ -308,7 +297,7 @@ fn result(
         experiments,
         without_film,
         undetermined: uncertainty.map_or_else(Vec::new, |uncertainty| {
-            uncertainty.undetermined(&slot_names(problem))
+            uncertainty.undetermined(&problem.slot_names())
         }),
         warnings: Vec::new(),
     };

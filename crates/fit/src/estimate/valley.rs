@@ -1,8 +1,8 @@
 //! The valley of the sum of squares along one value, away from a minimum.
 
+use super::few::thin;
 use super::problem::{Ending, Problem};
 use super::profile::with_fixed;
-use super::search::thin;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use crate::{Experiment, Kind, Prior};
 

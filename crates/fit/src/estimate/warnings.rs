@@ -5,11 +5,10 @@ use contact::magnitude::LARGEST_WORK;
 
 use super::assigned::Assigned;
 use super::left_out::{in_contact, text};
-use super::minima::Minimum;
+use super::minimum::Minimum;
 use super::problem::{Ending, Problem};
 use super::profile::End;
 use super::search::SHORT;
-use super::solve::slot_names;
 use super::uncertainty::{UNDETERMINED, Uncertainty};
 use super::valley::{Bend, TESTED};
 use super::{
@@ -38,7 +37,7 @@ pub(super) fn warnings(
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let problem = &found.problem;
-    let names = slot_names(problem);
+    let names = problem.slot_names();
     method(&mut warnings, fit, found, &names);
     super::twice::add(&mut warnings, problem);
     table_error::add(&mut warnings, fit, problem);
@@ -105,14 +104,6 @@ fn end_of_table(problem: &Problem<'_>, short: f64) -> Warning {
     ))
 }
 
-/// Returns the unit of a parameter as it follows a number.
-pub(super) fn after_number(parameter: Parameter) -> String {
-    match parameter.unit() {
-        "1" => String::new(),
-        unit => format!(" {unit}"),
-    }
-}
-
 /// Says why the interval of a slot has no end on a side, or two. One that `may_be_zero` begins at 0.
 fn open_ends(
     warnings: &mut Vec<Warning>,
@@ -121,7 +112,7 @@ fn open_ends(
     ends: &[End; 2],
     may_be_zero: bool,
 ) {
-    let unit = after_number(problem.slots[slot].parameter);
+    let unit = problem.slots[slot].parameter.after_number();
     for (side, end) in ["lower", "upper"].into_iter().zip(ends) {
         let why = match end {
             End::At(_) => continue,
@@ -218,7 +209,7 @@ fn at_bounds(warnings: &mut Vec<Warning>, problem: &Problem<'_>, names: &[String
         let value = problem.value(i);
         if slot.coordinate.is_at_bound(value) {
             any = true;
-            let unit = after_number(slot.parameter);
+            let unit = slot.parameter.after_number();
             let [least, most] = match slot.parameter {
                 Parameter::FilmPoissonRatio => [-1.0, 0.5],
                 Parameter::Law(LawParameter::RelaxedFraction) => [0.0, 1.0],

@@ -2,7 +2,7 @@
 
 use interp::{HalfSpace, Table};
 
-use super::minima::Minimum;
+use super::minimum::Minimum;
 use super::problem::{Ending, Problem};
 use super::slot::Slot;
 use super::start::{self, Variation};

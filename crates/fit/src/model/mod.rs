@@ -4,7 +4,7 @@
 //! with all that is known about them, `errors` their standard deviations. `free` is what is to be found
 //! and how, `fixed` what is taken as given. `assign` reads the `branch` of each point from the data,
 //! and finds loading and unloading; `split` tells where contact and baseline meet, on a baseline whose
-//! slope `tilt` reads. `predict` compares the points with the contact of `interp`, through `readings`
+//! slope `tilt` reads. `predict` compares the points with the contact of `interp`, through `predictor`, `readings`
 //! and, under adhesion hysteresis, `turn`; `layered` is a stack of layers, `solver` makes its contacts,
 //! `interrupt` stops them, and `differences` makes the derivatives on it. `relaxing` predicts the
 //! points in time where the bodies relax, and `program` takes the noise off what is imposed on them by
@@ -27,6 +27,7 @@ mod parameter;
 mod predict;
 mod predicted;
 mod prediction;
+mod predictor;
 mod program;
 mod readings;
 mod relaxing;
@@ -52,7 +53,7 @@ pub use interrupt::Interrupt;
 pub use layered::{LayerName, Layered, NamedLayer, Reach};
 pub use measurement::{Direction, Kind, Measurement, Numbering, Point};
 pub use parameter::{LayerQuantity, Parameter};
-pub(crate) use predicted::Predicted;
+pub(crate) use predicted::{Predicted, ends_of_radii};
 pub use prediction::Prediction;
 pub(crate) use program::Program;
 pub use relaxing::Relaxing;

@@ -168,6 +168,14 @@ impl Parameter {
         names.join(", ")
     }
 
+    /// Returns the SI unit as it follows a number.
+    pub(crate) fn after_number(self) -> String {
+        match self.unit() {
+            "1" => String::new(),
+            unit => format!(" {unit}"),
+        }
+    }
+
     /// Returns the SI unit; `"1"` for a number without one.
     pub const fn unit(self) -> &'static str {
         match (self, self.dimension()) {

@@ -5,25 +5,13 @@ use contact::{Contact, Derivatives, Equilibria, Input, State};
 use interp::Probe;
 
 use super::predicted::{BranchEnd, Predicted};
+use super::predictor::Predictor;
 use super::turn::Turn;
 use super::{Branch, Direction, Experiment, Kind, Parameter};
 
 /// Contacts whose radius is within this factor of that at the end of the branch give the slope by
 /// which a branch is continued beyond its end.
 const NEAR_END: f64 = 1.1;
-
-/// Predicts the points of an experiment in one contact.
-pub(super) struct Predictor<'a> {
-    pub experiment: &'a Experiment,
-    pub contact: &'a Contact,
-    pub branches: &'a [Branch],
-    /// The points by descending imposed value.
-    pub order: &'a [usize],
-    /// The parameters with respect to which there are derivatives.
-    pub columns: &'a [Parameter],
-    /// What is predicted so far.
-    pub predicted: Predicted,
-}
 
 impl Experiment {
     /// Predicts all points that are not left out. `order` lists the points by descending imposed
@@ -64,11 +52,6 @@ impl Experiment {
         }
         Ok(predictor.predicted)
     }
-
-    /// Returns the change of the imposed value that belongs to a change of load and penetration.
-    pub(super) fn imposed_by(&self, by: Derivatives) -> f64 {
-        self.control().imposed(by.load, by.penetration)
-    }
 }
 
 impl Predictor<'_> {
@@ -101,28 +84,6 @@ impl Predictor<'_> {
             }
         }
         Ok(())
-    }
-
-    /// Returns the inputs of the contact on a branch that parameters are, and the number of each of
-    /// these parameters.
-    fn inputs_on(&self, branch: Branch) -> (Vec<Input>, Vec<usize>) {
-        let columns = self.columns.iter().enumerate();
-        let input = |parameter| self.experiment.input_on(parameter, branch);
-        columns
-            .filter_map(|(column, &parameter)| Some((input(parameter)?, column)))
-            .unzip()
-    }
-
-    /// Returns the derivatives of a point.
-    pub fn row(&mut self, i: usize) -> &mut [f64] {
-        let width = self.columns.len();
-        &mut self.predicted.derivatives[i * width..][..width]
-    }
-
-    /// Returns the imposed value of a point.
-    pub fn imposed(&self, i: usize) -> f64 {
-        let points = &self.experiment.measurement.points;
-        self.experiment.imposed(points[i].abscissa)
     }
 
     /// Predicts the points of a branch at imposed penetrations or positions of the spring.

@@ -56,3 +56,11 @@ pub(crate) struct BranchEnd {
     /// The derivatives of this abscissa with respect to the parameters asked for.
     pub derivatives: Vec<f64>,
 }
+
+/// Returns the smallest and the largest of the contact radii (m) that are above 0: infinity and 0 without contacts.
+pub(crate) fn ends_of_radii(radii: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let of_contacts = radii.into_iter().filter(|radius| *radius > 0.0);
+    of_contacts.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], a| {
+        [least.min(a), most.max(a)]
+    })
+}

@@ -3,7 +3,7 @@
 use contact::{Derivatives, Input, State};
 use interp::Probe;
 
-use super::predict::Predictor;
+use super::predictor::Predictor;
 use super::{Branch, Parameter};
 
 /// The contact at the turn from approach to retract, in which the line stays until the energy

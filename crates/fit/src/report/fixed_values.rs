@@ -1,6 +1,6 @@
 //! What the values that a fit takes as given do to its result.
 
-use super::text::{NAME, name};
+use super::name::{NAME, name};
 use super::unit::{decimals_of_three, is_zero, scaled};
 use crate::{Estimate, Fit, FixedValue};
 

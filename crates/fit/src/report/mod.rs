@@ -2,13 +2,14 @@
 //!
 //! [`report`] is what `tabulate fit` prints, and what Python's `print(fit(...))` shows;
 //! [`expected`] is the same for the errors of a planned experiment. `unit` chooses units and
-//! digits, `agreement` says how well the fit agrees with the data, `fixed_values` what the values taken as
+//! digits, `name` writes the names of values, `agreement` says how well the fit agrees with the data, `fixed_values` what the values taken as
 //! given do, and [`jkr_plot`] returns the points of the reduced JKR plot.
 
 mod agreement;
 mod fixed_values;
 mod indentation;
 mod jkr_plot;
+mod name;
 mod relaxing;
 mod text;
 mod unit;

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use interp::Probe;
 
 use super::agreement::agreement;
+use super::name::{NAME, name};
 use super::unit::{UnitOf, scaled, value};
 use super::{fixed_values, indentation, relaxing};
 use crate::data::{Marks, Notes, Source};
@@ -13,9 +14,6 @@ use crate::{
     Bodies, Combination, Direction, Estimate, Experiment, Fit, Fixed, Forecast, LayerQuantity,
     Measurement, ModulusBias, NamedLayer, Parameter, Point, Warning,
 };
-
-/// The width of the names of parameters.
-pub(super) const NAME: usize = 25;
 
 /// The rise of chi^2 that tells a worse fit: five standard deviations.
 const WORSE: f64 = 25.0;
@@ -354,14 +352,6 @@ fn estimates(
             let row: String = row.collect();
             *out += &format!("  {:<NAME$} {row}\n", name(estimate));
         }
-    }
-}
-
-/// Returns the name of an estimate, with its file if it is one file's own of several.
-pub(super) fn name(estimate: &Estimate, files: &[&str]) -> String {
-    match estimate.experiment {
-        Some(i) if files.len() > 1 => format!("{} ({})", estimate.parameter, files[i]),
-        _ => estimate.parameter.to_string(),
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use interp::Table;
 
 use crate::estimate::assigned::Assigned;
-use crate::estimate::start::{Starts, root_of_modulus};
+use crate::estimate::starts::{Starts, root_of_modulus};
 use crate::model::contacts_of;
 use crate::statistics::median;
 use crate::{Error, Parameter};

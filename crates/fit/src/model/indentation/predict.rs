@@ -6,6 +6,7 @@
 use super::sample::Sample;
 use crate::model::differences::ContactOf;
 use crate::model::predicted::Predicted;
+use crate::statistics::range;
 use crate::{Branch, Error, Experiment, Kind};
 
 /// The change of the logarithm of a stiffness by which the part of its noise that is in the contact
@@ -22,6 +23,11 @@ impl Experiment {
         } else {
             ordinate
         }
+    }
+
+    /// Returns the range of the numbers of all points that a fit compares.
+    pub(crate) fn compared_range(&self) -> f64 {
+        range((0..self.measurement.points.len()).map(|i| self.compared(i)))
     }
 
     /// Returns the ordinate of a number that a fit compares.
