@@ -231,6 +231,10 @@ fn completions_and_man_pages_mention_every_command_and_option() {
         assert_names(&page, &options.collect::<Vec<_>>());
     }
     assert_names(&workdir.fail(1, "man plough"), &["plough", "curve"]);
+    assert_names(
+        &workdir.fail(1, "man curve extra"),
+        &["`curve` has no commands of its own"],
+    );
 }
 
 #[test]

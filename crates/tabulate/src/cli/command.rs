@@ -166,8 +166,8 @@ fn run_command(command: Command) -> anyhow::Result<ExitCode> {
         Command::Plot(arguments) => plot::run(&arguments),
         #[cfg(feature = "figures")]
         Command::Cost(arguments) => cost::run(&arguments),
-        Command::Completions(arguments) => completions::run(&arguments),
-        Command::Man(arguments) => man::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments, Arguments::command()),
+        Command::Man(arguments) => man::run(&arguments, Arguments::command()),
     }?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,6 +1,6 @@
 //! `tabulate completions`
 
-use clap::CommandFactory;
+use clap::Command;
 use clap_complete::Shell;
 
 use super::print;
@@ -19,13 +19,8 @@ pub struct Arguments {
     shell: Shell,
 }
 
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+pub fn run(arguments: &Arguments, mut program: Command) -> anyhow::Result<()> {
     let mut script = Vec::new();
-    clap_complete::generate(
-        arguments.shell,
-        &mut super::command::Arguments::command(),
-        super::NAME,
-        &mut script,
-    );
+    clap_complete::generate(arguments.shell, &mut program, super::NAME, &mut script);
     print(&script)
 }

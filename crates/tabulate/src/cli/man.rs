@@ -1,7 +1,7 @@
 //! `tabulate man`
 
 use anyhow::Context;
-use clap::CommandFactory;
+use clap::Command;
 
 use super::print;
 
@@ -16,17 +16,20 @@ pub struct Arguments {
     command: Vec<String>,
 }
 
-pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let mut program = super::command::Arguments::command();
+pub fn run(arguments: &Arguments, mut program: Command) -> anyhow::Result<()> {
     program.build();
     let mut command = &program;
     for word in &arguments.command {
         command = command.find_subcommand(word).with_context(|| {
-            let known: Vec<&str> = command
-                .get_subcommands()
-                .map(clap::Command::get_name)
-                .collect();
-            format!("there is no command {word:?}, only: {}", known.join(", "))
+            let known: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+            if known.is_empty() {
+                format!(
+                    "`{}` has no commands of its own: leave out {word:?}",
+                    command.get_name()
+                )
+            } else {
+                format!("there is no command {word:?}, only: {}", known.join(", "))
+            }
         })?;
     }
     let mut page = Vec::new();

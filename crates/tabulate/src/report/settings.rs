@@ -4,7 +4,7 @@ use contact::magnitude::{LARGEST_WORK, LENGTHS, MODULI};
 use figures::page::{SetBy, Setting, list, number};
 use interp::{Parameter, Quantity, SubstratePoissonRatio, Table};
 
-use super::contents::symbol;
+use super::symbols::{self, symbol};
 
 const FILM_MODULUS: &str = "film_modulus";
 const FILM_POISSON_RATIO: &str = "film_poisson_ratio";
@@ -84,7 +84,7 @@ impl<'a> Materials<'a> {
             // A ratio of 0 is that of any film between rigid bodies, and of any substrate under a
             // rigid sphere.
             let is_one = from == to && from != 0.0;
-            is_one.then(|| SetBy::Ratio(format!(" = {} {of}", super::contents::number(from))))
+            is_one.then(|| SetBy::Ratio(format!(" = {} {of}", symbols::number(from))))
         };
         let unit = if self.rigid_sphere { "E₁" } else { "E₂*" };
         let ratio = match key {

@@ -6,7 +6,7 @@ use anyhow::ensure;
 use clap::value_parser;
 use interp::Parameter;
 
-use super::cost::Rows;
+use super::rows::Rows;
 use crate::cli::generate::read_scene;
 use crate::cli::progress::Bars;
 use crate::cli::quantity::number;

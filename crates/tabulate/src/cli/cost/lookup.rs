@@ -4,7 +4,7 @@ use anyhow::{Context, ensure};
 use clap::ValueHint;
 use interp::Parameter;
 
-use super::cost::{Rows, complete};
+use super::rows::{Rows, complete};
 use crate::cli::default_table;
 use crate::cli::progress::progress_bar;
 use crate::cli::table_name::{self, TableName};

@@ -3,6 +3,7 @@
 mod cost;
 mod effects;
 mod lookup;
+mod rows;
 mod solve;
 mod table;
 

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::ensure;
 
-use super::cost::{Rows, complete};
+use super::rows::{Rows, complete};
 use crate::cli::generate::{budget, read_scene};
 use crate::cli::progress::Bars;
 use crate::cli::quantity::number;
