@@ -11,14 +11,14 @@ use interp::{Material, Quantities};
 use rayon::prelude::*;
 
 use crate::Error;
-use crate::abscissae::{Abscissae, BesselValues};
 use crate::compliance::Compliance;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
 use crate::galerkin;
+use crate::galerkin::abscissae::{Abscissae, BesselValues};
+use crate::galerkin::operator::Operator;
 use crate::method::{Method, has_closed_form};
-use crate::operator::Operator;
 use crate::parallel::{on_all_cores, try_map};
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
 
 /// Materials, grouped by film and substrate.
 pub struct Batch {

@@ -2,11 +2,11 @@
 
 use interp::Quantities;
 
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
 use crate::estimate::Estimate;
-use crate::path::Path;
 use crate::power_law::PowerLaw;
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
+use crate::wiener_hopf::path::Path;
 use crate::{galerkin, wiener_hopf};
 
 /// The methods of solution, one for each regime.

@@ -3,12 +3,12 @@
 use interp::{Material, Quantities};
 
 use crate::Error;
+use crate::compliance::symbol::Symbol;
 use crate::domain;
 use crate::error::of_film;
 use crate::estimate::{Estimate, larger};
 use crate::method::Method;
 use crate::power_law::{self, PowerLaw};
-use crate::symbol::Symbol;
 
 /// The four quantities of one contact, with their estimated error.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,19 +7,19 @@ use interp::{Curve, Material, Normalisation, Quantities};
 
 use crate::Error;
 use crate::adaptive_curve::{check_range, curve_of};
+use crate::compliance::layered::LayeredCompliance;
+use crate::compliance::sampled::SampledCompliance;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
 use crate::domain::{A_OVER_T, TOLERANCE};
 use crate::error::OF_STACK;
 use crate::galerkin;
-use crate::layered::LayeredCompliance;
+use crate::galerkin::operator::Operator;
 use crate::method::{Method, closed_form, has_closed_form};
-use crate::operator::Operator;
 use crate::parallel::try_map;
 use crate::power_law::{self, PowerLaw};
-use crate::sampled::SampledCompliance;
 use crate::solution::{Solution, solve_power_laws};
 use crate::stack::{MOST_A_OVER_TOP, Stack};
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
 
 /// The number of layers from which on a curve samples the compliance instead of evaluating it at
 /// every wave number of every solve.
@@ -303,8 +303,8 @@ mod tests {
     use interp::Elastic;
 
     use super::*;
+    use crate::compliance::layered::tests::random_stack;
     use crate::estimate::{difference, larger};
-    use crate::layered::tests::random_stack;
 
     /// Rigid, stiff, soft and very soft spheres on layers of moduli over nine decades, half of
     /// which have another solid at the surface than that of the top layer. Measured: 3.6e-11; the

@@ -16,10 +16,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use interp::once::{Lazy, Once};
 
-use crate::bessel::LANES;
 use crate::cohesive::waves;
-use crate::quadrature::{GaussLegendre, legendre};
-use crate::sine::sine_and_versine;
+use crate::galerkin::bessel::LANES;
+use crate::galerkin::quadrature::{GaussLegendre, legendre};
+use crate::galerkin::sine::sine_and_versine;
 
 /// The `c/a` from which on an annulus is wide.
 pub const WIDE: f64 = 1.3;
@@ -237,7 +237,7 @@ pub fn rule(points: usize) -> &'static GaussLegendre {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bessel::EvenBessel;
+    use crate::galerkin::bessel::EvenBessel;
 
     /// Both forms of the transforms at the ratio where one takes over from the other.
     #[test]

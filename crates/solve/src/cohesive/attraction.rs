@@ -7,10 +7,10 @@ use interp::{Normalisation, Probe, System};
 use crate::Error;
 use crate::cohesive::CohesiveState;
 use crate::compliance::Compliance;
-use crate::layered::LayeredCompliance;
+use crate::compliance::layered::LayeredCompliance;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
 use crate::stack::Stack;
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
 
 /// The radii, over the thickness of the top layer, of contacts and of annuli that are solved.
 pub const REACH: f64 = 120.0;

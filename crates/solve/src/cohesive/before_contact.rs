@@ -17,9 +17,9 @@ use contact::{Control, root};
 use crate::Error;
 use crate::cohesive::search::{self, Point};
 use crate::cohesive::{Cohesive, CohesiveState};
-use crate::quadrature::{PanelWeights, Panels};
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
+use crate::galerkin::quadrature::{PanelWeights, Panels};
 
 /// Returns `-u/tau` in the middle and at the edge of a disc of radius `c`.
 fn rise(c: f64, symbol: &Symbol<Arc<dyn SurfaceCompliance>>) -> [f64; 2] {

@@ -4,11 +4,11 @@
 use std::array::from_fn;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
-use crate::bessel::LANES;
 use crate::cohesive::annulus::{Annulus, rule};
 use crate::cohesive::fixed_radius::Part;
 use crate::cohesive::waves::{Group, cosine_sum};
-use crate::slope::dot;
+use crate::galerkin::bessel::LANES;
+use crate::galerkin::slope::dot;
 use crate::stick::integration::interpolation;
 
 /// A solution at one contact radius, in the units of

@@ -29,14 +29,14 @@ use std::sync::Arc;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
-use crate::abscissae::Abscissae;
 use crate::cohesive::annulus::{Annulus, TERMS};
-use crate::operator::add_products;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
+use crate::galerkin::abscissae::Abscissae;
+use crate::galerkin::operator::add_products;
+use crate::galerkin::quadrature::{PanelWeights, Panels};
+use crate::galerkin::slope::dot;
 use crate::power_law::coefficients;
-use crate::quadrature::{PanelWeights, Panels};
-use crate::slope::dot;
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
 use crate::{estimate::larger, galerkin};
 
 /// The accuracy of panels and modes.

@@ -6,8 +6,8 @@
 use std::array::from_fn;
 use std::f64::consts::PI;
 
-use crate::bessel::LANES;
-use crate::sine::sine_and_versine;
+use crate::galerkin::bessel::LANES;
+use crate::galerkin::sine::sine_and_versine;
 
 /// A group of arguments or values.
 pub type Group = [f64; LANES];

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use interp::Material;
 
-use crate::layered::LayeredCompliance;
+use crate::compliance::layered::LayeredCompliance;
 use crate::stick::coulomb::c0;
 
 /// Values of `|beta|` up to this one are taken for 0.

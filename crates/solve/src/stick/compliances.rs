@@ -24,9 +24,9 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
-use crate::layered::LayeredCompliance;
-use crate::slab::Component;
-use crate::surface::filled;
+use crate::compliance::layered::LayeredCompliance;
+use crate::compliance::slab::Component;
+use crate::compliance::surface::filled;
 
 /// `X11 - 1`, `X12 - b` and `X22 - 1`, or their slopes `q d/dq`, in this order.
 pub type Three<T> = [T; 3];
@@ -87,8 +87,8 @@ mod tests {
     use interp::{Elastic, Material};
 
     use super::*;
+    use crate::compliance::layered::tests::random_stack;
     use crate::estimate::larger;
-    use crate::layered::tests::random_stack;
     use crate::stack::{Interface, Layer, Stack};
 
     /// An incompressible film on a rigid base at `q = 0.7`, by another program in 20 digits, and in
@@ -174,7 +174,7 @@ mod tests {
                 let q = 10_f64.powf(-3.0 + 0.11 * f64::from(i));
                 let step = 1e-4;
                 let samples = sample_all(&surface, &[q * (1.0 - step), q, q * (1.0 + step)]);
-                let known = crate::surface::SurfaceCompliance::sample(&surface, q);
+                let known = crate::compliance::surface::SurfaceCompliance::sample(&surface, q);
                 let unit = larger(1.0, (1.0 + known.excess).abs());
                 of_normal = larger(
                     of_normal,

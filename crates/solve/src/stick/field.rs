@@ -24,17 +24,17 @@ use faer::linalg::triangular_solve::{
 };
 use faer::{Mat, Par};
 
-use crate::abscissae::Abscissae;
+use crate::galerkin::abscissae::Abscissae;
 
+use crate::compliance::surface::SurfaceCompliance;
 use crate::estimate::larger;
-use crate::operator::{ROUNDING, TRUNCATION_SAFETY, factorise, quadrature_errors};
-use crate::quadrature::Panels;
+use crate::galerkin::operator::{ROUNDING, TRUNCATION_SAFETY, factorise, quadrature_errors};
+use crate::galerkin::quadrature::Panels;
 use crate::stick::bodies::Bodies;
 use crate::stick::compliances::{Samples, Three, sample_all};
 use crate::stick::coulomb::{ASYMPTOTIC, Coulomb};
 use crate::stick::lattice::{beyond, matrix};
 use crate::stick::transforms::{Factors, Transforms};
-use crate::surface::SurfaceCompliance;
 
 /// The bodies at the wave numbers of the integrals, for punches up to some radius.
 pub struct Waves<'a> {

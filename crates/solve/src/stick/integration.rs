@@ -12,7 +12,7 @@
 
 use faer::{Mat, Par};
 
-use crate::quadrature::{GaussLegendre, legendre};
+use crate::galerkin::quadrature::{GaussLegendre, legendre};
 
 /// Polynomials through values at Gauss's points of an interval from 0 to a little beyond the last point.
 #[derive(Clone, Debug)]

@@ -228,7 +228,7 @@ mod tests {
     #[test]
     fn the_rest_completes_the_unit_matrix() {
         let (end, modes) = (60.0, 10);
-        let rule = crate::quadrature::GaussLegendre::new(256);
+        let rule = crate::galerkin::quadrature::GaussLegendre::new(256);
         let z: Vec<f64> = rule
             .abscissae
             .iter()

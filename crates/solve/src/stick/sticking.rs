@@ -4,13 +4,13 @@
 use interp::{Curve, Material, Quantities, StackShape};
 
 use crate::Error;
+use crate::compliance::layered::LayeredCompliance;
 use crate::domain;
 use crate::error::WITH_STICK;
 use crate::estimate::larger;
 use crate::galerkin;
-use crate::layered::LayeredCompliance;
+use crate::galerkin::quadrature::{PanelWeights, Panels};
 use crate::power_law::EXPONENTS;
-use crate::quadrature::{PanelWeights, Panels};
 use crate::stack::Stack;
 use crate::stacked::factors;
 use crate::stick::bodies::Bodies;

@@ -7,8 +7,8 @@ use faer::Mat;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 
-use crate::abscissae::{BesselValues, Block};
-use crate::bessel::LANES;
+use crate::galerkin::abscissae::{BesselValues, Block};
+use crate::galerkin::bessel::LANES;
 
 /// The matrix `C`, in the form in which its use costs least.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! The fields of the two edges on a line that leaves the real axis, for profiles whose transform is
 //! not a Taylor coefficient.
 //!
-//! The moments of [`moment`](crate::moment) integrate `a(z)` and `b(z)` along the real axis
+//! The moments of [`moment`](crate::wiener_hopf::moment) integrate `a(z)` and `b(z)` along the real axis
 //! to infinity, where they oscillate. From [`CORNER`] on the integral is turned into the upper half
 //! plane: `a = Re E_even` and `b = Im E_odd` with `E = e^{iz} S_+ V/S`, and
 //!
@@ -15,12 +15,9 @@
 
 use num_complex::Complex64;
 
-use crate::matrix::Matrix;
-use crate::path::{Logarithm, Path, RAY, influence};
-use crate::quadrature::GaussLegendre;
-use crate::symbol::Symbol;
-use crate::wiener_hopf::Strengths;
-use crate::zero_node::ZeroNode;
+use crate::galerkin::quadrature::GaussLegendre;
+use crate::wiener_hopf::matrix::Matrix;
+use crate::wiener_hopf::path::{Logarithm, Path, RAY, influence};
 
 /// The place at which the line leaves the real axis. The polynomial through the readouts serves up
 /// to there: its coefficients would cancel further out, and the integrands vary faster closer to 0.
@@ -37,22 +34,14 @@ pub struct TurnedLine {
     /// The nodes `z`.
     pub nodes: Vec<Complex64>,
     /// `e^{iz} dz`.
-    weights: Vec<Complex64>,
+    pub weights: Vec<Complex64>,
     /// The matrix from `ln S` at the abscissae of the contour to `ln S_+` at the nodes: real parts,
     /// then imaginary parts.
-    factor: Matrix,
+    pub factor: Matrix,
     /// The factor from `ln S` at a node to `ln S_+` there.
-    own: Vec<Complex64>,
+    pub own: Vec<Complex64>,
     /// The matrix from the strengths of the contour's nodes to `V` here, in the same layout.
-    readout: Matrix,
-}
-
-/// The fields on the line times their weights: `int E z^{-p} dz = sum E_j z_j^{-p}`.
-pub struct LineFields {
-    /// `E_even` at the nodes.
-    pub even: Vec<Complex64>,
-    /// `E_odd`.
-    pub odd: Vec<Complex64>,
+    pub readout: Matrix,
 }
 
 impl TurnedLine {
@@ -92,41 +81,5 @@ impl TurnedLine {
             factor: Matrix::from_columns(rows, &factor),
             readout: Matrix::from_columns(rows, &readout),
         }
-    }
-
-    /// Returns the fields from `ln S` at the abscissae of the contour, and from the strengths of its
-    /// nodes and of the node of a `zero` for the even and for the odd fields.
-    pub fn fields(
-        &self,
-        x: f64,
-        symbol: &Symbol,
-        logs: &[f64],
-        strengths: &[Strengths; 2],
-        zero: Option<&ZeroNode>,
-    ) -> LineFields {
-        let n = self.nodes.len();
-        let mut log_factors = vec![0.0; 2 * n];
-        self.factor.multiply(logs, &mut log_factors);
-        let waves: Vec<Complex64> = (0..n)
-            .map(|j| {
-                let s = symbol.at(self.nodes[j] / x);
-                let log_factor =
-                    Complex64::new(log_factors[j], log_factors[n + j]) + self.own[j] * s.ln();
-                self.weights[j] * log_factor.exp() / s
-            })
-            .collect();
-        let [even, odd] = [(&strengths[0], 1.0), (&strengths[1], -1.0)].map(|(strengths, sign)| {
-            let mut v = vec![0.0; 2 * n];
-            self.readout.multiply(&strengths.nodes, &mut v);
-            let of_zero = |j: usize| {
-                zero.map_or(Complex64::ZERO, |zero| {
-                    zero.influence(strengths.zero, self.nodes[j])
-                })
-            };
-            let value = |j: usize| Complex64::new(v[j], v[n + j]) + of_zero(j);
-            let field = |j: usize| waves[j] * (1.0 + sign * value(j));
-            (0..n).map(field).collect()
-        });
-        LineFields { even, odd }
     }
 }

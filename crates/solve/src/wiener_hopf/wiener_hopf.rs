@@ -68,7 +68,7 @@
 //! For film = substrate `a = cos z` and `b = sin z`, which gives 8/3, 1, 1, 1. `a` and `b/z` are
 //! entire functions of `z^2` of slow growth; their values at fifteen `z^2` between 0.1 and 40
 //! extrapolate to 0. Other powers of `rho` need other functionals of the same two functions
-//! ([`moment`](crate::moment)).
+//! ([`moment`](crate::wiener_hopf::moment)).
 //!
 //! # Accuracy
 //!
@@ -79,17 +79,15 @@
 //! 1e-13, and up to 1e-10 for a soft incompressible film between rigid bodies, where `S(t/a)` and
 //! with it `V` are small.
 
-use num_complex::Complex64;
-
+use crate::compliance::symbol::Symbol;
+use crate::compliance::zero::{LARGEST_FREE_RADIUS, REACH, Zero};
 use crate::compliance::{FLAT, SINE_OF_FREE_ANGLE};
-use crate::contour::{Contour, LEVELS};
 use crate::estimate::{Estimate, larger};
-use crate::krylov;
-use crate::path::Path;
-use crate::read_out::Fields;
-use crate::symbol::Symbol;
-use crate::zero::{LARGEST_FREE_RADIUS, REACH, Zero};
-use crate::zero_node::ZeroNode;
+use crate::wiener_hopf::contour::{Contour, LEVELS};
+use crate::wiener_hopf::coupling;
+use crate::wiener_hopf::path::Path;
+use crate::wiener_hopf::read_out::Fields;
+use crate::wiener_hopf::zero_node::ZeroNode;
 
 /// What a path makes of the zeros of `S`.
 #[derive(Clone, Copy)]
@@ -321,9 +319,9 @@ fn on_contour(
     let contour = Contour::get(path, level, BELOW * x * symbol.smallest_scale());
     let logs = logarithms(x, symbol, contour);
     let log_factors = log_factors(&logs, contour);
-    let couplings = couplings(x, symbol, contour, &log_factors);
+    let couplings = coupling::couplings(x, symbol, contour, &log_factors);
     let zero = zero.map(|zero| ZeroNode::new(x, zero, contour, &logs));
-    let strengths = solve_coupling(contour, &couplings, zero.as_ref(), (-LEVELS[level]).exp());
+    let strengths = coupling::solve(contour, &couplings, zero.as_ref(), (-LEVELS[level]).exp());
     let fields = Fields {
         x,
         symbol,
@@ -352,107 +350,4 @@ fn log_factors(logs: &[f64], contour: &Contour) -> Vec<f64> {
     let mut sums = vec![0.0; contour.rows()];
     contour.factor.multiply(logs, &mut sums);
     sums
-}
-
-/// Returns the factors of `V` at the nodes in (2): `e^{2 i zeta} S_+^2/S d zeta/(2 pi i)`; on the
-/// imaginary axis the imaginary parts alone, as the rest has no influence there.
-fn couplings(x: f64, symbol: &Symbol, contour: &Contour, log_factors: &[f64]) -> Vec<Complex64> {
-    /// The `S(0)` up to which no constant is subtracted: it would add more than it removes.
-    const SMALL: f64 = 0.3;
-    let nodes = contour.nodes.iter();
-    match contour.path {
-        Path::Axis => {
-            let p: Vec<f64> = nodes.map(|zeta| zeta.im / x).collect();
-            let inverses = symbol.inverses_on_axis(&p);
-            let factors = contour.weights.iter().zip(log_factors);
-            factors
-                .zip(inverses)
-                .map(|((weight, log), inverse)| {
-                    Complex64::new(0.0, weight.re * (2.0 * log).exp() * inverse)
-                })
-                .collect()
-        }
-        Path::Ray => {
-            let long_waves = symbol.at(0.0);
-            let constant = if long_waves > SMALL {
-                1.0 / long_waves
-            } else {
-                0.0
-            };
-            let coupling = |(j, (&zeta, weight)): (usize, (&Complex64, &Complex64))| {
-                let s = symbol.at(zeta / x);
-                let log_factor =
-                    Complex64::new(log_factors[j], log_factors[contour.nodes.len() + j])
-                        + contour.own[j] * s.ln();
-                weight * (2.0 * log_factor).exp() * (1.0 / s - constant)
-            };
-            nodes
-                .zip(&contour.weights)
-                .enumerate()
-                .map(coupling)
-                .collect()
-        }
-    }
-}
-
-/// Overwrites `strengths` with the strengths of the nodes, the values `v` of `V` there times
-/// `couplings`, in the layout of the unknowns.
-fn strengths(path: Path, couplings: &[Complex64], v: &[f64], strengths: &mut Vec<f64>) {
-    strengths.clear();
-    match path {
-        Path::Axis => {
-            strengths.extend(v.iter().zip(couplings).map(|(v, coupling)| v * coupling.im))
-        }
-        Path::Ray => {
-            let (re, im) = v.split_at(couplings.len());
-            let parts = || couplings.iter().zip(re.iter().zip(im));
-            strengths.extend(parts().map(|(c, (re, im))| c.re * re - c.im * im));
-            strengths.extend(parts().map(|(c, (re, im))| c.re * im + c.im * re));
-        }
-    }
-}
-
-/// The strengths of the nodes of one parity.
-pub struct Strengths {
-    /// Those of the contour, in the layout of the unknowns.
-    pub nodes: Vec<f64>,
-    /// That of the zero; 0 without one.
-    pub zero: Complex64,
-}
-
-/// Solves (2) and returns the strengths of the nodes, for the even and for the odd fields.
-fn solve_coupling(
-    contour: &Contour,
-    couplings: &[Complex64],
-    zero: Option<&ZeroNode>,
-    accuracy: f64,
-) -> [Strengths; 2] {
-    /// The residual over the accuracy of the contour, as far as rounding allows.
-    const SHARE: f64 = 0.01;
-    let unknowns = contour.unknowns();
-    let mut one = vec![1.0; contour.nodes.len()];
-    one.resize(unknowns, 0.0);
-    if zero.is_some() {
-        one.extend([1.0, 0.0]);
-    }
-    let mut work = Vec::with_capacity(unknowns);
-    let solutions = krylov::solve(&one, (SHARE * accuracy).max(f64::EPSILON), |v, out| {
-        let (v, v_of_zero) = v.split_at(unknowns);
-        let (out, out_of_zero) = out.split_at_mut(unknowns);
-        strengths(contour.path, couplings, v, &mut work);
-        contour.kernel.multiply(&work, out);
-        if let Some(zero) = zero {
-            let value = zero.couple(zero.strength(v_of_zero), &work, out);
-            out_of_zero.copy_from_slice(&[value.re, value.im]);
-        }
-    });
-    solutions.map(|v| {
-        let (v, v_of_zero) = v.split_at(unknowns);
-        let mut nodes = Vec::with_capacity(unknowns);
-        strengths(contour.path, couplings, v, &mut nodes);
-        Strengths {
-            nodes,
-            zero: zero.map_or(Complex64::ZERO, |zero| zero.strength(v_of_zero)),
-        }
-    })
 }

@@ -4,9 +4,9 @@
 use std::f64::consts::FRAC_2_PI;
 use std::ops::Range;
 
-use crate::bessel::{EvenBessel, LANES};
-use crate::quadrature::Panels;
-use crate::surface::SurfaceCompliance;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::galerkin::bessel::{EvenBessel, LANES};
+use crate::galerkin::quadrature::Panels;
 
 /// The number of abscissae handled at once: the Bessel values of a block stay in the processor's
 /// cache.

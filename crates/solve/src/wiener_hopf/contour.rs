@@ -3,16 +3,16 @@
 //!
 //! In the variable `zeta = q a/t` the integrals of [`wiener_hopf`](crate::wiener_hopf)
 //! differ between contacts only by the values of the symbol `S`. One solve is therefore a few
-//! products with the matrices stored here, along the lines of [`path`](crate::path).
+//! products with the matrices stored here, along the lines of [`path`](crate::wiener_hopf::path).
 
 use std::f64::consts::PI;
 
 use interp::once::Once;
 use num_complex::Complex64;
 
-use crate::matrix::Matrix;
-use crate::path::{Logarithm, Path, influence};
-use crate::turned_line::TurnedLine;
+use crate::wiener_hopf::matrix::Matrix;
+use crate::wiener_hopf::path::{Logarithm, Path, influence};
+use crate::wiener_hopf::turned_line::TurnedLine;
 
 /// The accuracies (`digits`) for which contours are made, ascending. The errors of neighbours
 /// differ by a factor of at least 150.
@@ -184,7 +184,7 @@ impl Contour {
     }
 
     /// Returns the share of the residue of a pole at `zeta` that the sum over the nodes leaves out
-    /// ([`share_of_pole`](crate::path::Rule::share_of_pole)).
+    /// ([`share_of_pole`](crate::wiener_hopf::path::Rule::share_of_pole)).
     pub fn share_of_pole(&self, zeta: Complex64) -> Complex64 {
         let (digits, path) = (self.logarithm.digits, self.path);
         let radius = zeta / path.direction();

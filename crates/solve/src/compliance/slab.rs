@@ -63,9 +63,9 @@
 
 use fearless_simd::prelude::*;
 
+use crate::compliance::exponential::exponential;
 use crate::compliance::hyperbolic_rests;
-use crate::exponential::exponential;
-use crate::minors::{Minors, sum};
+use crate::compliance::minors::{Minors, sum};
 use crate::stack::Interface;
 
 /// The largest `q` of a layer for which the power series of (1) are used; (2) is used beyond.

@@ -17,9 +17,9 @@ use fearless_simd::{Level, dispatch};
 use interp::Material;
 use num_complex::Complex64;
 
+use crate::compliance::surface::{SurfaceCompliance, filled};
+use crate::compliance::zero::{Zero, nearest_zero, zero_free_radius};
 use crate::compliance::{Compliance, SWITCH, WaveNumber};
-use crate::surface::{SurfaceCompliance, filled};
-use crate::zero::{Zero, nearest_zero, zero_free_radius};
 
 /// `S(q)`, with `S(inf) = 1`, of one contact: of a film on its substrate, or of any other
 /// [`SurfaceCompliance`] `C`.
@@ -160,7 +160,7 @@ impl Symbol {
         *self.zero_free_radius.get_or_init(find)
     }
 
-    /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::zero::REACH), if it is
+    /// Returns the only zero of `S` in the first quadrant within [`REACH`](crate::compliance::zero::REACH), if it is
     /// found.
     pub fn nearest_zero(&self) -> Option<Zero> {
         let free = self.zero_free_radius();

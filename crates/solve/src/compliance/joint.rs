@@ -28,7 +28,7 @@
 
 use fearless_simd::prelude::*;
 
-use crate::minors::{Minors, scaled, sum};
+use crate::compliance::minors::{Minors, scaled, sum};
 use crate::stack::Interface;
 
 /// The `kt/G` below which springs count as sliding where poles are sought. Their poles, at its

@@ -27,12 +27,12 @@
 //! `nu0` and `E0/E1`, or on one stack of layers (`operator.rs`). The Bessel values do not depend
 //! on the material (`abscissae.rs`).
 
-use crate::abscissae::Abscissae;
+use crate::compliance::surface::SurfaceCompliance;
+use crate::compliance::symbol::Symbol;
 use crate::estimate::Estimate;
-use crate::operator::Operator;
-use crate::quadrature::{PanelWeights, Panels};
-use crate::surface::SurfaceCompliance;
-use crate::symbol::Symbol;
+use crate::galerkin::abscissae::Abscissae;
+use crate::galerkin::operator::Operator;
+use crate::galerkin::quadrature::{PanelWeights, Panels};
 
 /// Solves one contact at `x = a/t`, and those of the power laws with the `exponents`. Adds modes
 /// and panels until the estimated error is at most `tolerance`, or until only rounding is left of

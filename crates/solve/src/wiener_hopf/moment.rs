@@ -15,14 +15,14 @@
 //! so that `Delta_n = M_n[a]/a0` and `Pi_n = 4 es (M_n[a] b1 - a0 M_n[b/z])`, with `b1 = M_0[b/z]`.
 //! Up to the [`CORNER`] the polynomial `sum p_i k^{2i}` through the readouts gives the finite part
 //! `sum p_i c^{2i-n}/(2i-n)`; beyond, a sum over the nodes of the
-//! [turned line](crate::turned_line) does.
+//! [turned line](crate::wiener_hopf::turned_line) does.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use num_complex::Complex64;
 
-use crate::contour::{Contour, READOUTS, Readouts};
-use crate::turned_line::CORNER;
+use crate::wiener_hopf::contour::{Contour, READOUTS, Readouts};
+use crate::wiener_hopf::turned_line::CORNER;
 
 /// The functional `M_n` as sums of values.
 pub struct Moment {

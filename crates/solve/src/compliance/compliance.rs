@@ -22,7 +22,7 @@
 //! continuations from the right and from the left differ on the imaginary axis.
 //!
 //! The contact's symbol adds the sphere: `S = sphere + film X` with two constants `sphere >= 0` and
-//! `film > 0`. Its zeros follow from `N` and `D` ([`zero`](crate::zero)).
+//! `film > 0`. Its zeros follow from `N` and `D` ([`zero`](crate::compliance::zero)).
 
 use std::ops::{Add, Mul, Sub};
 
@@ -30,8 +30,8 @@ use fearless_simd::prelude::*;
 use interp::Material;
 use num_complex::{Complex64, ComplexFloat};
 
-use crate::exponential::exponential;
-use crate::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
+use crate::compliance::exponential::exponential;
+use crate::compliance::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
 
 /// A real or complex wave number: `f64` or [`Complex64`].
 pub trait WaveNumber:
@@ -349,8 +349,8 @@ mod tests {
     use rand::SeedableRng;
     use rand_pcg::Pcg64Mcg;
 
-    use crate::surface::tests::assert_that_the_cut_off_bounds_the_rest;
-    use crate::zero::tests::Sum;
+    use crate::compliance::surface::tests::assert_that_the_cut_off_bounds_the_rest;
+    use crate::compliance::zero::tests::Sum;
 
     /// Beyond the cut-off, `X - 1` and `q X'` are below the tolerance for all films. Measured: at
     /// most 0.27 of the tolerance.

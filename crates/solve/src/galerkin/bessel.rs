@@ -16,7 +16,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use interp::once::Lazy;
 
-use crate::sine::sine_and_versine;
+use crate::galerkin::sine::sine_and_versine;
 
 /// The number of arguments handled at once. The recurrences of a group are independent and fill the
 /// processor's vector registers.
@@ -220,7 +220,7 @@ fn start(z: f64) -> usize {
 mod tests {
     use super::*;
     use crate::estimate::larger;
-    use crate::quadrature::legendre;
+    use crate::galerkin::quadrature::legendre;
 
     fn fill(modes: usize, z: Group) -> Vec<f64> {
         let mut values = vec![f64::NAN; modes * LANES];

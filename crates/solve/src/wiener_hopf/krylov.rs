@@ -6,7 +6,7 @@
 use fearless_simd::{Level, dispatch};
 
 use crate::estimate::larger;
-use crate::slope::dot;
+use crate::galerkin::slope::dot;
 
 /// The number of steps for which memory is taken at once. Most contacts need fewer.
 const USUAL_STEPS: usize = 16;

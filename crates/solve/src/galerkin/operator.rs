@@ -20,7 +20,7 @@
 //! with its first coefficient instead of `1/3`; in its load `2 k` becomes `n k`.
 //!
 //! Long waves enter the softness only: in `M_00 + C_00 = (2/pi) int (q )' J_0^2 dz` they are
-//! integrated by parts ([`LongWaves`](crate::abscissae::LongWaves)). Each term is then
+//! integrated by parts ([`LongWaves`](crate::galerkin::abscissae::LongWaves)). Each term is then
 //! accurate for every contrast of the moduli.
 
 use std::iter;
@@ -38,13 +38,13 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use interp::Quantities;
 
-use crate::abscissae::{Abscissae, BesselValues, SQRT_5};
-use crate::bessel::LANES;
+use crate::compliance::surface::{AllSamples, SurfaceCompliance};
+use crate::compliance::symbol::Symbol;
 use crate::estimate::larger;
+use crate::galerkin::abscissae::{Abscissae, BesselValues, SQRT_5};
+use crate::galerkin::bessel::LANES;
+use crate::galerkin::slope::{Slope, dot};
 use crate::power_law::{PowerLaw, coefficients};
-use crate::slope::{Slope, dot};
-use crate::surface::{AllSamples, SurfaceCompliance};
-use crate::symbol::Symbol;
 
 /// The second entry of `rho^2` in the basis.
 const PARABOLA: f64 = 2.0 / (3.0 * SQRT_5);

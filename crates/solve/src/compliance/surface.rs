@@ -4,8 +4,8 @@
 //! reduced modulus `E1*` of what the sphere touches. Wave numbers `q` are in units of one over the
 //! thickness of the top layer, beyond which `X` tends to 1 like `q^2 e^{-2q}`. One film
 //! ([`Compliance`](crate::compliance::Compliance)) and a stack of layers
-//! ([`LayeredCompliance`](crate::layered::LayeredCompliance), or a
-//! [`SampledCompliance`](crate::sampled::SampledCompliance) of it) answer the same
+//! ([`LayeredCompliance`](crate::compliance::layered::LayeredCompliance), or a
+//! [`SampledCompliance`](crate::compliance::sampled::SampledCompliance) of it) answer the same
 //! questions.
 
 use std::fmt::Debug;

@@ -3,15 +3,14 @@
 use interp::Quantities;
 use num_complex::Complex64;
 
-use crate::contour::{Contour, READOUTS};
+use crate::compliance::symbol::Symbol;
 use crate::estimate::{Estimate, larger};
-use crate::moment::Moment;
-use crate::path::Path;
 use crate::power_law::PowerLaw;
-use crate::symbol::Symbol;
-use crate::turned_line::LineFields;
-use crate::wiener_hopf::Strengths;
-use crate::zero_node::ZeroNode;
+use crate::wiener_hopf::contour::{Contour, READOUTS};
+use crate::wiener_hopf::coupling::Strengths;
+use crate::wiener_hopf::moment::Moment;
+use crate::wiener_hopf::path::Path;
+use crate::wiener_hopf::zero_node::ZeroNode;
 
 /// The solution of the equation of the edges for one contact.
 pub struct Fields<'a> {
@@ -29,6 +28,14 @@ pub struct Fields<'a> {
     pub strengths: &'a [Strengths; 2],
     /// The node of a zero of `S`.
     pub zero: Option<&'a ZeroNode>,
+}
+
+/// The fields on the line times their weights: `int E z^{-p} dz = sum E_j z_j^{-p}`.
+struct LineFields {
+    /// `E_even` at the nodes.
+    even: Vec<Complex64>,
+    /// `E_odd`.
+    odd: Vec<Complex64>,
 }
 
 /// A sum and the size of its terms. The rounding error is proportional to the size.
@@ -190,7 +197,31 @@ impl Fields<'_> {
     /// Returns the fields on the contour's turned line.
     fn on_turned_line(&self) -> LineFields {
         let line = self.contour.turned_line();
-        line.fields(self.x, self.symbol, self.logs, self.strengths, self.zero)
+        let n = line.nodes.len();
+        let mut log_factors = vec![0.0; 2 * n];
+        line.factor.multiply(self.logs, &mut log_factors);
+        let waves: Vec<Complex64> = (0..n)
+            .map(|j| {
+                let s = self.symbol.at(line.nodes[j] / self.x);
+                let log_factor =
+                    Complex64::new(log_factors[j], log_factors[n + j]) + line.own[j] * s.ln();
+                line.weights[j] * log_factor.exp() / s
+            })
+            .collect();
+        let [even, odd] =
+            [(&self.strengths[0], 1.0), (&self.strengths[1], -1.0)].map(|(strengths, sign)| {
+                let mut v = vec![0.0; 2 * n];
+                line.readout.multiply(&strengths.nodes, &mut v);
+                let of_zero = |j: usize| {
+                    self.zero.map_or(Complex64::ZERO, |zero| {
+                        zero.influence(strengths.zero, line.nodes[j])
+                    })
+                };
+                let value = |j: usize| Complex64::new(v[j], v[n + j]) + of_zero(j);
+                let field = |j: usize| waves[j] * (1.0 + sign * value(j));
+                (0..n).map(field).collect()
+            });
+        LineFields { even, odd }
     }
 }
 

@@ -19,7 +19,7 @@ use std::f64::consts::{E, PI};
 
 use interp::once::Lazy;
 
-use crate::surface::{SurfaceCompliance, cut_off, decay};
+use crate::compliance::surface::{SurfaceCompliance, cut_off, decay};
 
 /// An `n`-point Gauss-Legendre rule on `[-1, 1]`, exact to degree `2n - 1`.
 #[derive(Clone, Debug)]

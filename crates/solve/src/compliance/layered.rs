@@ -15,11 +15,11 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 use interp::Material;
 
-use crate::excess::{largest_excess, shear};
-use crate::minors::{Minors, scaled, sum};
-use crate::slab::{Component, Samples, Slab};
+use crate::compliance::excess::{largest_excess, shear};
+use crate::compliance::minors::{Minors, scaled, sum};
+use crate::compliance::slab::{Component, Samples, Slab};
+use crate::compliance::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
 use crate::stack::{Interface, Stack};
-use crate::surface::{AllSamples, SurfaceCompliance, VectorCompliance, sample_all};
 
 /// The smallest scale over the estimate of the nearest pole, of a stack that is not bonded: the
 /// estimate leaves out the factor 1/2 of the bound, and plates that slide need some of it.
@@ -143,19 +143,19 @@ impl LayeredCompliance {
     }
 
     /// Returns the wave number that is added to all.
-    pub(super) const fn least(&self) -> f64 {
+    pub(crate) const fn least(&self) -> f64 {
         self.least
     }
 
     /// Returns the top layer.
-    pub(super) fn top(&self) -> &Slab {
+    pub(crate) fn top(&self) -> &Slab {
         &self.top
     }
 
     /// Returns the minors `y` and `z = k dy/dk` at the bottom of the top layer, in its unit, at
     /// several wave numbers `k`.
     #[inline(always)]
-    pub(super) fn below_top<S: Simd>(&self, simd: S, k: S::f64s) -> [Minors<S>; 2] {
+    pub(crate) fn below_top<S: Simd>(&self, simd: S, k: S::f64s) -> [Minors<S>; 2] {
         let zero = S::f64s::splat(simd, 0.0);
         let (mut y, mut z) = (self.base(simd), [zero; 5]);
         for slab in &self.buried {
@@ -265,17 +265,17 @@ impl SurfaceCompliance for LayeredCompliance {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
     use interp::Elastic;
 
     use super::*;
+    use crate::compliance::surface::Sample;
+    use crate::compliance::surface::tests::assert_that_the_cut_off_bounds_the_rest;
     use crate::estimate::larger;
     use crate::stack::{Interface, Layer};
-    use crate::surface::Sample;
-    use crate::surface::tests::assert_that_the_cut_off_bounds_the_rest;
 
     /// Draws a stack of two to ten layers, with moduli over nine decades and thicknesses over four.
     pub fn random_stack(seed: u64) -> Stack {

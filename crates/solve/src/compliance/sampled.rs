@@ -7,8 +7,8 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch};
 
 use crate::compliance::FLAT;
-use crate::layered::LayeredCompliance;
-use crate::surface::{AllSamples, SurfaceCompliance};
+use crate::compliance::layered::LayeredCompliance;
+use crate::compliance::surface::{AllSamples, SurfaceCompliance};
 
 /// The samples of a panel. With poles at 26 degrees from the real axis, the ellipse of convergence
 /// of a panel `[c, 1.4c]` is 5.5, and that of the first panel, whose length is half the distance of
@@ -137,8 +137,8 @@ fn extend<S: Simd>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compliance::layered::tests::{random_stack, random_stack_with_interfaces};
     use crate::estimate::larger;
-    use crate::layered::tests::{random_stack, random_stack_with_interfaces};
     use crate::stack::{Layer, Stack};
     use interp::Elastic;
 

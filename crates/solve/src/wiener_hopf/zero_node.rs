@@ -11,13 +11,13 @@
 //! to `V(z)`, as a node of the strength `y` does. `V(zeta)` is one more complex unknown. The pole
 //! near the line also costs the sum over the nodes its accuracy. What the sum has of the residue
 //! by its finite step is known, and is taken from it
-//! ([`share_of_pole`](crate::path::Rule::share_of_pole)).
+//! ([`share_of_pole`](crate::wiener_hopf::path::Rule::share_of_pole)).
 
 use num_complex::Complex64;
 
-use crate::contour::Contour;
-use crate::path::influence;
-use crate::zero::Zero;
+use crate::compliance::zero::Zero;
+use crate::wiener_hopf::contour::Contour;
+use crate::wiener_hopf::path::influence;
 
 /// The node of one zero, for one contact on one contour along the imaginary axis.
 pub struct ZeroNode {
