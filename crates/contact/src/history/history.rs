@@ -161,7 +161,7 @@ impl<'a> History<'a> {
     /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy;
     /// [`HistoryError::SpeedOfLine`] for a law whose energy depends on the speed of the line.
     pub fn receding(self, law: impl CrackTip) -> Result<Self, HistoryError> {
-        let [advancing, receding] = crate::crack_tip::energies_in_order(law.at_rest())?;
+        let [advancing, receding] = crate::line::energies_in_order(law.at_rest())?;
         if advancing != 0.0 {
             return Err(HistoryError::GrowingAdhesion { advancing });
         }

@@ -1,6 +1,6 @@
 //! The contact radii among which states are sought.
 
-use super::Contact;
+use crate::Contact;
 use crate::Error;
 use crate::bodies::Bodies;
 use interp::{Curve, Probe};

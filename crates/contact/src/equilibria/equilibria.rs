@@ -3,10 +3,10 @@
 
 use std::sync::OnceLock;
 
-use super::line_energy::LineEnergy;
-use super::root::root;
 use super::turning_points::Section;
 use crate::Error;
+use crate::line_energy::LineEnergy;
+use crate::root::root;
 use crate::{Branch, Contact, State};
 use interp::check::{finite_input, work_of_adhesion};
 

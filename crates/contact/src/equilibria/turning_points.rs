@@ -2,10 +2,10 @@
 
 use std::sync::OnceLock;
 
-use super::line_energy::LineEnergy;
-use super::root::root;
 use crate::Error;
+use crate::line_energy::LineEnergy;
 use crate::made::made;
+use crate::root::root;
 use crate::shape::Shape;
 use crate::{Branch, Contact, Control, Equilibria};
 use interp::LoadAndPenetration;

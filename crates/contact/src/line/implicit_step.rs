@@ -6,7 +6,7 @@
 //! is bracketed, so that no stiffness and no kink of `f` keeps it from being found, and the slope is
 //! `(y - known)/s`, so that the rounding of a steep `f` does not enter.
 
-use super::root::root;
+use crate::root::root;
 
 /// The diagonal of the method.
 const GAMMA: f64 = 0.25;

@@ -1,9 +1,9 @@
 //! The energy release rate from any two measured values of contact radius, load and penetration. No
 //! work of adhesion is assumed.
 
-use super::root::root;
 use crate::Contact;
 use crate::Error;
+use crate::root::root;
 use interp::Quantity;
 use interp::check::{finite_input, finite_result};
 

@@ -1,8 +1,8 @@
 //! The slope of the force curve where the contact line moves.
 
-use super::line_energy::LineEnergy;
 use crate::Contact;
 use crate::Error;
+use crate::line_energy::LineEnergy;
 use interp::Curve;
 use interp::check::finite_result;
 
