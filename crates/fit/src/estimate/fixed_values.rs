@@ -7,12 +7,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::assigned::Assigned;
-use super::blocks::svd;
-use super::loss::influence;
 use super::problem::Problem;
-use super::slot::Slot;
-use super::uncertainty::Uncertainty;
+use super::problem::assigned::Assigned;
+use super::problem::blocks::svd;
+use super::problem::loss::influence;
+use super::problem::slot::Slot;
+use super::problem::uncertainty::Uncertainty;
 use crate::model::contacts_of;
 use crate::{Error, Fit, Fixed, FixedValue, Known};
 

@@ -2,13 +2,13 @@
 
 use interp::Table;
 
-use super::assigned::Assigned;
-use super::assumptions;
-use super::few::hold_back;
+use super::minima::search::{Beyond, ROUNDS, clear_branches};
 use super::problem::Problem;
-use super::search::{Beyond, ROUNDS, clear_branches};
-use super::slot::slots;
-use super::uncertainty::{Uncertainty, estimates};
+use super::problem::assigned::Assigned;
+use super::problem::few::hold_back;
+use super::problem::slot::slots;
+use super::problem::uncertainty::{Uncertainty, estimates};
+use super::warnings::assumptions;
 use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Parameter};
 
 /// Computes the standard errors that a planned experiment would give.

@@ -1,8 +1,8 @@
 //! The points that a fit leaves out, by reason.
 
-use super::assigned::Assigned;
-use super::minimum::Minimum;
-use super::search::{End, ends};
+use super::minima::minimum::Minimum;
+use super::minima::search::{End, ends};
+use super::problem::assigned::Assigned;
 use crate::{Branch, Error, LeftOut, LeftOutReason, Numbering};
 
 /// The largest part of the points in contact that may be left out unless more are allowed.

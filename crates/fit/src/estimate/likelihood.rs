@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use interp::Table;
 
-use super::assigned::Assigned;
-use super::slot::Slot;
+use super::problem::assigned::Assigned;
+use super::problem::slot::Slot;
 use super::solve::prepare;
 use crate::model::contacts_of;
 use crate::{Branch, Error, Experiment, Free, Parameter};

@@ -2,9 +2,9 @@
 
 use contact::LawParameter;
 
-use super::minimum::Minimum;
+use super::minima::minimum::Minimum;
 use super::problem::Problem;
-use super::relaxing_start::accept_zeros;
+use super::start::relaxing_start::accept_zeros;
 use crate::statistics::range;
 use crate::{Bodies, Error, Fit, FittedRelaxation, Parameter, Warning, WarningKind};
 

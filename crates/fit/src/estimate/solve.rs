@@ -3,13 +3,19 @@
 use contact::HistoryError;
 use interp::{Probe, Table};
 
-use super::assigned::Assigned;
+use super::fixed_values;
+use super::left_out;
+use super::minima::minimum::Minimum;
+use super::minima::profile;
 use super::minima::{minimum, replace_by};
-use super::minimum::Minimum;
+use super::problem::assigned::Assigned;
+use super::problem::loss;
+use super::problem::slot::{Slot, slots};
+use super::problem::uncertainty::{UNDETERMINED, Uncertainty, estimates};
 use super::problem::{Ending, Problem};
-use super::slot::{Slot, slots};
-use super::uncertainty::{UNDETERMINED, Uncertainty, estimates};
-use super::{fixed_values, left_out, loss, profile, relaxing, warnings, without_film};
+use super::relaxing;
+use super::warnings;
+use super::without_film;
 use crate::model::has_no_start;
 use crate::statistics::{deviations, student_deviations};
 use crate::{

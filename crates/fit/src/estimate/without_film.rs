@@ -2,11 +2,11 @@
 
 use interp::{HalfSpace, Table};
 
-use super::minimum::Minimum;
+use super::minima::minimum::Minimum;
+use super::problem::slot::Slot;
+use super::problem::uncertainty::{Uncertainty, estimates};
 use super::problem::{Ending, Problem};
-use super::slot::Slot;
 use super::start::{self, Variation};
-use super::uncertainty::{Uncertainty, estimates};
 use crate::{Bodies, Loss, ModulusBias, Parameter, WithoutFilm};
 
 /// The most evaluations over the number of parameters + 1.

@@ -1,0 +1,20 @@
+//! The doubts about a result: each file has one kind of them, and `warnings` lists them all.
+
+pub(super) mod agreement;
+pub(super) mod assumptions;
+pub(super) mod cycle;
+pub(super) mod detector;
+pub(super) mod friction;
+pub(super) mod hold;
+pub(super) mod indentation;
+pub(super) mod interfaces;
+pub(super) mod prior;
+pub(super) mod shared_noise;
+pub(super) mod table_error;
+pub(super) mod twice;
+pub(super) mod unequal_noise;
+pub(super) mod unseen_zero;
+pub(super) mod wanted;
+mod warnings;
+
+pub(super) use self::warnings::*;

@@ -1,0 +1,380 @@
+//! Parameters that are not fitted but wanted by the data.
+//!
+//! The gain of a further parameter is the decrease of the sum of squares that the linearised model
+//! predicts for it (Rao's score test). No further fit is made.
+
+use interp::Probe;
+use nalgebra::DVector;
+
+use crate::estimate::fixed_values::residuals_with;
+use crate::estimate::problem::Problem;
+use crate::estimate::problem::assigned::Assigned;
+use crate::estimate::problem::loss::influence;
+use crate::estimate::problem::uncertainty::Uncertainty;
+use crate::statistics::BEYOND_CHANCE;
+use crate::{Experiment, Fixed, Kind, Loss, Parameter, Warning, WarningKind};
+
+/// A column counts as a combination of those that are fitted if less than this part of it is left
+/// without them.
+const LEFT: f64 = 1e-3;
+/// A zero of an instrument is named already from this number of its standard errors on, if it would mislead: the values
+/// found may be so correlated with it that chi^2 does not tell. For each zero, chance reaches it in one fit of 2000.
+const HINT: f64 = 3.5;
+/// The change of a value found, in its standard errors, from which on a zero misleads.
+const MISLED: f64 = 5.0;
+/// The fewest points of each way for which one work of adhesion is doubted.
+const FEWEST: usize = 5;
+/// The kurtosis less 3 below which the residuals are of two kinds. It is 0 of a normal
+/// distribution,
+/// -1.2 of a uniform one, and -2 of two values. It is not looked at below [`MANY`] points.
+const TWO_KINDS: f64 = -1.2;
+const MANY: usize = 50;
+
+pub(crate) fn add(
+    warnings: &mut Vec<Warning>,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+    residuals: &DVector<f64>,
+) {
+    let score = Score::new(problem, uncertainty, residuals);
+    let pulls = (0..problem.assigned.len()).map(|e| unfitted_pull(problem, e));
+    let pulls: Vec<Option<f64>> = pulls.collect();
+    let adhesion = if pulls.iter().any(Option::is_some) {
+        None
+    } else {
+        score.adhesion()
+    };
+    if let Some((gain, work)) = &adhesion {
+        warnings.push(WarningKind::AdhesionWanted.with(format!(
+            "work-of-adhesion is 0 and not fitted, but the data want adhesion: it would lower chi^2 by {:.0}, and \
+             be some {work:.1e} J/m^2; free it if the bodies can adhere, and if not, check the thickness, the shape of \
+             the probe and the zeros of the instrument that are fixed",
+            gain.chi_squared
+        )));
+    }
+    let explained = adhesion.map_or(0.0, |found| found.0.significance);
+    for (e, assigned) in problem.assigned.iter().enumerate() {
+        let experiment = &assigned.experiment;
+        if experiment.measurement.kind.is_stiffness() {
+            continue;
+        }
+        let name = &experiment.measurement.name;
+        let fitted = problem.parameters_of(e);
+        if let Some(pull) = pulls[e] {
+            // The zeros of the instrument would make up for it, and are not named.
+            warnings.push(WarningKind::AdhesionWanted.with(adhesion_seen(experiment, pull)));
+            continue;
+        }
+        let is_wanted = |parameter: &Parameter| {
+            !fitted.contains(parameter) && experiment.why_without_effect(*parameter).is_none()
+        };
+        let mut level_named = false;
+        for parameter in Parameter::ZEROS.into_iter().filter(is_wanted) {
+            let is_level = matches!(parameter, Parameter::LoadOffset | Parameter::Baseline);
+            if is_level && level_named {
+                continue;
+            }
+            let Some((gain, column)) = score.gain_of(e, parameter, |_| true) else {
+                continue;
+            };
+            // What adhesion explains better is no zero of the instrument.
+            if gain.significance < explained {
+                continue;
+            }
+            if gain.is_significant() {
+                level_named |= is_level;
+                warnings.push(WarningKind::OffsetWanted.with(format!(
+                    "{name}: {parameter} is not fitted, but the data want it: it would lower \
+                     chi^2 by {:.0}, and be {:+.2e} {}; free it",
+                    gain.chi_squared,
+                    gain.change,
+                    parameter.unit()
+                )));
+            } else if gain.significance > HINT * HINT && parameter != Parameter::BaselineSlope {
+                let changes = uncertainty.changes_in_errors(&(column * gain.change));
+                let found = problem.slots.iter().zip(changes);
+                let most = found.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()));
+                if let Some((slot, change)) = most
+                    && change.abs() > MISLED
+                {
+                    level_named |= is_level;
+                    warnings.push(WarningKind::OffsetHinted.with(format!(
+                        "{name}: {parameter} is not fitted, and the data hint at {:+.1e} {}, which is {:.1} of its \
+                         standard errors. It would change {} by {:+.0} of its standard errors: free it, unless its value is known",
+                        gain.change,
+                        parameter.unit(),
+                        gain.significance.sqrt(),
+                        slot.parameter,
+                        change
+                    )));
+                }
+            }
+        }
+        if !fitted.contains(&Parameter::WorkOfAdhesionReceding) {
+            warnings.extend(score.mixed(e));
+        }
+    }
+}
+
+/// Returns the force by which the contact of experiment `e` pulls, N, if forces against positions are fitted without
+/// adhesion and show a pull.
+fn unfitted_pull(problem: &Problem<'_>, e: usize) -> Option<f64> {
+    let assigned = &problem.assigned[e];
+    let experiment = &assigned.experiment;
+    let kind = experiment.measurement.kind;
+    let is_free = |parameter: &Parameter| parameter.is_work_of_adhesion();
+    let is_without = matches!(kind, Kind::LoadPenetration | Kind::ForceHeight)
+        && experiment.work_of_adhesion == 0.0
+        && experiment
+            .work_of_adhesion_receding
+            .is_none_or(|work| work == 0.0)
+        && !problem.parameters_of(e).iter().any(is_free);
+    let noise = assigned.local_noise.unwrap_or(assigned.noise);
+    is_without.then(|| experiment.pull(noise)).flatten()
+}
+
+/// Says that data show adhesion, with the force by which the contact pulls, N.
+fn adhesion_seen(experiment: &Experiment, pull: f64) -> String {
+    let advice = if experiment.relaxing.is_some() {
+        "contacts that relax are fitted without: leave the points of the retract out, and keep those of approach and hold"
+    } else if let Probe::FlatPunch { .. } = experiment.bodies.probe() {
+        "the work of adhesion is 0 and not fitted: the pull-off load alone tells that of a flat punch; give a larger one than \
+         that, such as 1 J/m^2, for the fit of the rest"
+    } else {
+        "the work of adhesion is 0 and not fitted: free it (work-of-adhesion); without it the modulus and the zeros of the \
+         instrument make up for it"
+    };
+    format!(
+        "{}: the force falls {pull:.1e} N below the baseline and jumps back to it where the contact ends, which is \
+         adhesion, and {advice}",
+        experiment.measurement.name
+    )
+}
+
+/// Returns the derivatives of the residuals with respect to a parameter of experiment `e` at the points chosen, and 0
+/// elsewhere.
+pub(crate) fn column(
+    problem: &Problem<'_>,
+    e: usize,
+    parameter: Parameter,
+    chosen: impl Fn(usize) -> bool,
+) -> Option<DVector<f64>> {
+    let derivatives = problem.predict(e, &[parameter]).ok()?.derivatives;
+    let own = &problem.assigned[e];
+    let rows = problem.rows_of_experiments()[e].clone();
+    let mut column = DVector::zeros(problem.residual_count());
+    for (row, i) in rows.zip(own.counting_points()).filter(|(_, i)| chosen(*i)) {
+        column[row] = derivatives[i] / own.deviation(i);
+    }
+    let is_finite = column.iter().all(|value| value.is_finite());
+    is_finite.then_some(column)
+}
+
+/// What a further parameter would gain.
+struct Gain {
+    /// The decrease of the sum of squares.
+    chi_squared: f64,
+    /// The same in units of the variance of the residuals.
+    significance: f64,
+    /// The change of the parameter.
+    change: f64,
+}
+
+impl Gain {
+    fn is_significant(&self) -> bool {
+        self.significance > BEYOND_CHANCE * BEYOND_CHANCE
+    }
+}
+
+/// The residuals by their influence, and what of a column is no combination of the fitted ones.
+struct Score<'a> {
+    problem: &'a Problem<'a>,
+    /// The residuals as they are.
+    raw: &'a DVector<f64>,
+    uncertainty: &'a Uncertainty,
+    residuals: DVector<f64>,
+    /// The variance of a residual per unit of the noise.
+    variance: f64,
+    /// Whether it follows from the residuals.
+    variance_is_estimated: bool,
+}
+
+impl<'a> Score<'a> {
+    fn new(problem: &'a Problem<'_>, uncertainty: &'a Uncertainty, raw: &'a DVector<f64>) -> Self {
+        let robust = problem.loss != Loss::Squares;
+        let residuals = raw.map(|residual| influence(problem.loss, residual).0);
+        let freedom = (residuals.len() as f64 - problem.slots.len() as f64 - 1.0).max(1.0);
+        Self {
+            problem,
+            raw,
+            uncertainty,
+            variance: residuals.norm_squared() / freedom,
+            variance_is_estimated: robust
+                || problem.experiments().any(|one| one.usual_noise().is_none()),
+            residuals,
+        }
+    }
+
+    /// Returns the gain of a parameter of experiment `e` at the points chosen, and its column.
+    fn gain_of(
+        &self,
+        e: usize,
+        parameter: Parameter,
+        chosen: impl Fn(usize) -> bool,
+    ) -> Option<(Gain, DVector<f64>)> {
+        let column = column(self.problem, e, parameter, chosen)?;
+        Some((self.gain(&column)?, column))
+    }
+
+    /// Returns the gain of a column; `None` if it is a combination of the fitted ones.
+    fn gain(&self, column: &DVector<f64>) -> Option<Gain> {
+        let rest = self.uncertainty.without_fitted(column);
+        let length = rest.norm_squared();
+        if length.is_nan() || length <= LEFT * LEFT * column.norm_squared() {
+            return None;
+        }
+        let product = self.residuals.dot(&rest);
+        let chi_squared = product * product / length;
+        let freedom = self.residuals.len() as f64;
+        let remaining = (self.variance - chi_squared / freedom).max(1e-9 * self.variance);
+        let variance = if self.variance_is_estimated {
+            remaining
+        } else {
+            remaining.max(1.0)
+        };
+        Some(Gain {
+            chi_squared,
+            significance: chi_squared / variance,
+            change: -product / length,
+        })
+    }
+
+    /// Returns what adhesion would gain in contacts that are fitted without, and the work of adhesion that it would be,
+    /// J/m^2; `None` unless by more than chance, and clearly better than the zeros of the
+    /// instrument of all files together.
+    ///
+    /// The parameter is that on which the residuals depend to first order: the square root of the work of adhesion `w` at
+    /// contact radii; `w` itself at penetrations and heights, where the load changes by `-w dA/ddelta` with the area `A` of
+    /// the contact, on a half-space by `-pi R w`. There a [pull](Experiment::pull) that the noise hides is found, too.
+    fn adhesion(&self) -> Option<(Gain, f64)> {
+        /// A work of adhesion that changes no contact by much.
+        const SMALL: f64 = 1e-10;
+        /// What adhesion leaves of the sum of squares at contact radii, over what the zeros leave, below which it explains the
+        /// data better. Against positions it takes a small part of the noise, and more than any zero suffices.
+        const CLEARLY: f64 = 0.5;
+        const WORK: Parameter = Parameter::WorkOfAdhesion;
+        let problem = self.problem;
+        if problem.slot_of(WORK).is_some() {
+            return None;
+        }
+        let is_at_radii = |one: &Assigned| one.experiment.measurement.kind.at_radii();
+        let at_radii = is_at_radii(problem.assigned.first()?);
+        let could_adhere = |one: &Assigned| {
+            let experiment = &one.experiment;
+            is_at_radii(one) == at_radii
+                && !experiment.measurement.kind.is_stiffness()
+                && experiment.get(WORK) == Some(0.0)
+                && experiment.why_without_effect(WORK).is_none()
+        };
+        if !problem.assigned.iter().all(could_adhere) {
+            return None;
+        }
+        let moved = residuals_with(problem, Fixed::Parameter(WORK), |_| SMALL)?;
+        let mut change = (moved - self.raw) / if at_radii { SMALL.sqrt() } else { SMALL };
+        for (e, rows) in problem.rows_of_experiments().iter().enumerate() {
+            let radii = problem.predict(e, &[]).ok()?.radii;
+            let points = problem.assigned[e].counting_points();
+            for (row, _) in rows.clone().zip(points).filter(|(_, i)| radii[*i] == 0.0) {
+                change[row] = 0.0;
+            }
+        }
+        let gain = self.gain(&change)?;
+        if !gain.is_significant() || gain.change <= 0.0 {
+            return None;
+        }
+        // The largest gain of a zero that is not fitted; 0 where all are.
+        let of_zeros = |e: usize| {
+            let zeros = Parameter::ZEROS.into_iter();
+            let has_effect = |zero: &Parameter| {
+                let experiment = &problem.assigned[e].experiment;
+                experiment.why_without_effect(*zero).is_none()
+            };
+            let gains = zeros
+                .filter(has_effect)
+                .filter_map(|zero| self.gain_of(e, zero, |_| true));
+            gains.map(|(gain, _)| gain.chi_squared).fold(0.0, f64::max)
+        };
+        let zeros: f64 = (0..problem.assigned.len()).map(of_zeros).sum();
+        let left = |explained: f64| (self.residuals.norm_squared() - explained).max(0.0);
+        let clearly = if at_radii { CLEARLY } else { 1.0 };
+        let explains = left(gain.chi_squared) < clearly * left(zeros);
+        let work = if at_radii {
+            gain.change.powi(2)
+        } else {
+            gain.change
+        };
+        explains.then_some((gain, work))
+    }
+
+    /// Warns if approach and retract, or loading and unloading in time, differ.
+    fn mixed(&self, e: usize) -> Option<Warning> {
+        let problem = self.problem;
+        // Bodies that relax have a loop without adhesion.
+        if problem.assigned[e].experiment.relaxing.is_some() {
+            return None;
+        }
+        let assigned = &problem.assigned[e];
+        let points = &assigned.experiment.measurement.points;
+        let name = &assigned.experiment.measurement.name;
+        let has_directions = points.iter().all(|point| point.direction.is_some());
+        let unloading = assigned.unloading();
+        let unloads = |i: usize| unloading[i];
+        let in_contact = |i: &usize| assigned.branches[*i].is_contact();
+        let contacts = (0..points.len()).filter(in_contact);
+        let ways = [false, true].map(|way| contacts.clone().filter(|&i| unloads(i) == way).count());
+        let has_both = ways.iter().all(|&count| count >= FEWEST);
+        let advice = if let Some(apart) = assigned.baselines_apart() {
+            format!(
+                "their baselines are {apart:.2e} N apart, as drag of the liquid or drift makes them: fit one direction alone"
+            )
+        } else if assigned
+            .experiment
+            .get(Parameter::WorkOfAdhesionReceding)
+            .is_some()
+        {
+            "fit one direction alone".to_owned()
+        } else {
+            format!(
+                "{}fit each direction with a work of adhesion of its own (work-of-adhesion-receding), or one direction alone",
+                if has_directions {
+                    ""
+                } else {
+                    "give the points their directions, then "
+                }
+            )
+        };
+        if has_both
+            && assigned.experiment.work_of_adhesion > 0.0
+            && let Some((gain, _)) = self.gain_of(e, Parameter::WorkOfAdhesion, unloads)
+            && gain.is_significant()
+        {
+            return Some(WarningKind::MixedBranches.with(format!(
+                "{name}: loading and unloading do not have one work of adhesion: two would lower \
+                 chi^2 by {:.0}, and be {:.2e} J/m^2 apart; {advice}",
+                gain.chi_squared,
+                gain.change.abs()
+            )));
+        }
+        let rows = &problem.rows_of_experiments()[e];
+        let own = self.raw.rows(rows.start, rows.len());
+        let moment = |power: i32| own.iter().map(|r| r.powi(power)).sum::<f64>() / own.len() as f64;
+        let are_one_way = has_directions && !has_both;
+        let are_two_kinds = own.len() >= MANY && moment(4) / moment(2).powi(2) - 3.0 < TWO_KINDS;
+        (!are_one_way && are_two_kinds).then(|| {
+            WarningKind::MixedBranches.with(format!(
+                "{name}: the residuals are of two kinds, as those of loading and unloading under \
+                 adhesion hysteresis; {advice}"
+            ))
+        })
+    }
+}
