@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use acceptance::{Contacts, Refused, solid};
+use acceptance::{Contacts, Refused, rigid_probe, solid};
 use fit::data::{Format, read_from};
-use fit::{Error, Experiment, Fit, Free, Kind, Loss, Parameter, PointErrors, WarningKind};
-use interp::Table;
+use fit::{Bodies, Error, Experiment, Fit, Free, Kind, Loss, Parameter, PointErrors, WarningKind};
+use interp::{Probe, Table};
 
 use crate::imagined::{
     Course, Imagined, LENS, assert_no_doubts, assert_silent, assert_warned, assert_warns, fit_all,
@@ -64,6 +64,40 @@ fn the_truth_is_within_the_intervals_with_noise_in_the_radius() {
         ..lens()
     };
     recover("radius, not known", &unknown, 103, &[], with_noise);
+    // A film between rigid bodies, whose loads rise with a high power of the radius: a first model that is too stiff takes
+    // the points for farther off than they are.
+    let mut film = Imagined {
+        radii: [140e-6, 300e-6],
+        points: [20, 0],
+        ..Imagined::lens(
+            Kind::LoadRadius,
+            60e-6,
+            1e-5,
+            &[Parameter::FilmModulus, Parameter::WorkOfAdhesion],
+        )
+    };
+    film.truth.work_of_adhesion = 0.05;
+    film.truth.bodies = Bodies::Coated(rigid_probe(
+        Probe::Paraboloid { radius: 5e-3 },
+        solid(8e5, 0.49),
+        60e-6,
+        solid(7e10, 0.22),
+    ));
+    let expected = [
+        WarningKind::LargeStrain,
+        WarningKind::Friction,
+        WarningKind::AssumesBonding,
+    ];
+    recover(
+        "film, radius noise",
+        &film,
+        105,
+        &expected,
+        |mut experiment, seed| {
+            experiment.abscissa_noise = 1e-6;
+            blurred(experiment, |_| 1e-6, seed)
+        },
+    );
     // Radii ten times as uncertain at one end as at the other, as columns give them.
     let of_point = |i: usize| 1e-7 * (1.0 + 0.25 * i as f64);
     recover(

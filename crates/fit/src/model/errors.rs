@@ -15,7 +15,8 @@ use crate::statistics::median;
 /// takes the change of the model; the square of the change at each side has a sixth of the weight.
 const STEP: f64 = 1.732_050_807_568_877_2;
 
-/// The largest distance, in standard deviations of the abscissa, at which a point is taken to lie from where it was read.
+/// The largest distance, in standard deviations of the abscissa, at which a point is taken to lie from where it was read. If
+/// the model asks for a larger one, it is taken to lie the nearer, the larger that is.
 const FARTHEST: f64 = 3.0;
 
 /// What the error of an abscissa does to a point.
@@ -169,8 +170,9 @@ impl Experiment {
             let shift = read * by_error / (noise(k).powi(2) + by_error * by_error);
             // There is none without a reading, and without noise and slope.
             let shift = if shift.is_nan() { 0.0 } else { shift };
-            let farthest = (FARTHEST * deviation(k)).min(most(k));
-            let shift = (shift * deviation(k)).clamp(-farthest, farthest);
+            // A reading that is far from the model does not tell where the point lies: the model is wrong, or the reading.
+            let far = (shift.abs() / FARTHEST).max(1.0);
+            let shift = (shift / (far * far) * deviation(k)).clamp(-most(k), most(k));
             let change = odd + 2.0 * even * shift / width;
             AbscissaError {
                 part: change.hypot(even) / width * deviation(i),
