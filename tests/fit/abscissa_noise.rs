@@ -46,6 +46,24 @@ fn recover(
     assert_recovers(name, &imagined.truth, range, one, expected);
 }
 
+/// A film between rigid bodies, whose loads rise with a high power of the radius.
+fn film_between_rigid_bodies() -> Imagined {
+    let free = [Parameter::FilmModulus, Parameter::WorkOfAdhesion];
+    let mut film = Imagined {
+        radii: [140e-6, 300e-6],
+        points: [20, 0],
+        ..Imagined::lens(Kind::LoadRadius, 60e-6, 1e-5, &free)
+    };
+    film.truth.work_of_adhesion = 0.05;
+    film.truth.bodies = Bodies::Coated(rigid_probe(
+        Probe::Paraboloid { radius: 5e-3 },
+        solid(8e5, 0.49),
+        60e-6,
+        solid(7e10, 0.22),
+    ));
+    film
+}
+
 #[test]
 fn the_truth_is_within_the_intervals_with_noise_in_the_radius() {
     let with_noise = |mut experiment: Experiment, seed| {
@@ -64,25 +82,8 @@ fn the_truth_is_within_the_intervals_with_noise_in_the_radius() {
         ..lens()
     };
     recover("radius, not known", &unknown, 103, &[], with_noise);
-    // A film between rigid bodies, whose loads rise with a high power of the radius: a first model that is too stiff takes
-    // the points for farther off than they are.
-    let mut film = Imagined {
-        radii: [140e-6, 300e-6],
-        points: [20, 0],
-        ..Imagined::lens(
-            Kind::LoadRadius,
-            60e-6,
-            1e-5,
-            &[Parameter::FilmModulus, Parameter::WorkOfAdhesion],
-        )
-    };
-    film.truth.work_of_adhesion = 0.05;
-    film.truth.bodies = Bodies::Coated(rigid_probe(
-        Probe::Paraboloid { radius: 5e-3 },
-        solid(8e5, 0.49),
-        60e-6,
-        solid(7e10, 0.22),
-    ));
+    // A first model that is too stiff takes the points for farther off than they are.
+    let film = film_between_rigid_bodies();
     let expected = [
         WarningKind::LargeStrain,
         WarningKind::Friction,
@@ -155,6 +156,28 @@ fn noise_in_the_radius_that_is_not_given_is_a_poor_fit_under_any_loss() {
             assert_silent(&found, WarningKind::PoorFit);
         }
     }
+}
+
+/// Whether residuals are errors of the radius or of the load is told by their sizes, where neither is given.
+#[test]
+fn errors_of_radii_that_are_not_given_are_told_from_those_of_loads() {
+    let mut film = film_between_rigid_bodies();
+    film.noise_is_known = false;
+    let exact = film.exact();
+    let told = |radius_noise: f64, load_noise: f64| {
+        let fit = |seed: &u64| {
+            let film = Imagined {
+                noise: load_noise,
+                ..film.clone()
+            };
+            let experiment = blurred(film.measured(&exact, *seed), |_| radius_noise, *seed);
+            let found = film.fit_of(&experiment);
+            found.warns_of(WarningKind::RadiusNoise)
+        };
+        (0..40).filter(fit).count()
+    };
+    assert!(told(1e-6, 1e-6) > 30);
+    assert!(told(0.0, 1e-4) < 2);
 }
 
 /// The equations of Johnson, Kendall and Roberts give the slope in closed form.

@@ -334,6 +334,8 @@ named! {
         NoiseNotSeen = "noise-not-seen",
         /// An estimated noise that is larger in contact than off contact, or at large ordinates than at small ones.
         UnequalNoise = "unequal-noise",
+        /// Residuals that are more likely errors of the contact radii than one noise of the ordinates.
+        RadiusNoise = "radius-noise",
         /// Penetrations with the noise of the loads, which make moduli too small.
         SharedNoise = "shared-noise",
         /// A prior far from what the data tell.

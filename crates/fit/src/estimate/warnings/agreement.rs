@@ -8,6 +8,7 @@
 use nalgebra::DVector;
 
 use super::detector;
+use super::radius_noise;
 use super::shared_noise;
 use super::unequal_noise;
 use crate::estimate::problem::Problem;
@@ -66,7 +67,8 @@ pub(crate) fn add(
             .or_else(|| {
                 let states = &problem.predicted.as_ref()?[e];
                 unequal_noise::doubt(assigned, states, (own.as_slice(), leverages))
-            });
+            })
+            .or_else(|| radius_noise::doubt(problem, e, &fit.estimates));
         let kind = doubt.as_ref().map(|one| one.kind);
         unequal[e] = matches!(
             kind,

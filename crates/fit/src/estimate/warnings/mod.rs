@@ -9,6 +9,7 @@ pub(super) mod hold;
 pub(super) mod indentation;
 pub(super) mod interfaces;
 pub(super) mod prior;
+pub(super) mod radius_noise;
 pub(super) mod shared_noise;
 pub(super) mod table_error;
 pub(super) mod twice;

@@ -41,6 +41,10 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
              point to point: a column of it, such as `load error [mN]`",
         ),
         (
+            WarningKind::RadiusNoise,
+            "errors of the contact radii: --radius-noise 1um, or a column of them, such as `radius error [um]`",
+        ),
+        (
             WarningKind::SharedNoise,
             "heights in place of penetrations: a column of them, --kind force-height --stiffness 0.02N/m",
         ),
