@@ -170,11 +170,10 @@ fn entry((role, heading): &(Role, String)) -> String {
 
 impl From<fit::data::DataError> for Failure {
     fn from(error: fit::data::DataError) -> Self {
-        use fit::data::Problem;
-        if let Problem::Read(source) = &*error.problem {
+        if let Some(source) = &error.of_system {
             return Self::new("FitError", &error).about_file(error.name.as_ref(), source);
         }
-        let remedy = error.remedy().map(|remedy| in_python(&remedy));
+        let remedy = error.remedy.as_deref().map(in_python);
         match remedy {
             Some(remedy) => Self::of_words("FitError", &format!("{error}; {remedy}")),
             None => Self::new("FitError", &error),

@@ -1,9 +1,9 @@
 //! Which column of a file holds what.
 
 use super::column::{Column, Role};
-use super::failure::{DataError, Missing, Problem};
-use super::head::Untold;
-use super::heading::Heading;
+use super::failure::{DataError, Found, Missing, list};
+use super::heading::{Heading, Reduced};
+use super::remedy::{Named, Remedy, any};
 use super::source::{Columns, Source};
 use super::{Format, beside};
 use crate::{Direction, Kind};
@@ -44,7 +44,7 @@ pub struct Assignment {
 pub fn assign(
     headings: &[Heading],
     format: &Format,
-    untold: Option<&Untold>,
+    untold: Option<&str>,
 ) -> Result<Assignment, DataError> {
     let columns = Columns {
         headings,
@@ -143,11 +143,18 @@ impl Columns<'_> {
         }
         match &kinds[..] {
             [one] if least == 0 => Ok(one.kind),
-            _ if least == 0 => Err(Problem::SeveralKinds {
-                kinds: kinds.iter().map(|one| one.kind).collect(),
-                columns: self.found(),
+            _ if least == 0 => {
+                let kinds: Vec<Kind> = kinds.iter().map(|one| one.kind).collect();
+                let several = DataError::new(format!(
+                    "the columns can be read as more than one kind of measurement, {}; the columns are {}",
+                    list(
+                        &kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>(),
+                        ", "
+                    ),
+                    list(&self.found(), ", ")
+                ));
+                Err(several.with(Remedy::Kind(kinds)))
             }
-            .into()),
             _ => Err(self.lack(kinds)),
         }
     }
@@ -226,6 +233,49 @@ impl Columns<'_> {
     /// Returns the error of columns that are not there.
     fn lack(&self, kinds: Vec<Missing>) -> DataError {
         let columns = self.found();
-        Problem::MissingColumns { kinds, columns }.into()
+        let to_convert = columns.iter().any(Found::is_to_convert);
+        let lacking = match &kinds[..] {
+            [one] => one.to_string(),
+            kinds => format!(
+                "the headings fit no kind of measurement: {}",
+                list(kinds, "; ")
+            ),
+        };
+        let convert = if to_convert {
+            "; convert the numbers of a column that is a diameter, a square or a multiple, or in an \
+             unknown unit, and name the quantity and its unit in the heading"
+        } else {
+            ""
+        };
+        let error = DataError::new(format!(
+            "{lacking}; the columns are {}{convert}",
+            list(&columns, ", ")
+        ));
+        let candidates = |one: &Missing| one.candidates(&columns);
+        // What is missing may be among the columns that are to be converted.
+        if to_convert && kinds.iter().all(|one| candidates(one).contains(&None)) {
+            return error;
+        }
+        // The kinds for which most columns can be told.
+        let told = |one: &Missing| candidates(one).iter().flatten().count();
+        let most = kinds.iter().map(told).max();
+        let likely = kinds.iter().filter(|one| Some(told(one)) == most);
+        let way = |one: &Missing| {
+            let candidates = candidates(one).into_iter();
+            let heading = |(role, found): (&Role, Option<&Found>)| match found {
+                Some(found) if found.heading.reduced() == Some(Reduced::Separation) => {
+                    (Role::Separation, found.heading.text.clone())
+                }
+                Some(found) => (found.role.unwrap_or(*role), found.heading.text.clone()),
+                None => (*role, any()),
+            };
+            let mut found = candidates.clone().flatten();
+            Named {
+                kind: (kinds.len() > 1).then_some(one.kind),
+                columns: one.roles.iter().zip(candidates).map(heading).collect(),
+                reduced: found.find_map(|found| found.heading.reduced()),
+            }
+        };
+        error.with(Remedy::Columns(likely.map(way).collect()))
     }
 }

@@ -1,7 +1,5 @@
 //! Values that the head of a file names: the cantilever.
 
-use std::fmt;
-
 use super::Cantilever;
 use super::cells::comment;
 use super::number::may_part_thousands;
@@ -28,32 +26,7 @@ pub struct Head {
     /// A second value that differs from the first one, with the first.
     pub(super) conflict: Option<[HeadValue; 2]>,
     /// Why a line that names a value tells none.
-    pub(super) untold: Option<Untold>,
-}
-
-/// Why a line of the head that names a value of the cantilever tells none.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Untold {
-    /// The line has 1, where AFM Workshop writes 1 without a calibration.
-    Uncalibrated(u64),
-    /// The line has a number with a comma that may part thousands.
-    Comma(u64, String),
-}
-
-impl fmt::Display for Untold {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Uncalibrated(line) => write!(
-                f,
-                "line {line} has 1, the value of an instrument that is not calibrated"
-            ),
-            Self::Comma(line, number) => write!(
-                f,
-                "line {line} has {number:?}, whose comma may part thousands or be a decimal mark"
-            ),
-        }
-    }
+    pub(super) untold: Option<String>,
 }
 
 /// A value that is looked for: names of small letters only.
@@ -122,12 +95,17 @@ impl Head {
             };
             let number_text = text.split_whitespace().next().unwrap_or_default();
             if may_part_thousands(number_text) {
-                let untold = || Untold::Comma(number, number_text.to_owned());
-                self.untold.get_or_insert_with(untold);
+                self.untold.get_or_insert_with(|| {
+                    format!("line {number} has {number_text:?}, whose comma may part thousands or be a decimal mark")
+                });
                 continue;
             }
             if is_workshop && value == 1.0 {
-                self.untold.get_or_insert(Untold::Uncalibrated(number));
+                self.untold.get_or_insert_with(|| {
+                    format!(
+                        "line {number} has 1, the value of an instrument that is not calibrated"
+                    )
+                });
                 continue;
             }
             let (value, slot) = match wanted.unit {

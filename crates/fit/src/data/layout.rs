@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::cells::{Delimiter, comment};
 use super::column::Role;
-use super::failure::Problem;
+use super::failure::DataError;
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
 use units::Unit;
@@ -108,13 +108,13 @@ impl Search {
     }
 
     /// Returns the layout and the lines.
-    pub fn finish(self) -> Result<(Layout, Vec<String>), Problem> {
+    pub fn finish(self) -> Result<(Layout, Vec<String>), DataError> {
         let is_plain = self.plain.most() >= ROWS.min(self.all.most());
         let runs = if is_plain { &self.plain } else { &self.all };
         let most = runs.most();
         let mut runs = Delimiter::ALL.into_iter().zip(runs.longest);
         let Some((delimiter, run)) = runs.find(|(_, run)| run.rows == most && most > 0) else {
-            return Err(self.without_rows());
+            return Err(DataError::new(self.without_rows()));
         };
         // The run may begin with the headings.
         let head = run.first + usize::from(is_words(delimiter, &self.lines[run.first]));
@@ -140,29 +140,45 @@ impl Search {
     }
 
     /// Returns why there is no layout.
-    fn without_rows(self) -> Problem {
+    fn without_rows(self) -> String {
         /// The number of characters of the first line in a message.
         const SHOWN: usize = 60;
         let lines = self.lines.into_iter();
         let mut lines = lines.filter(|line| !line.trim().is_empty());
         let Some(first) = lines.next() else {
-            return Problem::Empty;
+            return "the file is empty".to_owned();
         };
         let shown = |line: &str| line.trim().chars().take(SHOWN).collect::<String>();
         let mut all = std::iter::once(&first).cloned().chain(lines);
         let Some(headings) = all.find(|line| are_headings(line)) else {
-            return Problem::NoRows {
-                start: shown(&first),
-            };
+            return format!(
+                "no line holds two numbers, and the file begins with {:?}; a measurement is a table of \
+                 two columns at least, separated by tabs, semicolons, commas or spaces",
+                shown(&first)
+            );
         };
         let is_row =
             |line: &String| comment(line).is_none() && line.contains(|c: char| c.is_ascii_digit());
         let row = all.find(is_row);
-        Problem::OnlyHeadings {
-            headings: shown(&headings),
-            cell: row.as_ref().and_then(|row| no_number(&headings, row)),
-            row: row.as_deref().map(shown),
-        }
+        let remedy = match &row {
+            None => "save the rows of the measurement, too".to_owned(),
+            Some(row) => match no_number(&headings, row) {
+                Some(cell) => format!(
+                    "the first line below is {:?}, in which {cell:?} is not a number: save plain numbers, \
+                     such as 1.5e-3, with their unit in the heading",
+                    shown(row)
+                ),
+                None => format!(
+                    "the first line below is {:?}, which holds fewer than two numbers: write each point \
+                     on a line of its own",
+                    shown(row)
+                ),
+            },
+        };
+        format!(
+            "{:?} are headings, but no row of numbers follows them; {remedy}",
+            shown(&headings)
+        )
     }
 }
 

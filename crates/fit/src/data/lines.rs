@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::{BufRead, Chain, Cursor, Read};
 
-use super::failure::{LONGEST, Problem};
+use super::failure::DataError;
 
 /// What files that are not text begin with, and their names in messages.
 const BINARY: [(&[u8], &str); 5] = [
@@ -20,8 +20,14 @@ const BINARY: [(&[u8], &str); 5] = [
     (b"%PDF-", "a PDF"),
 ];
 
+/// The longest line, in bytes. A longer one is not a row of a measurement.
+const LONGEST: usize = 1 << 16;
+
 /// The number of bytes that tell the kind of a file.
 const START: u64 = 8;
+
+/// What other files that are not text are called.
+const BINARY_DATA: &str = "binary data";
 
 /// How bytes stand for characters.
 #[derive(Clone, Copy, Debug)]
@@ -45,11 +51,11 @@ pub struct Lines<R> {
 
 impl<R: BufRead> Lines<R> {
     /// Looks at the first bytes, and leaves a byte order mark out.
-    pub fn new(mut source: R) -> Result<Self, Problem> {
+    pub fn new(mut source: R) -> Result<Self, DataError> {
         let mut start = Vec::new();
         (&mut source).take(START).read_to_end(&mut start)?;
         if let Some((_, what)) = BINARY.iter().find(|(bytes, _)| start.starts_with(bytes)) {
-            return Err(Problem::Binary(what));
+            return Err(no_text(what));
         }
         let (encoding, mark): (_, &[u8]) = match &start[..] {
             [0xff, 0xfe, ..] => (Encoding::Utf16(u16::from_le_bytes), b"\xff\xfe"),
@@ -74,7 +80,7 @@ impl<R: BufRead> Lines<R> {
 
     /// Returns the next line without its end, which is LF, CR LF or CR. A line that is not UTF-8 is
     /// read as Latin-1, in which older programs write the sign of micro.
-    pub fn next(&mut self) -> Result<Option<Cow<'_, str>>, Problem> {
+    pub fn next(&mut self) -> Result<Option<Cow<'_, str>>, DataError> {
         self.buffer.clear();
         self.number += 1;
         let found = match self.encoding {
@@ -82,7 +88,7 @@ impl<R: BufRead> Lines<R> {
             Encoding::Utf16(join) => self.utf16(join)?,
         };
         if self.buffer.contains(&0) {
-            return Err(Problem::Binary("binary data"));
+            return Err(no_text(BINARY_DATA));
         }
         if !found {
             return Ok(None);
@@ -94,7 +100,7 @@ impl<R: BufRead> Lines<R> {
     }
 
     /// Adds the bytes up to the end of the line to the buffer. Returns false at the end of the file.
-    fn bytes(&mut self) -> Result<bool, Problem> {
+    fn bytes(&mut self) -> Result<bool, DataError> {
         let mut any = false;
         loop {
             let mut available = self.source.fill_buf()?;
@@ -120,9 +126,9 @@ impl<R: BufRead> Lines<R> {
                 let room = LONGEST - self.buffer.len();
                 let binary = available[..room].contains(&0) || self.buffer.contains(&0);
                 return Err(if binary {
-                    Problem::Binary("binary data")
+                    no_text(BINARY_DATA)
                 } else {
-                    Problem::LongLine
+                    self.too_long()
                 });
             }
             self.buffer.extend_from_slice(available);
@@ -134,7 +140,7 @@ impl<R: BufRead> Lines<R> {
     }
 
     /// Adds the line to the buffer as UTF-8. Returns false at the end of the file.
-    fn utf16(&mut self, join: fn([u8; 2]) -> u16) -> Result<bool, Problem> {
+    fn utf16(&mut self, join: fn([u8; 2]) -> u16) -> Result<bool, DataError> {
         let mut units = Vec::new();
         let mut any = false;
         loop {
@@ -154,7 +160,7 @@ impl<R: BufRead> Lines<R> {
                 break;
             }
             if units.len() == LONGEST {
-                return Err(Problem::LongLine);
+                return Err(self.too_long());
             }
             units.push(unit);
         }
@@ -162,13 +168,27 @@ impl<R: BufRead> Lines<R> {
             .extend(String::from_utf16_lossy(&units).into_bytes());
         Ok(any)
     }
+
+    fn too_long(&self) -> DataError {
+        DataError::new(format!(
+            "the line is longer than {LONGEST} bytes; save one row of numbers to a line"
+        ))
+        .in_line(self.number)
+    }
+}
+
+/// The error of a file that is not text.
+fn no_text(what: &str) -> DataError {
+    DataError::new(format!(
+        "this is {what}, not text; save or export the measurement as columns of text first"
+    ))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn lines(bytes: &[u8]) -> Result<Vec<String>, Problem> {
+    fn lines(bytes: &[u8]) -> Result<Vec<String>, DataError> {
         let mut lines = Lines::new(bytes)?;
         let mut all = Vec::new();
         while let Some(line) = lines.next()? {
@@ -193,10 +213,8 @@ mod tests {
 
     #[test]
     fn a_line_that_is_too_long_is_refused() {
-        assert!(matches!(
-            lines(&[b'1'; LONGEST + 1]),
-            Err(Problem::LongLine)
-        ));
+        let refused = lines(&[b'1'; LONGEST + 1]).expect_err("too long");
+        assert!(refused.what.contains("longer than 65536 bytes"));
         assert!(lines(&[b'1'; LONGEST]).is_ok());
     }
 }

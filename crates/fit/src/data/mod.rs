@@ -52,8 +52,8 @@ pub use self::reading::{Cantilever, Format, Notes, Reading, Segments, read, read
 pub use assignment::roles;
 pub use column::{Column, Role};
 pub use doubt::{Doubt, DoubtKind, opposite_sense};
-pub use failure::{DataError, Found, Missing, Problem};
-pub use head::{Head, HeadValue, SENSITIVITIES, Untold};
+pub use failure::DataError;
+pub use head::{Head, HeadValue, SENSITIVITIES};
 pub use heading::Reduced;
 pub use number::Marks;
 pub use remedy::{Named, Remedy};

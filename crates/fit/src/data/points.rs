@@ -4,9 +4,10 @@ use super::assignment::{Assignment, Pair, roles};
 use super::beside::Beside;
 use super::column::{Role, UNIT};
 use super::doubt::doubts;
-use super::failure::{DataError, Problem};
+use super::failure::DataError;
 use super::heading::Heading;
 use super::number::{Cell, DecimalMark};
+use super::remedy::another;
 use super::segment::split;
 use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
@@ -146,7 +147,11 @@ pub fn join(
     let lists = [&all.errors.abscissa, &all.errors.ordinate];
     for (list, source) in lists.into_iter().zip(pair.sources()) {
         if !list.is_empty() && list.len() != all.points.len() {
-            return Err(Problem::SomeDeviations(source.role).into());
+            return Err(DataError::new(format!(
+                "some rows have standard deviations of {} and others have none; give all rows a column of \
+                 them, or rename it",
+                source.role.name()
+            )));
         }
     }
     let known = all.points.iter().any(|point| point.direction.is_some());
@@ -167,19 +172,27 @@ pub fn join(
     }
     if let Some(ends) = &format.between {
         let dimension = Some(roles(kind)[0].dimension());
-        let end = |end: &Quantity| end.of(dimension).map_err(Problem::Between);
+        let end = |end: &Quantity| {
+            let refused = |error| DataError::new(format!("the range asked for: {error}"));
+            end.of(dimension).map_err(refused)
+        };
         let [least, most] = [end(&ends[0])?, end(&ends[1])?];
         // Numbers in another unit than those of the ends are rounded.
         let slack = ROUNDING * least.abs().max(most.abs());
-        let found = extremes(all.points.iter().map(|point| point.abscissa));
+        let [first, last] = extremes(all.points.iter().map(|point| point.abscissa));
         notes.outside = all.keep(|point| (least - slack..=most + slack).contains(&point.abscissa));
         if all.points.is_empty() && notes.outside > 0 {
-            let (asked, unit) = ([least, most], kind.units()[0]);
-            return Err(Problem::OutsideRange { asked, found, unit }.into());
+            let [unit, _] = kind.units();
+            return Err(DataError::new(format!(
+                "no point is left to fit: the range asked for is from {least:?} to {most:?} {unit}, and the points are from {first:?} \
+                 to {last:?} {unit}; ask for a range that holds points, in SI units or with its unit"
+            )));
         }
     }
     if all.points.is_empty() {
-        return Err(Problem::NoPoints(rows).into());
+        return Err(DataError::new(format!(
+            "{rows} rows, but no point is left to fit: they are missing values, or of another segment"
+        )));
     }
     check_constant(&all.points, pair)?;
     notes.doubts = doubts(kind, &all.points, &pairs, &notes, format.keep_pauses);
@@ -223,15 +236,12 @@ fn check_constant(points: &[Point], pair: &Pair) -> Result<(), DataError> {
     for (source, value) in pair.sources().into_iter().zip(values) {
         let first = value(&points[0]);
         if points.len() > 1 && points.iter().all(|point| value(point) == first) {
-            let problem = Problem::Constant {
-                role: source.role,
-                points: points.len(),
-                value: first,
-            };
-            return Err(DataError {
-                column: Some((source.index + 1, source.heading.clone())),
-                ..problem.into()
-            });
+            let constant = DataError::new(format!(
+                "all {} values are {first:?} (SI); choose the column that was measured",
+                points.len()
+            ));
+            let constant = constant.with(another(source.role));
+            return Err(constant.in_column(source.index, &source.heading));
         }
     }
     Ok(())

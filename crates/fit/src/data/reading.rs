@@ -8,7 +8,7 @@ use units::{Dimension, Quantity};
 
 use super::column::{Column, Role};
 use super::doubt::Doubt;
-use super::failure::{DataError, Problem};
+use super::failure::DataError;
 use super::head::{Head, HeadValue};
 use super::number::Marks;
 use super::rows;
@@ -169,7 +169,7 @@ pub fn read(path: &Path, format: &Format) -> Result<Reading, DataError> {
         Ok(file) => read_from(BufReader::with_capacity(1 << 16, file), &name, format),
         Err(source) => Err(DataError {
             name,
-            ..Problem::Read(source).into()
+            ..source.into()
         }),
     }
 }

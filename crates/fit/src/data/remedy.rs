@@ -2,11 +2,10 @@
 //! words of their users.
 
 use super::column::{Role, UNIT};
-use super::failure::{DataError, Found, Missing, Problem};
 use super::heading::Reduced;
 use crate::Kind;
 
-/// What helps against a [`Problem`], or against what is doubted.
+/// What helps against a [`DataError`](super::DataError), or against what is doubted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Remedy {
     /// To name columns, in one of these ways.
@@ -55,70 +54,6 @@ impl Remedy {
     }
 }
 
-impl DataError {
-    /// Returns what helps, if that is not to mend the file.
-    pub fn remedy(&self) -> Option<Remedy> {
-        let column = |role: Role, heading: String| named(vec![(role, heading)]);
-        Some(match &*self.problem {
-            // What is missing may be among the columns that are to be converted.
-            Problem::MissingColumns { kinds, columns }
-                if columns.iter().any(Found::is_to_convert)
-                    && kinds
-                        .iter()
-                        .all(|one| one.candidates(columns).contains(&None)) =>
-            {
-                return None;
-            }
-            Problem::MissingColumns { kinds, columns } => {
-                // The kinds for which most columns can be told.
-                let told = |one: &Missing| one.candidates(columns).iter().flatten().count();
-                let most = kinds.iter().map(told).max()?;
-                let likely = kinds.iter().filter(|one| told(one) == most);
-                let way = |one: &Missing| {
-                    let candidates = one.candidates(columns).into_iter();
-                    let heading = |(role, found): (&Role, Option<&Found>)| match found {
-                        Some(found) if found.heading.reduced() == Some(Reduced::Separation) => {
-                            (Role::Separation, found.heading.text.clone())
-                        }
-                        Some(found) => (found.role.unwrap_or(*role), found.heading.text.clone()),
-                        None => (*role, any()),
-                    };
-                    let reduced = candidates
-                        .clone()
-                        .flatten()
-                        .find_map(|found| found.heading.reduced());
-                    Named {
-                        kind: (kinds.len() > 1).then_some(one.kind),
-                        columns: one.roles.iter().zip(candidates).map(heading).collect(),
-                        reduced,
-                    }
-                };
-                Remedy::Columns(likely.map(way).collect())
-            }
-            Problem::UnknownHeading { role, .. }
-            | Problem::WrongUnit { role, .. }
-            | Problem::Constant { role, .. } => column(*role, any()),
-            Problem::SeveralKinds { kinds, .. } => Remedy::Kind(kinds.clone()),
-            Problem::Duplicate { role, numbers } => column(*role, numbers[0].to_string()),
-            Problem::NoUnit { role, heading } | Problem::UnknownUnit { role, heading, .. } => {
-                column(*role, format!("{heading} {UNIT}"))
-            }
-            Problem::NoHeadings { roles, .. } => {
-                let numbered = (1..).zip(roles);
-                let column = |(i, role): (usize, &Role)| (*role, format!("{i} {UNIT}"));
-                named(numbered.map(column).collect())
-            }
-            Problem::NoCantilever { volts, .. } => Remedy::Cantilever {
-                sensitivity: *volts,
-            },
-            Problem::NoStiffness(_) => Remedy::Cantilever { sensitivity: false },
-            Problem::TwoValues { .. } => Remedy::Cantilever { sensitivity: true },
-            Problem::Segment(_) => Remedy::Split,
-            _ => return None,
-        })
-    }
-}
-
 /// Returns the remedy of columns for a kind that is known.
 pub fn named(columns: Vec<(Role, String)>) -> Remedy {
     Remedy::Columns(vec![Named {
@@ -128,7 +63,12 @@ pub fn named(columns: Vec<(Role, String)>) -> Remedy {
     }])
 }
 
+/// Returns the remedy of one column that the user has to name.
+pub fn another(role: Role) -> Remedy {
+    named(vec![(role, any())])
+}
+
 /// A heading that the user has to fill in.
-fn any() -> String {
+pub fn any() -> String {
     format!("HEADING {UNIT}")
 }

@@ -5,14 +5,15 @@ use std::io::BufRead;
 use super::assignment::{Assignment, Pair, assign, roles};
 use super::beside::beside;
 use super::cells::{Delimiter, comment};
-use super::column::Role;
-use super::failure::{DataError, Problem};
-use super::head::{Head, Untold};
+use super::column::{Role, UNIT};
+use super::failure::DataError;
+use super::head::Head;
 use super::heading::Heading;
 use super::layout::{Layout, Search, Titles, is_words, titles};
 use super::lines::Lines;
 use super::number::{Cell, DecimalMark, Marks};
 use super::points::{Block, join};
+use super::remedy::{Remedy, named};
 use super::segment::Segment;
 use super::source::Source;
 use super::{Format, Notes, Reading, Segments};
@@ -26,7 +27,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
     let mut lines = Lines::new(source)?;
     let mut search = Search::default();
     while lines.number() < LONGEST_HEAD as u64 {
-        let Some(line) = next(&mut lines)? else { break };
+        let Some(line) = lines.next()? else { break };
         if search.push(&line) {
             break;
         }
@@ -40,7 +41,7 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         cantilever: head.complete(format.cantilever),
         ..format.clone()
     };
-    let (titles, assignment) = choose(&layout, &format, head.untold.as_ref())?;
+    let (titles, assignment) = choose(&layout, &format, head.untold.as_deref())?;
     let mut rows = Rows {
         delimiter: layout.delimiter,
         format: &format,
@@ -66,20 +67,11 @@ pub fn read(source: impl BufRead, name: &str, format: &Format) -> Result<Reading
         }
     }
     drop(start);
-    while let Some(line) = next(&mut lines)? {
+    while let Some(line) = lines.next()? {
         let line = line.into_owned();
         rows.add(lines.number(), &line)?;
     }
     rows.finish(name)
-}
-
-/// Reads a line. An error names its number.
-fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, str>>, DataError> {
-    let number = lines.number() + 1;
-    lines.next().map_err(|problem| DataError {
-        line: (!matches!(problem, Problem::Read(_) | Problem::Binary(_))).then_some(number),
-        ..problem.into()
-    })
 }
 
 /// Chooses the line of headings: the nearest to the rows that names the columns needed. Without
@@ -87,18 +79,19 @@ fn next<R: BufRead>(lines: &mut Lines<R>) -> Result<Option<std::borrow::Cow<'_, 
 fn choose(
     layout: &Layout,
     format: &Format,
-    untold: Option<&Untold>,
+    untold: Option<&str>,
 ) -> Result<(Titles, Assignment), DataError> {
-    let at_rows = |problem: Problem| DataError {
-        line: Some(layout.head as u64 + 1),
-        ..problem.into()
-    };
+    let columns = layout.cells;
+    let at_rows = |what: String| DataError::new(what).in_line(layout.head as u64 + 1);
     if let Some(headings) = layout.fewer_headings {
-        let cells = layout.cells;
-        return Err(at_rows(Problem::TwofoldCommas { cells, headings }));
+        return Err(at_rows(format!(
+            "the rows of {columns} cells that begin here stand below {headings} headings: if the comma is the decimal mark and \
+             also separates the cells, save the file with semicolons or tabs between the cells, or with decimal points; else \
+             give each column a heading"
+        )));
     }
     let unnamed = Titles {
-        headings: vec![Heading::parse(""); layout.cells],
+        headings: vec![Heading::parse(""); columns],
         head: layout.head,
         labelled: false,
         row: None,
@@ -116,10 +109,16 @@ fn choose(
         }
     }
     Err(first.unwrap_or_else(|| {
-        at_rows(Problem::NoHeadings {
-            columns: layout.cells,
-            roles: roles(format.kind.unwrap_or(Kind::LoadRadius)),
-        })
+        let roles = roles(format.kind.unwrap_or(Kind::LoadRadius));
+        let numbered = (1..).zip(roles);
+        let column = |(i, role): (usize, Role)| (role, format!("{i} {UNIT}"));
+        at_rows(format!(
+            "the rows of {columns} cells that begin here have no line of {columns} headings above \
+             them; add one, or name the columns by their numbers and units, such as {:?} of {}",
+            roles[0].example(),
+            roles[0].name()
+        ))
+        .with(named(numbered.map(column).collect()))
     }))
 }
 
@@ -185,7 +184,7 @@ impl Rows<'_> {
                 }
             },
             // It may belong to the head of further rows.
-            Err(failure) if failure.may_be_a_head(&cells) => {
+            Err(failure) if failure.may_be_a_head && cells.iter().any(is_word) => {
                 self.notes.head.read(number, line);
                 self.waiting.push(number, line, Some(failure));
                 Ok(())
@@ -206,7 +205,7 @@ impl Rows<'_> {
             ..self.format.clone()
         };
         for titles in titles(&self.waiting.lines, self.delimiter, cells..=cells) {
-            match assign(&titles.headings, &format, self.notes.head.untold.as_ref()) {
+            match assign(&titles.headings, &format, self.notes.head.untold.as_deref()) {
                 Ok(assignment) => {
                     self.blocks.push(Block::new(titles.headings, assignment));
                     self.waiting = Waiting::default();
@@ -214,10 +213,7 @@ impl Rows<'_> {
                 }
                 // Other comments may look like headings.
                 Err(failure) if titles.labelled => {
-                    return Err(DataError {
-                        line: Some(number),
-                        ..failure
-                    });
+                    return Err(failure.in_line(number));
                 }
                 Err(_) => {}
             }
@@ -245,10 +241,15 @@ impl Rows<'_> {
         let extra = cells.iter().skip(expected);
         if cells.len() < expected || !extra.clone().all(|cell| cell.is_empty()) {
             let found = cells.len();
-            return Err(DataError {
-                line: Some(number),
-                ..Problem::CellCount { expected, found }.into()
-            });
+            let remedy = if found > expected {
+                "if a comma is the decimal mark, separate the cells by tabs or semicolons"
+            } else {
+                "complete the row, or let the line begin with # to leave it out"
+            };
+            let unlike = DataError::new(format!(
+                "the row has {found} cells, and the headings are {expected}; {remedy}"
+            ));
+            return Err(unlike.in_line(number).of_words());
         }
         let word = block.word(cells);
         let Block {
@@ -257,13 +258,17 @@ impl Rows<'_> {
             points,
             ..
         } = block;
-        let failure = |index: usize, problem: Problem| DataError {
-            line: Some(number),
-            column: Some((index + 1, headings[index].text.clone())),
-            ..problem.into()
+        let place = |index: usize, error: DataError| {
+            let heading = &headings[index].text;
+            error.in_line(number).in_column(index, heading)
         };
+        let failure = |index: usize, what: String| place(index, DataError::new(what));
         if let Some(word) = word {
-            return Err(failure(0, Problem::Word(word.to_owned())));
+            let what = format!(
+                "{word:?} stands in a column that has only numbers above; if this row is no point, let the line \
+                 begin with # to leave it out, else remove the word"
+            );
+            return Err(failure(0, what).of_words());
         }
         let index = assignment.segment;
         if let Some(index) = index.filter(|_| self.format.segments != Segments::Split) {
@@ -277,7 +282,13 @@ impl Rows<'_> {
                     }
                     _ => Segment::parse(word),
                 };
-                let unknown = || failure(index, Problem::Segment(word.to_owned()));
+                let unknown = || {
+                    let what = format!(
+                        "{word:?} is not a segment; write approach (extend, loading, 0), retract (unloading, 1) or \
+                         pause, or let the points be split where the motion turns back"
+                    );
+                    failure(index, what).with(Remedy::Split).of_words()
+                };
                 self.segment = Some(segment.ok_or_else(unknown)?);
                 // Before the surface is found there is no contact.
                 if assignment.kind.is_stiffness() && word.to_lowercase().contains("surface") {
@@ -300,18 +311,21 @@ impl Rows<'_> {
         let read = |pair: &Pair| {
             let mut value = |source: &Source| {
                 value(&mut self.mark, cells[source.index], source)
-                    .map_err(|problem| failure(source.index, problem))
+                    .map_err(|error| place(source.index, error))
             };
             let [abscissa, ordinate] = match [value(&pair.abscissa)?, value(&pair.ordinate)?] {
                 [Some(abscissa), Some(ordinate)] => [abscissa, ordinate],
                 [None, None] => return Ok(None),
                 // Not all rows of a nanoindenter have a stiffness.
                 [_, None] if is_stiffness => return Ok(None),
-                [None, _] => return Err(failure(pair.abscissa.index, Problem::MissingValue)),
-                [_, None] => return Err(failure(pair.ordinate.index, Problem::MissingValue)),
+                [None, _] => return Err(failure(pair.abscissa.index, MISSING.to_owned())),
+                [_, None] => return Err(failure(pair.ordinate.index, MISSING.to_owned())),
             };
             if assignment.kind.at_radii() && abscissa < 0.0 {
-                return Err(failure(pair.abscissa.index, Problem::Radius(abscissa)));
+                let what = format!(
+                    "contact radius = {abscissa:?} m must not be below 0; a row without contact has 0"
+                );
+                return Err(failure(pair.abscissa.index, what));
             }
             let abscissa = match pair.abscissa.role {
                 Role::ContactArea => (abscissa / std::f64::consts::PI).sqrt(),
@@ -323,15 +337,18 @@ impl Rows<'_> {
             let mut deviations = [None; 2];
             for (k, source) in pair.errors.iter().enumerate() {
                 let Some(source) = source else { continue };
-                let problem = match value(source)? {
+                let what = match value(source)? {
                     Some(own) if own > 0.0 || k == 0 && own == 0.0 => {
                         deviations[k] = Some(own);
                         continue;
                     }
-                    Some(own) => Problem::Deviation(own),
-                    None => Problem::MissingValue,
+                    Some(own) => format!(
+                        "standard deviation = {own:?} (SI) must be positive and finite, and may be 0 for a radius, \
+                         penetration or height; correct it, or rename the column if it is something else"
+                    ),
+                    None => MISSING.to_owned(),
                 };
-                return Err(failure(source.index, problem));
+                return Err(failure(source.index, what));
             }
             let point = Point {
                 line: number,
@@ -371,12 +388,11 @@ impl Rows<'_> {
         if let Some([first, second]) = &self.notes.head.conflict
             && [used.stiffness, used.sensitivity].contains(&Some(first.value))
         {
-            return Err(Problem::TwoValues {
-                name: first.name.clone(),
-                values: [first.value, second.value],
-                lines: [first.line, second.line],
-            }
-            .into());
+            let differ = DataError::new(format!(
+                "{:?} is {} in line {} and {} in line {}; say which one holds",
+                first.name, first.value, first.line, second.value, second.line
+            ));
+            return Err(differ.with(Remedy::Cantilever { sensitivity: true }));
         }
         // Between semicolons commas are decimal marks as a rule, and points may part thousands.
         let is_clear = self.delimiter != Delimiter::Semicolon;
@@ -389,31 +405,44 @@ impl Rows<'_> {
     }
 }
 
-impl DataError {
-    /// Tells whether the line that fails may be no row: it holds words.
-    fn may_be_a_head(&self, cells: &[&str]) -> bool {
-        let is_word = |cell: &&str| DecimalMark::default().read(cell) == Cell::Text;
-        matches!(
-            *self.problem,
-            Problem::NotANumber(_)
-                | Problem::CellCount { .. }
-                | Problem::Segment(_)
-                | Problem::Word(_)
-        ) && cells.iter().any(is_word)
-    }
+/// Tells whether a cell is a word.
+fn is_word(cell: &&str) -> bool {
+    DecimalMark::default().read(cell) == Cell::Text
 }
 
+/// What is wrong with a cell that has no number, where another cell of the row has one.
+const MISSING: &str = "the value is missing (empty, NaN or above 1e300), but the row has another; complete it, \
+     or let the line begin with # to leave it out";
+
 /// Returns the value of a cell in SI units; none if it is missing.
-fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f64>, Problem> {
-    Err(match mark.read(text) {
-        Cell::Number(value) => return Ok(Some(value * source.factor)),
-        Cell::Missing => return Ok(None),
-        Cell::Infinite => Problem::Infinite(text.to_owned()),
-        Cell::OtherMark => Problem::DecimalMark {
-            text: text.to_owned(),
-            thousands: mark.thousands(text),
-        },
-        Cell::Thousands => Problem::Thousands(text.to_owned()),
-        Cell::Text => Problem::NotANumber(text.to_owned()),
-    })
+fn value(mark: &mut DecimalMark, text: &str, source: &Source) -> Result<Option<f64>, DataError> {
+    let refused = |what: String| Err(DataError::new(what));
+    match mark.read(text) {
+        Cell::Number(value) => Ok(Some(value * source.factor)),
+        Cell::Missing => Ok(None),
+        Cell::Infinite => refused(format!(
+            "{text:?} is not finite; correct it, or let the line begin with # to leave it out"
+        )),
+        Cell::OtherMark => {
+            let remedy = match mark.thousands(text) {
+                Some(mark) => format!(
+                    "if {mark:?} parts thousands, remove it from all numbers (replace {mark:?} by nothing); else \
+                     write one decimal mark, point or comma"
+                ),
+                None => "use one, point or comma".to_owned(),
+            };
+            refused(format!(
+                "{text:?} has another decimal mark than numbers before it; {remedy}"
+            ))
+        }
+        Cell::Thousands => refused(format!(
+            "{text:?} has a separator of thousands; save the numbers without it"
+        )),
+        Cell::Text => {
+            let what = format!(
+                "{text:?} is not a number; correct it, or let the line begin with # to leave it out"
+            );
+            Err(DataError::new(what).of_words())
+        }
+    }
 }

@@ -1,10 +1,10 @@
 //! The column of a file that holds a quantity: the one that the user names, or the one that its heading
 //! tells.
 
-use super::column::{Column, Role};
-use super::failure::{DataError, Found, Problem};
-use super::head::Untold;
+use super::column::{Column, Role, UNIT};
+use super::failure::{DataError, Found, list};
 use super::heading::Heading;
+use super::remedy::{Remedy, another, named};
 use super::{Cantilever, Format};
 use crate::Direction;
 use units::{Dimension, Unit};
@@ -35,7 +35,7 @@ pub(super) struct Columns<'a> {
     pub headings: &'a [Heading],
     pub format: &'a Format,
     /// Why a line of the head that names a value of the cantilever tells none.
-    pub untold: Option<&'a Untold>,
+    pub untold: Option<&'a str>,
 }
 
 impl Columns<'_> {
@@ -87,12 +87,13 @@ impl Columns<'_> {
     pub(super) fn named(&self, column: &Column) -> Result<Named, DataError> {
         let wanted = Heading::parse(&column.heading);
         let Some(index) = unique(column.role, &self.places(column, &wanted))? else {
-            let problem = Problem::UnknownHeading {
-                role: column.role,
-                wanted: column.heading.clone(),
-                columns: self.found(),
-            };
-            return Err(problem.into());
+            let unknown = DataError::new(format!(
+                "no column is {:?}, named as {}; the columns are {}",
+                column.heading,
+                column.role.name(),
+                list(&self.found(), ", ")
+            ));
+            return Err(unknown.with(another(column.role)));
         };
         let heading = &self.headings[index];
         Ok(Named {
@@ -133,49 +134,77 @@ impl Columns<'_> {
         negative: bool,
     ) -> Result<Source, DataError> {
         let heading = self.headings[index].text.clone();
-        let at = |problem: Problem| DataError {
-            column: Some((index + 1, heading.clone())),
-            ..problem.into()
-        };
+        let at = |what: String| DataError::new(what).in_column(index, &heading);
+        // A heading whose unit is to be told.
+        let with_unit = |heading: &str| named(vec![(role, format!("{heading} {UNIT}"))]);
         let assumed_si = role != Role::Segment && unit.is_none();
         let unit = match unit {
             Some(unit) if role.accepts(unit) => unit,
-            Some(_) => return Err(Problem::WrongUnit { role, heading }.into()),
+            Some(_) => {
+                let other = DataError::new(format!(
+                    "{heading:?} is named as {}, and is not in a unit of {}",
+                    role.name(),
+                    role.dimension()
+                ));
+                return Err(other.with(another(role)));
+            }
             None if role == Role::Segment || role.is_si(&heading) => Unit::si(role.dimension()),
             None if let Some(unit) = &self.headings[index].unknown => {
-                let unit = unit.clone();
-                let heading = heading.clone();
-                return Err(at(Problem::UnknownUnit {
-                    role,
-                    heading,
-                    unit,
-                }));
+                let is_cut = unit.contains(|c: char| c.is_ascii_alphabetic())
+                    && !unit.starts_with(char::is_alphanumeric);
+                let lost = if is_cut {
+                    ": its first letter, such as that of micro, is lost"
+                } else {
+                    ""
+                };
+                let unknown = at(format!(
+                    "{heading:?}, read as {}, is in {unit:?}, which is not a known unit{lost}; convert the numbers, or \
+                     name a unit that {unit:?} stands for, such as {:?}",
+                    role.name(),
+                    role.example()
+                ));
+                return Err(unknown.with(with_unit(&heading)));
             }
             None => {
-                let heading = match &heading[..] {
+                let name = match &heading[..] {
                     "" => (index + 1).to_string(),
                     text => text.to_owned(),
                 };
-                return Err(at(Problem::NoUnit { role, heading }));
+                let unitless = at(format!(
+                    "{name:?}, read as {}, has no unit; name its unit, such as {:?}",
+                    role.name(),
+                    role.example()
+                ));
+                return Err(unitless.with(with_unit(&name)));
             }
         };
         let Cantilever {
             stiffness,
             sensitivity,
         } = self.format.cantilever;
+        let because = |untold: &str| format!(": {untold}");
+        let because = self.untold.map(because).unwrap_or_default();
+        let no_force = |stiffness: f64, sensitivity: Option<f64>| {
+            let of_volts = |value: f64| format!(" with a sensitivity of {value:?} m/V");
+            at(format!(
+                "a stiffness of {stiffness:?} N/m{} turns no deflection into a force; the stiffness must be \
+                 positive and finite, and the sensitivity (m/V) finite and not 0",
+                sensitivity.map(of_volts).unwrap_or_default()
+            ))
+        };
         let mut factor = if negative { -unit.size } else { unit.size };
         let mut compliance = 0.0;
         if role == Role::Separation {
             let Some(stiffness) = stiffness else {
-                return Err(at(Problem::NoStiffness(self.untold.cloned())));
+                let lacking = at(format!(
+                    "a separation of tip and sample is the height and the deflection together, and the height follows from it by the \
+                     force and the stiffness (N/m) of the cantilever, which the file does not name{because}"
+                ));
+                return Err(lacking.with(Remedy::Cantilever { sensitivity: false }));
             };
             compliance = stiffness.recip();
             if !(compliance > 0.0 && compliance.is_finite()) {
-                let sensitivity = None;
-                return Err(at(Problem::NoForce {
-                    stiffness,
-                    sensitivity,
-                }));
+                return Err(no_force(stiffness, None));
             }
         }
         if role == Role::Deflection {
@@ -183,18 +212,20 @@ impl Columns<'_> {
             let (Some(stiffness), Some(sensitivity)) =
                 (stiffness, if volts { sensitivity } else { Some(1.0) })
             else {
-                return Err(at(Problem::NoCantilever {
-                    volts,
-                    untold: self.untold.cloned(),
-                }));
+                let (further, missing) = match volts {
+                    true => (" and, in volts, the sensitivity (m/V)", "both"),
+                    false => ("", "it"),
+                };
+                let lacking = at(format!(
+                    "a deflection is a force by the stiffness (N/m) of the cantilever{further}, and the file does not \
+                     name {missing}{because}"
+                ));
+                return Err(lacking.with(Remedy::Cantilever { sensitivity: volts }));
             };
             let is_sound = stiffness > 0.0 && sensitivity != 0.0;
             factor *= stiffness * sensitivity;
             if !is_sound || !factor.is_finite() || factor == 0.0 {
-                return Err(at(Problem::NoForce {
-                    stiffness,
-                    sensitivity: volts.then_some(sensitivity),
-                }));
+                return Err(no_force(stiffness, volts.then_some(sensitivity)));
             }
         }
         Ok(Source {
@@ -239,8 +270,12 @@ pub(super) fn unique(role: Role, indices: &[usize]) -> Result<Option<usize>, Dat
         [] => Ok(None),
         [index] => Ok(Some(*index)),
         [first, second, ..] => {
-            let numbers = [first + 1, second + 1];
-            Err(Problem::Duplicate { role, numbers }.into())
+            let (first, second) = (first + 1, second + 1);
+            let several = DataError::new(format!(
+                "columns {first} and {second} could both be {}; choose one by its number",
+                role.name()
+            ));
+            Err(several.with(named(vec![(role, first.to_string())])))
         }
     }
 }

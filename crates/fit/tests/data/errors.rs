@@ -130,12 +130,12 @@ fn a_length_is_offered_only_as_what_it_can_be() {
         let row = "1,2,3".split(',').take(heads.split(',').count());
         let row = row.collect::<Vec<_>>().join(",");
         let error = read(&format!("{heads}\n{row}\n{row}\n"), format).expect_err(&heads);
-        let ways = match error.remedy() {
-            Some(Remedy::Columns(ways)) => ways,
+        let ways = match error.remedy.as_deref() {
+            Some(Remedy::Columns(ways)) => ways.as_slice(),
             Some(Remedy::Cantilever { sensitivity: false }) if expected == "the stiffness" => {
                 continue;
             }
-            None => Vec::new(),
+            None => &[],
             Some(other) => panic!("{heads}: {other:?}"),
         };
         let ways = ways.iter().map(|way| {

@@ -8,8 +8,8 @@ use anyhow::anyhow;
 
 /// Reads a file. An error says which flag helps.
 pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
-    read(path, format).map_err(|error| match error.remedy() {
-        Some(remedy) => anyhow!("{error}; {}", typed(&remedy)),
+    read(path, format).map_err(|error| match &error.remedy {
+        Some(remedy) => anyhow!("{error}; {}", typed(remedy)),
         None => error.into(),
     })
 }
