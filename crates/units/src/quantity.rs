@@ -18,57 +18,10 @@ pub struct Quantity {
     pub dimension: Option<Dimension>,
 }
 
-/// A text that is not the quantity wanted.
+/// A text that is not the quantity wanted, in a sentence that names it and what is wanted.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum QuantityError {
-    /// The text does not begin with a number.
-    #[error(
-        "{text:?} is not a number{}",
-        if text.contains(',') { ": the decimal mark is a point" } else { "" }
-    )]
-    NotANumber {
-        /// The text, at most its first 400 characters.
-        text: String,
-    },
-    /// What follows the number is not a unit.
-    #[error(
-        "{unit:?} in {text:?} is not a unit that is known; {}",
-        match () {
-            () if unit.contains(',') => "one value is wanted here, and no list",
-            () if unit.contains('%') => "give the number in the unit of the quantity, and no percentage",
-            () => "units are such as um, mN, kPa, N/m, mJ/m^2 or s, and case counts: mN and MN, Pa and not pa",
-        }
-    )]
-    UnknownUnit {
-        /// The whole text.
-        text: String,
-        /// What follows the number.
-        unit: String,
-    },
-    /// The unit is that of something else.
-    #[error(
-        "{text:?} is {found}, and {wanted} is wanted: write it in {}, or with a unit, such as {}",
-        wanted.unit(),
-        wanted.examples()
-    )]
-    OtherDimension {
-        /// The whole text.
-        text: String,
-        /// The dimension of the unit.
-        found: Dimension,
-        /// The dimension wanted.
-        wanted: Dimension,
-    },
-    /// A number without a dimension has a unit.
-    #[error("{text:?} is {found}, and a number without a unit is wanted")]
-    NoDimension {
-        /// The whole text.
-        text: String,
-        /// The dimension of the unit.
-        found: Dimension,
-    },
-}
+#[error("{0}")]
+pub struct QuantityError(String);
 
 impl From<f64> for Quantity {
     /// Takes a number in SI units.
@@ -87,8 +40,14 @@ impl FromStr for Quantity {
     /// Reads a number with or without a unit. The value is correctly rounded: `30um` is `3e-5`.
     fn from_str(text: &str) -> Result<Self, QuantityError> {
         let text = text.trim();
-        let not_a_number = || QuantityError::NotANumber {
-            text: text.chars().take(LONGEST).collect(),
+        let not_a_number = || {
+            let text: String = text.chars().take(LONGEST).collect();
+            let mark = if text.contains(',') {
+                ": the decimal mark is a point"
+            } else {
+                ""
+            };
+            QuantityError(format!("{text:?} is not a number{mark}"))
         };
         if text.len() > LONGEST {
             return Err(not_a_number());
@@ -113,11 +72,19 @@ impl FromStr for Quantity {
         if let Some(Unit { dimension, size }) = special(unit) {
             return Ok(of(value * size, Some(dimension)));
         }
-        let (dimension, exponent) =
-            power_of_ten(unit).ok_or_else(|| QuantityError::UnknownUnit {
-                text: text.to_owned(),
-                unit: unit.to_owned(),
-            })?;
+        let unknown = || {
+            let remedy = if unit.contains(',') {
+                "one value is wanted here, and no list"
+            } else if unit.contains('%') {
+                "give the number in the unit of the quantity, and no percentage"
+            } else {
+                "units are such as um, mN, kPa, N/m, mJ/m^2 or s, and case counts: mN and MN, Pa and not pa"
+            };
+            QuantityError(format!(
+                "{unit:?} in {text:?} is not a unit that is known; {remedy}"
+            ))
+        };
+        let (dimension, exponent) = power_of_ten(unit).ok_or_else(unknown)?;
         let value = times_power_of_ten(number, exponent).unwrap_or(value);
         Ok(of(value, Some(dimension)))
     }
@@ -147,16 +114,16 @@ impl Quantity {
     /// # Errors
     /// [`QuantityError`] for a unit of another dimension.
     pub fn of(&self, wanted: Option<Dimension>) -> Result<f64, QuantityError> {
-        let text = self.text.clone();
+        let text = &self.text;
         match self.dimension {
-            Some(found) if Some(found) != wanted => Err(match wanted {
-                Some(wanted) => QuantityError::OtherDimension {
-                    text,
-                    found,
-                    wanted,
-                },
-                None => QuantityError::NoDimension { text, found },
-            }),
+            Some(found) if Some(found) != wanted => Err(QuantityError(match wanted {
+                Some(wanted) => format!(
+                    "{text:?} is {found}, and {wanted} is wanted: write it in {}, or with a unit, such as {}",
+                    wanted.unit(),
+                    wanted.examples()
+                ),
+                None => format!("{text:?} is {found}, and a number without a unit is wanted"),
+            })),
             _ => Ok(self.value),
         }
     }
