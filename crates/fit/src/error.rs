@@ -1,24 +1,16 @@
 //! The errors of fits. Each names the measurement, and the line or the parameter. A program adds the
 //! next step in its own words.
 
-use std::borrow::Cow;
-
 use crate::{LayerName, Numbering, Parameter};
 
 /// A fit that cannot be made.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// There is no experiment, or no parameter to be found.
-    #[error("there is no {0}: give at least one")]
-    Nothing(&'static str),
-    /// Points at which the model has no derivatives with respect to the free parameters.
-    #[error(
-        "the model has no derivatives with respect to the free parameters at these points: the table must \
-         hold a range of each of them, and the points must be away from the end of a branch and of the \
-         table"
-    )]
-    NoDerivatives,
+    /// Measurements, parameters or settings that cannot be used together, in a sentence that names them, with the next
+    /// step.
+    #[error("{0}")]
+    NotFitted(String),
     /// A measured point that cannot be.
     #[error("{measurement}, {numbering} {line}: {name} = {value:?} must be {allowed}")]
     Point {
@@ -35,17 +27,6 @@ pub enum Error {
         /// The values allowed, in words, with the next step.
         allowed: &'static str,
     },
-    /// Fewer points than free parameters, or as many.
-    #[error(
-        "{points} usable points do not determine {parameters} parameters and their errors: measure \
-         more points or free fewer parameters"
-    )]
-    TooFewPoints {
-        /// The number of points that count.
-        points: usize,
-        /// The number of values to be found.
-        parameters: usize,
-    },
     /// Points that are all at one place, or that all read one value.
     #[error("{measurement}: {name} is {value:?} at every point, which determines nothing")]
     Constant {
@@ -56,19 +37,6 @@ pub enum Error {
         /// Its only value.
         value: f64,
     },
-    /// A parameter that has no effect on a measurement.
-    #[error("{parameter} cannot be found from {experiment}: {reason}")]
-    NotApplicable {
-        /// The parameter.
-        parameter: Parameter,
-        /// The name of the measurement.
-        experiment: String,
-        /// The reason.
-        reason: Cow<'static, str>,
-    },
-    /// A parameter that is free twice, or two free parameters that are one and the same number.
-    #[error("{}", redundant(*.0, *.1))]
-    Redundant(Parameter, Parameter),
     /// A start, a bound, a prior, a noise or an option that is not allowed.
     #[error(
         "{name} {}: it must be {allowed}",
@@ -116,17 +84,6 @@ pub enum Error {
         /// Whether they are works of adhesion of flat punches, which change the load of pull-off only.
         pull_off_only: bool,
     },
-    /// Bodies of which those that do not relax would carry too much, at values that the data do not determine.
-    #[error(
-        "the data do not determine {parameters}, and at the values found {cause}. Fix a number of the relaxation \
-         function or give it a prior, measure with less noise, or hold for longer"
-    )]
-    RelaxationNotDetermined {
-        /// The parameters whose standard error is above half of their value, between "and".
-        parameters: String,
-        /// What would not be valid.
-        cause: contact::HistoryError,
-    },
     /// A model that cannot be evaluated where the fit starts.
     #[error("{experiment}, where the fit starts: {cause}{}", other_start(cause))]
     Start {
@@ -134,20 +91,6 @@ pub enum Error {
         experiment: String,
         /// The error of the contact.
         cause: Box<Self>,
-    },
-    /// A name that a layer of a fit cannot have.
-    #[error(
-        "{0:?} cannot name a layer in a fit: a name has 1 to 40 bytes, no comma, equals sign or control \
-         character, and no space at its ends; give the layer another name"
-    )]
-    LayerName(String),
-    /// A measurement that cannot be used so: fitted with these bodies and settings, or drawn.
-    #[error("{experiment}: {reason}")]
-    NotFitted {
-        /// The name of the measurement.
-        experiment: String,
-        /// The reason, with the next step.
-        reason: Cow<'static, str>,
     },
     /// Points without times, where the bodies relax.
     #[error(
@@ -204,6 +147,19 @@ pub enum Error {
 }
 
 impl Error {
+    /// The error of an experiment, a parameter or a relaxation function that is missing.
+    pub(crate) fn nothing(what: &str) -> Self {
+        Self::NotFitted(format!("there is no {what}: give at least one"))
+    }
+
+    /// The error of fewer points that count than values to be found, or as many.
+    pub(crate) fn too_few_points(points: usize, parameters: usize) -> Self {
+        Self::NotFitted(format!(
+            "{points} usable points do not determine {parameters} parameters and their errors: measure \
+             more points or free fewer parameters"
+        ))
+    }
+
     /// The error of a setting whose value is not allowed.
     pub(crate) fn setting(name: impl Into<String>, value: f64, allowed: impl Into<String>) -> Self {
         Self::Setting {
@@ -229,14 +185,6 @@ impl From<interp::Error> for Error {
     fn from(error: interp::Error) -> Self {
         Self::Contact(error.into())
     }
-}
-
-/// Returns the message of [`Error::Redundant`].
-fn redundant(one: Parameter, other: Parameter) -> String {
-    if one == other {
-        return format!("{one} is free twice: name it once");
-    }
-    format!("{one} and {other} are one number: free one of them")
 }
 
 /// Returns what to do about parameters that data do not determine.

@@ -23,7 +23,7 @@ use crate::{Error, Experiment, Forecast, Free, LayerQuantity, Loss, Options, Par
 ///
 /// # Errors
 /// As [`fit`](crate::fit); [`Error::Setting`] without a noise, and for a free quantity such as the work of
-/// adhesion that must be positive and is planned as 0; [`Error::NotApplicable`] for a free tangential stiffness
+/// adhesion that must be positive and is planned as 0; [`Error::NotFitted`] for a free tangential stiffness
 /// of an interface that is planned as 0 or infinite.
 pub fn forecast(
     table: &Table,
@@ -120,7 +120,14 @@ pub fn forecast(
 fn uncertainty(problem: &Problem<'_>) -> Result<Uncertainty, Error> {
     let (points, parameters) = (problem.residual_count(), problem.slots.len());
     if points < parameters {
-        return Err(Error::TooFewPoints { points, parameters });
+        return Err(Error::too_few_points(points, parameters));
     }
-    Uncertainty::of(problem).ok_or(Error::NoDerivatives)
+    Uncertainty::of(problem).ok_or_else(|| {
+        Error::NotFitted(
+            "the model has no derivatives with respect to the free parameters at these points: the table must \
+             hold a range of each of them, and the points must be away from the end of a branch and of the \
+             table"
+                .into(),
+        )
+    })
 }

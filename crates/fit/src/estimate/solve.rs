@@ -79,10 +79,7 @@ fn to_the_end(
     let points: usize = data.iter().map(Assigned::counting).sum();
     let priors = slots.iter().filter(|slot| slot.prior.is_some()).count();
     if points + priors <= slots.len() {
-        return Err(Error::TooFewPoints {
-            points,
-            parameters: slots.len(),
-        });
+        return Err(Error::too_few_points(points, slots.len()));
     }
     fixed_values::accept(&data, &slots, &options.known)?;
     let mut found = minimum(table, &data, (free, &slots), options.loss)?;
@@ -165,10 +162,11 @@ fn of_undetermined(error: Error, found: &Minimum<'_>) -> Error {
     let open = with_error(found, |error| error > UNDETERMINED);
     match error {
         Error::History(cause @ HistoryError::UnlikeBodies { .. }) if !open.is_empty() => {
-            Error::RelaxationNotDetermined {
-                parameters: names_of(&found.problem, &open),
-                cause,
-            }
+            let parameters = names_of(&found.problem, &open);
+            Error::NotFitted(format!(
+                "the data do not determine {parameters}, and at the values found {cause}. Fix a number of the relaxation \
+                 function or give it a prior, measure with less noise, or hold for longer"
+            ))
         }
         error => error,
     }
@@ -202,10 +200,7 @@ pub(crate) fn prepare(
         let mut experiment = experiment.clone();
         experiment.accept_instrument()?;
         if experiment.measurement.points.is_empty() {
-            return Err(Error::TooFewPoints {
-                points: 0,
-                parameters: free.len(),
-            });
+            return Err(Error::too_few_points(0, free.len()));
         }
         experiment.accept_errors()?;
         for work in Parameter::WORKS {

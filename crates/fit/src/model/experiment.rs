@@ -124,7 +124,7 @@ impl Experiment {
     /// [those of a deflection](Self::from_deflection).
     ///
     /// # Errors
-    /// [`Error::Contact`] for a film that is not physical; [`Error::NotApplicable`] for the
+    /// [`Error::Contact`] for a film that is not physical; [`Error::NotFitted`] for the
     /// thickness of a half-space, for the film of a stack of layers, and for a layer that is not
     /// there.
     pub fn set(&mut self, parameter: Parameter, value: f64) -> Result<(), Error> {
@@ -135,24 +135,16 @@ impl Experiment {
     }
 
     /// The error of an experiment that cannot be used so.
-    pub(crate) fn not_fitted(&self, reason: impl Into<Cow<'static, str>>) -> Error {
-        Error::NotFitted {
-            experiment: self.measurement.name.clone(),
-            reason: reason.into(),
-        }
+    pub(crate) fn not_fitted(&self, reason: impl fmt::Display) -> Error {
+        Error::NotFitted(format!("{}: {reason}", self.measurement.name))
     }
 
     /// The error of a parameter that this experiment does not tell.
-    pub(crate) fn not_applicable(
-        &self,
-        parameter: Parameter,
-        reason: impl Into<Cow<'static, str>>,
-    ) -> Error {
-        Error::NotApplicable {
-            parameter,
-            experiment: self.measurement.name.clone(),
-            reason: reason.into(),
-        }
+    pub(crate) fn not_applicable(&self, parameter: Parameter, reason: impl fmt::Display) -> Error {
+        let experiment = &self.measurement.name;
+        Error::NotFitted(format!(
+            "{parameter} cannot be found from {experiment}: {reason}"
+        ))
     }
 
     /// The error of a setting of this experiment whose value is not allowed.

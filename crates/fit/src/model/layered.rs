@@ -58,7 +58,12 @@ impl FromStr for LayerName {
         let stored = ArrayString::from(name).ok().filter(|_| is_allowed);
         stored
             .map(Self)
-            .ok_or_else(|| Error::LayerName(name.to_owned()))
+            .ok_or_else(|| {
+                Error::NotFitted(format!(
+                    "{name:?} cannot name a layer in a fit: a name has 1 to 40 bytes, no comma, equals sign or control \
+                     character, and no space at its ends; give the layer another name"
+                ))
+            })
     }
 }
 
@@ -76,7 +81,7 @@ impl NamedLayer {
     /// Returns the layers of a stack with their `names`, from the base up.
     ///
     /// # Errors
-    /// [`Error::LayerName`].
+    /// [`Error::NotFitted`] for a name that a layer of a fit cannot have.
     pub fn all(stack: &Stack, names: &[Option<String>]) -> Result<Vec<Self>, Error> {
         let named = |(layer, name): (&Layer, &Option<String>)| {
             Ok(Self {

@@ -48,7 +48,7 @@ impl Experiment {
     /// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for another number
     /// of branches than points, a zero of the instrument that is not finite, or a missing
     /// stiffness;
-    /// [`Error::NotApplicable`] for a parameter without an effect on this experiment;
+    /// [`Error::NotFitted`] for a parameter without an effect on this experiment;
     /// [`Error::Contact`] outside the table.
     pub fn predictions(
         &self,

@@ -228,7 +228,7 @@ impl Experiment {
         parameters: &[Parameter],
     ) -> Result<Predicted, Error> {
         let Some(relaxing) = &self.relaxing else {
-            return Err(Error::Nothing("relaxation function"));
+            return Err(Error::nothing("relaxation function"));
         };
         let points = &self.measurement.points;
         let exact = self.bodies.has_derivatives();

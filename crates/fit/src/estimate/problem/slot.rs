@@ -151,10 +151,10 @@ impl Coordinate {
 /// the experiments.
 pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slot>, Error> {
     if experiments.is_empty() {
-        return Err(Error::Nothing("experiment"));
+        return Err(Error::nothing("experiment"));
     }
     if free.is_empty() {
-        return Err(Error::Nothing("free parameter"));
+        return Err(Error::nothing("free parameter"));
     }
     for (i, one) in free.iter().enumerate() {
         accept(one)?;
@@ -165,8 +165,16 @@ pub(crate) fn slots(experiments: &[Experiment], free: &[Free]) -> Result<Vec<Slo
                 && experiments
                     .iter()
                     .all(|experiment| experiment.why_without_effect(Parameter::Baseline).is_none());
-            if both[0] == both[1] || one_level {
-                return Err(Error::Redundant(both[0], both[1]));
+            let [parameter, before] = both;
+            if parameter == before {
+                return Err(Error::NotFitted(format!(
+                    "{parameter} is free twice: name it once"
+                )));
+            }
+            if one_level {
+                return Err(Error::NotFitted(format!(
+                    "{parameter} and {before} are one number: free one of them"
+                )));
             }
         }
     }
