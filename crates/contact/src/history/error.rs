@@ -24,65 +24,9 @@ pub enum HistoryError {
         /// The tolerance.
         value: f64,
     },
-    /// A program with too few points.
-    #[error(
-        "a program needs two points or more, and has {points}: give the times and values at which it bends"
-    )]
-    Program {
-        /// The number of points.
-        points: usize,
-    },
-    /// A number of a program that is not finite.
-    #[error("point {number} of the program is ({time:?} s, {value:?}): both must be finite")]
-    NotFinite {
-        /// The number of the point, from 1.
-        number: usize,
-        /// Its time, s.
-        time: f64,
-        /// Its value.
-        value: f64,
-    },
-    /// Times that do not rise.
-    #[error(
-        "point {number} of the program is at {time:?} s and the one before it at {before:?} s: times \
-         must rise; for a sudden change give two times that are close together"
-    )]
-    Order {
-        /// The number of the point, from 1.
-        number: usize,
-        /// Its time, s.
-        time: f64,
-        /// The time of the point before it, s.
-        before: f64,
-    },
-    /// Times asked for that fall.
-    #[error(
-        "time {number} of those asked for is {time:?} s and the one before it {before:?} s: give them in ascending order"
-    )]
-    Times {
-        /// The number of the time, from 1.
-        number: usize,
-        /// The time, s.
-        time: f64,
-        /// The time before it, s.
-        before: f64,
-    },
-    /// A program that is too short or too long.
-    #[error(
-        "the program takes {value:?} s, and programs from 1e-50 to 1e50 s are followed: give its times in seconds"
-    )]
-    Duration {
-        /// The duration, s.
-        value: f64,
-    },
-    /// A time that is asked for and lies before the program.
-    #[error("the state at {time:?} s is not known: the program begins at {begin:?} s")]
-    BeforeProgram {
-        /// The time asked for, s.
-        time: f64,
-        /// The first time of the program, s.
-        begin: f64,
-    },
+    /// A program, times, a law of the line or rigid bodies that a history cannot take, in a sentence with the numbers.
+    #[error("{0}")]
+    Refused(String),
     /// A history whose first point is in contact.
     #[error(
         "the program begins in contact, at {name} = {value:?}: the history before its first point is not \
@@ -115,11 +59,6 @@ pub enum HistoryError {
         /// The time, s.
         time: f64,
     },
-    /// Loads that are imposed, where a penetration or a position is measured.
-    #[error(
-        "the loads are imposed: measured histories follow a penetration or the position of a spring"
-    )]
-    MeasuredLoad,
     /// A tolerance that is not reached.
     #[error(
         "the tolerance {tolerance:?} is not reached; {}",
@@ -145,12 +84,6 @@ pub enum HistoryError {
         /// The energy of the advancing line, J/m^2.
         advancing: f64,
     },
-    /// An energy of the receding line that depends on its speed.
-    #[error(
-        "the energy of the receding line depends on its speed, and a history takes one energy for all \
-         speeds: give `Hysteresis::new(0.0, w)`"
-    )]
-    SpeedOfLine,
     /// Adhesion together with a program that is not served.
     #[error(
         "adhesion is computed for a penetration that grows, may be held, and falls: {reason}; \
@@ -174,12 +107,6 @@ pub enum HistoryError {
         /// The relative rise of the elastic load when the elastic bodies are made rigid.
         chi: f64,
     },
-    /// Rigid bodies beside others than those of the history.
-    #[error(
-        "the contact between rigid bodies is not that of this history: it must have the same film, thickness and probe, with a \
-         rigid sphere and a rigid base; the layers of a stack relax all by one law, and so must the other bodies"
-    )]
-    OtherBodies,
     /// An error of the elastic contact.
     #[error(transparent)]
     Contact(#[from] Error),
@@ -192,6 +119,11 @@ impl From<interp::Error> for HistoryError {
 }
 
 impl HistoryError {
+    /// The error of something that a history cannot take.
+    pub(super) fn refused<T>(what: impl Into<String>) -> Result<T, Self> {
+        Err(Self::Refused(what.into()))
+    }
+
     /// Returns the error of a contact whose times were counted from `origin` (s).
     pub(super) fn later_by(mut self, origin: f64) -> Self {
         if let Self::NotOneDisc { time, .. } | Self::GrowsAgain { time } = &mut self {

@@ -159,14 +159,17 @@ impl<'a> History<'a> {
     ///
     /// # Errors
     /// [`HistoryError::GrowingAdhesion`] for a law with an advancing energy;
-    /// [`HistoryError::SpeedOfLine`] for a law whose energy depends on the speed of the line.
+    /// [`HistoryError::Refused`] for a law whose energy depends on the speed of the line.
     pub fn receding(self, law: impl CrackTip) -> Result<Self, HistoryError> {
         let [advancing, receding] = crate::line::energies_in_order(law.at_rest())?;
         if advancing != 0.0 {
             return Err(HistoryError::GrowingAdhesion { advancing });
         }
         if law.speed(2.0 * receding + f64::MIN_POSITIVE).is_finite() {
-            return Err(HistoryError::SpeedOfLine);
+            return HistoryError::refused(
+                "the energy of the receding line depends on its speed, and a history takes one energy for all \
+                 speeds: give `Hysteresis::new(0.0, w)`",
+            );
         }
         Ok(Self {
             receding: Some(receding),
@@ -217,11 +220,12 @@ impl<'a> History<'a> {
             return Err(HistoryError::Tolerance { value });
         }
         if let Some(i) = times.windows(2).position(|pair| pair[1] < pair[0]) {
-            return Err(HistoryError::Times {
-                number: i + 2,
-                time: times[i + 1],
-                before: times[i],
-            });
+            return HistoryError::refused(format!(
+                "time {} of those asked for is {:?} s and the one before it {:?} s: give them in ascending order",
+                i + 2,
+                times[i + 1],
+                times[i]
+            ));
         }
         let program = Program::new(control.name(), program, times)?;
         let origin = program.origin;

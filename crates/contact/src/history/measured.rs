@@ -64,7 +64,7 @@ impl History<'_> {
     ///
     /// # Errors
     /// As [`History::at`]; [`HistoryError::GrowsAgain`] where the contact grows after its first
-    /// retract; [`HistoryError::MeasuredLoad`] for imposed loads; [`interp::Error::FixedParameter`](interp::Error::FixedParameter)
+    /// retract; [`HistoryError::Refused`] for imposed loads; [`interp::Error::FixedParameter`](interp::Error::FixedParameter)
     /// and [`interp::Error::NoGradient`](interp::Error::NoGradient) as
     /// [`Contact::gradient`](crate::Contact::gradient).
     pub fn measured(
@@ -115,7 +115,11 @@ impl History<'_> {
         let compliance = match control {
             Control::Displacement => 0.0,
             Control::Spring { stiffness } => 1.0 / stiffness,
-            Control::Load => return Err(HistoryError::MeasuredLoad),
+            Control::Load => {
+                return HistoryError::refused(
+                    "the loads are imposed: measured histories follow a penetration or the position of a spring",
+                );
+            }
         };
         let program = Program::new(control.name(), points, &[])?;
         let width = inputs.map_or(0, |inputs| 2 + inputs.contact.len() + inputs.law.len());

@@ -27,9 +27,10 @@ impl Program {
         asked: &[f64],
     ) -> Result<Self, HistoryError> {
         if points.len() < 2 {
-            return Err(HistoryError::Program {
-                points: points.len(),
-            });
+            return HistoryError::refused(format!(
+                "a program needs two points or more, and has {}: give the times and values at which it bends",
+                points.len()
+            ));
         }
         let origin = points[0].0;
         let mut own = Self {
@@ -40,19 +41,17 @@ impl Program {
         for (i, &(time, value)) in points.iter().enumerate() {
             let number = i + 1;
             if !(time.is_finite() && value.is_finite()) {
-                return Err(HistoryError::NotFinite {
-                    number,
-                    time,
-                    value,
-                });
+                return HistoryError::refused(format!(
+                    "point {number} of the program is ({time:?} s, {value:?}): both must be finite"
+                ));
             }
             match own.times.last() {
                 Some(&before) if time - origin <= before => {
-                    return Err(HistoryError::Order {
-                        number,
-                        time,
-                        before: points[i - 1].0,
-                    });
+                    return HistoryError::refused(format!(
+                        "point {number} of the program is at {time:?} s and the one before it at {:?} s: times \
+                         must rise; for a sudden change give two times that are close together",
+                        points[i - 1].0
+                    ));
                 }
                 _ => own.times.push(time - origin),
             }
@@ -64,7 +63,9 @@ impl Program {
                 return Err(HistoryError::Time { value: time });
             }
             if time < begin {
-                return Err(HistoryError::BeforeProgram { time, begin });
+                return HistoryError::refused(format!(
+                    "the state at {time:?} s is not known: the program begins at {begin:?} s"
+                ));
             }
         }
         let latest = asked.iter().map(|time| time - origin).fold(end, f64::max);
@@ -74,7 +75,9 @@ impl Program {
         }
         let value = own.duration();
         if !DURATIONS.contains(&value) {
-            return Err(HistoryError::Duration { value });
+            return HistoryError::refused(format!(
+                "the program takes {value:?} s, and programs from 1e-50 to 1e50 s are followed: give its times in seconds"
+            ));
         }
         let value = own.values[0];
         if value > 0.0 {

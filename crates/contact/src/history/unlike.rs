@@ -25,7 +25,7 @@ impl History<'_> {
     /// the largest load; 0 unless [`History::beside`] is told of them. Contact radii may be wrong by more.
     ///
     /// # Errors
-    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::OtherBodies`] if the rigid bodies are
+    /// [`HistoryError::UnlikeBodies`] above 2e-2; [`HistoryError::Refused`] if the rigid bodies are
     /// not those of this history; [`contact::Error::OutsideRadii`](crate::Error::OutsideRadii) where the
     /// curve of the rigid bodies does not hold the contact.
     pub fn unlike_bodies(&self, measured: &MeasuredHistory) -> Result<f64, HistoryError> {
@@ -44,7 +44,10 @@ impl History<'_> {
         states: &[TimedContact],
     ) -> Result<f64, HistoryError> {
         if !rigid.bodies.are_rigid_beside(&self.contact.bodies) {
-            return Err(HistoryError::OtherBodies);
+            return HistoryError::refused(
+                "the contact between rigid bodies is not that of this history: it must have the same film, thickness and probe, with a \
+                 rigid sphere and a rigid base; the layers of a stack relax all by one law, and so must the other bodies",
+            );
         }
         let deepest = largest(states.iter().map(|at| at.state.penetration));
         if deepest <= 0.0 {
