@@ -1,21 +1,14 @@
 //! Rows against those of an earlier run, which another machine may have made.
 
+use std::fmt::Display;
+
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-/// A measurement that differs from a recorded one.
+/// A measurement that differs from a recorded one, with its row and column and both values.
 #[derive(Debug, thiserror::Error)]
-#[error("row {row}: {column} was {before} and is {now}")]
-pub struct Changed {
-    /// The number of the row, from 1.
-    pub row: usize,
-    /// The column.
-    pub column: String,
-    /// The recorded value.
-    pub before: String,
-    /// The new value.
-    pub now: String,
-}
+#[error("{0}")]
+pub struct Changed(String);
 
 /// Errors that differ by at most this part of them are equal: rounding differs between processors.
 const RELATIVE: f64 = 1e-2;
@@ -37,29 +30,23 @@ const ABSOLUTE: f64 = 1e-13;
 /// If a row is more than a struct of numbers and texts.
 pub fn compare<R: Serialize>(before: &[R], now: &[R]) -> Result<(), Changed> {
     if now.len() > before.len() {
-        let [before, now] = [before, now].map(|rows| rows.len().to_string());
-        return Err(Changed {
-            row: now.len(),
-            column: "the number of rows".to_owned(),
-            before,
-            now,
-        });
+        let [before, now] = [before, now].map(<[R]>::len);
+        return Err(changed(now, "the number of rows", before, now));
     }
     for (i, pair) in before.iter().zip(now).enumerate() {
         let [before, now] = [pair.0, pair.1].map(fields);
         for (column, before) in &before {
             let now = &now[column];
             if !depends_on_the_machine(column) && !agree(before, now) {
-                return Err(Changed {
-                    row: i + 1,
-                    column: column.clone(),
-                    before: before.to_string(),
-                    now: now.to_string(),
-                });
+                return Err(changed(i + 1, column, before, now));
             }
         }
     }
     Ok(())
+}
+
+fn changed(row: usize, column: &str, before: impl Display, now: impl Display) -> Changed {
+    Changed(format!("row {row}: {column} was {before} and is {now}"))
 }
 
 fn fields<R: Serialize>(row: &R) -> Map<String, Value> {
