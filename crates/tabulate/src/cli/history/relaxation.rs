@@ -1,6 +1,6 @@
 //! The flags of a relaxation function.
 
-use anyhow::{Context, bail, ensure};
+use anyhow::{bail, ensure};
 use clap::ValueEnum;
 use contact::Relaxation;
 
@@ -50,108 +50,100 @@ pub enum Law {
 impl RelaxationArguments {
     /// Returns the law. An error names the flag that is missing, or that the law does not have.
     pub fn law(&self) -> anyhow::Result<Relaxation> {
-        let Self {
-            relaxation: law,
-            relaxation_exponent: exponent,
-            reference_time,
-            relaxed_fraction: relaxed,
-            ref relaxation_time,
-            ref relaxation_weight,
-        } = *self;
+        let law = self.relaxation;
         let word = law.to_possible_value().expect("no law is hidden");
         let word = word.get_name();
-        let needs = |flag: &str, what: &str| format!("--relaxation {word} needs {flag}: {what}");
-        let refuse = |given: bool, flag: &str| {
-            ensure!(!given, "--relaxation {word} has no {flag}: leave it out");
-            Ok(())
+        let (prony, power) = (law == Law::Prony, law == Law::PowerLaw);
+        let (times, weights) = (&self.relaxation_time, &self.relaxation_weight);
+        let example = match prony {
+            true => "a time in seconds or several, for example 0.02,0.5",
+            false => "a time in seconds, for example 0.5",
         };
-        let prony = law == Law::Prony;
-        refuse(prony && exponent.is_some(), "--relaxation-exponent")?;
-        refuse(
-            !prony && !relaxation_weight.is_empty(),
-            "--relaxation-weight",
-        )?;
-        refuse(
-            law != Law::PowerLaw && reference_time.is_some(),
-            "--reference-time",
-        )?;
-        if law == Law::PowerLaw {
-            refuse(relaxed.is_some(), "--relaxed-fraction")?;
-            refuse(
-                !relaxation_time.is_empty(),
-                "--relaxation-time (its time is --reference-time)",
-            )?;
-        }
-        let exponent = || {
-            exponent.with_context(|| {
-                needs(
-                    "--relaxation-exponent",
-                    "a number above 0 and below 1, for example 0.2",
-                )
-            })
-        };
-        let relaxed = || {
-            relaxed.with_context(|| {
-                needs(
-                    "--relaxed-fraction",
-                    "the part of the modulus that is left in the end, for example 0.3",
-                )
-            })
-        };
-        let time = || match relaxation_time[..] {
-            [time] => Ok(time),
-            [] => bail!(needs(
-                "--relaxation-time",
-                "a time in seconds, for example 0.5"
-            )),
-            _ => bail!(
-                "--relaxation {word} has one --relaxation-time, and {} are given",
-                relaxation_time.len()
+        // Each flag, whether it is given, whether the law has it, and what it takes where the law needs it.
+        let flags = [
+            (
+                "--relaxed-fraction",
+                self.relaxed_fraction.is_some(),
+                !power,
+                Some("the part of the modulus that is left in the end, for example 0.3"),
             ),
-        };
+            (
+                "--relaxation-exponent",
+                self.relaxation_exponent.is_some(),
+                !prony,
+                Some("a number above 0 and below 1, for example 0.2"),
+            ),
+            (
+                "--relaxation-time",
+                !times.is_empty(),
+                !power,
+                Some(example),
+            ),
+            ("--relaxation-weight", !weights.is_empty(), prony, None),
+            (
+                "--reference-time",
+                self.reference_time.is_some(),
+                power,
+                None,
+            ),
+        ];
+        for (flag, is_given, is_there, what) in flags {
+            let own = if power && flag == "--relaxation-time" {
+                " (its time is --reference-time)"
+            } else {
+                ""
+            };
+            ensure!(
+                is_there || !is_given,
+                "--relaxation {word} has no {flag}{own}: leave it out"
+            );
+            if let Some(what) = what.filter(|_| is_there && !is_given) {
+                bail!("--relaxation {word} needs {flag}: {what}");
+            }
+        }
+        ensure!(
+            times.len() <= 1 || prony,
+            "--relaxation {word} has one --relaxation-time, and {} are given",
+            times.len()
+        );
+        let relaxed = self.relaxed_fraction.unwrap_or_default();
+        let exponent = self.relaxation_exponent.unwrap_or_default();
+        let time = times.first().copied().unwrap_or_default();
         let own = match law {
             Law::Prony => {
-                let relaxed = relaxed()?;
-                ensure!(
-                    !relaxation_time.is_empty(),
-                    needs(
-                        "--relaxation-time",
-                        "a time in seconds or several, for example 0.02,0.5"
-                    )
-                );
                 ensure!(
                     relaxed < 1.0,
                     "--relaxed-fraction {relaxed:?}: give the part of the modulus that does not relax, from 0 to below 1; of 1 \
                      nothing relaxes, and `tabulate curve` answers"
                 );
-                let weights = if relaxation_weight.is_empty() && relaxation_time.len() == 1 {
-                    vec![1.0 - relaxed]
+                let weights = if weights.is_empty() && times.len() == 1 {
+                    &vec![1.0 - relaxed]
                 } else {
-                    relaxation_weight.clone()
+                    weights
                 };
                 ensure!(
-                    weights.len() == relaxation_time.len(),
+                    weights.len() == times.len(),
                     "--relaxation-time has {} values and --relaxation-weight {}: give one weight for each time",
-                    relaxation_time.len(),
+                    times.len(),
                     weights.len()
                 );
-                let terms = weights.iter().zip(relaxation_time);
+                let terms = weights.iter().zip(times);
                 let terms = terms.map(|(&weight, &time)| [weight, time]).collect();
                 Relaxation::Prony { relaxed, terms }
             }
             Law::PowerLaw => Relaxation::PowerLaw {
-                exponent: exponent()?,
-                time: reference_time.unwrap_or(1.0),
+                exponent,
+                time: self.reference_time.unwrap_or(1.0),
             },
             Law::ModifiedPowerLaw => Relaxation::ModifiedPowerLaw {
-                relaxed: relaxed()?,
-                exponent: exponent()?,
-                time: time()?,
+                relaxed,
+                exponent,
+                time,
             },
             Law::FractionalZener => Relaxation::FractionalZener {
-                relaxed: relaxed()?,
-                exponent: exponent()?,
-                time: time()?,
+                relaxed,
+                exponent,
+                time,
             },
         };
         own.check()?;
