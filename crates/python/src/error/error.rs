@@ -20,14 +20,8 @@ pub struct Failure {
     /// The number of the point that failed, where there are many.
     pub(super) index: Option<usize>,
     pub(super) cause: Option<Box<Failure>>,
-    pub(super) file: Option<FileFailure>,
-}
-
-/// The numbers of Python's `OSError`.
-pub(super) struct FileFailure {
-    pub(super) errno: i32,
-    pub(super) reason: String,
-    pub(super) path: String,
+    /// The arguments of Python's `OSError`: the number, the reason and the path.
+    pub(super) file: Option<(i32, String, String)>,
 }
 
 impl Failure {
@@ -100,11 +94,8 @@ impl Failure {
 
     /// Makes it an `OSError` about a file, with the class that Python chooses by its number.
     pub fn about_file(self, path: &Path, source: &io::Error) -> Self {
-        let file = source.raw_os_error().map(|errno| FileFailure {
-            errno,
-            reason: reason(source),
-            path: path.display().to_string(),
-        });
+        let number = source.raw_os_error();
+        let file = number.map(|number| (number, reason(source), path.display().to_string()));
         Self {
             class: "OSError",
             file,
@@ -114,13 +105,8 @@ impl Failure {
 
     /// Makes the exception.
     pub fn raise(self, py: Python<'_>) -> PyErr {
-        if let Some(FileFailure {
-            errno,
-            reason,
-            path,
-        }) = self.file
-        {
-            return PyOSError::new_err((errno, reason, path));
+        if let Some(arguments) = self.file {
+            return PyOSError::new_err(arguments);
         }
         if self.class == "OSError" {
             return PyOSError::new_err(self.message);
