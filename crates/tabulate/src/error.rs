@@ -10,49 +10,12 @@ use crate::printable;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A probe whose force curve the page of a table does not compute.
-    #[error(
-        "the page of this table computes no {probe}: {reason}; `tabulate curve` prints the force curve of every probe"
-    )]
-    PageProbe {
-        /// The name of the shape.
-        probe: &'static str,
-        /// What the page computes, or what the table lacks.
-        reason: &'static str,
-    },
-    /// A low-rank form whose error is larger than allowed, because of rounding.
-    #[error(
-        "rounding keeps the low-rank form from an error of {error:.1e}: it has {reached:.1e}; ask for a larger tolerance"
-    )]
-    Truncation {
-        /// The largest relative error allowed at the nodes.
-        error: f64,
-        /// The smallest error that was reached.
-        reached: f64,
-    },
-    /// A tolerance of a packed table outside the allowed range.
-    #[error(
-        "tolerance = {tolerance:?} of a packed table is outside {least:e} to {most:e}: give one inside, or pack without a tolerance"
-    )]
-    PackedTolerance {
-        /// The tolerance.
-        tolerance: f64,
-        /// The smallest allowed.
-        least: f64,
-        /// The largest allowed.
-        most: f64,
-    },
-    /// A table that is not accurate enough to be packed to the tolerance.
-    #[error(
-        "its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}; generate the table with a smaller \
-         tolerance, or ask for a larger one"
-    )]
-    NoRoom {
-        /// The table's own certified error.
-        own: f64,
-        /// The tolerance.
-        tolerance: f64,
-    },
+    /// A probe that the page of a table does not compute, or a tolerance that no packed table has, in a sentence.
+    #[error("{0}")]
+    Refused(String),
+    /// A low-rank form out of reach, by rounding or by the error of the table itself, in a sentence with the errors.
+    #[error("{0}")]
+    NoLowRank(String),
     /// A low-rank form whose error between the nodes is larger than the tolerance.
     #[error(
         "its low-rank form has a measured error of {measured:.1e}, more than the tolerance {tolerance:e}, though truncation adds no more than \
@@ -84,20 +47,9 @@ pub enum Error {
         /// A sentence with layer, value and range.
         what: String,
     },
-    /// A table that would need too many nodes.
-    #[error(
-        "the table would have {} nodes and {values} values, where at most {} nodes on an axis and {most} values are allowed; ask for a larger \
-         tolerance, a smaller box or fewer nodes",
-        shape.map(|nodes| nodes.to_string()).join(" x "), crate::table::extent::MOST_NODES
-    )]
-    TooLarge {
-        /// The nodes on each axis.
-        shape: [usize; 4],
-        /// The number of values.
-        values: usize,
-        /// The largest number of values.
-        most: usize,
-    },
+    /// Nodes that are too many or too close to each other, in a sentence with their numbers.
+    #[error("{0}")]
+    Nodes(String),
     /// A table that another process is making.
     #[error(
         "{} is being made by another process; wait for it, or choose another output",
@@ -128,33 +80,6 @@ pub enum Error {
         journal: PathBuf,
         /// What it keeps, in words.
         what: String,
-    },
-    /// A range along which the quantities are too steep to be tabulated.
-    #[error(
-        "{axis} would take {nodes} nodes or more for the tolerance {tolerance:e}; ask for a larger tolerance, or for a smaller range"
-    )]
-    Unresolved {
-        /// The parameter.
-        axis: &'static str,
-        /// A number of nodes that f64 cannot tell apart, or that is too small for the tolerance.
-        nodes: usize,
-        /// The table's tolerance.
-        tolerance: f64,
-    },
-    /// Nodes that are too close to each other for splines.
-    #[error(
-        "{axis} has {nodes} nodes from {from:?} to {to:?}, which are too close to each other for splines; ask for a \
-         wider range, fewer nodes or one number"
-    )]
-    TooClose {
-        /// The parameter.
-        axis: &'static str,
-        /// The number of its nodes.
-        nodes: usize,
-        /// The first node.
-        from: f64,
-        /// The last node.
-        to: f64,
     },
     /// A budget that is spent before the work is done.
     #[error("the budget is spent {spent}")]

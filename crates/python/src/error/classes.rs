@@ -111,27 +111,27 @@ impl From<::contact::Error> for Failure {
     fn from(error: ::contact::Error) -> Self {
         use ::contact::Error;
         let failure = Self::new("ContactError", &error);
+        let solved_by_cohesive = failure
+            .message
+            .replace("by a direct solve", "with `Cohesive`");
         let of = |class| Self { class, ..failure };
         match error {
             Error::Table(error) => error.into(),
             Error::Sticks { .. } => of("InputError"),
-            Error::LongZone { zone, what, length, most } => of("InputError")
+            Error::LongZone {
+                zone, length, most, ..
+            } => of("InputError")
                 .about("zone", zone)
                 .range(0.0, most * length)
-                .saying(&format!(
-                    "the cohesive zone is {zone:?} m long, more than {most} times the {what}, \
-                     {length:?} m, and the correction for a short zone does not hold: give a larger \
-                     stress of the attraction, or solve a zone of any length with `Cohesive`"
-                )),
-            Error::Tension { tension, stress, most } => of("InputError")
+                .saying(&solved_by_cohesive),
+            Error::Tension {
+                tension,
+                stress,
+                most,
+            } => of("InputError")
                 .about("stress", stress)
                 .range(tension / most, f64::INFINITY)
-                .saying(&format!(
-                    "the mean tension in the contact is {tension:?} Pa, more than {most} times the stress of \
-                     the attraction, {stress:?} Pa: the contact opens inside, and the correction for a short \
-                     zone does not hold: give a larger stress of the attraction, or solve a zone of any \
-                     length with `Cohesive`"
-                )),
+                .saying(&solved_by_cohesive),
             Error::OutsideRadii {
                 name,
                 value,
@@ -213,9 +213,7 @@ impl From<tabulate::Error> for Failure {
             Error::Busy { .. } => of("OSError"),
             Error::OtherRun { .. }
             | Error::Scene { .. }
-            | Error::TooLarge { .. }
-            | Error::TooClose { .. }
-            | Error::Unresolved { .. }
+            | Error::Nodes(_)
             | Error::Kept { .. }
             | Error::Piece { .. } => of("TableError"),
             _ => of("ContactError"),

@@ -30,15 +30,13 @@ pub fn points(scene: &Scene, nodes: u64) -> f64 {
 
 /// Whether an error says that a tolerance is out of reach, rather than that something is broken.
 pub const fn is_limit(error: &Error) -> bool {
-    use Error::{Budget, NoRoom, Packed, Solve, TooLarge, Truncation, Unresolved};
+    use Error::{Budget, NoLowRank, Nodes, Packed, Solve};
     matches!(
         error,
         Budget { .. }
-            | NoRoom { .. }
+            | NoLowRank(_)
+            | Nodes(_)
             | Packed { .. }
             | Solve(solve::Error::NotConverged { .. })
-            | TooLarge { .. }
-            | Truncation { .. }
-            | Unresolved { .. }
     )
 }

@@ -21,7 +21,7 @@ use crate::{Error, printable};
 /// at random points, and shows numbers with four digits. Equal tables give equal pages, byte for byte.
 ///
 /// # Errors
-/// [`Error::PageProbe`] for a probe that the page does not compute; [`interp::Error::OfStack`] for
+/// [`Error::Refused`] for a probe that the page does not compute; [`interp::Error::OfStack`] for
 /// a table of a stack of layers; those of [`compress`](crate::table::compress), of the lookup and of the
 /// drawing.
 pub fn report(
@@ -69,9 +69,11 @@ pub fn report(
 
 /// Returns the name and the radius of the probe with which the page opens.
 fn opening(quantities: &[Quantity], probe: &Probe) -> Result<(&'static str, f64), Error> {
-    let refused = |reason| Error::PageProbe {
-        probe: probe.name(),
-        reason,
+    let refused = |reason| {
+        let probe = probe.name();
+        Error::Refused(format!(
+            "the page of this table computes no {probe}: {reason}; `tabulate curve` prints the force curve of every probe"
+        ))
     };
     let (name, radius) = match *probe {
         Probe::Paraboloid { radius } => ("paraboloid", radius),

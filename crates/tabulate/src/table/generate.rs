@@ -208,11 +208,7 @@ fn run(
         } else {
             match plan.refined(factors(&table, samples)?, scene) {
                 // This table is better than none.
-                Err(
-                    error @ (Error::TooLarge { .. }
-                    | Error::TooClose { .. }
-                    | Error::Unresolved { .. }),
-                ) => {
+                Err(error @ Error::Nodes(_)) => {
                     observer.note(&error.to_string());
                     None
                 }

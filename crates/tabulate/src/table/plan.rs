@@ -43,9 +43,8 @@ impl Plan {
     /// The plan does not depend on the number of threads.
     ///
     /// # Errors
-    /// Those of the solve; [`Error::Unresolved`] where an axis would need thousands of nodes, or
-    /// nodes closer than f64 can tell apart; [`Error::TooClose`] where they are too close for
-    /// splines; [`Error::TooLarge`] where a table of more than 2e8
+    /// Those of the solve; [`Error::Nodes`] where an axis would need thousands of nodes, or
+    /// nodes closer than f64 can tell apart or too close for splines, or a table of more than 2e8
     /// values would be needed.
     pub fn new(scene: &Scene) -> Result<Self, Error> {
         Self::within(scene, None)
@@ -71,11 +70,7 @@ impl Plan {
         for (i, parameter) in scene.parameters.into_iter().enumerate() {
             if let Extent::Range { from, to } = scene.extents[i] {
                 let lines = Lines::solve(scene, parameter, [from, to], budget)?;
-                let unresolved = || Error::Unresolved {
-                    axis: parameter.name(),
-                    nodes: lines.most(),
-                    tolerance: scene.tolerance,
-                };
+                let unresolved = || unresolved(parameter, lines.most(), scene);
                 (plan.nodes[i], plan.evenness[i]) = lines
                     .fewest(SHARE * scene.tolerance)
                     .ok_or_else(unresolved)?;
@@ -149,20 +144,16 @@ impl Plan {
                 product.saturating_mul(nodes)
             });
         if values > MOST_VALUES || shape.iter().any(|&nodes| nodes > MOST_NODES) {
-            return Err(Error::TooLarge {
-                shape,
-                values,
-                most: MOST_VALUES,
-            });
+            return Err(Error::Nodes(format!(
+                "the table would have {} nodes and {values} values, where at most {MOST_NODES} nodes on an axis and {MOST_VALUES} values are \
+                 allowed; ask for a larger tolerance, a smaller box or fewer nodes",
+                shape.map(|nodes| nodes.to_string()).join(" x ")
+            )));
         }
         for (parameter, nodes) in self.axes() {
             // Near incompressibility, f64 cannot tell more than some hundred nodes apart.
             if !nodes.is_sorted_by(|a, b| a < b) {
-                return Err(Error::Unresolved {
-                    axis: parameter.name(),
-                    nodes: nodes.len(),
-                    tolerance: scene.tolerance,
-                });
+                return Err(unresolved(parameter, nodes.len(), scene));
             }
         }
         self.is_tabulated(scene)
@@ -188,13 +179,26 @@ impl Plan {
         };
         table(None)?;
         for (parameter, nodes) in self.axes() {
-            table(Some(parameter)).map_err(|_| Error::TooClose {
-                axis: parameter.name(),
-                nodes: nodes.len(),
-                from: nodes[0],
-                to: nodes[nodes.len() - 1],
-            })?;
+            let too_close = |_| {
+                let (axis, count) = (parameter.name(), nodes.len());
+                Error::Nodes(format!(
+                    "{axis} has {count} nodes from {:?} to {:?}, which are too close to each other for splines; ask for a \
+                     wider range, fewer nodes or one number",
+                    nodes[0],
+                    nodes[count - 1]
+                ))
+            };
+            table(Some(parameter)).map_err(too_close)?;
         }
         Ok(())
     }
+}
+
+/// The error of a parameter along which the quantities are too steep to be tabulated with fewer than some `nodes`.
+fn unresolved(parameter: Parameter, nodes: usize, scene: &Scene) -> Error {
+    Error::Nodes(format!(
+        "{} would take {nodes} nodes or more for the tolerance {:e}; ask for a larger tolerance, or for a smaller range",
+        parameter.name(),
+        scene.tolerance
+    ))
 }

@@ -20,7 +20,7 @@ const HALVINGS: u32 = 3;
 /// The certificate does not cover derivatives.
 ///
 /// # Errors
-/// [`Error::PackedTolerance`] for a tolerance outside 1e-10 to 1e-1; [`Error::NoRoom`] if the
+/// [`Error::Refused`] for a tolerance outside 1e-10 to 1e-1; [`Error::NoLowRank`] if the
 /// table's own certified error is not below it; [`Error::Packed`] if no low-rank form keeps the
 /// tolerance; those of [`compress`](super::compress()) and of the solve.
 ///
@@ -35,11 +35,9 @@ pub fn low_rank(
 ) -> Result<Table, Error> {
     let [least, most] = TOLERANCE;
     if !(least..=most).contains(&tolerance) {
-        return Err(Error::PackedTolerance {
-            tolerance,
-            least,
-            most,
-        });
+        return Err(Error::Refused(format!(
+            "tolerance = {tolerance:?} of a packed table is outside {least:e} to {most:e}: give one inside, or pack without a tolerance"
+        )));
     }
     let description = Description {
         tolerance,
@@ -51,7 +49,10 @@ pub fn low_rank(
     // Not `own >= tolerance`: NaN must not pass.
     let has_room = own < tolerance;
     if !has_room {
-        return Err(Error::NoRoom { own, tolerance });
+        return Err(Error::NoLowRank(format!(
+            "its certified error {own:.1e} leaves no room below the tolerance {tolerance:e}; generate the table with a smaller \
+             tolerance, or ask for a larger one"
+        )));
     }
     let (mut truncation, mut measured) = (SHARE * (tolerance - own), f64::NAN);
     for _ in 0..=HALVINGS {

@@ -63,7 +63,7 @@ type Nodes = [[usize; 2]; 2];
 /// error of the quantities at the nodes.
 ///
 /// # Errors
-/// [`Error::Truncation`] where the smallest steps have a larger error; [`Error::Table`] for a
+/// [`Error::NoLowRank`] where the smallest steps have a larger error; [`Error::Table`] for a
 /// low-rank form that needs too much at its first lookup.
 pub fn compress(table: &Table, error: f64) -> Result<Vec<Tile>, Error> {
     let [_, n_film, _, n_substrate] = table.shape();
@@ -80,7 +80,11 @@ pub fn compress(table: &Table, error: f64) -> Result<Vec<Tile>, Error> {
         let (axes, count) = (axes(table, [film, substrate]), table.quantities().len());
         let form = on_all_cores(|| compress::compress(axes, count, &logarithms, error));
         let form =
-            form.map_err(|NotReached { error, reached }| Error::Truncation { error, reached })?;
+            form.map_err(|NotReached { error, reached }| {
+                Error::NoLowRank(format!(
+                    "rounding keeps the low-rank form from an error of {error:.1e}: it has {reached:.1e}; ask for a larger tolerance"
+                ))
+            })?;
         Ok(Tile {
             film,
             substrate,
