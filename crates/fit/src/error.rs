@@ -57,22 +57,9 @@ pub enum Error {
         all = Parameter::names(Parameter::ALL)
     )]
     UnknownParameter(String),
-    /// A fit that leaves out most of what was measured.
-    #[error(
-        "{experiment}: {left_out} of {in_contact} points in contact are left out, more than a third: \
-         {reasons}. Check the units, the fixed values and the model, free the zeros of the instrument that are not \
-         known to be 0, such as contact-point and baseline, or allow points to be left out"
-    )]
-    LeftOut {
-        /// The name of the measurement.
-        experiment: String,
-        /// The number of points in contact that are left out.
-        left_out: usize,
-        /// The number of points in contact.
-        in_contact: usize,
-        /// How many points are left out for which reason.
-        reasons: String,
-    },
+    /// A fit that leaves out more than a third of the points in contact, in a sentence with the reasons.
+    #[error("{0}")]
+    LeftOut(String),
     /// Parameters without a finite standard error.
     #[error(
         "the data do not determine {parameters}: no standard error is finite there. {}",

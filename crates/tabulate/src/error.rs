@@ -16,21 +16,9 @@ pub enum Error {
     /// A low-rank form out of reach, by rounding or by the error of the table itself, in a sentence with the errors.
     #[error("{0}")]
     NoLowRank(String),
-    /// A low-rank form whose error between the nodes is larger than the tolerance.
-    #[error(
-        "its low-rank form has a measured error of {measured:.1e}, more than the tolerance {tolerance:e}, though truncation adds no more than \
-         {truncation:.1e} at its nodes; its own certified error is {own:.1e}; generate the table with a smaller tolerance"
-    )]
-    Packed {
-        /// The measured error.
-        measured: f64,
-        /// The tolerance.
-        tolerance: f64,
-        /// The largest error of truncation at the nodes.
-        truncation: f64,
-        /// The table's own certified error.
-        own: f64,
-    },
+    /// A low-rank form whose error between the nodes is larger than the tolerance, in a sentence with the errors.
+    #[error("{0}")]
+    Packed(String),
     /// A scene with a wrong key or value.
     #[error("{}: {what}", printable::path(path))]
     Scene {
@@ -97,18 +85,9 @@ pub enum Error {
         /// The number of points of the sweep.
         total: usize,
     },
-    /// A piece of a sweep that was solved elsewhere and does not fit.
-    #[error(
-        "piece {piece} of the sweep came back with {values} values instead of {expected}: solve the pieces by the same version of this program"
-    )]
-    Piece {
-        /// The number of the piece.
-        piece: usize,
-        /// The number of its values.
-        values: usize,
-        /// The number of values that it must have.
-        expected: usize,
-    },
+    /// A piece of a sweep that was solved elsewhere and does not fit, in a sentence with its numbers.
+    #[error("{0}")]
+    Piece(String),
     /// A file that cannot be read.
     #[error("cannot read {}", printable::path(path))]
     Read {

@@ -75,12 +75,13 @@ pub(super) fn accept(data: &[Assigned], left_out: &[Vec<LeftOut>]) -> Result<(),
         let [contacts, lost] = in_contact(whole, groups);
         if lost as f64 > MOST * contacts as f64 {
             let measurement = &whole.experiment.measurement;
-            return Err(Error::LeftOut {
-                experiment: measurement.name.clone(),
-                left_out: lost,
-                in_contact: contacts,
-                reasons: text(groups, measurement.numbering),
-            });
+            return Err(Error::LeftOut(format!(
+                "{}: {lost} of {contacts} points in contact are left out, more than a third: \
+                 {}. Check the units, the fixed values and the model, free the zeros of the instrument that are not \
+                 known to be 0, such as contact-point and baseline, or allow points to be left out",
+                measurement.name,
+                text(groups, measurement.numbering)
+            )));
         }
     }
     Ok(())

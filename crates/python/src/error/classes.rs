@@ -215,7 +215,7 @@ impl From<tabulate::Error> for Failure {
             | Error::Scene { .. }
             | Error::Nodes(_)
             | Error::Kept { .. }
-            | Error::Piece { .. } => of("TableError"),
+            | Error::Piece(_) => of("TableError"),
             _ => of("ContactError"),
         }
     }
@@ -245,7 +245,7 @@ impl From<fit::Error> for Failure {
             }
             Error::Times { time, .. } => of.about("time", time),
             Error::NoTimes { .. } => of.saying(&format!("{error}, in s, as Experiment(time=...)")),
-            Error::LeftOut { .. } => of.saying(&format!("{error}: allow=(\"left-out\",)")),
+            Error::LeftOut(_) => of.saying(&format!("{error}: allow=(\"left-out\",)")),
             Error::DifferentBodies { .. } => of.saying(&format!(
                 "{error}: all_relax=True states that all bodies relax"
             )),

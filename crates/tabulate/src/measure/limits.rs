@@ -36,7 +36,7 @@ pub const fn is_limit(error: &Error) -> bool {
         Budget { .. }
             | NoLowRank(_)
             | Nodes(_)
-            | Packed { .. }
+            | Packed(_)
             | Solve(solve::Error::NotConverged { .. })
     )
 }

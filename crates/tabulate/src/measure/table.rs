@@ -53,7 +53,7 @@ pub fn measure(
                 rows.push(row);
             }
             // Another grid has another low-rank form.
-            Err(error @ Error::Packed { .. }) if rows.is_empty() => {
+            Err(error @ Error::Packed(_)) if rows.is_empty() => {
                 measured.left_out.push(without(tolerance, &error, budget));
                 missed = Some(error);
             }

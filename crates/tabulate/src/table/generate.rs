@@ -328,11 +328,11 @@ fn solve(
         .collect();
     solver(sweep, &missing, observer, &mut |piece, solved| {
         if solved.len() != sweep.values() {
-            return Err(Error::Piece {
-                piece,
-                values: solved.len(),
-                expected: sweep.values(),
-            });
+            return Err(Error::Piece(format!(
+                "piece {piece} of the sweep came back with {} values instead of {}: solve the pieces by the same version of this program",
+                solved.len(),
+                sweep.values()
+            )));
         }
         journal.add(piece, solved)?;
         // After a piece, so that the smallest budget finishes one.

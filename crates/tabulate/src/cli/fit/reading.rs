@@ -17,7 +17,7 @@ pub fn measured(path: &Path, format: &Format) -> anyhow::Result<Reading> {
 /// Returns the error of a fit, with the doubts about the files that may explain it.
 pub fn doubted(error: ::fit::Error, files: &[Experiment], notes: &[Notes]) -> anyhow::Error {
     let error = match error {
-        ::fit::Error::LeftOut { .. } => anyhow!("{error}: --allow left-out"),
+        ::fit::Error::LeftOut(_) => anyhow!("{error}: --allow left-out"),
         ::fit::Error::NoTimes { .. } => {
             let untimed = notes.iter().find_map(|notes| notes.untimed);
             let mut columns: Vec<String> = notes

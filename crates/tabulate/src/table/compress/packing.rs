@@ -72,10 +72,9 @@ pub fn low_rank(
         }
         truncation *= 0.5;
     }
-    Err(Error::Packed {
-        measured,
-        tolerance,
-        truncation: 2.0 * truncation,
-        own,
-    })
+    Err(Error::Packed(format!(
+        "its low-rank form has a measured error of {measured:.1e}, more than the tolerance {tolerance:e}, though truncation adds no more than \
+         {:.1e} at its nodes; its own certified error is {own:.1e}; generate the table with a smaller tolerance",
+        2.0 * truncation
+    )))
 }
