@@ -1,5 +1,5 @@
-//! The errors of scenes, of the generation of tables and of files. Each holds the numbers that
-//! explain it.
+//! The errors of scenes, of the generation of tables and of files. The text of each has the
+//! numbers that explain it.
 
 use std::io;
 use std::path::PathBuf;

@@ -280,6 +280,25 @@ impl Bodies {
         self.half_space.then(contact).transpose()
     }
 
+    /// Makes the contact of a `system` of these bodies, not on a half-space: solves for its curve in the `range` of `a/t`
+    /// to a relative `tolerance`, or looks it up in the table of the layers.
+    pub fn contact(
+        &self,
+        system: &System,
+        range: [f64; 2],
+        tolerance: f64,
+    ) -> Result<Contact, crate::Error> {
+        let sphere_modulus = system.sphere_modulus;
+        let curve = match &self.stack {
+            None => solve::curve(&system.material()?, range, tolerance)?,
+            Some(layers) => match &layers.table {
+                None => solve::stack_curve(layers.stack(), sphere_modulus, range, tolerance)?,
+                Some(table) => layers.stack().curve_in(table, sphere_modulus)?,
+            },
+        };
+        Ok(Contact::new(system, curve)?)
+    }
+
     /// Returns the attraction of a finite `range` (m) between the bodies.
     pub fn cohesive(&self, range: f64) -> anyhow::Result<Cohesive> {
         let Self {

@@ -17,7 +17,7 @@ use super::quantity::{self, length};
 use super::table_name::{self, TableName};
 use solve::cohesive::Cohesive;
 use solve::parallel::try_map;
-use solve::{A_OVER_T, curve as adaptive, solve};
+use solve::{A_OVER_T, solve};
 
 /// Print the force curve of one system as CSV, in SI units
 ///
@@ -259,9 +259,17 @@ impl<'a> States<'a> {
     ) -> anyhow::Result<Self> {
         /// The relative tolerance of solves where none is given.
         const TOLERANCE: f64 = 1e-8;
+        /// The smallest one of a curve of which the slopes are wanted, which lose digits to it.
+        const LEAST_OF_SLOPES: f64 = 1e-10;
+        /// The largest `a/t` from which on a shape is integrated over the curve.
+        const BEGIN: f64 = 1e-3;
+        /// How far the curve reaches beyond the largest contact, because the integrals do.
+        const BEYOND: f64 = 1.5;
         let attracting = &arguments.attracting;
         let tolerance = arguments.tolerance.unwrap_or(TOLERANCE);
         let system = &bodies.system;
+        let over_thickness = |a: f64| a / system.film_thickness;
+        let solved = |range, tolerance| bodies.contact(system, range, tolerance).map(Box::new);
         let mut work_of_adhesion = bodies.work_of_adhesion;
         let is_other = arguments.table.is_some() || attracting.interaction_range.is_some();
         let sticks = arguments
@@ -290,18 +298,17 @@ impl<'a> States<'a> {
                  leave out --tolerance, or name a stack file"
             );
             // The single radius of a punch is the end of a short curve.
-            let range = [from.min(0.9 * to), to].map(|a| a / system.film_thickness);
-            let curve = layers.curve(system.sphere_modulus, range, tolerance)?;
-            Source::Curve(Box::new(Contact::new(system, curve)?))
+            let range = [from.min(0.9 * to), to].map(over_thickness);
+            Source::Curve(solved(range, tolerance)?)
+        } else if matches!(system.probe, Probe::Paraboloid { .. }) {
+            let range = [from, to].map(over_thickness);
+            let slopes = || solved(range, tolerance.max(LEAST_OF_SLOPES));
+            let slopes = (bodies.work_of_adhesion > 0.0).then(slopes);
+            Source::Solves(slopes.transpose()?)
         } else {
-            match system.probe {
-                Probe::Paraboloid { .. } => {
-                    let slopes = (bodies.work_of_adhesion > 0.0)
-                        .then(|| of_slopes(system, [from, to], tolerance));
-                    Source::Solves(slopes.transpose()?.map(Box::new))
-                }
-                _ => Source::Curve(Box::new(of_shape(system, [from, to], tolerance)?)),
-            }
+            let [from, to] = [from, to].map(over_thickness);
+            let begin = from.clamp(A_OVER_T[0], BEGIN);
+            Source::Curve(solved([begin, (BEYOND * to).max(10.0 * begin)], tolerance)?)
         };
         Ok(Self {
             source,
@@ -355,26 +362,4 @@ fn where_held(stiffness: Result<f64, contact::Error>) -> Result<f64, contact::Er
         Err(contact::Error::Table(MissingQuantity(_) | BeginsTooLate { .. })) => Ok(f64::NAN),
         stiffness => stiffness,
     }
-}
-
-/// Makes the contact whose curve tells the slopes of the quantities between two contact radii.
-fn of_slopes(system: &System, radii: [f64; 2], tolerance: f64) -> anyhow::Result<Contact> {
-    /// The smallest relative tolerance of the curve. Slopes lose digits to it.
-    const LEAST: f64 = 1e-10;
-    let range = radii.map(|a| a / system.film_thickness);
-    let curve = adaptive(&system.material()?, range, tolerance.max(LEAST))?;
-    Ok(Contact::new(system, curve)?)
-}
-
-/// Makes the contact of any shape between two contact radii from solves of its material alone.
-fn of_shape(system: &System, radii: [f64; 2], tolerance: f64) -> anyhow::Result<Contact> {
-    /// The largest `a/t` from which on the shape is integrated over the curve.
-    const BEGIN: f64 = 1e-3;
-    /// How far the curve reaches beyond the largest contact, because the integrals do.
-    const BEYOND: f64 = 1.5;
-    let [from, to] = radii.map(|a| a / system.film_thickness);
-    let begin = from.clamp(A_OVER_T[0], BEGIN);
-    let end = (BEYOND * to).max(10.0 * begin);
-    let curve = adaptive(&system.material()?, [begin, end], tolerance)?;
-    Ok(Contact::new(system, curve)?)
 }

@@ -12,9 +12,9 @@ use super::print;
 use super::quantity::{force, force_per_length};
 use super::system::Value;
 use super::table_name::{self, TableName};
+use solve::A_OVER_T;
 use solve::cohesive::CohesiveState;
 use solve::stack::MOST_A_OVER_TOP;
-use solve::{A_OVER_T, curve};
 
 /// Print the last stable state of a separation: load (N), contact radius (m), outer radius of the
 /// attraction (m) and penetration (m)
@@ -271,26 +271,25 @@ fn solved(bodies: &Bodies, control: Control) -> anyhow::Result<PullOff> {
     let system = &bodies.system;
     let mut refused = None;
     for ([from, to], over_top) in RANGES {
-        let curve_to = |tolerance| match &bodies.stack {
+        let range = match &bodies.stack {
             Some(layers) => {
-                let stack = layers.stack();
-                let reach = stack.reach(over_top);
-                let range = [from.min(1e-3 * reach), to.min(reach)];
-                layers.curve(system.sphere_modulus, range, tolerance)
+                let reach = layers.stack().reach(over_top);
+                [from.min(1e-3 * reach), to.min(reach)]
             }
-            None => Ok(curve(&system.material()?, [from, to], tolerance)?),
+            None => [from, to],
         };
-        let curve = match curve_to(TOLERANCE) {
-            Err(crate::Error::Solve(solve::Error::NotConverged { .. })) => curve_to(OF_CONFINED),
-            curve => curve,
+        let contact = match bodies.contact(system, range, TOLERANCE) {
+            Err(crate::Error::Solve(solve::Error::NotConverged { .. })) => {
+                bodies.contact(system, range, OF_CONFINED)
+            }
+            contact => contact,
         };
         // A wider range may be out of reach where a narrower one is not.
-        let curve = match (curve, refused) {
+        let contact = match (contact, refused) {
             (Err(_), Some(refused)) => return Err(refused),
-            (curve, _) => curve?,
+            (contact, _) => contact?,
         };
         let least = from * system.film_thickness;
-        let contact = Contact::new(system, curve)?;
         refused = match contact.pull_off(bodies.work_of_adhesion, control) {
             Err(Error::OutsideRadii { .. } | Error::Table(interp::Error::BeyondSphere { .. }))
                 if least > THICK * system.probe.radius().unwrap_or(f64::INFINITY) =>

@@ -6,16 +6,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::Context;
-use interp::{Curve, Table};
+use interp::Table;
 
 use super::note;
 use super::quantity::PLAIN_MODULUS;
 use super::table_name::TableName;
+use crate::printable;
 use crate::stack::NamedStack;
 use crate::table::stack_of;
-use crate::{Error, printable};
 use solve::stack::Stack;
-use solve::stack_curve;
 
 /// The help of an argument that names a stack file. Clap shows it as it stands.
 pub const HELP: &str = "Stack of layers, as a TOML file in SI units: base = { young_modulus = .., poisson_ratio = .. } and, \
@@ -38,21 +37,6 @@ pub struct Layers {
 impl Layers {
     pub fn stack(&self) -> &Stack {
         &self.named.stack
-    }
-
-    /// Makes the curve under a sphere of reduced modulus `sphere_modulus` (Pa): looks it up, or
-    /// solves for it in the `range` of `a/t` to a relative `tolerance`.
-    pub fn curve(
-        &self,
-        sphere_modulus: f64,
-        range: [f64; 2],
-        tolerance: f64,
-    ) -> Result<Curve, Error> {
-        let stack = self.stack();
-        Ok(match &self.table {
-            None => stack_curve(stack, sphere_modulus, range, tolerance)?,
-            Some(table) => stack.curve_in(table, sphere_modulus)?,
-        })
     }
 }
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use ::fit::{
-    Bodies, Direction, Experiment, Fixed, Free, Interrupt, Kind, LayerName, Layered, Measurement,
-    NamedLayer, Parameter, Point, Reach, Solver, starts_from_data,
+    Bodies, Direction, Experiment, Fixed, Free, Kind, LayerName, Layered, Measurement, NamedLayer,
+    Parameter, Point, Solver, starts_from_data,
 };
 use anyhow::{Context, bail, ensure};
 use interp::Probe;
@@ -208,14 +208,11 @@ impl KnownArguments {
         let bodies = |measurement: &Measurement| {
             let system = system.clone();
             if let Some((layers, solver)) = &layers {
+                let (sphere_modulus, base) = (system.sphere_modulus, system.substrate);
                 Bodies::Layered(Layered {
-                    reach: Reach::of(measurement, &system.probe),
-                    probe: system.probe,
-                    sphere_modulus: system.sphere_modulus,
-                    base: system.substrate,
                     layers: layers.clone(),
                     solver: solver.clone(),
-                    interrupt: Interrupt::default(),
+                    ..Layered::bare(measurement, &system.probe, sphere_modulus, base)
                 })
             } else if self.bodies.half_space {
                 Bodies::HalfSpace(bodies::half_space(&system))

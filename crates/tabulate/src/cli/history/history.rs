@@ -7,7 +7,6 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::{ValueHint, value_parser};
 use contact::{Contact, Control, Course, HistoryError, Hysteresis, Relaxation};
 use interp::{Elastic, Probe, System};
-use solve::curve;
 use solve::stack::{Interface, Layer, Stack};
 
 use super::program;
@@ -326,14 +325,10 @@ fn solved(bodies: &Bodies, system: &System, reach: f64) -> anyhow::Result<Contac
     let begin = BEGIN * reach.min(1.0);
     let begin = if end > 0.0 { begin.min(end) } else { begin };
     let range = [begin, reach];
-    let curve_to = |tolerance| match &bodies.stack {
-        Some(layers) => layers.curve(system.sphere_modulus, range, tolerance),
-        None => Ok(curve(&system.material()?, range, tolerance)?),
-    };
     if let Some(contact) = bodies.on_half_space(system)? {
         return Ok(contact);
     }
     let [first, second] = TOLERANCES;
-    let curve = curve_to(first).or_else(|_| curve_to(second))?;
-    Ok(Contact::new(system, curve)?)
+    let contact = bodies.contact(system, range, first);
+    Ok(contact.or_else(|_| bodies.contact(system, range, second))?)
 }
