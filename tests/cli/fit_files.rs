@@ -101,10 +101,20 @@ fn doubts_about_a_file_are_told_with_the_fit_and_with_its_errors() {
     let commas = "a [um];F [uN]\n100;1,249\n110;1,732\n120;2,310\n130;3,005\n";
     workdir.write("commas.csv", commas);
     workdir.write("diameters.csv", commas.replace("uN", "MN"));
+    workdir.write("pull.csv", format!("{lens}0,-1e-3\n"));
+    let errors = rows.iter().enumerate();
+    let errors = errors.map(|(i, row)| format!("{row},{}\n", if i == 3 { "0" } else { "1e-7" }));
+    let headings = "contact_radius,load,contact_radius_error";
+    workdir.write(
+        "exact.csv",
+        format!("{headings}\n{}", errors.collect::<String>()),
+    );
     let object = |files: &str| workdir.json(format!("fit {files} {LENS} --json"));
     let doubts = r#"
         twice.csv | several-curves | "contact_radius" turns back 2 times
         commas.csv | commas | 1,249 is 1.249
+        pull.csv | pull-off | it is -0.001 N, below those of all contacts
+        exact.csv | exact | 1 of 20 standard deviations of the contact radius are 0
         once.csv once.csv | same-points | its 20 points are those of once.csv
         "#;
     assert_cases(doubts, |[files, kind, _]| {

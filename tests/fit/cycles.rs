@@ -9,7 +9,7 @@ use interp::Probe;
 
 use crate::imagined::{
     Course, FORCE_CURVE, Imagined, LENS, assert_silent, assert_warned, assert_warns, doubts,
-    fit_with, free_of, half_space, measurement, number_after, text,
+    fit_with, free_of, half_space, lens, measurement, number_after, off, text,
 };
 
 const RADIUS: f64 = 10e-6;
@@ -248,4 +248,28 @@ fn a_depth_that_remains_is_named_and_the_upper_unloading_gives_the_modulus() {
         let found = fitted(&experiment, &[Parameter::FilmModulus]);
         assert!(doubts(&found, &[]).is_empty(), "{:?}", found.warnings);
     }
+}
+
+/// A line that stays while the load falls, before it recedes, is no equilibrium of the retract.
+#[test]
+fn a_line_that_stays_on_retract_is_named() {
+    let mut lens = lens();
+    lens.truth.work_of_adhesion = 0.09;
+    let retract = lens.measured(&lens.exact(), 0);
+    assert_silent(&lens.fit_of(&retract), WarningKind::PinnedLine);
+    let points = &retract.measurement.points;
+    let largest = *points.last().expect("there are points");
+    let range = largest.ordinate - points[0].ordinate;
+    let mut stays = retract.clone();
+    for i in 1..=8 {
+        stays.measurement.points.push(Point {
+            line: largest.line + i,
+            ordinate: largest.ordinate + 0.06 * range * i as f64,
+            ..largest
+        });
+    }
+    let found = lens.fit_of(&stays);
+    assert_warns(&found, WarningKind::PinnedLine, "lines 40 to 49");
+    let modulus = off(&found, Parameter::SphereModulus, 2e6);
+    assert!(modulus > 3.0, "it misleads: {modulus}");
 }

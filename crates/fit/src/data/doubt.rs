@@ -8,7 +8,8 @@ use super::sign::opposite;
 use super::tilt::is_tilted;
 use super::turns::{jumps, turns};
 use super::{Notes, Role};
-use crate::{Direction, Kind, Point};
+use crate::statistics::extremes;
+use crate::{Direction, Kind, Point, PointErrors};
 
 /// The number of points that tell the course of a curve.
 const ENOUGH: usize = 10_000;
@@ -28,6 +29,10 @@ named! {
         Tilt = "tilt",
         /// Forces are in newtons, and the file names another stiffness than the one given.
         Stiffness = "stiffness",
+        /// A row without contact has a load, as at the pull-off.
+        PullOff = "pull-off",
+        /// Some standard deviations are 0, and others are not.
+        Exact = "exact",
         /// The abscissa turns back more often than that of one curve.
         Curves = "several-curves",
         /// The abscissa jumps to and fro, and the rows have no direction.
@@ -66,14 +71,14 @@ pub fn opposite_sense(kind: Kind, points: &[Point]) -> Option<[bool; 2]> {
     opposite(kind, points).filter(|_| !is_tilted(kind, points))
 }
 
-/// Returns the doubts about a file: its points, the pairs of its columns, and what else was noted.
+/// Returns the doubts about a file: its points, the pairs of its columns, the errors of the points, and what else was noted.
 /// `paused` points stay where they are in part, so that their course tells nothing.
 pub fn doubts(
     kind: Kind,
     points: &[Point],
     pairs: &[Pair],
     notes: &Notes,
-    paused: bool,
+    (errors, paused): (&PointErrors, bool),
 ) -> Vec<Doubt> {
     let marks = match notes.marks {
         Marks::UnclearCommas => Some(DoubtKind::Commas.with(
@@ -91,6 +96,7 @@ pub fn doubts(
     let sign = sign(kind, points, pairs);
     let stiffness = stiffness(&pairs[0], notes);
     let all = sign.into_iter().chain(marks).chain(stiffness);
+    let all = all.chain(pull_off(kind, points)).chain(exact(kind, errors));
     all.chain(course).collect()
 }
 
@@ -112,6 +118,46 @@ fn stiffness(pair: &Pair, notes: &Notes) -> Option<Doubt> {
             "{forces:?} holds forces, and line {line} names the stiffness {of_head} N/m, with which they were probably \
              made from the deflection; the stiffness as given, {given} N/m, leaves the forces as they are: multiply the \
              forces by {factor:.6}, or give the deflection in place of the forces"
+        ))
+    })
+}
+
+/// Returns the doubt that a row with a radius of 0 holds the load of the pull-off.
+fn pull_off(kind: Kind, points: &[Point]) -> Option<Doubt> {
+    /// The most rows of such a kind: more are the zero of the load.
+    const FEW: usize = 2;
+    /// The load of such a row over the range of all others.
+    const PART: f64 = 0.05;
+    let (apart, contacts): (Vec<&Point>, Vec<&Point>) =
+        points.iter().partition(|point| point.abscissa == 0.0);
+    let [least, most] = extremes(contacts.iter().map(|point| point.ordinate));
+    let is_pull = |point: &&&Point| {
+        point.ordinate < least.min(0.0) && point.ordinate.abs() > PART * (most - least)
+    };
+    let row = apart.iter().find(is_pull)?;
+    (kind == Kind::LoadRadius && apart.len() <= FEW).then(|| {
+        DoubtKind::PullOff.with(format!(
+            "line {}: the contact radius is 0, so that the load should be 0, and it is {:?} N, below those of all contacts: if \
+             this is the load of the pull-off, take the row out of the file, because without contact it counts as the zero \
+             of the load",
+            row.line, row.ordinate
+        ))
+    })
+}
+
+/// Returns the doubt that some of the errors of the abscissae are not known, and are 0 in the file.
+fn exact(kind: Kind, errors: &PointErrors) -> Option<Doubt> {
+    let count = errors.abscissa.len();
+    let zeros = errors
+        .abscissa
+        .iter()
+        .filter(|error| **error == 0.0)
+        .count();
+    (zeros > 0 && zeros < count).then(|| {
+        DoubtKind::Exact.with(format!(
+            "{zeros} of {count} standard deviations of the {} are 0, and these points count as exact there, as if they were \
+             the best ones: write the deviations that they have, such as that of the others",
+            kind.names()[0]
         ))
     })
 }

@@ -195,7 +195,13 @@ pub fn join(
         )));
     }
     check_constant(&all.points, pair)?;
-    notes.doubts = doubts(kind, &all.points, &pairs, &notes, format.keep_pauses);
+    notes.doubts = doubts(
+        kind,
+        &all.points,
+        &pairs,
+        &notes,
+        (&all.errors, format.keep_pauses),
+    );
     let known = |value: fn(&Beside) -> f64| {
         let values = all.beside.iter().map(value);
         values.filter(|value| !value.is_nan()).collect()

@@ -355,6 +355,8 @@ named! {
         ZeroNotSeen = "zero-not-seen",
         /// Approach and retract do not have one work of adhesion.
         MixedBranches = "mixed-branches",
+        /// Contact radii that stay while the load changes.
+        PinnedLine = "pinned-line",
         /// A loop between loading and unloading that the model does not make.
         Hysteresis = "hysteresis",
         /// A load that falls while penetration or height is held.

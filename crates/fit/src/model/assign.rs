@@ -8,9 +8,10 @@ use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
 use crate::statistics::{differences_of, median, noise_over, robust_deviation};
 
-/// The radii of a retract above this part of the largest radius of the approach may belong to a
-/// line that does not move.
-const PINNED: f64 = 0.98;
+/// The radii of a retract that are within this part of the largest radius of the approach, or within this number of
+/// standard deviations of a radius, may belong to a line that does not move.
+const PINNED: f64 = 0.02;
+const PINNED_ERRORS: f64 = 3.0;
 /// The noise over which a pull of the contact below the baseline is clear.
 const CLEAR: f64 = 10.0;
 /// The noise of the readings without a contact, over that which neighbours show, from which on neighbours are alike.
@@ -26,7 +27,7 @@ impl Experiment {
     /// Accepts the points and reads their branches for a fit, of which `is_free` tells what it may change.
     ///
     /// At contact radii all points are in contact, except those with a radius of 0. Of a retract
-    /// with a work of adhesion of its own, the points within 2 % of the largest radius are left
+    /// with a work of adhesion of its own, the points within 2 % of the largest radius, or 3 standard deviations, are left
     /// out, because their line may not have moved yet.
     ///
     /// Against penetrations or heights each segment is read from its largest contact on. If it has
@@ -194,11 +195,12 @@ impl Experiment {
         let largest = advancing
             .map(|(point, _)| point.abscissa)
             .fold(0.0, f64::max);
+        let near = (PINNED * largest).max(PINNED_ERRORS * self.usual_abscissa_noise());
         for (point, branch) in points.iter().zip(branches) {
             let may_be_pinned = hysteretic
                 && *branch == Branch::Receding
                 && largest > 0.0
-                && point.abscissa > PINNED * largest;
+                && point.abscissa > largest - near;
             if point.abscissa == 0.0 {
                 *branch = without_contact;
             } else if may_be_pinned {

@@ -8,6 +8,7 @@ pub(super) mod friction;
 pub(super) mod hold;
 pub(super) mod indentation;
 pub(super) mod interfaces;
+pub(super) mod pinned;
 pub(super) mod prior;
 pub(super) mod radius_noise;
 pub(super) mod shared_noise;

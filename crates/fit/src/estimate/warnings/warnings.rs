@@ -78,6 +78,7 @@ pub(crate) fn warnings(
         let broken = assumptions::of_problem(problem, e, range, &fit.estimates);
         warnings.extend(broken.into_iter().flatten());
         warnings.extend(cycle::doubts(problem, e).into_iter().flatten());
+        warnings.extend(super::pinned::doubt(&problem.assigned[e]));
         relaxing::add(&mut warnings, fit, problem, e);
     }
     if fit.converged {

@@ -55,6 +55,10 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         (WarningKind::Hysteresis, ways),
         (WarningKind::MixedBranches, ways),
         (
+            WarningKind::PinnedLine,
+            "radii of a contact line that stays: --between 0um..350um keeps the smaller ones, or with both directions              --free ...,work-of-adhesion-receding",
+        ),
+        (
             WarningKind::Plasticity,
             "what remains after unloading: keep the rows of unloading above half of the largest \
              load, and --only retract --free film-modulus,contact-point",
