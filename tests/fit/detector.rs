@@ -1,7 +1,7 @@
 //! Doubts about the detector: readings at the end of its range, and readings in coarse steps.
 
 use acceptance::Contacts;
-use fit::{Experiment, Fit, Free, Parameter, WarningKind};
+use fit::{Direction, Experiment, Fit, Free, Parameter, Point, WarningKind};
 
 use crate::contact_stiffness::{at_radii, noisy, oxide};
 use crate::imagined::{
@@ -76,6 +76,29 @@ fn sound_readings_of_few_values_are_not_doubted() {
             assert_no_doubts(&found, &strain);
         }
         assert_no_doubts(&through(&experiment, &probe.free, digits), &strain);
+    }
+    // Each load is set once on loading and once on unloading.
+    let mut weights = lens();
+    weights.points[0] = 10;
+    let exact = weights.exact();
+    for seed in 0..50 {
+        let mut experiment = weights.measured(&exact, seed);
+        experiment.noise = None;
+        let mut random = Contacts::new(seed);
+        let both = exact
+            .points
+            .iter()
+            .chain(exact.points.iter().rev())
+            .enumerate();
+        let both = both.map(|(i, point)| Point {
+            line: i as u64 + 2,
+            abscissa: point.abscissa + 3e-7 * random.normal(),
+            direction: Some(Direction::ALL[i / 10]),
+            ..*point
+        });
+        experiment.measurement.points = both.collect();
+        let found = fitted(&experiment, &weights.free);
+        assert_silent(&found, WarningKind::CoarseSteps);
     }
     // Each load is set three times, the last may be held for longer, and the radius has the noise.
     let mut lens = lens();

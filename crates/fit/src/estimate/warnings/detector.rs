@@ -60,17 +60,40 @@ pub(crate) fn add(
     let squares = fitted.points.iter().map(|point| point.ordinate.powi(-2));
     let usual = (squares.sum::<f64>() / count as f64).powf(-0.5);
     let noise = fitted.noise * kind.scale(usual);
-    let is_coarse = 2 * readings.len() <= count && (least..most).contains(&noise);
+    let is_coarse = repeats(fitted, assigned) && (least..most).contains(&noise);
     if is_coarse {
         warnings.push(WarningKind::CoarseSteps.with(format!(
             "{name}: the {count} points have only {} values of the {ordinate}, in steps of \
              {step:.3e} {unit}, beside which the noise is small: the errors are those of \
              rounding, which are not independent, and standard errors may be too small; measure \
-             in finer steps",
-            readings.len()
+             in finer steps{}",
+            readings.len(),
+            if kind.at_radii() {
+                ", or if each of them was set and read several times, take the mean of its readings"
+            } else {
+                ""
+            }
         )));
     }
     is_coarse
+}
+
+/// Tells whether each reading is there twice or more on the mean, in one of both ways: a load that is set may be the same in
+/// both.
+fn repeats(fitted: &FittedExperiment, assigned: &Assigned) -> bool {
+    let unloading = assigned.unloading();
+    [false, true].into_iter().any(|way| {
+        let own = fitted
+            .points
+            .iter()
+            .zip(&unloading)
+            .filter(|(_, own)| **own == way);
+        let mut readings: Vec<f64> = own.map(|(point, _)| point.ordinate).collect();
+        let count = readings.len();
+        readings.sort_by(f64::total_cmp);
+        readings.dedup();
+        count > 0 && 2 * readings.len() <= count
+    })
 }
 
 /// Returns by how much the fit changes over neighbouring points of a branch that all have one
