@@ -14,7 +14,7 @@ use super::problem::loss::influence;
 use super::problem::slot::Slot;
 use super::problem::uncertainty::Uncertainty;
 use crate::model::contacts_of;
-use crate::{Error, Fit, Fixed, FixedValue, Known};
+use crate::{Error, Experiment, Fit, Fixed, FixedValue, Known};
 
 /// The relative change of a given value, and the change of a Poisson ratio, whose effect is told.
 const STEP: f64 = 0.01;
@@ -220,11 +220,23 @@ pub(super) fn residuals_with(
     quantity: Fixed,
     value: impl Fn(f64) -> f64,
 ) -> Option<DVector<f64>> {
+    residuals_of(problem, |experiment| {
+        let own = experiment.value_of(quantity);
+        own.map_or(Ok(()), |own| experiment.replace_fixed(quantity, value(own)))
+    })
+}
+
+/// Returns the residuals of experiments that `change` changes, at the same values of the slots; `None` where there is no
+/// contact.
+pub(super) fn residuals_of(
+    problem: &Problem<'_>,
+    change: impl Fn(&mut Experiment) -> Result<(), contact::Error>,
+) -> Option<DVector<f64>> {
     let mut residuals = problem.plain_residuals()?;
     for (assigned, rows) in problem.assigned.iter().zip(problem.rows_of_experiments()) {
-        if let Some(own) = assigned.experiment.value_of(quantity) {
-            let mut experiment = assigned.experiment.clone();
-            experiment.replace_fixed(quantity, value(own)).ok()?;
+        let mut experiment = assigned.experiment.clone();
+        change(&mut experiment).ok()?;
+        if experiment != assigned.experiment {
             let contact_of = contacts_of(problem.table);
             let branches = &assigned.branches;
             let predicted = experiment.predict_with(&contact_of, branches, &assigned.order, &[]);

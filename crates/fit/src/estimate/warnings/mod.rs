@@ -11,6 +11,7 @@ pub(super) mod interfaces;
 pub(super) mod pinned;
 pub(super) mod prior;
 pub(super) mod radius_noise;
+pub(super) mod shape;
 pub(super) mod shared_noise;
 pub(super) mod table_error;
 pub(super) mod twice;

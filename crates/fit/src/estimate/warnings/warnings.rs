@@ -1,6 +1,7 @@
 //! The doubts about a result.
 
 use contact::LawParameter;
+use contact::Validity;
 use contact::magnitude::LARGEST_WORK;
 
 use super::agreement;
@@ -9,6 +10,7 @@ use super::cycle;
 use super::indentation;
 use super::interfaces;
 use super::prior;
+use super::shape;
 use super::table_error;
 use super::unseen_zero;
 use super::wanted;
@@ -72,6 +74,9 @@ pub(crate) fn warnings(
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
         unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
+        let shapes = (0..problem.assigned.len())
+            .filter_map(|e| shape::doubt(problem, e, uncertainty, Validity::WARNING_A_OVER_R));
+        warnings.extend(shapes);
     }
     for e in 0..problem.assigned.len() {
         let range = options.interaction_range;
