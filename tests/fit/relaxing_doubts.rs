@@ -4,7 +4,7 @@ use acceptance::{Contacts, Refused, prony, solid};
 use contact::Relaxation;
 use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
 
-use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement_of, text};
+use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement_of, off, text};
 use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
 
 use Parameter::{FilmModulus, Law};
@@ -84,6 +84,25 @@ fn heights_of_a_held_penetration_are_refused() {
             *time = 3.0 + slower * (*time - 3.0);
         }
         fit_all(&[noisy(&plan, 1)], &free_of(&POWER_LAW)).expect("no penetration was held");
+    }
+    // Nor do heights under a stiff cantilever, whose deflection is less than their noise, or than a drift in the hold.
+    for (seed, drift) in (0..4).flat_map(|seed| [(seed, 0.0), (seed, 1.2e-8)]) {
+        let mut plan = planned(Kind::ForceHeight, 1e-5, &power(), 2.0);
+        plan.stiffness = Some(2.0);
+        for (point, time) in plan.measurement.points.iter_mut().zip(&plan.times) {
+            point.abscissa += drift * 0.5 * (time.min(3.0) - 1.0).max(0.0);
+        }
+        let mut data = noisy(&plan, seed);
+        let mut random = Contacts::new(seed);
+        let heights = data
+            .measurement
+            .points
+            .iter_mut()
+            .map(|point| &mut point.abscissa);
+        heights.for_each(|height| *height += 1e-10 * random.normal());
+        let found = fit_all(&[data], &free_of(&POWER_LAW)).expect("no penetration was held");
+        let off = off(&found, FilmModulus, 2e3);
+        assert!(off.abs() < 4.0, "{seed}, {drift:e}: {off}");
     }
 }
 

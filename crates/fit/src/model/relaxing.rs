@@ -161,7 +161,7 @@ impl Experiment {
                 self.imposed(points[turn].abscissa) - self.imposed(points[end].abscissa);
             self.times[end] - self.times[turn] >= 0.5 * (self.times[turn] - self.times[begin])
                 && falls >= FALLS * load(turn)
-                && moves_back >= 0.5 * falls / stiffness
+                && (0.5..2.0).contains(&(moves_back * stiffness / falls))
         })
     }
 
