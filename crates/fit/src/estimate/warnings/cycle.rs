@@ -17,9 +17,6 @@ use crate::estimate::problem::assigned::Assigned;
 use crate::statistics::{BEYOND_CHANCE, extremes, normal_of_t, scatter_of_differences};
 use crate::{Branch, Experiment, Kind, Parameter, Warning, WarningKind};
 
-/// The part of the largest penetration, or of the largest area of contact, below which curves are
-/// not compared: there a contact forms and ends.
-const NEAR_TOUCH: f64 = 0.05;
 /// The load at which the penetrations of loading and unloading are compared for what remains, over
 /// the largest load: the smallest that both reach, at least the first and at most the second.
 const LOW_LOAD: [f64; 2] = [1e-3, 0.25];
@@ -240,7 +237,7 @@ impl Cycle {
         let largest = ends(|sample| sample.x).map(|[_, most]| most);
         let to = largest.fold(f64::INFINITY, f64::min);
         let smallest = ends(|sample| sample.x).map(|[least, _]| least);
-        let from = smallest.fold(NEAR_TOUCH * to, f64::max);
+        let from = smallest.fold(0.0, f64::max);
         let (mut energies, mut variance, mut freedom) = ([0.0; 2], 0.0, 0.0);
         for (way, energy) in ways.iter().zip(&mut energies) {
             let positions: Vec<f64> = way.iter().map(|sample| sample.x).collect();
