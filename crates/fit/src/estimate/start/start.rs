@@ -244,11 +244,7 @@ fn matching_modulus(
 ) -> f64 {
     let bodies = &experiment.bodies;
     let other = if parameter == Parameter::SphereModulus {
-        let is_thick = bodies
-            .thickness()
-            .is_some_and(|thickness| thickness > radius);
-        let base = bodies.base().filter(|_| !is_thick);
-        base.unwrap_or_else(|| bodies.film()).reduced()
+        bodies.base().unwrap_or_else(|| bodies.film()).reduced()
     } else {
         bodies.sphere_modulus()
     };
