@@ -118,12 +118,7 @@ impl Experiment {
             [-step, step].map(|step| value * step.exp())
         } else {
             let step = STEP * self.unit(parameter, &[]);
-            if parameter == Parameter::FilmPoissonRatio {
-                // An incompressible film has no larger ratio.
-                [value - step, (value + step).min(0.5)]
-            } else {
-                [value - step, value + step]
-            }
+            [value - step, value + step]
         };
         let mut found = ends.map(at);
         if let Some(end) = found.iter().position(Result::is_err) {
