@@ -84,11 +84,10 @@ impl Predictor<'_> {
             return Ok(());
         }
         // The work of adhesion at which this state would be an equilibrium stands for the strength
-        // of the singularity. At the turn it is that of approach.
+        // of the singularity.
         let w = self
             .contact
             .energy_release_rate_at_penetration(a, penetration)?
-            .max(of.work_of_adhesion)
             .max(1e-9 * of.work_of(Branch::Receding));
         let gradient = self.contact.gradient(a, w)?;
         let by_work = gradient.by(Input::WorkOfAdhesion)?;
