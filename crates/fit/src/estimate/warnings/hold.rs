@@ -4,7 +4,6 @@
 use std::ops::Range;
 
 use crate::estimate::problem::assigned::Assigned;
-use crate::model::noise_of;
 use crate::statistics::{extremes, median};
 use crate::{Warning, WarningKind};
 
@@ -66,8 +65,7 @@ pub(crate) fn doubt(assigned: &Assigned) -> Option<Warning> {
         // A load that is held within this changes an elastic contact by as much at most. The standard deviation of the
         // difference of two medians is 1.8 times that of a mean.
         let elastic = HELD + 2.0 * chance(noise, &ends) / held;
-        let own = 2.0 * chance(noise_of(&positions).unwrap_or(0.0), &ends);
-        (held > 0.0 && is_level && grows > (CHANGES + elastic) * range + own).then(|| {
+        (held > 0.0 && is_level && grows > (CHANGES + elastic) * range).then(|| {
             format!(
                 "while the load was held the {what} changed by {grows:.2e} m, {:.0} % of its whole change in contact: the \
                  film creeps or flows, or the detector is saturated",
