@@ -6,7 +6,7 @@
 use super::split::{FEWEST, KnownBaseline, tail};
 use super::{Branch, Direction, Experiment, Kind, Parameter, Point};
 use crate::Error;
-use crate::statistics::{differences_of, median, noise_over, robust_deviation};
+use crate::statistics::{differences_of, noise_over, robust_deviation};
 
 /// The radii of a retract that are within this part of the largest radius of the approach, or within this number of
 /// standard deviations of a radius, may belong to a line that does not move.
@@ -299,19 +299,11 @@ impl Experiment {
         (most > CLEAR * noise).then_some(most)
     }
 
-    /// Returns the largest noise of the readings without a contact at the ends of the segments. A segment that ends in
-    /// tension, below the others, tells none.
+    /// Returns the largest noise of the readings at the ends of the segments.
     fn filtered_noise(&self, segments: &[Vec<usize>]) -> Option<f64> {
         let ways = segments.iter().filter(|way| way.len() >= FEWEST);
-        let ends: Vec<[f64; 2]> = ways.map(|way| rest(&self.readings(way, 0.0))).collect();
-        let highest = ends
-            .iter()
-            .map(|[level, _]| *level)
-            .fold(f64::NEG_INFINITY, f64::max);
-        let at_rest = ends
-            .iter()
-            .filter(|[level, noise]| *level > highest - CLEAR * noise);
-        at_rest.map(|[_, noise]| *noise).reduce(f64::max)
+        let noises = ways.map(|way| noise_of_end(&self.readings(way, 0.0)));
+        noises.reduce(f64::max)
     }
 
     /// Returns the ordinates of points without the `slope` of the baseline.
@@ -340,20 +332,17 @@ impl Experiment {
     }
 }
 
-/// Returns the median of the last readings of a way, and the noise that their fourth differences over growing distances show:
-/// over short ones a filter has made them alike. A curve, a bend or a jump among them shows little.
-fn rest(readings: &[f64]) -> [f64; 2] {
+/// Returns the noise that fourth differences of the last readings of a way show over growing distances: over short ones a
+/// filter has made them alike. A curve, a bend or a jump among them shows little.
+fn noise_of_end(readings: &[f64]) -> f64 {
     /// The part of the readings over which a difference extends at most.
     const PART: usize = 3;
     let last = &readings[readings.len() - tail(readings.len())..];
     let distances = std::iter::successors(Some(1), |distance| Some(2 * distance));
     let distances = distances.take_while(|distance| 4 * distance * PART <= last.len());
-    [
-        median(last.to_vec()),
-        distances
-            .map(|distance| noise_over(distance, last))
-            .fold(0.0, f64::max),
-    ]
+    distances
+        .map(|distance| noise_over(distance, last))
+        .fold(0.0, f64::max)
 }
 
 /// Estimates the standard deviation of independent noise from differences of readings in order: the second
