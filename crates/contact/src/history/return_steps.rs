@@ -344,14 +344,12 @@ impl<'a> Return<'a> {
         };
         let penetration = self.penetration + (length - stays - lowered) / now.mean;
         let by_time = modulus * speed;
-        // The adhesion changes slowly with the radius, like its root.
-        let of_adhesion = 0.25 * lowered * speed / passed.penetration.max(f64::MIN_POSITIVE);
         Ok(Line {
             penetration,
             load,
             excess: penetration + setting.compliance * load - now.value,
-            slope: by_time * (1.0 / now.mean + setting.compliance * passed.stiffness)
-                - of_adhesion / now.mean,
+            // The adhesion changes slowly with the radius, like its root.
+            slope: by_time * (1.0 / now.mean + setting.compliance * passed.stiffness),
             load_slope: by_time * passed.stiffness,
             since: stays - length + now.mean * (now.value - self.penetration),
         })
