@@ -241,6 +241,8 @@ mod tests {
             ("points per frame", "points per frame", ""),
             ("Load in mN", "load", "mN"),
             ("force (in mN)", "force", "mN"),
+            // The first direction is that of the column.
+            ("Retract trace force [mN]", "trace force", "mN"),
             ("Load [g]", "load", "gf"),
             ("contact depth h", "contact depth h", ""),
             // A number or a letter before the unit may be a factor.
@@ -288,6 +290,7 @@ mod tests {
             ("1e6*a [m]", None, true),
             ("a e6 m", None, true),
             ("Load (?N)", Some("?N"), false),
+            ("Load (?mN)", None, false),
             ("Load_\u{200b}N", Some("\u{200b}N"), false),
             ("Load (-N)", Some("-N"), false),
             ("Load..U.00B5.N.", Some("U.00B5.N"), true),

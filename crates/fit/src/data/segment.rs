@@ -227,8 +227,10 @@ mod tests {
         let pulled = |i: usize, z: f64| -(20.0 - z).max(0.0) + noise(i);
         let tilted = |i: usize, z: f64| pushed(i, z) + z;
         let one_way = |ways: &mut dyn Iterator<Item = f64>| ways.collect::<Vec<f64>>();
+        let few = vec![5.0, 4.0, 3.0, 2.0, 1.0, 3.0];
         for (name, heights, expected) in [
             ("a cycle", &cycle, (100, true)),
+            ("few points", &few, (5, true)),
             ("a short retract", &short, (100, true)),
             ("a spike", &spiked, (100, true)),
             ("a retract first", &reversed, (100, false)),

@@ -42,7 +42,7 @@ fn an_error_names_line_column_value_and_next_step() {
         a [um],Force (x10 nN)\n1,2\n2,3\n | lacks load; "Force (x10 nN)" ("x10 nN" is not a known unit); convert the numbers
         No,a [um],F [mN]\n1,1,2\n2,2,3\n3,3,5\nMean,2,3.3\n | line 5, column 1 "No"; "Mean"; only numbers above; #
         a [um],Load (cor)\n1,2\n2,3\n | lacks load (a force); "a [um]" (contact_radius), "Load (cor)"
-        No,a [um],F [mN]\n1,1,2\n2,2,3\n3,3,5\nMean,2,3.3\n4,4,6\n | line 5, column 1 "No"; "Mean"
+        No,a [um],F [mN]\n,1,2\n2,2,3\n3,3,5\n4,4,6\nMean,2,3.3\n5,5,7\n | line 6, column 1 "No"; "Mean"
         a [um],F [mN]\n1.2x10^-3,1\n2.2x10^-3,2\n | "a [um],F [mN]" are headings; "1.2x10^-3,1", in which "1.2x10^-3" is not a number; 1.5e-3
         a [um];F [mN]\n40 um;0.1 mN\n | "40 um;0.1 mN", in which "40 um" is not a number
         a [um];F [mN]\n40\n50\n | below is "40", which holds fewer than two numbers
@@ -161,5 +161,10 @@ fn a_cantilever_that_makes_no_force_is_named() {
     ] {
         let words = "turns no deflection into a force; positive and finite";
         refused(text, &with(stiffness, Some(sensitivity)), words);
+    }
+    // A separation has the deflection in it.
+    let text = "separation [m],force [N]\n1e-6,1\n2e-6,2\n3e-6,4\n";
+    for stiffness in [0.0, -0.1, f64::NAN, f64::INFINITY] {
+        refused(text, &with(stiffness, None), "positive and finite");
     }
 }

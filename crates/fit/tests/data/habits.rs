@@ -24,6 +24,8 @@ const TEXTS: &str = r#"
     thousands with a point | Radius [um];Load [mN]\n1.050,5;-0,1\n1.060,5;0,2\n | line 2, column 1; "1.050,5"; thousands
     thousands in quotes | "Radius [um]","Load [mN]"\n"1,050.5","-0.1"\n"1,060.5","0.2"\n | "1,050.5"; thousands
     two decimal marks | Radius [um];Load [mN]\n50.5;-0,1\n | line 2, column 2; decimal mark
+    headings that are units | V,N,Radius [um],Load [mN]\n1,2,50,-0.1\n1,2,60,0.2\n | once
+    errors of some points | a [um],Load [mN],std\n50,-0.1,0.01\n60,0.2,0.02\n\na [um],Load [mN]\n50,-0.1\n60,0.2\n | standard deviations of load; others have none
     an exponent of Fortran | contact_radius,load\n0.5D-04,-1.0D-04\n0.6d-04,2.0d-04\n | once
     names in one word | contactRadius [um],P in mN\n50,-0.1\n60,0.2\n | once
     time stamps | stamp;a [um];F [mN]\n2024-01-01 12:30:01;50;-0.1\n2024-01-01 12:30:02;60;0.2\n | once

@@ -2,7 +2,7 @@
 //! exports.
 
 use fit::Kind;
-use fit::data::{Format, Segments};
+use fit::data::{DoubtKind, Format, Segments};
 
 use crate::{assert_told, assert_values, directions, named, read, rows, sound, values, with};
 
@@ -95,10 +95,18 @@ fn a_head_tells_the_cantilever_unless_it_is_given() {
     assert!(text.contains("0.05"), "{text}");
     // Two heads that differ.
     let of_retract = "strainGaugeHeight\n# springConstant: 0.0";
-    let two = JPK.replace(&format!("{of_retract}5"), &format!("{of_retract}6"));
+    let two = JPK.replace(&format!("{of_retract}5"), &format!("{of_retract}501"));
     let found = read(&two, &Format::default());
-    assert_told(found, "0.05 in line 1 and 0.06 in line 23");
+    assert_told(found, "0.05 in line 1 and 0.0501 in line 23");
     assert!(read(&two, &given).is_ok(), "the one given holds");
+    // Forces were made with the stiffness of the head. A rigid cantilever stands for heights without the deflection.
+    for (stiffness, doubted) in [(0.05, false), (0.1, true), (49.0, true), (50.0, false)] {
+        let doubts = sound(JPK, &with(stiffness, None)).notes.doubts;
+        let of_stiffness = doubts
+            .iter()
+            .any(|doubt| doubt.kind == DoubtKind::Stiffness);
+        assert_eq!(of_stiffness, doubted, "{stiffness} N/m");
+    }
 }
 
 /// The instrument writes 1 where nobody has calibrated it.
@@ -185,4 +193,8 @@ fn storage_and_loss_give_the_phase() {
         assert!(error.abs() < 1e-14, "{found}");
     }
     assert_eq!(reading.phases.len(), 2);
+    // The phase itself counts first.
+    let both = "contact radius [nm],storage stiffness [N/m],loss stiffness [N/m],phase shift [rad]\n\
+                100,1000,1000,0.5\n200,3000,1000,0.25\n";
+    assert_eq!(sound(both, &Format::default()).phases, [0.5, 0.25]);
 }

@@ -138,6 +138,19 @@ fn segments_come_from_a_column_from_comments_from_headings_or_from_the_course() 
         let found = format!("{}{split} {left_out}", directions(&reading));
         assert_eq!(found, expected, "{text}");
     }
+    // The rows of a pause go on in their way where a history needs them.
+    let kept = Format {
+        keep_pauses: true,
+        ..Format::default()
+    };
+    assert_eq!(directions(&sound(by_column, &kept)), "aaar");
+    // A heading may hold a direction itself.
+    let format = Format {
+        segments: Segments::File,
+        ..named(&["segment=extend or retract"])
+    };
+    let text = by_column.replace("segment", "extend or retract");
+    assert_eq!(directions(&sound(&text, &format)), "aar");
 }
 
 #[test]
@@ -183,6 +196,10 @@ fn a_contact_area_gives_the_radius_of_a_kind_that_is_asked_for() {
     let [small, large] = [50.0, 60.0].map(|radius| std::f64::consts::PI * radius * radius);
     let text = format!("contact area [um^2];F [mN]\n{small};-0.1\n{large};0.2\n");
     let reading = sound(&text, &of_kind(Kind::LoadRadius));
+    assert_values(&values(&reading), &TWO);
+    // A column that is named asks for it.
+    let text = format!("A [um^2];Height [nm];F [mN]\n{small};9;-0.1\n{large};8;0.2\n");
+    let reading = sound(&text, &named(&["contact_area=A"]));
     assert_values(&values(&reading), &TWO);
 }
 
@@ -235,12 +252,19 @@ fn a_sign_that_counts_in_the_opposite_sense_is_doubted() {
         (rising(depth, |x, _| [-x, -x.powf(1.5)]), both_of_depth),
         (rising(radius, |x, y| [x, y]), ""),
         (rising(radius, |x, y| [x, pulled(x, y)]), ""),
+        // Drift lowers a load by little.
+        (
+            rising(depth, |x, _| [x, if x == 2.0 { 1.0 } else { -0.025 * x }]),
+            "",
+        ),
+        // Up to the largest pull of a contact.
+        (rising(radius, |x, _| [x, (x - 4.0).powi(2)]), ""),
         (rising(radius, |x, y| [x, -y]), "load=-load"),
         ("height,force\n3,0\n2,0\n1,1\n".into(), ""),
         ("height,force\n1,0\n2,0\n3,1\n".into(), "height=-height"),
         ("height,force\n3,0\n2,0\n1,-1\n".into(), "load=-force"),
-        // A straight line does not tell.
-        ("height,force\n3,2\n2,1\n1,0\n".into(), "height=-height"),
+        // A straight line does not tell, nor one that hardly bends.
+        ("height,force\n3,2\n2,1.01\n1,0\n".into(), "height=-height"),
         ("contact_radius,load\n1,-1\n2,-1.2\n3,1\n".into(), ""),
         (
             "contact_radius,load\n1,0\n2,-0.2\n3,-1\n".into(),
@@ -353,4 +377,16 @@ fn the_order_of_rows_is_kept() {
     let text = "contact_radius,load\n3,1\n1,0\n1,0\n2,5\n";
     let expected = [[3.0, 1.0], [1.0, 0.0], [1.0, 0.0], [2.0, 5.0]];
     assert_values(&values(&sound(text, &Format::default())), &expected);
+}
+
+/// 60 um is 5.9999999999999995e-5 m as a product of two numbers, and 6e-5 m as a number with a unit.
+#[test]
+fn ends_that_are_rounded_otherwise_hold_their_points() {
+    let ends = ["60um", "70um"].map(|end| end.parse().expect("a length"));
+    let format = Format {
+        between: Some(ends),
+        ..Format::default()
+    };
+    let reading = sound("Radius [um],Load [mN]\n50,-0.1\n60,0.2\n", &format);
+    assert_values(&values(&reading), &TWO[1..]);
 }
