@@ -354,6 +354,14 @@ mod tests {
         assert!((ends[0] / ends[1] - 1.0).abs() < 1e-3, "{ends:?}");
     }
 
+    /// Two values that are found make residuals of five points smaller.
+    #[test]
+    fn clipped_squares_are_those_of_the_degrees_of_freedom() {
+        let (mean, _) = clipped(&[0.0, 0.6, -0.6, 1.2, 9.0], 3.0);
+        let expected = (2.0 * 0.6 + 2.4 + 4.0) / 5.0;
+        assert!((mean - expected).abs() < 1e-14, "{mean}");
+    }
+
     #[test]
     fn quantiles_are_those_of_tables() {
         for (level, expected) in [(0.6827, 1.0), (0.95, 1.959_964), (0.99, 2.575_829)] {

@@ -154,6 +154,15 @@ mod tests {
         assert_eq!(baseline.split(&readings), [106, 111]);
     }
 
+    /// A reading in the middle of a jump is of neither side.
+    #[test]
+    fn a_jump_may_have_two_steps() {
+        let contact = (0..100).map(|i| 80.0 - 0.8 * f64::from(i));
+        let tension = [-2.0, -5.0, -7.0, -8.0, -8.0, -5.0];
+        let readings: Vec<f64> = contact.chain(tension).chain([0.0; 100]).collect();
+        assert_eq!(baseline(0.1).split(&readings), [105, 106]);
+    }
+
     /// A tether that holds 45 % of the pull-off force is no contact.
     #[test]
     fn a_tether_is_no_contact() {

@@ -200,6 +200,19 @@ pub(crate) fn estimates(problem: &Problem<'_>, uncertainty: Option<&Uncertainty>
 mod tests {
     use super::*;
 
+    /// Huber's proposal 7.6 by hand: `psi` is 0.5, 0.5, 1.345 and 1.345, and `psi'` 1, 1, 0 and 0.
+    #[test]
+    fn the_scatter_under_a_robust_loss_is_hubers() {
+        let residuals = DVector::from_vec(vec![0.5, -0.5, 3.0, -9.0]);
+        let (found, slope) = scatter(Loss::HUBER, &residuals, 1);
+        let squares = 2.0 * (0.25 + 1.345 * 1.345);
+        let expected = (1.0 + 0.25) * (squares / 3.0_f64).sqrt() / 0.5;
+        assert!(
+            (found / expected - 1.0).abs() < 1e-14 && slope == 0.5,
+            "{found}"
+        );
+    }
+
     #[test]
     fn what_changes_next_to_nothing_hides_no_combination() {
         for tiny in [0.0, 1e-100, 1e-20, 1e-12, 1e-9] {
