@@ -1,10 +1,13 @@
 //! Where the contact ends in force curves: baselines at any level and of any length, spikes on them, and waves
 //! below their noise.
 
-use fit::{Experiment, Fit, Parameter, WarningKind};
+use acceptance::{Contacts, half_space_of, solid};
+use fit::{Bodies, Branch, Experiment, Fit, Kind, Parameter, WarningKind};
+use interp::Probe;
 
 use crate::imagined::{
-    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, fitted, off as off_by,
+    Course, FORCE_CURVE, Imagined, assert_silent, assert_warned, fitted, measurement_of,
+    off as off_by,
 };
 
 /// The parameters of a force curve without adhesion.
@@ -130,4 +133,22 @@ fn a_wave_below_the_noise_is_told_of() {
         told += u32::from(fitted(&waved, &hertz.free).warns_of(WarningKind::StructuredResiduals));
     }
     assert!(told > 6, "{told} of 8");
+}
+
+/// The load of a flat punch is straight: with a slope that is free, too, it is a contact to its end.
+#[test]
+fn a_contact_that_is_straight_to_its_end_is_no_baseline() {
+    let mut random = Contacts::new(1);
+    let probe = Probe::FlatPunch { radius: 1e-5 };
+    let mut load = |depth: f64| 2.0 * 1e-5 * 1e6 * depth + 1e-9 * random.normal();
+    let points = (1..=100).map(|i| {
+        let depth = 1e-8 * f64::from(i);
+        [depth, load(depth)]
+    });
+    let points: Vec<[f64; 2]> = points.collect();
+    let bodies = Bodies::HalfSpace(half_space_of(probe, f64::INFINITY, solid(7.5e5, 0.5)));
+    let mut experiment = Experiment::new(measurement_of(Kind::LoadPenetration, points), bodies);
+    experiment.work_of_adhesion = 1.0;
+    let branches = experiment.branches(&[Parameter::FilmModulus, Parameter::BaselineSlope]);
+    assert_eq!(branches.expect("sound"), [Branch::Advancing; 100]);
 }

@@ -2,12 +2,15 @@
 
 use std::f64::consts::PI;
 
-use acceptance::solid;
-use fit::{Branch, Experiment, Fit, Fixed, Free, Kind, Known, Likelihood, Loss, Parameter};
-use interp::Table;
+use acceptance::{half_space_of, solid};
+use fit::{
+    Bodies, Branch, Direction, Experiment, Fit, Fixed, Free, Kind, Known, Likelihood, Loss,
+    Parameter,
+};
+use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement_of,
+    Course, Imagined, LENS, fit_with, fitted, free_of, half_space, measurement_at, measurement_of,
 };
 
 /// A force curve with hysteresis, some of whose points are pinned.
@@ -195,4 +198,173 @@ fn derivatives_of_pinned_points_are_differences() {
             assert!(off < 1e-5, "{parameter}, {i}: {off:e}");
         }
     }
+}
+
+/// At contact radii load and penetration fall like the root of the work of adhesion: its derivative at 0 is none.
+#[test]
+fn a_work_of_adhesion_of_0_has_no_derivative_at_radii() {
+    for kind in [Kind::LoadRadius, Kind::PenetrationRadius] {
+        let bodies = half_space(1e-5, 5e4, solid(f64::INFINITY, 0.3));
+        let experiment = Experiment::new(measurement_at(kind, [1e-6, 2e-6, 3e-6]), bodies);
+        let derivatives = |by: &[Parameter]| {
+            let predictions = experiment.predictions(Table::embedded(), None, by);
+            predictions.expect("sound").derivatives
+        };
+        let of_modulus = derivatives(&[Parameter::SphereModulus]);
+        let both = derivatives(&[Parameter::WorkOfAdhesion, Parameter::SphereModulus]);
+        for (both, of_modulus) in both.chunks(2).zip(of_modulus) {
+            assert_eq!(both, [0.0, of_modulus], "{kind:?}");
+        }
+    }
+}
+
+/// A cycle that turns before the contact point holds no line: its retract is that without the approach.
+#[test]
+fn a_turn_before_the_contact_pins_no_points() {
+    let mut experiment = hysteretic(&[]).planned();
+    let branches = experiment.branches(&[]).expect("sound");
+    let heights = experiment
+        .measurement
+        .points
+        .iter()
+        .map(|point| point.abscissa);
+    experiment.contact_point = heights.fold(f64::INFINITY, f64::min) - 1e-9;
+    let predict = |experiment: &Experiment, branches: &[Branch]| {
+        let predictions = experiment.predictions(Table::embedded(), Some(branches), &[]);
+        predictions.expect("sound").ordinates
+    };
+    let is_retract =
+        |i: usize| experiment.measurement.points[i].direction == Some(Direction::Retract);
+    let both = predict(&experiment, &branches);
+    let own: Vec<usize> = (0..both.len()).filter(|&i| is_retract(i)).collect();
+    let mut retract = experiment.clone();
+    retract
+        .measurement
+        .points
+        .retain(|point| point.direction == Some(Direction::Retract));
+    let alone = predict(
+        &retract,
+        &own.iter().map(|&i| branches[i]).collect::<Vec<_>>(),
+    );
+    assert!(own.iter().any(|&i| branches[i] == Branch::Receding));
+    assert_eq!(own.iter().map(|&i| both[i]).collect::<Vec<_>>(), alone);
+}
+
+#[test]
+fn another_stiffness_changes_the_forces_of_deflections_and_their_deviations() {
+    let mut experiment = hysteretic(&[]).planned();
+    experiment.from_deflection = true;
+    let points = experiment.measurement.points.iter_mut();
+    points
+        .zip(1..)
+        .for_each(|(point, i)| point.ordinate = 1e-9 * f64::from(i));
+    experiment.errors.ordinate = vec![1e-10; experiment.measurement.points.len()];
+    let stiffness = experiment.stiffness.expect("planned");
+    let mut stiffer = experiment.clone();
+    stiffer
+        .set(Parameter::Stiffness, 2.0 * stiffness)
+        .expect("positive");
+    let twice = |before: f64, after: f64| assert_eq!(after, 2.0 * before);
+    let forces = experiment
+        .measurement
+        .points
+        .iter()
+        .zip(&stiffer.measurement.points);
+    forces.for_each(|(before, after)| twice(before.ordinate, after.ordinate));
+    let errors = experiment
+        .errors
+        .ordinate
+        .iter()
+        .zip(&stiffer.errors.ordinate);
+    errors.for_each(|(before, after)| twice(*before, *after));
+}
+
+/// The load of a flat punch is its stiffness times the penetration, and goes on so beyond the pull-off.
+#[test]
+fn a_flat_punch_goes_on_straight_beyond_its_pull_off() {
+    let radius = 1e-5;
+    let punch = half_space_of(
+        Probe::FlatPunch { radius },
+        f64::INFINITY,
+        solid(7.5e5, 0.5),
+    );
+    let depths = (-10..=10).map(|i| 1e-7 * f64::from(i));
+    let measurement = measurement_at(Kind::LoadPenetration, depths);
+    let mut experiment = Experiment::new(measurement, Bodies::HalfSpace(punch));
+    // The pull-off is at -0.25 um.
+    experiment.work_of_adhesion = 1e-3;
+    let branches = [Branch::Advancing; 21];
+    let found = experiment.predictions(Table::embedded(), Some(&branches), &[]);
+    let loads = found.expect("sound").ordinates;
+    for (point, load) in experiment.measurement.points.iter().zip(loads) {
+        let off = load - 2.0 * radius * 1e6 * point.abscissa;
+        assert!(off.abs() < 1e-9 * 2e-5, "{:e}: {off:e}", point.abscissa);
+    }
+}
+
+/// An approach that is in contact below the contact point has the contact of a retract.
+#[test]
+fn an_approach_in_tension_has_the_contact_of_a_retract() {
+    let bodies = half_space(1e-5, 5e4, solid(f64::INFINITY, 0.3));
+    // The pull-off is at -55 nm.
+    let depths = (-5..0).map(|i| 1e-8 * f64::from(i));
+    let mut experiment = Experiment::new(measurement_at(Kind::LoadPenetration, depths), bodies);
+    experiment.work_of_adhesion = 1e-4;
+    let [approach, retract] = Direction::ALL.map(|direction| {
+        let points = experiment.measurement.points.iter_mut();
+        points.for_each(|point| point.direction = Some(direction));
+        let found = experiment.predictions(Table::embedded(), Some(&[Branch::Advancing; 5]), &[]);
+        found.expect("sound").ordinates
+    });
+    assert_eq!(approach, retract);
+}
+
+/// Of a retract with a work of adhesion of its own the points within 2 % of the largest radius may be pinned.
+#[test]
+fn only_radii_near_the_turn_may_be_pinned() {
+    let radii = [5e-5, 1e-4, 9.9e-5, 9.7e-5, 9.1e-5, 6e-5];
+    let mut measurement = measurement_at(Kind::LoadRadius, radii);
+    for (i, point) in measurement.points.iter_mut().enumerate() {
+        point.ordinate = f64::from(i as u32);
+        point.direction = Some(Direction::ALL[usize::from(i > 1)]);
+    }
+    let bodies = half_space(1e-3, 2e6, solid(f64::INFINITY, 0.25));
+    let experiment = Experiment::new(measurement, bodies);
+    let (contact, receding) = (Branch::Advancing, Branch::Receding);
+    let branches = experiment.branches(&[Parameter::WorkOfAdhesionReceding]);
+    let expected = [
+        contact,
+        contact,
+        Branch::LeftOut,
+        receding,
+        receding,
+        receding,
+    ];
+    assert_eq!(branches.expect("sound"), expected);
+}
+
+/// The likelihood of a value with a prior is that without, times the density of the prior.
+#[test]
+fn a_prior_adds_the_logarithm_of_its_density() {
+    let bodies = half_space(1e-5, f64::INFINITY, solid(1e5, 0.3));
+    let measurement = measurement_of(Kind::LoadRadius, [[1e-6, 2e-8], [2e-6, 1e-7]]);
+    let mut experiment = Experiment::new(measurement, bodies);
+    experiment.noise = Some(1e-8);
+    let ratio = Free::new(Parameter::FilmPoissonRatio);
+    let value = |free: Free, ratio: f64| {
+        let likelihood = Likelihood::new(Table::embedded(), &[experiment.clone()], &[free], None);
+        let found = likelihood
+            .expect("sound")
+            .value(Table::embedded(), &[ratio]);
+        found.expect("one value")
+    };
+    let (mean, width) = (0.25, 0.1);
+    let added = value(ratio.with_prior(mean, width), 0.3) - value(ratio, 0.3);
+    let density = -0.5 * ((0.3 - mean) / width).powi(2) - ((2.0 * PI).sqrt() * width).ln();
+    assert!((added - density).abs() < 1e-12, "{added} {density}");
+    // Without bounds of its own a Poisson ratio is between 0 and 0.5.
+    for outside in [-0.01, 0.51] {
+        assert_eq!(value(ratio, outside), f64::NEG_INFINITY);
+    }
+    assert!(value(ratio.within(-0.5, 0.5), -0.01).is_finite());
 }
