@@ -394,3 +394,30 @@ fn loubets_depth_is_found_from_data_made_by_it() {
     assert_close(found.estimates[0].value, 1.7e11, 1e-6);
     assert!((found.estimates[1].value - 5e-9).abs() < 1e-14, "{found:?}");
 }
+
+/// A stiffness that is read too high also makes the contact depth, and with it the fitted stiffness, too high.
+#[test]
+fn the_deviation_at_a_depth_is_that_of_the_difference_from_the_fit() {
+    const NOISE: f64 = 0.01;
+    const STEP: f64 = 1e-4;
+    let system = oxide();
+    let known = Indentation::NEW;
+    let contact = solved(&system, [8e-8, 5e-7]);
+    let mut made = at_depths(Bodies::Coated(system), &contact, &known, 1e10);
+    made.noise = Some(NOISE);
+    let found = fitted(made.clone(), [Parameter::FilmModulus]).expect("sound data");
+    let points = &found.experiments[0].points;
+    for (i, point) in points.iter().enumerate() {
+        let difference = |by: f64| {
+            let mut moved = made.clone();
+            let read = &mut moved.measurement.points[i].ordinate;
+            *read *= by.exp();
+            let read = *read;
+            let predictions = moved.predictions(Table::embedded(), None, &[]);
+            (read / predictions.expect("sound").ordinates[i]).ln()
+        };
+        let factor = (difference(STEP) - difference(-STEP)) / (2.0 * STEP);
+        assert!((0.1..0.95).contains(&factor), "{i}: {factor}");
+        assert_close(point.deviation, factor * NOISE * point.ordinate, 1e-5);
+    }
+}
