@@ -272,4 +272,15 @@ fn a_line_that_stays_on_retract_is_named() {
     assert_warns(&found, WarningKind::PinnedLine, "lines 40 to 49");
     let modulus = off(&found, Parameter::SphereModulus, 2e6);
     assert!(modulus > 3.0, "it misleads: {modulus}");
+
+/// Adhesion that is larger on retract makes a loop, and the contact lasts to beyond the contact point: no depth remains.
+#[test]
+fn a_loop_of_adhesion_leaves_no_depth() {
+    let mut probe = Imagined::probe(Course::Cycle, 5e-5, &FORCE_CURVE);
+    probe.truth.work_of_adhesion_receding = Some(5e-4);
+    let mut measured = probe.measured(&probe.exact(), 1);
+    measured.work_of_adhesion_receding = None;
+    let found = fitted(&measured, &FORCE_CURVE);
+    assert_warned(&found, WarningKind::Hysteresis);
+    assert_silent(&found, WarningKind::Plasticity);
 }

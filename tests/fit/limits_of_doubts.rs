@@ -5,9 +5,16 @@ use fit::{Bodies, Experiment, Kind, Parameter, WarningKind};
 use interp::{Probe, Table};
 
 use crate::imagined::{
-    Course, Imagined, LENS, assert_warns, coated, fit_all, fitted, free_of, measurement_at,
-    number_after, text,
+    Course, Imagined, LENS, assert_silent, assert_warned, assert_warns, coated, fit_all, fitted,
+    free_of, measurement_at, number_after, text,
 };
+
+/// What a force curve without adhesion tells.
+const HERTZ: [Parameter; 3] = [
+    Parameter::FilmModulus,
+    Parameter::ContactPoint,
+    Parameter::Baseline,
+];
 
 #[test]
 fn a_work_of_adhesion_that_no_bodies_have_is_doubted() {
@@ -134,5 +141,44 @@ fn contacts_on_a_stiff_film_that_are_no_discs_or_bend_it_are_doubted() {
         let mut told: Vec<WarningKind> = told.filter(of_film).collect();
         told.reverse();
         assert_eq!(told, kinds, "{half_angle} {young:e}");
+    }
+}
+
+#[test]
+fn friction_that_changes_less_than_the_standard_error_is_not_named() {
+    for (factor, is_named) in [(0.1, true), (10.0, false)] {
+        let mut probe = Imagined::probe(Course::Approach, 0.0, &HERTZ);
+        probe.noise *= factor;
+        let found = probe.fit(1);
+        assert_eq!(found.warns_of(WarningKind::Friction), is_named, "{factor}");
+    }
+}
+
+/// One point far off is no larger scatter of all points in contact, and what a zero that is off hardly changes is no
+/// reason to free it.
+#[test]
+fn an_outlier_and_a_zero_that_matters_little_are_no_more() {
+    let mut probe = Imagined::probe(Course::Cycle, 0.0, &HERTZ[..2]);
+    probe.noise_is_known = false;
+    let exact = probe.exact();
+    let count = exact.points.len() as f64;
+    for seed in 0..20 {
+        let mut measured = probe.measured(&exact, seed);
+        let points = &mut measured.measurement.points;
+        let pressed = points
+            .iter_mut()
+            .filter(|point| point.ordinate > 50.0 * probe.noise);
+        pressed
+            .take(1)
+            .for_each(|point| point.ordinate += 15.0 * probe.noise);
+        let found = fitted(&measured, &probe.free);
+        assert_warned(&found, WarningKind::Outliers);
+        assert_silent(&found, WarningKind::UnequalNoise);
+        let mut off = probe.measured(&exact, seed);
+        off.noise = Some(probe.noise);
+        for point in &mut off.measurement.points {
+            point.ordinate += 4.0 * probe.noise / count.sqrt();
+        }
+        assert_silent(&fitted(&off, &probe.free), WarningKind::OffsetHinted);
     }
 }
