@@ -2,7 +2,7 @@
 
 use acceptance::{Contacts, Refused, looked_up, paper_system, solid, solved_contact};
 use contact::{Branch, Contact, Control, Derivatives, Error, Input, State};
-use interp::{System, Table};
+use interp::{Probe, System, Table};
 
 use crate::gradient::{value, with};
 
@@ -132,6 +132,53 @@ fn derivatives_on_a_film_are_those_of_direct_solves() {
                 }
             }
         }
+    }
+}
+
+/// Under a flat punch the load at a penetration is the stiffness times it.
+#[test]
+fn derivatives_under_a_flat_punch_are_those_of_its_stiffness() {
+    const STEP: f64 = 1e-3;
+    const DEPTH: f64 = 1e-6;
+    let inputs = [
+        Input::SphereModulus,
+        Input::FilmModulus,
+        Input::FilmThickness,
+        Input::SphereRadius,
+    ];
+    let system = System {
+        probe: Probe::FlatPunch { radius: 2e-5 },
+        ..paper_system(1e-5)
+    };
+    let contact =
+        Contact::in_table_with_gradient(Table::embedded(), &system).expect("in the table");
+    let equilibria = contact
+        .equilibria(0.04, Control::Displacement)
+        .expect("a punch");
+    let (mut states, mut derivatives) = ([State::ORIGIN], [Derivatives::ZERO; 5]);
+    equilibria
+        .branch_with_gradient(
+            &[DEPTH],
+            Branch::Unloading,
+            &inputs,
+            &mut states,
+            &mut derivatives,
+        )
+        .expect("in range");
+    for (input, by) in inputs.into_iter().zip(&derivatives[1..]) {
+        let size = value(&system, input);
+        let [up, down] = [1.0 + STEP, 1.0 - STEP].map(|factor| {
+            let system = with(&system, input, factor * size);
+            let radius = system.probe.radius().expect("a punch");
+            let at = radius / system.film_thickness;
+            let contact = solved_contact(&system, [0.9 * at, 1.1 * at], 1e-10);
+            DEPTH * contact.stiffness(radius).expect("in range")
+        });
+        let off = (by.load * size - (up - down) / (2.0 * STEP)) / states[0].load;
+        assert!(
+            off.abs() < 2e-5 && by.penetration == 0.0,
+            "{input:?}: {off:e}"
+        );
     }
 }
 

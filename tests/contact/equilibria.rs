@@ -381,3 +381,20 @@ fn on_thick_films_states_are_those_of_direct_solves() {
     // Measured: 1.7e-10, 9.4e-11.
     assert!(worst <= 1e-8 && worst_radius <= 1e-8);
 }
+
+/// At the pull-off the stable and the unstable equilibrium are one, which is called unstable.
+#[test]
+fn an_equilibrium_at_a_turning_point_is_listed_once() {
+    for (contact, w) in coated(7, 20) {
+        for control in CONTROLS {
+            let equilibria = contact.equilibria(w, control).expect("in range");
+            let end = equilibria.pull_off().expect("in range");
+            let found = equilibria.at(imposed(control, &end)).expect("in range");
+            let near = found
+                .iter()
+                .filter(|one| relative(one.state.contact_radius, end.contact_radius) < 1e-3);
+            let stable: Vec<bool> = near.map(|one| one.stable).collect();
+            assert_eq!(stable, [false], "{control:?}");
+        }
+    }
+}

@@ -39,6 +39,7 @@ pub fn with(system: &System, input: Input, value: f64) -> System {
             Probe::Paraboloid { radius }
             | Probe::Sphere { radius }
             | Probe::RoundedCone { radius, .. }
+            | Probe::FlatPunch { radius }
             | Probe::FlatEndedCone { radius, .. } => *radius = value,
             other => panic!("{other:?} has no radius"),
         },
