@@ -288,6 +288,20 @@ fn a_scene_with_another_thickness_is_damage() {
     assert!(matches!(error, Error::Checksum { .. }), "{error}");
 }
 
+/// Under a rigid sphere the modulus of the top layer is the unit of that of the base.
+#[test]
+fn points_under_a_rigid_sphere_are_direct_solves() {
+    let workdir = workdir!();
+    let scene = scene().replace("e1_over_e2 = { from = 1e-2, to = 1e2 }", "e1_over_e2 = 0.0");
+    workdir.write("scene.toml", scene);
+    workdir.succeed("generate scene.toml --certificate-points 100");
+    workdir.write("points.csv", "a_over_t,e1_over_e2\n3,0\n");
+    let found = workdir.csv("query scene.h5 --points points.csv");
+    let truth = solve_stack(3.0, &layers(), f64::INFINITY, 1e-11).expect("in reach");
+    let error = relative_error(&found.first().quantities(), &truth.quantities);
+    assert!(error <= 1e-6, "{error:e}");
+}
+
 /// Every command either works with a table of a stack or says what to do.
 #[test]
 fn the_commands_take_it_or_refuse_it() {

@@ -7,6 +7,7 @@ use solve::stack::Interface;
 use solve::stick::Sticking;
 
 use crate::interface_limits::film;
+use crate::stick::confined;
 
 /// Draws a system of any contrast, sphere included; every other one without coupling at the edge.
 fn random_system(random: &mut Pcg64Mcg, wide: bool) -> Sticking {
@@ -125,4 +126,12 @@ fn stiff_films_on_soft_bases_are_solved() {
             );
         }
     }
+}
+
+/// The widest contact that is solved, whose radius over the thickness may be rounded upwards.
+#[test]
+fn a_growing_contact_at_the_end_of_what_is_solved() {
+    let end = |by: f64| confined().grown(30.0 * (1.0 + by), 2.0, 1e-2);
+    end(2.0 * f64::EPSILON).expect("the end");
+    assert!(end(1e-12).is_err());
 }

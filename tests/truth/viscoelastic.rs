@@ -250,23 +250,51 @@ fn approach_and_retract_at_constant_speeds() {
     }
 }
 
-/// A ramp and a hold under the standard linear solid, by quadrature of Lee and Radok's integral.
+/// A ramp and a hold under the standard linear solid, and under a law that is singular at once, whose parts between the
+/// times are an impulse; by quadrature of Lee and Radok's integral.
 #[test]
 fn a_hold_relaxes_by_the_law() {
     let contact = half_space(PARABOLOID);
-    let law = solid_law();
     let program = [(0.0, 0.0), (1.0, 1e-2)];
     let times = [0.3, 1.0, 1.5, 4.0, 50.0];
-    let relaxing = (&contact, &law);
-    for at in &states(relaxing, Control::Displacement, &program, &times, 1e-10) {
-        let t1 = at.time.min(1.0);
-        let f = |x: f64, rest: f64| {
-            law.modulus(at.time - t1 + rest).expect("a time") * 2.0 * (1e-2 * x).sqrt() * 1e-2
+    for law in [solid_law(), power_law(0.9)] {
+        let relaxing = (&contact, &law);
+        for at in &states(relaxing, Control::Displacement, &program, &times, 1e-9) {
+            let t1 = at.time.min(1.0);
+            let f = |x: f64, rest: f64| {
+                law.modulus(at.time - t1 + rest).expect("a time") * 2.0 * (1e-2 * x).sqrt() * 1e-2
+            };
+            let exact = integral(f, t1);
+            let error = (at.state.load / exact - 1.0).abs();
+            assert!(error < 1e-8, "at {}: {error:.1e}", at.time);
+            assert!((at.state.contact_radius - (1e-2 * t1).sqrt()).abs() < 1e-11);
+        }
+    }
+}
+
+/// After a fast retract the surface recovers and meets the probe again, or the contact grows again. In the end the load is
+/// the relaxed one of an elastic contact.
+#[test]
+fn a_surface_that_recovers_meets_the_probe_again() {
+    let (contact, law) = (half_space(PARABOLOID), solid_law());
+    for (held, phase) in [(8e-3, Phase::Receding), (3e-3, Phase::Separated)] {
+        let program = [(0.0, 0.0), (1.0, 1e-2), (1.01, held)];
+        let times = [1.01, 60.0];
+        let relaxing = (&contact, &law);
+        let states = states(relaxing, Control::Displacement, &program, &times, 1e-4);
+        assert_eq!(states[0].phase, phase, "{held}");
+        let exact = State {
+            contact_radius: held.sqrt(),
+            load: 0.3 * 4.0 / 3.0 * held.powf(1.5),
+            penetration: held,
         };
-        let exact = integral(f, t1);
-        let error = (at.state.load / exact - 1.0).abs();
-        assert!(error < 1e-9, "at {}: {error:.1e}", at.time);
-        assert!((at.state.contact_radius - (1e-2 * t1).sqrt()).abs() < 1e-11);
+        let found = &states[1].state;
+        for (found, exact) in [
+            (found.load, exact.load),
+            (found.contact_radius, exact.contact_radius),
+        ] {
+            assert!((found / exact - 1.0).abs() < 1e-3, "{held}: {found:?}");
+        }
     }
 }
 
