@@ -410,6 +410,12 @@ fn a_fit_with_a_table_is_that_with_the_stack_file() {
         &message,
         "primer.modulus cannot be found; name a stack file",
     );
+    // The next step after an error of the table.
+    let beyond = "fit data.csv --stack scene.h5 --free work-of-adhesion --specimen paper --sphere-modulus 1kPa";
+    assert_names(
+        &workdir.fail(1, beyond),
+        "e1_over_e2; `tabulate generate` makes tables",
+    );
 }
 
 /// Returns the numbers in a text without its comments, in their order.
