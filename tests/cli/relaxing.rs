@@ -41,6 +41,12 @@ fn what_is_simulated_is_found() {
     let steps = number(relaxation, "steps_error");
     assert!(0.0 < steps && steps < 1e-4, "{steps}");
     assert!(fit(&workdir, "--relaxation sls")["parameters"]["relaxed_fraction"].is_object());
+    // Another law leaves a loop, which is none of adhesion.
+    simulate(&workdir, &POWER.replace("0.2", "0.5"), "data.csv");
+    let run = workdir.run(format!("fit data.csv {GEL} --relaxation sls"));
+    let said = format!("{}{}", run.stdout, run.stderr);
+    assert_names(&said, "energy than the fitted relaxation function");
+    assert!(!said.contains("work-of-adhesion-receding"), "{said}");
 }
 
 /// A history before, in and after contact is read with the words of its phases.
