@@ -175,10 +175,7 @@ impl Sticking {
             tolerance,
             reached,
         };
-        // The modes of a wide contact without friction are too few for incompressible films.
-        let coupled = self.bodies.eps != 0.0;
-        let part = if coupled { 1.0 } else { 1.0 + 0.01 * x * x };
-        let (mut of_modes, mut of_panels) = (tolerance / part, tolerance);
+        let [mut of_modes, mut of_panels] = [tolerance; 2];
         let mut reached = f64::INFINITY;
         for _ in 0..ROUNDS {
             let waves = Waves::new(&self.bodies, self.panels(x, of_panels), x);
