@@ -217,7 +217,7 @@ mod tests {
         assert!(refused.what.contains("longer than 65536 bytes"));
         assert!(lines(&[b'1'; LONGEST]).is_ok());
         let utf16 = |count: usize| lines(&[&b"\xff\xfe"[..], &b"1\0".repeat(count)].concat());
-        assert!(matches!(utf16(LONGEST + 1), Err(Problem::LongLine)));
+        assert!(utf16(LONGEST + 1).is_err());
         assert!(utf16(LONGEST).is_ok());
     }
 }
