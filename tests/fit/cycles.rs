@@ -272,6 +272,7 @@ fn a_line_that_stays_on_retract_is_named() {
     assert_warns(&found, WarningKind::PinnedLine, "lines 40 to 49");
     let modulus = off(&found, Parameter::SphereModulus, 2e6);
     assert!(modulus > 3.0, "it misleads: {modulus}");
+}
 
 /// Adhesion that is larger on retract makes a loop, and the contact lasts to beyond the contact point: no depth remains.
 #[test]
