@@ -7,7 +7,9 @@ use contact::{Contact, Control};
 use fit::{Bodies, Direction, Kind, Measurement, Parameter, Point, WarningKind};
 use interp::{Probe, Profile, System};
 
-use crate::imagined::{Imagined, fitted, measurement};
+use crate::imagined::{
+    Imagined, assert_silent, fitted, half_space, lens, measurement, number_after, off, text,
+};
 use Parameter::{ContactPoint, FilmModulus, WorkOfAdhesion};
 
 /// The true work of adhesion, J/m^2.
@@ -202,4 +204,30 @@ fn a_work_of_adhesion_of_0_is_named_under_every_shape() {
         }
     }
     assert!(ended >= 9, "{ended}");
+}
+
+/// Data of an exact sphere that are fitted as those of a paraboloid.
+#[test]
+fn a_paraboloid_that_stands_for_a_sphere_is_named_where_it_matters() {
+    let sphere = Probe::Sphere { radius: 1e-3 };
+    let warned = |largest: f64| {
+        let mut lens = lens();
+        lens.radii = [5e-5, largest];
+        lens.truth.bodies = Bodies::HalfSpace(half_space_of(sphere.clone(), 2e6, solid(7e10, 0.2)));
+        let mut experiment = lens.measured(&lens.exact(), 0);
+        assert_silent(&lens.fit_of(&experiment), WarningKind::LargeContact);
+        experiment.bodies = half_space(1e-3, 2e6, solid(7e10, 0.2));
+        let found = lens.fit_of(&experiment);
+        (off(&found, Parameter::SphereModulus, 2e6), found)
+    };
+    let (_, narrow) = warned(1.3e-4);
+    assert_silent(&narrow, WarningKind::LargeContact);
+    let (too_large, wide) = warned(2.8e-4);
+    let text = text(&wide, WarningKind::LargeContact);
+    // The change is named to the first order.
+    let named = -number_after(&text, " %, ");
+    assert!(
+        too_large > 5.0 && (named / too_large - 1.0).abs() < 0.3,
+        "{too_large}: {text}"
+    );
 }

@@ -9,11 +9,12 @@ use crate::{Bodies, Warning, WarningKind};
 
 /// The contact radius over that of the sphere below which the shapes differ by less than 0.1 % of the penetration.
 const SMALL: f64 = 0.05;
-/// The change of a value, in its standard errors, from which on the shape matters.
-const MATTERS: f64 = 1.0;
+/// The change of a value, in parts of itself, from which on the shape matters, if it is more than its standard error: that
+/// of a radius of the sphere that is off by some per cent.
+const MATTERS: f64 = 0.03;
 
-/// Warns if the exact sphere in place of the paraboloid would change a value by more than its standard error, to the first
-/// order, in experiment `e`. `largest` is the `a/R` above which another warning tells of the paraboloid.
+/// Warns if the exact sphere in place of the paraboloid would change a modulus or a work of adhesion by more than its
+/// standard error and more than 3 %, to the first order, in experiment `e`. `largest` is the `a/R` above which another warning tells of the paraboloid.
 pub(crate) fn doubt(
     problem: &Problem<'_>,
     e: usize,
@@ -37,13 +38,18 @@ pub(crate) fn doubt(
     })?;
     let changes = uncertainty.changes_in_errors(&(spherical - problem.plain_residuals()?));
     let names = problem.slot_names();
-    let large = names
-        .iter()
-        .zip(changes)
-        .filter(|(_, change)| change.abs() > MATTERS);
-    let large: Vec<String> = large
-        .map(|(name, change)| format!("{name} by {change:+.1} of its standard errors"))
-        .collect();
+    let large = changes.iter().enumerate().filter_map(|(slot, change)| {
+        let part = change * uncertainty.relative_error(slot);
+        let is_large = change.abs() > 1.0 && part.abs() > MATTERS;
+        (problem.slots[slot].parameter.is_positive() && is_large).then(|| {
+            let name = &names[slot];
+            format!(
+                "{name} by {:+.1} %, {change:+.1} of its standard errors",
+                1e2 * part
+            )
+        })
+    });
+    let large: Vec<String> = large.collect();
     (!large.is_empty()).then(|| {
         WarningKind::LargeContact.with(format!(
             "{}: a/R reaches {:.2}, and the model takes the sphere for a paraboloid: the exact sphere, which is a probe of its \
