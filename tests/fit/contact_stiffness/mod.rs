@@ -16,7 +16,7 @@ use interp::{Probe, System, Table};
 
 use crate::imagined::{
     assert_silent, assert_warned, assert_warns, fit_all, free_of, half_space, measurement_at,
-    measurement_of,
+    measurement_of, number_after, text,
 };
 use crate::layers::{layer, modulus_of, on_layers};
 use crate::recovery::{SETS, assert_recovers};
@@ -142,8 +142,25 @@ fn stiffness_at_contact_radii_and_loads() {
     ] {
         let exact = std::slice::from_ref(exact);
         let name = format!("stiffness, {name}");
-        recover(&name, exact, noise, free, &[WarningKind::Friction]);
+        let expected = [WarningKind::Friction, WarningKind::OneHardness];
+        recover(&name, exact, noise, free, &expected[..free.len()]);
     }
+    // A hardness that rises by a tenth makes the modulus wrong by what is told.
+    let [least, most] = [5e-8_f64, 1e-6].map(|a| 2.0 * a.ln());
+    for point in &mut loads.measurement.points {
+        let place = ((point.abscissa / (PI * 1e10)).ln() - least) / (most - least) - 0.5;
+        point.abscissa *= 1.0 + 0.1 * place;
+    }
+    loads.noise = Some(0.01);
+    let found = fitted(loads, [FilmModulus, Hardness]).expect("sound");
+    let told = number_after(&text(&found, WarningKind::OneHardness), "would change by ");
+    let modulus = found.estimate(FilmModulus).expect("free").value;
+    let truth = oxide().film.young();
+    let wrong = 1e2 * (modulus / truth - 1.0);
+    assert!(
+        (wrong / -told - 1.0).abs() < 0.15 && wrong.abs() > 5.0,
+        "{wrong} {told}"
+    );
 }
 
 /// A rigid substrate tells no hardness to start from, and neither does a film whose modulus is unknown.
@@ -179,7 +196,11 @@ fn stiffness_at_loads_of_an_elastic_contact() {
     ] {
         let exact = [at_elastic_loads(&film, &contact, radii, w)];
         // The widest contacts are as wide as this nearly incompressible film is thick.
-        let expected = [WarningKind::LargeStrain, WarningKind::Friction];
+        let expected = [
+            WarningKind::LargeStrain,
+            WarningKind::Friction,
+            WarningKind::LargeContact,
+        ];
         recover("elastic load", &exact, (0.01, true), free, &expected);
     }
 }

@@ -386,6 +386,8 @@ named! {
         FilmNotSeen = "film-not-seen",
         /// The definition of the contact depth changes a modulus by more than its standard error.
         ContactDepth = "contact-depth",
+        /// One hardness for all loads, on which a modulus depends by more than its standard error.
+        OneHardness = "one-hardness",
         /// An indenter in more than half of its film.
         DeepContact = "deep-contact",
         /// A stiffness of an interface that the data do not tell from 0 (it slides) or from infinity (it

@@ -1,8 +1,10 @@
 //! The doubts about a fit of contact stiffness.
 
+use super::wanted::column;
 use crate::estimate::problem::assigned::Assigned;
+use crate::estimate::problem::uncertainty::Uncertainty;
 use crate::estimate::problem::{Ending, Problem};
-use crate::statistics::{likeness_of_neighbours, median};
+use crate::statistics::{extremes, likeness_of_neighbours, median};
 use crate::{
     ContactDepth, Estimate, Fit, Indentation, Kind, LossAngle, Parameter, Warning, WarningKind,
 };
@@ -14,6 +16,8 @@ const TOLERANCE: f64 = 1e-6;
 /// The contact depth over the depth from which a contact counts as plastic: that of an elastic cone
 /// is 0.64.
 const PLASTIC: f64 = 0.9;
+/// The change of the hardness from the smallest load to the largest one whose effect is told.
+const CHANGE: f64 = 0.1;
 /// The largest contact depth over the thickness of the film.
 const DEEP: f64 = 0.5;
 
@@ -80,6 +84,47 @@ pub(crate) fn add(warnings: &mut Vec<Warning>, fit: &Fit, problem: &Problem<'_>)
             );
         }
         warnings.push(WarningKind::ContactDepth.with(text));
+    }
+}
+
+/// Warns where one hardness stands for all loads, and a hardness that changes with the load would change a modulus by more
+/// than its standard error, to the first order.
+pub(crate) fn of_hardness(
+    warnings: &mut Vec<Warning>,
+    problem: &Problem<'_>,
+    uncertainty: &Uncertainty,
+) {
+    let rows = problem.rows_of_experiments();
+    for (e, (assigned, rows)) in problem.assigned.iter().zip(rows).enumerate() {
+        let experiment = &assigned.experiment;
+        let Some(slot) = problem.slot_of(Parameter::Hardness) else {
+            return;
+        };
+        let column = column(problem, e, Parameter::Hardness, |_| true);
+        let (Kind::StiffnessLoad, Some(mut change)) = (experiment.measurement.kind, column) else {
+            continue;
+        };
+        let load = |i: usize| experiment.measurement.points[i].abscissa.ln();
+        let [least, most] = extremes(assigned.counting_points().map(load));
+        for (row, i) in rows.zip(assigned.counting_points()) {
+            let place = (load(i) - least) / (most - least) - 0.5;
+            change[row] *= CHANGE * place * problem.value(slot);
+        }
+        let changes = uncertainty.changes_in_errors(&change);
+        for (i, (slot, change)) in problem.slots.iter().zip(changes).enumerate() {
+            if slot.parameter.is_modulus() && change.abs() > 1.0 {
+                warnings.push(WarningKind::OneHardness.with(format!(
+                    "{}: one hardness is taken for all loads: if it rose by {:.0} % from the smallest load to the largest, {} \
+                     would change by {:+.1} %, {change:+.1} of its standard errors. Hardness depends on the depth in many \
+                     films: compare the load over the contact area at small and large depths, or fit the stiffness against \
+                     the depth, with the area of the tip",
+                    experiment.measurement.name,
+                    1e2 * CHANGE,
+                    slot.parameter,
+                    1e2 * change * uncertainty.relative_error(i)
+                )));
+            }
+        }
     }
 }
 

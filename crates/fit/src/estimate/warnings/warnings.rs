@@ -74,6 +74,7 @@ pub(crate) fn warnings(
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
         unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
+        indentation::of_hardness(&mut warnings, problem, uncertainty);
         let shapes = (0..problem.assigned.len())
             .filter_map(|e| shape::doubt(problem, e, uncertainty, Validity::WARNING_A_OVER_R));
         warnings.extend(shapes);
