@@ -285,3 +285,28 @@ fn a_loop_of_adhesion_leaves_no_depth() {
     assert_warned(&found, WarningKind::Hysteresis);
     assert_silent(&found, WarningKind::Plasticity);
 }
+
+/// No line recedes by itself: the energy of retract is at least that of approach.
+#[test]
+fn a_receding_work_below_that_of_approach_is_named() {
+    let directed = |work: f64, direction| {
+        let mut lens = lens();
+        lens.truth.work_of_adhesion = work;
+        let mut experiment = lens.measured(&lens.exact(), 0);
+        for point in &mut experiment.measurement.points {
+            point.direction = Some(direction);
+        }
+        experiment
+    };
+    let found = |[advancing, receding]: [f64; 2]| {
+        let mut both = directed(advancing, Direction::Approach);
+        let retract = directed(receding, Direction::Retract).measurement;
+        both.measurement.points.extend(retract.points);
+        both.work_of_adhesion_receding = Some(receding);
+        let works = [Parameter::WorkOfAdhesion, Parameter::WorkOfAdhesionReceding];
+        fitted(&both, &[Parameter::SphereModulus, works[0], works[1]])
+    };
+    assert_silent(&found([0.04, 0.05]), WarningKind::MixedBranches);
+    let words = "work-of-adhesion-receding is below work-of-adhesion";
+    assert_warns(&found([0.05, 0.04]), WarningKind::MixedBranches, words);
+}

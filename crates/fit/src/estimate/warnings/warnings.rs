@@ -26,7 +26,7 @@ use crate::estimate::problem::uncertainty::{UNDETERMINED, Uncertainty};
 use crate::estimate::problem::{Ending, Problem};
 use crate::estimate::relaxing;
 use crate::magnitude::{self, STIFFNESSES};
-use crate::statistics::extremes;
+use crate::statistics::{BEYOND_CHANCE, extremes};
 use crate::{
     Combination, Estimate, Experiment, Fit, LayerQuantity, LeftOutReason, Loss, Options, Parameter,
     Warning, WarningKind,
@@ -74,6 +74,7 @@ pub(crate) fn warnings(
             wanted::add(&mut warnings, problem, uncertainty, &residuals);
         }
         unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
+        warnings.extend(receding_below(fit));
         indentation::of_hardness(&mut warnings, problem, uncertainty);
         let shapes = (0..problem.assigned.len())
             .filter_map(|e| shape::doubt(problem, e, uncertainty, Validity::WARNING_A_OVER_R));
@@ -95,6 +96,32 @@ pub(crate) fn warnings(
         open_ends(&mut warnings, problem, (i, &names[i]), ends, may_be_zero);
     }
     warnings
+}
+
+/// Warns of a receding work of adhesion that is below that of approach by more than chance.
+fn receding_below(fit: &Fit) -> Option<Warning> {
+    let place = |parameter| {
+        let mut estimates = fit.estimates.iter();
+        estimates.position(|one| one.parameter == parameter)
+    };
+    let [i, j] = [
+        place(Parameter::WorkOfAdhesion)?,
+        place(Parameter::WorkOfAdhesionReceding)?,
+    ];
+    let [advancing, receding] = [i, j].map(|i| &fit.estimates[i]);
+    let [one, other] = [advancing, receding].map(|estimate| estimate.standard_error);
+    let error = (one * one + other * other - 2.0 * fit.correlation[i][j] * one * other).sqrt();
+    let below = advancing.value - receding.value;
+    (advancing.experiment == receding.experiment && below > BEYOND_CHANCE * error).then(|| {
+        WarningKind::MixedBranches.with(format!(
+            "{} is below {} by {:.1} of its standard errors, and no contact gives back more energy on retract than it took: \
+             check the directions of the points, and whether the zero of the load or the position drifts during the \
+             measurement",
+            receding.parameter,
+            advancing.parameter,
+            below / error
+        ))
+    })
 }
 
 /// Says that a fit ended `short` of the least squares, by standard errors, because contacts are refused beyond.
