@@ -15,6 +15,8 @@ pub enum Fixed {
     Parameter(Parameter),
     /// The radius of the probe, m.
     SphereRadius,
+    /// The factor `beta` of a contact stiffness.
+    Beta,
     /// Young's modulus of the substrate, or of the base of a stack, Pa.
     SubstrateModulus,
     /// The Poisson ratio of the substrate, or of the base of a stack.
@@ -36,14 +38,15 @@ impl Fixed {
         }
     }
 
-    /// Returns the dimension; `None` for a Poisson ratio.
+    /// Returns the dimension; `None` for a Poisson ratio and a factor.
     pub const fn dimension(self) -> Option<Dimension> {
         match self {
             Self::Parameter(parameter) => parameter.dimension(),
             Self::SphereRadius => Some(Dimension::Length),
             Self::SubstrateModulus => Some(Dimension::Modulus),
             Self::Layer(_, what) => Some(what.dimension()),
-            Self::SubstratePoissonRatio
+            Self::Beta
+            | Self::SubstratePoissonRatio
             | Self::LayerPoissonRatio(_)
             | Self::NamedPoissonRatio(_) => None,
         }
@@ -54,6 +57,7 @@ impl Fixed {
         match self {
             Self::Parameter(parameter) => parameter.name(),
             Self::SphereRadius => "sphere-radius".into(),
+            Self::Beta => "beta".into(),
             Self::SubstrateModulus => "substrate-modulus".into(),
             Self::SubstratePoissonRatio => "substrate-poisson-ratio".into(),
             Self::Layer(number, what) => format!("layer-{number}.{}", what.name()).into(),
@@ -75,6 +79,7 @@ impl Fixed {
     pub fn parse(name: &str) -> Option<Self> {
         let all = [
             Self::SphereRadius,
+            Self::Beta,
             Self::SubstrateModulus,
             Self::SubstratePoissonRatio,
         ];
@@ -95,7 +100,7 @@ impl Fixed {
             .or_else(of_named_layer)
     }
 
-    /// Returns the SI unit; `"1"` for a Poisson ratio.
+    /// Returns the SI unit; `"1"` for a Poisson ratio and a factor.
     pub const fn unit(self) -> &'static str {
         match (self, self.dimension()) {
             (Self::Parameter(parameter), _) => parameter.unit(),
@@ -107,7 +112,7 @@ impl Fixed {
     pub(crate) const fn is_poisson_ratio(self) -> bool {
         match self {
             Self::Parameter(parameter) => matches!(parameter, Parameter::FilmPoissonRatio),
-            _ => self.dimension().is_none(),
+            _ => self.dimension().is_none() && !matches!(self, Self::Beta),
         }
     }
 }
@@ -136,6 +141,7 @@ impl Experiment {
                 }
             }
         }
+        all.push(Fixed::Beta);
         let of_law = self.relaxing.iter().flat_map(Relaxing::parameters);
         parameters.extend(of_law.filter(|one| !Parameter::ALL.contains(one)));
         all.extend(parameters.into_iter().map(Fixed::Parameter));
@@ -158,6 +164,7 @@ impl Experiment {
                         && self.why_without_effect(*parameter).is_none()
                 }
                 Fixed::SphereRadius => self.has_shape(false),
+                Fixed::Beta => true,
                 _ => !in_table,
             };
             let is_usual = |value: f64| one.is_poisson_ratio() || value > 0.0;
@@ -187,6 +194,11 @@ impl Experiment {
             }
             Fixed::Parameter(parameter) => self.get(parameter),
             Fixed::SphereRadius => self.bodies.probe().radius(),
+            Fixed::Beta => self
+                .measurement
+                .kind
+                .is_stiffness()
+                .then_some(self.indentation.beta),
             Fixed::SubstrateModulus => substrate.map(|solid| solid.young()),
             Fixed::SubstratePoissonRatio => substrate.and_then(poisson),
             Fixed::Layer(number, what) => layer(number)?.get(what),
@@ -236,6 +248,7 @@ impl Experiment {
     pub(crate) fn replace_fixed(&mut self, one: Fixed, value: f64) -> Result<(), contact::Error> {
         match (one, &mut self.bodies) {
             (Fixed::Parameter(parameter), _) => self.replace(parameter, value)?,
+            (Fixed::Beta, _) => self.indentation.beta = value,
             (Fixed::SphereRadius, bodies) => {
                 if let Probe::Paraboloid { radius }
                 | Probe::Sphere { radius }

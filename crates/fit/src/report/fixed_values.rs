@@ -40,9 +40,11 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
             let (unit, size) = scaled(fit.estimates[i].parameter.unit(), one.error_of(i));
             format!("{:.2} {unit} of {name}", one.error_of(i) / size)
         });
+        let known = format!("{known} {unit}");
         *out += &format!(
-            "the standard errors hold those of {} +- {known} {unit}: {}\n",
+            "the standard errors hold those of {} +- {}: {}\n",
             one.quantity.name(),
+            known.trim_end(),
             parts.collect::<Vec<_>>().join(", ")
         );
     }

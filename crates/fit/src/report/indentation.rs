@@ -8,7 +8,7 @@ use crate::{ContactDepth, Experiment, Fit, FittedExperiment, Kind, LayerQuantity
 /// Returns what is known of the indenter.
 pub(super) fn fixed(experiment: &Experiment) -> Vec<(Cow<'static, str>, String)> {
     let of = &experiment.indentation;
-    let mut rows: Vec<(Cow<'static, str>, String)> = vec![("beta".into(), of.beta.to_string())];
+    let mut rows: Vec<(Cow<'static, str>, String)> = Vec::new();
     if experiment.measurement.kind == Kind::StiffnessDepth {
         let depth = match of.contact_depth {
             ContactDepth::OliverPharr => format!("oliver-pharr, epsilon {}", of.epsilon),
