@@ -9,7 +9,8 @@ use fit::{
 use interp::{Probe, Table};
 use rayon::prelude::*;
 
-use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, coated, fit_with};
+use crate::contact_stiffness::{at_radii, noisy, oxide};
+use crate::imagined::{Course, FORCE_CURVE, Imagined, LENS, coated, fit_with, free_of};
 use crate::recovery::{SETS, assert_coverage};
 
 const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
@@ -19,6 +20,7 @@ const THICKNESS: Fixed = Fixed::Parameter(Parameter::FilmThickness);
 fn names_are_read_as_they_are_written() {
     for (name, identifier) in [
         ("sphere-radius", "sphere_radius"),
+        ("beta", "beta"),
         ("film-thickness", "film_thickness"),
         ("work-of-adhesion", "work_of_adhesion"),
         ("substrate-poisson-ratio", "substrate_poisson_ratio"),
@@ -114,6 +116,11 @@ fn changes_are_those_of_fits_with_other_values() {
     let mut experiment = experiment;
     experiment.from_deflection = true;
     assert_as_refits("deflection", &experiment, &probe.free, Loss::Squares, names);
+    // The factor of a contact stiffness.
+    let stiffness = noisy(&at_radii(&oxide(), [5e-8, 1.5e-6], 30), 0.01, 1);
+    let free = free_of(&[Parameter::FilmModulus]);
+    let names = "substrate-modulus substrate-poisson-ratio beta sphere-modulus film-poisson-ratio film-thickness";
+    assert_as_refits("beta", &stiffness, &free, Loss::Squares, names);
     // A confined film that keeps its volume: the modulus follows the Poisson ratio far from in proportion.
     let mut gel = Imagined::probe(Course::Approach, 0.0, &[Parameter::FilmModulus]);
     let radius = Probe::Paraboloid { radius: 20e-6 };

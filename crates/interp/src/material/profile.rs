@@ -63,7 +63,10 @@ impl Profile {
                 return refuse(row, "r must be positive and larger than in the row before");
             }
             if !(0.0..f64::INFINITY).contains(&chord(before, [r, z])) {
-                return refuse(row, "z must not fall from the axis to the edge");
+                return refuse(
+                    row,
+                    "z must not fall from the axis to the edge: smooth the profile, or leave out points",
+                );
             }
             while let [.., first, last] = hull[..]
                 && chord(last, [r, z]) < chord(first, last)
