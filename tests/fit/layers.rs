@@ -173,8 +173,11 @@ fn one_layer_gives_the_fit_of_the_film() {
         let [a, b] = [without_film, without_layer].map(|off| off.unwrap_or(0.0));
         assert!((a - b).abs() <= 1e-3 * (1.0 + a.abs()), "{a} {b}");
         let kinds = |fit: &Fit| -> Vec<WarningKind> {
-            let warnings = fit.warnings.iter();
-            warnings.map(|one| one.kind).collect()
+            let kinds = fit.warnings.iter().map(|one| one.kind);
+            // The exact sphere is not solved on a stack.
+            kinds
+                .filter(|kind| *kind != WarningKind::LargeContact)
+                .collect()
         };
         assert_eq!(kinds(&film), kinds(&stack));
     }
