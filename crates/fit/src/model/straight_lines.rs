@@ -177,7 +177,8 @@ impl Course<'_> {
     }
 
     /// Returns the corners of the lines of some parts. Where the values jump from one line to the next, there is a corner on
-    /// each side. A part that is not fitted has its corners at its points.
+    /// each side. Where they jump back, which slow noise makes of a steady course, a line joins the middles of both. A part
+    /// that is not fitted has its corners at its points.
     fn corners(&self, parts: &[Part]) -> Vec<(f64, f64)> {
         let mut corners = Vec::new();
         let mut begins = true;
@@ -197,6 +198,13 @@ impl Course<'_> {
                     .meets(&next.line, [end, self.times[next.range.start]])
             });
             begins = corner.is_none();
+            if let Some(next) =
+                next.filter(|next| begins && part.line.goes_back_to(&next.line, end))
+            {
+                corners.extend([&part.line, &next.line].map(|line| (line.time, line.value)));
+                begins = false;
+                continue;
+            }
             corners.push(corner.unwrap_or((end, part.line.at(end))));
         }
         corners
@@ -278,6 +286,16 @@ impl Line {
     /// Returns the standard error of the line at its ends.
     fn error_at_end(&self) -> f64 {
         2.0 * self.residual_sum().sqrt() / self.count
+    }
+
+    /// Tells whether the next line, whose slope is like that of this one, begins at a time farther back than this one ends.
+    fn goes_back_to(&self, next: &Self, time: f64) -> bool {
+        /// The ratio of the slopes, and the jump over the rise from the middle of one line to that of the other, at most.
+        const ALIKE: f64 = 1.5;
+        const SMALL: f64 = 0.5;
+        let ratio = next.slope() / self.slope();
+        let jump = (next.at(time) - self.at(time)) / (self.slope() * (next.time - self.time));
+        (ALIKE.recip()..=ALIKE).contains(&ratio) && (-SMALL..0.0).contains(&jump)
     }
 
     /// Returns the corner of this line and the next one; `None` where the values jump between the end of this line and
