@@ -60,7 +60,12 @@ pub(crate) fn add(
     let squares = fitted.points.iter().map(|point| point.ordinate.powi(-2));
     let usual = (squares.sum::<f64>() / count as f64).powf(-0.5);
     let noise = fitted.noise * kind.scale(usual);
-    let is_coarse = repeats(fitted, assigned) && (least..most).contains(&noise);
+    let repeats = if kind.at_radii() {
+        repeats(fitted, assigned)
+    } else {
+        2 * readings.len() <= count
+    };
+    let is_coarse = repeats && (least..most).contains(&noise);
     if is_coarse {
         warnings.push(WarningKind::CoarseSteps.with(format!(
             "{name}: the {count} points have only {} values of the {ordinate}, in steps of \
@@ -78,8 +83,8 @@ pub(crate) fn add(
     is_coarse
 }
 
-/// Tells whether each reading is there twice or more on the mean, in one of both ways: a load that is set may be the same in
-/// both.
+/// Tells whether each reading is there twice or more on the mean, in one of both ways: a load that is set at contact radii
+/// may be the same in both.
 fn repeats(fitted: &FittedExperiment, assigned: &Assigned) -> bool {
     let unloading = assigned.unloading();
     [false, true].into_iter().any(|way| {

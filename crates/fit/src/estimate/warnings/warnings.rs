@@ -76,9 +76,11 @@ pub(crate) fn warnings(
         unseen_zero::add(&mut warnings, problem, uncertainty, &options.known);
         warnings.extend(receding_below(fit));
         indentation::of_hardness(&mut warnings, problem, uncertainty);
-        let shapes = (0..problem.assigned.len())
-            .filter_map(|e| shape::doubt(problem, e, uncertainty, Validity::WARNING_A_OVER_R));
-        warnings.extend(shapes);
+        warnings.extend(shape::doubt(
+            problem,
+            uncertainty,
+            Validity::WARNING_A_OVER_R,
+        ));
     }
     for e in 0..problem.assigned.len() {
         let range = options.interaction_range;

@@ -56,7 +56,8 @@ pub fn next_steps(fit: &Fit, experiments: &[Experiment]) -> String {
         (WarningKind::MixedBranches, ways),
         (
             WarningKind::PinnedLine,
-            "radii of a contact line that stays: --between 0um..350um keeps the smaller ones, or with both directions              --free ...,work-of-adhesion-receding",
+            "a contact line that stays: --only retract --between 0um..LARGEST keeps the radii from where it recedes, or with \
+             both directions --free ...,work-of-adhesion-receding",
         ),
         (
             WarningKind::Plasticity,
