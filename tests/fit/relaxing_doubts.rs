@@ -2,7 +2,7 @@
 
 use acceptance::{Contacts, Refused, prony, solid};
 use contact::Relaxation;
-use fit::{Experiment, Free, Kind, Parameter, Relaxing, WarningKind};
+use fit::{Direction, Experiment, Free, Kind, Parameter, Point, Relaxing, WarningKind};
 
 use crate::imagined::{coated, fit_all, fitted, free_of, half_space, measurement_of, off, text};
 use crate::relaxing::{POWER_LAW, measured, noisy, planned, power, with_noise};
@@ -183,4 +183,38 @@ fn a_held_load_is_found_in_noise_and_none_where_none_is_held() {
             );
         }
     }
+}
+
+/// Penetrations at a uniform speed, written with few digits, rise by one step and by two: what is imposed is a straight line.
+#[test]
+fn rounded_penetrations_of_a_uniform_speed_are_a_straight_line() {
+    const STEP: f64 = 1e-9;
+    const RATE: f64 = 512.0;
+    let mut plan = planned(Kind::LoadPenetration, 1e-5, &power(), 0.0);
+    let depth = |t: f64| if t < 1.0 { 1e-6 * t } else { 1e-6 * (2.0 - t) };
+    let points = (0..1024_u32).map(|i| {
+        let t = f64::from(i) / RATE;
+        let direction = if t < 1.0 {
+            Direction::Approach
+        } else {
+            Direction::Retract
+        };
+        Point {
+            line: u64::from(i) + 1,
+            abscissa: depth(t) - 2e-7,
+            ordinate: 0.0,
+            direction: Some(direction),
+        }
+    });
+    plan.times = (0..1024_u32).map(|i| f64::from(i) / RATE).collect();
+    plan.measurement.points = points.collect();
+    plan.contact_point = 0.0;
+    let mut made = with_noise(&plan, 1e-3, 1);
+    for point in &mut made.measurement.points {
+        point.abscissa = (point.abscissa / STEP).round() * STEP;
+    }
+    let found = fit_all(&[made], &free_of(&POWER_LAW[..2])).expect("sound");
+    assert!(found.converged, "{:?}", found.warnings);
+    let modulus = off(&found, FilmModulus, 2e3);
+    assert!(modulus.abs() < 4.0, "{modulus}");
 }
