@@ -1,7 +1,7 @@
 //! The solver: from a material and `a/t` to the four quantities, with an estimate of their error.
 //!
-//! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` for thick films, `wiener_hopf`
-//! for thin ones. Both know film and substrate, or a stack of layers, by its `compliance`, and return an `estimate`.
+//! `solution` accepts a contact within the `domain` and lets `method` choose: `galerkin` for thick films and for stacks of
+//! layers, `wiener_hopf` for thin films. Both know what the probe touches by its `compliance`, and return an `estimate`.
 //! `stacked` solves a stack, under one sphere or many. A probe with the profile `r^n` (`power_law`) is one more column of
 //! Galerkin's method, and one more functional of the result of the Wiener-Hopf method. `batch` solves many materials at one
 //! `a/t`, `adaptive_curve` one material along `a/t`.

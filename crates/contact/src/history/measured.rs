@@ -117,7 +117,7 @@ impl History<'_> {
             Control::Spring { stiffness } => 1.0 / stiffness,
             Control::Load => {
                 return HistoryError::refused(
-                    "the loads are imposed: measured histories follow a penetration or the position of a spring",
+                    "the loads are imposed, and measured histories follow a penetration or the position of a spring: give one of these",
                 );
             }
         };

@@ -64,7 +64,7 @@ impl Program {
             }
             if time < begin {
                 return HistoryError::refused(format!(
-                    "the state at {time:?} s is not known: the program begins at {begin:?} s"
+                    "the state at {time:?} s is not known: the program begins at {begin:?} s; ask for times from there on"
                 ));
             }
         }

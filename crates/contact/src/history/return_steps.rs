@@ -348,7 +348,7 @@ impl<'a> Return<'a> {
             penetration,
             load,
             excess: penetration + setting.compliance * load - now.value,
-            // The adhesion changes slowly with the radius, like its root.
+            // The adhesion changes slowly with the radius, like its root: its change is left out.
             slope: by_time * (1.0 / now.mean + setting.compliance * passed.stiffness),
             load_slope: by_time * passed.stiffness,
             since: stays - length + now.mean * (now.value - self.penetration),

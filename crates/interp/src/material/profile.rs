@@ -16,9 +16,10 @@ const OF_POINT: f64 = 0.05;
 /// The points are smoothed by this rule: the slope `dz/dr` is 0 on the axis, it is that of the straight
 /// line between two points midway between them, and it is a linear function of `r` in between. Beyond the last middle it continues linearly to the
 /// last point. So the slope is continuous, the shape is convex if the points are, and evenly
-/// spaced points of a paraboloid give the paraboloid. At the edge of a flat end the slope begins to rise half the shorter
-/// of the two distances to the next points before the edge, and has risen as far behind it, so that no height is lost. Points that lie above the convex hull of all by at most 1e-3 of the
-/// height of the profile and 5 % of their own are lowered to it: rounded numbers of a straight flank are not convex.
+/// spaced points of a paraboloid give the paraboloid. Let `d` be half the distance
+/// from the edge of a flat end to the nearer of the points beside it: the slope begins to rise `d` before the edge and has
+/// risen `d` behind it. Points that lie above the convex hull of all by at most 1e-3 of the height of the profile and 5 % of
+/// their own are lowered to it: rounded numbers of a straight flank are not convex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// The radii (m) at which the slope bends, ascending from 0, and the slopes there.

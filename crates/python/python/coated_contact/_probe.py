@@ -202,7 +202,8 @@ class Profile(Probe):
 
     The slope of the shape is 0 on the axis, that of the straight line between two points midway
     between them, and a linear function of the distance in between. Evenly spaced points of a
-    paraboloid give the paraboloid.
+    paraboloid give the paraboloid. At the edge of a flat end the slope rises within the distance
+    to the nearer of the points beside it.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! (Barthel, eq. 3, with the sphere's compliance as the diagonal term). In the orthonormal basis
-//! `phi_n = sqrt(4n+1) P_2n`, whose cosine transforms are [`EvenBessel`], the kernel becomes
+//! `phi_n = sqrt(4n+1) P_2n`, whose cosine transforms are `EvenBessel`, the kernel becomes
 //! `A = I/es + M/e1` with `M_mn = (2/pi) int_0^inf (X-1) J_m J_n dz`, `z = q x`, and the right-hand
 //! sides have one and two entries.
 //!

@@ -1,7 +1,7 @@
 //! Quadrature for the Wiener-Hopf method: nodes, weights and matrices that depend neither on the
 //! material nor on `a/t`.
 //!
-//! In the variable `zeta = q a/t` the integrals of [`wiener_hopf`](crate::wiener_hopf)
+//! In the variable `zeta = q a/t` the integrals of `wiener_hopf.rs`
 //! differ between contacts only by the values of the symbol `S`. One solve is therefore a few
 //! products with the matrices stored here, along the lines of [`path`](crate::wiener_hopf::path).
 

@@ -1,4 +1,4 @@
-//! Equation (2) of [`wiener_hopf`](crate::wiener_hopf), the coupling of the two edges, and its solution.
+//! Equation (2) of `wiener_hopf.rs`, the coupling of the two edges, and its solution.
 
 use num_complex::Complex64;
 

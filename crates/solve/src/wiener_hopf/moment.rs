@@ -1,7 +1,7 @@
 //! Moments of the edge functions: what a profile `rho^n` needs of `a(z)` and `b(z)/z`.
 //!
 //! The inverse of the contact's operator has the double transform of
-//! [`wiener_hopf`](crate::wiener_hopf). At `z = 0` it says that the right-hand side
+//! `wiener_hopf.rs`. At `z = 0` it says that the right-hand side
 //! `cos(k rho)` has the edge value `es a(k)` and the integral `es a0 b(k)/k`. The moment `M_n` of an
 //! even function of `k` is the linear functional that turns `cos(k rho)` into `rho^n`:
 //!

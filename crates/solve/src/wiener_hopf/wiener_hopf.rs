@@ -40,7 +40,7 @@
 //!   nearest one, which may be a node of its own ([`ZeroNode`]) unless it is next to the axis.
 //!
 //! Nodes, weights and all factors of values of `S` are stored in a [`Contour`]. Equation (2) is
-//! solved for both parities at once by minimal residuals ([`krylov`]), in a few steps as its kernel
+//! solved for both parities at once by minimal residuals (`krylov.rs`), in a few steps as its kernel
 //! is compact.
 //!
 //! # The quantities

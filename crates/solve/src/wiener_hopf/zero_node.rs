@@ -1,6 +1,6 @@
 //! A zero of `S` as one more node of the imaginary axis.
 //!
-//! The line of integration of equation (2) of [`wiener_hopf`](crate::wiener_hopf) passes below the
+//! The line of integration of equation (2) of `wiener_hopf.rs` passes below the
 //! zeros of `S`, the imaginary axis above those that are off it. A zero `zeta` between them, and its
 //! mirror image, add their residues
 //!

@@ -5,11 +5,11 @@ use std::rc::Rc;
 use interp::Table;
 use levenberg_marquardt::LeastSquaresProblem;
 
-use super::basin::Basin;
 use super::minimum::{Minimum, Rival};
 use super::search::{COARSE, PATIENCE, is_bad, settle};
 use super::valley::{MARGIN, bend, doubtful, is_costly, other_sides};
 use crate::estimate::problem::assigned::Assigned;
+use crate::estimate::problem::basin::Basin;
 use crate::estimate::problem::few::{hold_back, thin};
 use crate::estimate::problem::no_adhesion;
 use crate::estimate::problem::slot::{Slot, slots};

@@ -1,9 +1,8 @@
 //! The minima that several starts lead to.
 //!
-//! `search` leads from each start to its `minimum`, with the `noise` estimated there, `basin` tells which starts lead to a
-//! known one, `valley` looks for others, and `minima` compares them. `profile` gives intervals without linearisation.
+//! `search` leads from each start to its `minimum`, with the `noise` estimated there, `valley` looks for others, and `minima`
+//! compares them. `profile` gives intervals without linearisation.
 
-pub(super) mod basin;
 mod minima;
 pub(super) mod minimum;
 pub(super) mod noise;

@@ -1,4 +1,4 @@
-//! The doubt about a work of adhesion that ended at 0.
+//! Where adhesion changes nothing that is measured: works of adhesion that ended at 0, and the doubt about them.
 
 use std::f64::consts::PI;
 

@@ -10,9 +10,9 @@ use interp::Table;
 use nalgebra::{DMatrix, DVector};
 
 use super::assigned::Assigned;
+use super::basin::Basin;
 use super::loss::weighted;
 use super::slot::Slot;
-use crate::estimate::minima::basin::Basin;
 use crate::model::{Predicted, ends_of_radii};
 use crate::statistics::LARGEST;
 use crate::{Bodies, Branch, Error, Experiment, Loss, Parameter};

@@ -1,4 +1,4 @@
-//! Where the method starts.
+//! The problem at the starts that the data show.
 
 use contact::Control;
 use interp::Table;

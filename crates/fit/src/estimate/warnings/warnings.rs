@@ -1,4 +1,4 @@
-//! The doubts about a result.
+//! The list of all doubts, and those of a value or of the method.
 
 use contact::LawParameter;
 use contact::Validity;
