@@ -47,6 +47,7 @@ pub(crate) fn add(
     }
     let count = problem.assigned.len() as f64;
     let chance = ALIKE / count;
+    let mut of_radii = radius_noise::doubts(problem, &fit.estimates);
     let mut unequal = vec![false; problem.assigned.len()];
     let experiments = problem.assigned.iter().zip(&fit.experiments);
     let experiments = experiments.zip(problem.rows_of_experiments());
@@ -68,7 +69,7 @@ pub(crate) fn add(
                 let states = &problem.predicted.as_ref()?[e];
                 unequal_noise::doubt(assigned, states, (own.as_slice(), leverages))
             })
-            .or_else(|| radius_noise::doubt(problem, e, &fit.estimates));
+            .or_else(|| of_radii[e].take());
         let kind = doubt.as_ref().map(|one| one.kind);
         unequal[e] = matches!(
             kind,

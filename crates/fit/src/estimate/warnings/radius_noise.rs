@@ -28,38 +28,64 @@ const ROUNDS: usize = 3;
 const PATIENCE: usize = 30;
 const TOLERANCE: f64 = 1e-6;
 
-/// Warns if the residuals of experiment `e` are more likely errors of the contact radii than of the ordinates.
-pub(crate) fn doubt(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> Option<Warning> {
+/// Returns for each experiment the warning that its residuals are more likely errors of the contact radii than of the
+/// ordinates. One fit is made for all experiments that may have them.
+pub(crate) fn doubts(problem: &Problem<'_>, estimates: &[Estimate]) -> Vec<Option<Warning>> {
+    let count = problem.assigned.len();
+    let sought: Vec<usize> = (0..count)
+        .filter(|&e| is_sought(problem, e, estimates))
+        .collect();
+    let mut warnings = vec![None; count];
+    if let Some(other) = with_errors_of_radii(problem, &sought) {
+        for e in sought {
+            warnings[e] = doubt(problem, &other, e, estimates);
+        }
+    }
+    warnings
+}
+
+/// Tells whether errors of its radii may be what an experiment has.
+fn is_sought(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> bool {
     let assigned = &problem.assigned[e];
     let experiment = &assigned.experiment;
-    let kind = experiment.measurement.kind;
-    let slots = problem.slots_of(e);
     let is_told = |slot: &usize| {
         let one = &estimates[*slot];
-        !problem.slots[*slot].coordinate.is_at_bound(one.value)
-            && !(one.parameter.is_positive() && one.standard_error > one.value)
+        let is_open = one.parameter.is_positive() && one.standard_error > one.value;
+        !(is_open || problem.slots[*slot].coordinate.is_at_bound(one.value))
     };
-    let is_sought = matches!(kind, Kind::LoadRadius | Kind::PenetrationRadius)
-        && experiment.usual_noise().is_none()
+    matches!(
+        experiment.measurement.kind,
+        Kind::LoadRadius | Kind::PenetrationRadius
+    ) && experiment.usual_noise().is_none()
         && assigned.abscissa_errors.is_empty()
         && assigned.counting() >= FEWEST
-        && slots.iter().all(is_told)
-        && !is_costly(problem);
-    if !is_sought {
+        && problem.slots_of(e).iter().all(is_told)
+        && !is_costly(problem)
+}
+
+/// Fits again with errors of the radii of some experiments, that make as much as their noise; `None` where there are none,
+/// and where that fit does not converge.
+fn with_errors_of_radii<'a>(problem: &Problem<'a>, sought: &[usize]) -> Option<Problem<'a>> {
+    if sought.is_empty() {
         return None;
     }
-    let radii = experiment.measurement.points.iter();
-    let widest = radii.fold(0.0, |widest: f64, point| widest.max(point.abscissa));
-    let noise = assigned.noise;
     let mut other = problem.clone();
-    let own = &mut other.assigned[e];
-    own.noise = LEFT * noise;
-    (own.experiment.noise, own.experiment.abscissa_noise) = (Some(own.noise), STEP * widest);
+    for &e in sought {
+        let own = &mut other.assigned[e];
+        let radii = own.experiment.measurement.points.iter();
+        let widest = radii.fold(0.0, |widest: f64, point| widest.max(point.abscissa));
+        own.noise *= LEFT;
+        (own.experiment.noise, own.experiment.abscissa_noise) = (Some(own.noise), STEP * widest);
+    }
     other.weigh().ok()?;
-    let errors = &other.assigned[e].abscissa_errors;
-    let squares = assigned.counting_points().map(|i| errors[i].part.powi(2));
-    let usual = (squares.sum::<f64>() / assigned.counting() as f64).sqrt();
-    other.assigned[e].experiment.abscissa_noise *= noise / usual;
+    for &e in sought {
+        let own = &mut other.assigned[e];
+        let squares = own
+            .counting_points()
+            .map(|i| own.abscissa_errors[i].part.powi(2));
+        let usual = (squares.sum::<f64>() / own.counting() as f64).sqrt();
+        own.experiment.abscissa_noise *= problem.assigned[e].noise / usual;
+    }
     for _ in 0..ROUNDS {
         other.weigh().ok()?;
         other.update().ok()?;
@@ -69,14 +95,30 @@ pub(crate) fn doubt(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> 
         }
     }
     other.weigh().ok()?;
-    let [of_ordinates, of_radii] = [Residuals::of(problem, e)?, Residuals::of(&other, e)?];
+    Some(other)
+}
+
+/// Compares the fit with that with errors of the radii in experiment `e`.
+fn doubt(
+    problem: &Problem<'_>,
+    other: &Problem<'_>,
+    e: usize,
+    estimates: &[Estimate],
+) -> Option<Warning> {
+    let [of_ordinates, of_radii] = [problem, other].map(|of| Residuals::of(of, e));
+    let (of_ordinates, of_radii) = (of_ordinates?, of_radii?);
     let by_radii = |without| of_radii.likelihood(without) - of_ordinates.likelihood(without);
-    let without_one = (0..of_radii.squares.len()).map(|i| by_radii(Some(i)));
+    let count = of_radii.squares.len();
+    let without_one = (0..count).map(|i| by_radii(Some(i)));
     let least = without_one.fold(f64::INFINITY, f64::min);
-    if by_radii(None) < MORE_LIKELY || least < WITHOUT_ONE {
+    // One of many files is far off by chance.
+    let many = 2.0 * (problem.assigned.len() as f64).ln();
+    if by_radii(None) < MORE_LIKELY + many || least < WITHOUT_ONE {
         return None;
     }
-    let freedom = (assigned.counting() - slots.len()).max(1) as f64;
+    let experiment = &problem.assigned[e].experiment;
+    let slots = problem.slots_of(e);
+    let freedom = count.saturating_sub(slots.len()).max(1) as f64;
     let scale = (of_radii.squares.iter().sum::<f64>() / freedom).sqrt();
     let deviation = scale * other.assigned[e].experiment.abscissa_noise;
     let names = problem.slot_names();
@@ -92,7 +134,7 @@ pub(crate) fn doubt(problem: &Problem<'_>, e: usize, estimates: &[Estimate]) -> 
          deviation",
         changes.join(" and "),
         name = experiment.measurement.name,
-        ordinate = kind.names()[1]
+        ordinate = experiment.measurement.kind.names()[1]
     )))
 }
 
