@@ -171,6 +171,8 @@ fn wrong_first_calls_are_answered() {
         1 | {depth} --noise 10 | --noise; per cent; 1%
         1 | fit depth.csv --kind load-penetration {OXIDE} | --beta
         1 | {radius} --epsilon 1 | --epsilon; stiffness-depth
+        1 | {depth} --known beta=1.1+-0.02 | --beta 1.034 and --known beta=1.1 are two values; leave one of them out
+        1 | fit depth.csv --kind load-penetration --known beta=1+-0.02 --half-space --sphere-radius 1um --sphere-modulus inf --film-modulus 1GPa --film-poisson-ratio 0.2 --work-of-adhesion 0 --free film-modulus | beta; bodies that have it
         1 | {radius} --thinning 0.3 | --thinning
         1 | {radius} --kind stiffness-depth | penetration; load
         2 | {depth} --tip-rounding 6GPa | --tip-rounding; a length

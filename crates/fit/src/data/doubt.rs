@@ -128,14 +128,17 @@ fn pull_off(kind: Kind, points: &[Point]) -> Option<Doubt> {
     const FEW: usize = 2;
     /// The load of such a row over the range of all others.
     const PART: f64 = 0.05;
-    let (apart, contacts): (Vec<&Point>, Vec<&Point>) =
-        points.iter().partition(|point| point.abscissa == 0.0);
-    let [least, most] = extremes(contacts.iter().map(|point| point.ordinate));
-    let is_pull = |point: &&&Point| {
+    if kind != Kind::LoadRadius {
+        return None;
+    }
+    let is_apart = |point: &&Point| point.abscissa == 0.0;
+    let contacts = points.iter().filter(|point| !is_apart(point));
+    let [least, most] = extremes(contacts.map(|point| point.ordinate));
+    let is_pull = |point: &&Point| {
         point.ordinate < least.min(0.0) && point.ordinate.abs() > PART * (most - least)
     };
-    let row = apart.iter().find(is_pull)?;
-    (kind == Kind::LoadRadius && apart.len() <= FEW).then(|| {
+    let row = points.iter().filter(is_apart).find(is_pull)?;
+    (points.iter().filter(is_apart).count() <= FEW).then(|| {
         DoubtKind::PullOff.with(format!(
             "line {}: the contact radius is 0, so that the load should be 0, and it is {:?} N, below those of all contacts: if \
              this is the load of the pull-off, take the row out of the file, because without contact it counts as the zero \

@@ -191,7 +191,8 @@ pub fn join(
     }
     if all.points.is_empty() {
         return Err(DataError::new(format!(
-            "{rows} rows, but no point is left to fit: they are missing values, or of another segment"
+            "{rows} rows, but no point is left to fit: they are missing values, or of another segment; check the columns, and the direction \
+             asked for"
         )));
     }
     check_constant(&all.points, pair)?;

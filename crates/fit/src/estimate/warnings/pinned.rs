@@ -21,6 +21,7 @@ pub(crate) fn doubt(assigned: &Assigned) -> Option<Warning> {
         return None;
     }
     let points = &experiment.measurement.points;
+    // Points without a direction may be of unloading.
     let unloading = || {
         let counting = assigned.counting_points();
         let unloads = |i: usize| points[i].direction != Some(Direction::Approach);

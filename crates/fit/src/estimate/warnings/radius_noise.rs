@@ -14,8 +14,8 @@ use crate::{Estimate, Kind, Warning, WarningKind};
 /// The fewest points.
 const FEWEST: usize = 12;
 /// The difference of `2 ln L` from which on the radii are named, and that which must be left without any one point, so that
-/// no outlier decides. Of sound data sets of 12 to 40 points at most one in a hundred reaches it; errors of radii that
-/// are the larger ones do mostly.
+/// no outlier decides. Of sound data sets of 12 to 40 points at most one in a hundred reaches it; where the errors
+/// of the radii are the larger ones, most data sets do.
 const MORE_LIKELY: f64 = 5.0;
 const WITHOUT_ONE: f64 = 2.0;
 /// The step of a radius, in parts of the widest one, for the slopes.

@@ -116,7 +116,7 @@ pub struct Arguments {
     #[command(flatten)]
     reference: ReferenceArguments,
     /// Value and standard error of a quantity that is not free, in SI units or with units:
-    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio. Can
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio, beta. Can
     /// be given several times. The fit keeps the value, and its error adds to the standard errors:
     /// to the first order, as one of several independent errors. --prior instead lets the data move
     /// a free value
@@ -347,7 +347,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         given.accept_once(
             system,
             arguments.known.layer(),
-            arguments.known.stiffness,
+            [arguments.known.stiffness, arguments.known.indentation.beta],
             &values,
         )?;
     }

@@ -26,7 +26,7 @@ pub struct IndentationArguments {
     /// Factor of a contact stiffness, S = beta 2 a E2* Eeq: 1 of spheres and cones, 1.034 of a
     /// Berkovich pyramid, 1.012 of Vickers' pyramid [default: 1]
     #[arg(long, help_heading = HEADING, value_name = "BETA", value_parser = number)]
-    beta: Option<f64>,
+    pub beta: Option<f64>,
     /// Factor of the contact depth h - epsilon P/S + h0: 0.75 of paraboloids and pyramids, 0.72 of
     /// cones, 1 of flat punches [default: 0.75]
     #[arg(long, help_heading = HEADING, value_name = "EPSILON", value_parser = number)]

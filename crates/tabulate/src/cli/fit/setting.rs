@@ -43,7 +43,7 @@ impl Given {
         &self,
         system: &SystemArguments,
         layer: Option<LayerName>,
-        stiffness: Option<f64>,
+        [stiffness, beta]: [Option<f64>; 2],
         values: &[Values],
     ) -> anyhow::Result<()> {
         let (name, known) = (self.quantity.name(), self.value);
@@ -51,9 +51,10 @@ impl Given {
             Value::ALL.map(|value| (value.flag(), fixed(value, layer), system.given(value)));
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
         let flags = of_bodies.into_iter();
-        for (flag, quantity, other) in
-            flags.chain([("--stiffness".to_owned(), of_cantilever, stiffness)])
-        {
+        for (flag, quantity, other) in flags.chain([
+            ("--stiffness".to_owned(), of_cantilever, stiffness),
+            ("--beta".to_owned(), Fixed::Beta, beta),
+        ]) {
             if let Some(other) = other.filter(|other| quantity == self.quantity && *other != known)
             {
                 bail!(
@@ -79,7 +80,7 @@ impl FromStr for Given {
         let quantity = Fixed::parse(name).ok_or_else(|| {
             format!(
                 "{name:?} is no value of a fit: give sphere-radius, substrate-modulus, \
-                 substrate-poisson-ratio or a parameter that is not free, such as film-thickness"
+                 substrate-poisson-ratio, beta or a parameter that is not free, such as film-thickness"
             )
         })?;
         let [value, error] = with_error(known, quantity.dimension(), how)?;
@@ -99,7 +100,7 @@ impl FromStr for Values {
         let unknown = || {
             let error = Error::UnknownParameter(name.to_owned());
             format!(
-                "{error}; --value also takes sphere-radius, substrate-modulus and substrate-poisson-ratio"
+                "{error}; --value also takes sphere-radius, substrate-modulus, substrate-poisson-ratio and beta"
             )
         };
         let quantity = Fixed::parse(name).ok_or_else(unknown)?;
