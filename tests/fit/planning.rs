@@ -142,6 +142,45 @@ fn a_forecast_tells_the_errors_of_the_fit() {
     planned.refused("the noise of imagined.csv");
 }
 
+/// The noise of the radii is that of the simulation, and counts in the plan. Its loads are not used.
+#[test]
+fn plans_with_errors_of_the_radii_have_the_scatter_of_their_fits() {
+    const SEEDS: u64 = 60;
+    let imagined = lens();
+    let mut planned = imagined.planned();
+    planned.abscissa_noise = 3e-7;
+    for point in &mut planned.measurement.points {
+        point.ordinate = 0.0;
+    }
+    let expected = forecast(Table::embedded(), &[planned.clone()], &imagined.free).expect("sound");
+    let fits: Vec<_> = (0..SEEDS)
+        .map(|seed| {
+            let made = simulate(Table::embedded(), &planned, imagined.noise, seed);
+            imagined.fit_of(&made.expect("in the table"))
+        })
+        .collect();
+    for (i, plan) in expected.estimates.iter().enumerate() {
+        let off = |fit: &fit::Fit| {
+            let found = &fit.estimates[i];
+            [found.value - plan.value, found.standard_error].map(|error| error / plan.standard_error)
+        };
+        let squares: [f64; 2] = fits.iter().map(off).fold([0.0; 2], |sum, [off, error]| {
+            [sum[0] + off * off, sum[1] + error * error]
+        });
+        let [scatter, error] = squares.map(|sum| (sum / SEEDS as f64).sqrt());
+        println!("{}: scatter {scatter:.2}, error {error:.2}", plan.parameter);
+        // The scatter of 60 fits is known to 9 %.
+        assert!((0.75..1.25).contains(&scatter), "{}: {scatter}", plan.parameter);
+        assert!((0.95..1.05).contains(&error), "{}: {error}", plan.parameter);
+    }
+    for noise in [-1e-9, f64::NAN, f64::INFINITY] {
+        planned.abscissa_noise = noise;
+        simulate(Table::embedded(), &planned, 0.0, 1).refused("noise of the contact radius; >= 0");
+    }
+    planned.abscissa_noise = 1.0;
+    simulate(Table::embedded(), &planned, 0.0, 1).refused("noise of the contact radius; negative");
+}
+
 #[test]
 fn free_parameters_are_made_with_the_scope_they_need() {
     let is_own = |parameter: &Parameter| Free::new(*parameter).scope == fit::Scope::Own;

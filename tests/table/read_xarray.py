@@ -1,7 +1,7 @@
 """Opens a table with xarray by both of its libraries, runs the example of tables/README.md, and prints what they find as JSON.
 
-Arguments: the table, the README, and a file with points in JSON, `[{"a_over_t": 65, ...}, ...]`. The example runs as it stands,
-on the table that it names or, where that is the one given, on the table given.
+Arguments: the table, the README, a file with points in JSON, `[{"a_over_t": 65, ...}, ...]`, and the methods to interpolate
+by. The example runs as it stands, on the table that it names or, where that is the one given, on the table given.
 """
 
 import json
@@ -38,10 +38,11 @@ def looked_up(source, quantity):
 def linear(quantity):
     with xarray.open_dataset(path) as table:
         values = table[quantity].squeeze()
-        return [float(values.interp({axis: at[axis] for axis in values.dims})) for at in points]
+        places = {axis: xarray.DataArray([at[axis] for at in points], dims="point") for axis in values.dims}
+        return values.interp(places).values.tolist()
 
 
-path, readme, places = sys.argv[1:]
+path, readme, places, *methods = sys.argv[1:]
 with open(places, encoding="utf-8") as file:
     points = json.load(file)
 with open(readme, encoding="utf-8") as file:
@@ -49,13 +50,10 @@ with open(readme, encoding="utf-8") as file:
 example = example.split("```")[0]
 shown = example.split("print(")[0]
 quantities = list(xarray.open_dataset(path).data_vars)
-json.dump(
-    {
-        "h5netcdf": by_xarray("h5netcdf"),
-        "netcdf4": by_xarray("netcdf4"),
-        "degree 9": {quantity: looked_up(shown, quantity) for quantity in quantities},
-        "degree 3": {quantity: looked_up(shown.replace("k=9", "k=3"), quantity) for quantity in quantities},
-        "linear": {quantity: linear(quantity) for quantity in quantities},
-    },
-    sys.stdout,
-)
+by = {
+    "degree 9": lambda quantity: looked_up(shown, quantity),
+    "degree 3": lambda quantity: looked_up(shown.replace("k=9", "k=3"), quantity),
+    "linear": linear,
+}
+found = {method: {quantity: by[method](quantity) for quantity in quantities} for method in methods}
+json.dump({engine: by_xarray(engine) for engine in ("h5netcdf", "netcdf4")} | found, sys.stdout)

@@ -73,8 +73,8 @@ pub fn predict<'py>(
     Ok(fields)
 }
 
-/// Returns the ordinates of synthetic data, the loads of a contact stiffness at depths, and the phases
-/// of a loss tangent.
+/// Returns the abscissae and ordinates of synthetic data, the loads of a contact stiffness at depths, and the
+/// phases of a loss tangent.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,
@@ -83,16 +83,17 @@ pub fn simulate<'py>(
     noise: f64,
     seed: u64,
     allow_magnitudes: bool,
-) -> PyResult<[Output<'py>; 3]> {
+) -> PyResult<[Output<'py>; 4]> {
     let table = table.get();
     let experiment = one(py, &given, &ContactsOnLayers::new(table.solver(py)?))?;
     let accepted = accept_magnitudes(slice::from_ref(&experiment), allow_magnitudes);
     accepted.map_err(|failure| failure.raise(py))?;
     let made = py.detach(|| fit::simulate(table.get(), &experiment, noise, seed));
     let made = made.or_raise(py)?;
-    let ordinates = made.measurement.points.iter().map(|point| point.ordinate);
+    let points = made.measurement.points.iter();
     Ok([
-        PyArray1::from_iter(py, ordinates),
+        PyArray1::from_iter(py, points.clone().map(|point| point.abscissa)),
+        PyArray1::from_iter(py, points.map(|point| point.ordinate)),
         PyArray1::from_vec(py, made.indentation.loads),
         PyArray1::from_vec(py, made.indentation.phases),
     ])

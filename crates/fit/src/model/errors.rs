@@ -65,6 +65,15 @@ impl Experiment {
         median(self.errors.abscissa.clone())
     }
 
+    /// Returns the standard deviation of the abscissa of a point.
+    pub(crate) fn abscissa_deviation(&self, i: usize) -> f64 {
+        self.errors
+            .abscissa
+            .get(i)
+            .copied()
+            .unwrap_or(self.abscissa_noise)
+    }
+
     /// Accepts the standard deviations.
     pub(crate) fn accept_errors(&self) -> Result<(), Error> {
         let [abscissa, ordinate] = self.measurement.kind.names();
@@ -127,8 +136,7 @@ impl Experiment {
         let points = &self.measurement.points;
         let kind = self.measurement.kind;
         let is_relative = kind.at_radii() || kind.is_stiffness();
-        let errors = &self.errors.abscissa;
-        let deviation = |i: usize| errors.get(i).copied().unwrap_or(self.abscissa_noise);
+        let deviation = |i: usize| self.abscissa_deviation(i);
         // No radius, load or depth changes its sign.
         let most = |i: usize| {
             if is_relative {

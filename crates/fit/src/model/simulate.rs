@@ -19,13 +19,14 @@ use crate::Error;
 /// radii are always in contact (a radius of 0 is none). `noise` is the standard deviation of the
 /// normal noise that is added to each ordinate; one `seed` always gives one measurement. Of a contact
 /// stiffness it is relative, 0.01 is 1 %, and its logarithm is normal. A phase has
-/// the noise of a stiffness, in rad: both parts of a complex stiffness are as noisy.
+/// the noise of a stiffness, in rad: both parts of a complex stiffness are as noisy. The
+/// [noise of the abscissae](Experiment::abscissa_noise) is added to these, but to a radius of 0.
 ///
 /// # Errors
 /// [`Error::Point`] for an abscissa that is not finite; [`Error::Setting`] for a noise that is
 /// negative or not finite, a zero of the instrument that is not finite, a missing stiffness, a
 /// contact stiffness where there is no contact, numbers of the indentation that a fit does not accept, depths
-/// without a hardness, and a loss tangent outside 0 to 1;
+/// without a hardness, a loss tangent outside 0 to 1, and a noise of the abscissae as large as a contact radius;
 /// [`Error::Contact`] outside the table.
 pub fn simulate(
     table: &Table,
@@ -39,6 +40,11 @@ pub fn simulate(
     experiment.accept_instrument()?;
     experiment.accept_indentation()?;
     experiment.accept_abscissae()?;
+    let without_noise = Experiment {
+        noise: None,
+        ..experiment.clone()
+    };
+    without_noise.accept_errors()?;
     let mut made = experiment.clone();
     made.reach_contacts();
     made.make(table)?;
@@ -65,6 +71,24 @@ pub fn simulate(
     }
     for phase in &mut made.indentation.phases {
         *phase += noise * normal();
+    }
+    let kind = made.measurement.kind;
+    let is_size = kind.at_radii() || kind.is_stiffness();
+    for i in 0..made.measurement.points.len() {
+        let exact = made.measurement.points[i].abscissa;
+        let read = exact + made.abscissa_deviation(i) * normal();
+        if is_size && exact == 0.0 {
+            continue;
+        }
+        if is_size && read <= 0.0 {
+            let [abscissa, _] = kind.names();
+            let name = format!("the noise of the {abscissa}");
+            let allowed = format!(
+                "much smaller than each {abscissa}: here it makes one of {exact:e} negative"
+            );
+            return Err(Error::setting(name, made.abscissa_deviation(i), allowed));
+        }
+        made.measurement.points[i].abscissa = read;
     }
     Ok(made)
 }

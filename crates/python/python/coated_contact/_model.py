@@ -141,7 +141,7 @@ def simulate(
     table: Table | None = None,
     allow: Iterable[Allowed] = (),
 ) -> Experiment:
-    """Return the experiment with synthetic ordinates.
+    """Return the experiment with synthetic ordinates, and with noise of its abscissae where it has one.
 
     On approach the contact forms at the contact point; on retract, and without a direction, it
     lasts to the end of the stable branch. Points at contact radii are in contact.
@@ -149,7 +149,8 @@ def simulate(
     Parameters
     ----------
     experiment : Experiment
-        Where to measure, and the true values. Its ordinates are not used.
+        Where to measure, and the true values. Its ordinates are not used; its ``abscissa_noise`` is
+        added to the abscissae.
     noise : float
         Standard deviation of the normal noise that is added to each ordinate, N or m. Of a contact
         stiffness it is relative, 0.01 is 1 %, and its logarithm is normal.
@@ -180,7 +181,7 @@ def simulate(
     experiments_of([experiment])
     native = native_table(table)
     whole = integer("seed", seed, 0, 2**63)
-    ordinate, loads, phases = _core.simulate(
+    abscissa, ordinate, loads, phases = _core.simulate(
         native, experiment, number("noise", noise), whole, "magnitudes" in allowed_of(allow)
     )
     indentation = experiment.indentation
@@ -188,7 +189,7 @@ def simulate(
         made = {"loads": loads, "phases": phases}
         made = {name: array for name, array in made.items() if array.size}
         indentation = replace(indentation or Indentation(), **made)
-    return replace(experiment, ordinate=ordinate, indentation=indentation)
+    return replace(experiment, abscissa=abscissa, ordinate=ordinate, indentation=indentation)
 
 
 def forecast(

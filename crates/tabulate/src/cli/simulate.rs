@@ -17,7 +17,7 @@ use units::{Dimension, Quantity};
 
 use super::fit::experiments::{KnownArguments, forget_shapes};
 use super::fit::free::FreeArguments;
-use super::fit::indentation::{self, Noise};
+use super::fit::indentation::{self, Noise, abscissa_noise};
 use super::fit::object::{estimates, matrix, warning};
 use super::fit::reading::doubted;
 use super::fit::setting::{check_units, unit_of};
@@ -79,6 +79,10 @@ pub struct Arguments {
     /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%)
     #[arg(long, value_parser = indentation::noise, allow_hyphen_values = true)]
     noise: Noise,
+    /// Standard deviation of the abscissa, a contact radius, penetration or height (m), or of a contact stiffness at
+    /// loads a load (N); `tabulate fit` takes the same flag [default: exact]
+    #[arg(long, visible_alias = "radius-noise", value_name = "S", value_parser = any)]
+    abscissa_noise: Option<Quantity>,
     /// Loss tangent of the film or top layer, 0 to 1, of a contact stiffness: the stiffness is then
     /// the storage part, and a column of phases is added, with the noise --noise in rad
     #[arg(long, value_name = "TANGENT", default_value_t = 0.0, value_parser = decimal, conflicts_with = "expect")]
@@ -252,6 +256,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         "--kind stiffness-depth needs --hardness, which tells the loads, for example 10GPa"
     );
     experiments[0].noise = Some(noise);
+    if let Some(noise) = &arguments.abscissa_noise {
+        experiments[0].abscissa_noise = abscissa_noise(noise, arguments.kind)?;
+    }
     ensure!(
         arguments.loss_tangent == 0.0 || arguments.kind.is_stiffness(),
         "--loss-tangent is for a contact stiffness, and {} is measured: leave it out, or give --kind \

@@ -8,6 +8,9 @@ pub const MOST_COEFFICIENTS: usize = 9;
 
 /// A nanometre, m, in powers of which the coefficients of area functions are published.
 const NANOMETRE: f64 = 1e-9;
+/// The least size of a coefficient but the first: a smaller one adds less than 1e-4 nm^2 to the area at 1 nm, and is
+/// probably one in powers of metres or micrometres.
+const LEAST: f64 = 1e-4;
 
 /// The contact area of an indenter as a function of the contact depth,
 /// `A = C0 h^2 + C1 h + C2 h^(1/2) + C3 h^(1/4) + .. + C8 h^(1/128)` (Oliver and Pharr, J. Mater.
@@ -28,8 +31,8 @@ impl AreaFunction {
     /// give the area in nm^2.
     ///
     /// # Errors
-    /// [`Error::Setting`] for another number of coefficients, for one that is not finite, and for
-    /// coefficients of which none is positive.
+    /// [`Error::Setting`] for another number of coefficients, for one that is not finite, for coefficients of
+    /// which none is positive, and for one but the first that is so small that it is none in powers of nanometres.
     pub fn new(nanometres: &[f64]) -> Result<Self, Error> {
         let refused = |value, allowed| Error::setting("the area function", value, allowed);
         if !(1..=MOST_COEFFICIENTS).contains(&nanometres.len()) {
@@ -45,6 +48,14 @@ impl AreaFunction {
             return Err(refused(
                 nanometres[0],
                 "of coefficients of which one at least is positive",
+            ));
+        }
+        let is_small = |value: &&f64| **value != 0.0 && value.abs() < LEAST;
+        if let Some(&small) = nanometres[1..].iter().find(is_small) {
+            return Err(refused(
+                small,
+                "of coefficients in powers of nanometres, of which those but the first are 0 or at least 1e-4 in size: \
+                 C1 = 2e-6 m is 2000",
             ));
         }
         let mut coefficients = [0.0; MOST_COEFFICIENTS];
@@ -131,7 +142,9 @@ mod tests {
 
     #[test]
     fn other_coefficients_are_refused() {
-        for wrong in [&[][..], &[1.0; 10], &[f64::NAN], &[-1.0], &[0.0]] {
+        // The last but one is that of a sphere of 1 um in metres.
+        let metres = [-3.14159, 6.28319e-6];
+        for wrong in [&[][..], &[1.0; 10], &[f64::NAN], &[-1.0], &metres, &[0.0]] {
             let error = AreaFunction::new(wrong).expect_err("refused").to_string();
             assert!(error.contains("area function"), "{error}");
         }

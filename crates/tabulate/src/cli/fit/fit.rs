@@ -13,7 +13,9 @@ use units::{Dimension, Quantity};
 
 use super::experiments::{KnownArguments, TWO_WORKS};
 use super::free::FreeArguments;
-use super::indentation::{Noise, ReferenceArguments, accept_no_radius, are_at_depths};
+use super::indentation::{
+    Noise, ReferenceArguments, abscissa_noise, accept_no_radius, are_at_depths,
+};
 use super::next_steps::{further_doubts, next_steps};
 use super::picture::PictureArguments;
 use super::reading::{doubted, measured, typed, with_doubts};
@@ -21,7 +23,8 @@ use super::setting::{Given, Values, check_units, unit_of};
 use super::{experiments, indentation, object, table};
 use crate::cli::allow::{self, Allowed};
 use crate::cli::output::Output;
-use crate::cli::quantity::{length, number, read};
+use crate::cli::progress::elapsed_time;
+use crate::cli::quantity::{any, number, read};
 use crate::cli::table_name::{self, TableName};
 use crate::cli::{json, note, print};
 use crate::printable;
@@ -133,7 +136,8 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     noise: Vec<Noise>,
-    /// Standard deviation of a contact radius, penetration or height, m: one number, or one for each file, separated by commas
+    /// Standard deviation of a contact radius, penetration or height, m, or of a contact stiffness at loads a load, N:
+    /// one number, or one for each file, separated by commas
     /// [default: that of a column such as `radius_error [um]`, or exact]. It counts by the slope of
     /// the model: the variance of a point is that of its load plus (slope x S)^2
     #[arg(
@@ -141,9 +145,9 @@ pub struct Arguments {
         visible_alias = "radius-noise",
         value_name = "S",
         value_delimiter = ',',
-        value_parser = length
+        value_parser = any
     )]
-    abscissa_noise: Vec<f64>,
+    abscissa_noise: Vec<Quantity>,
     /// Robust loss, for data with outliers: Huber's with the threshold 1.345, or the soft L1 loss
     #[arg(long, value_parser = one_of([("huber", Loss::HUBER), ("soft-l1", Loss::SOFT_L1)]))]
     robust: Option<Loss>,
@@ -334,7 +338,7 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         }
         let of_file = arguments.abscissa_noise.get(i);
         if let Some(noise) = of_file.or(arguments.abscissa_noise.first()) {
-            experiment.abscissa_noise = *noise;
+            experiment.abscissa_noise = abscissa_noise(noise, kind)?;
             experiment.errors.abscissa.clear();
         }
         experiment.sphere_poisson_ratio = arguments.known.history.sphere_poisson_ratio;
@@ -415,8 +419,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
         allow_left_out: allowed.contains(&Allowed::LeftOut),
         ..Options::default()
     };
+    let shown = elapsed_time("fitting");
     let fit = ::fit::fit(table, &experiments, &free, &options)
         .map_err(|error| doubted(error, &experiments, &notes))?;
+    drop(shown);
     if fit.found_values() {
         allow::magnitudes(&fit.magnitudes(), allowed)
             .map_err(|error| anyhow!("{error}{}", further_doubts(&fit, &experiments)))
