@@ -95,7 +95,27 @@ fn an_error_of_a_known_thickness_widens_the_errors() {
         2 | {known} thickness=3e-5+-1e-6 | thickness; sphere-radius
         1 | {known} sphere-modulus=2e6+-1e4 | sphere-modulus; not free; prior
         1 | {known} stiffness=1+-0 | stiffness; positive
-        1 | {known} film-modulus=3MPa+-1kPa --value film-modulus=3MPa | film-modulus; twice; --known is one value for all
+        1 | {known} film-modulus=3MPa+-1kPa --value film-modulus=3MPa | film-modulus; twice; film-modulus=+-3%
+        1 | {known} film-thickness=+-3e-2 | known film-thickness; 0.03; at most its value
+        1 | {known} film-thickness=+-300% | known film-thickness; at most its value
+        1 | fit data.csv --sphere-modulus 2MPa --free work-of-adhesion --known film-thickness=+-3% | --film-thickness is missing
+        "
+    ));
+}
+
+/// One factor is off for the films of all files.
+#[test]
+fn values_of_several_files_err_in_proportion() {
+    let workdir = workdir!();
+    lens(&workdir);
+    let fit = "fit data.csv data.csv --specimen paper --allow left-out --value film-thickness=30um,40um --known";
+    let report = workdir.succeed(format!("{fit} film-thickness=+-5%"));
+    assert_names(&report, "hold those of film-thickness +- 5 %: ");
+    workdir.refuses(format!(
+        "
+        1 | {fit} film-thickness=+-1um | different values; film-thickness=+-3%
+        1 | {fit} load-offset=+-1uN --value load-offset=0,1e-6 | load-offset; different values
+        1 | {fit} load-offset=+-3% --value load-offset=1e-6,2e-6 | known load-offset; one for all; in proportion
         "
     ));
 }

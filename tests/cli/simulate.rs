@@ -87,7 +87,7 @@ fn what_cannot_be_simulated_is_an_error() {
         2 | {LENS} | --noise
         1 | {LENS} --noise -1 | noise; -1
         1 | {LENS} --noise nan | noise; NaN
-        1 | {LENS} --noise 1e-6 --radius-noise -1nm | --abscissa-noise; at least 0
+        1 | {LENS} --noise 1e-6 --radius-noise -1nm | contact radius; >= 0
         1 | {LENS} --noise 1e-6 --radius-noise 1nN | --abscissa-noise; a force, and a length is wanted
         1 | {LENS} --noise 1e-6 --radius-noise 1mm | noise of the contact radius; 0.001; negative
         1 | {LENS} --noise 1e-6 --free film-modulus | --expect

@@ -285,6 +285,40 @@ fn the_truth_is_within_the_intervals_with_a_thickness_that_is_known_with_an_erro
     }
 }
 
+/// The error is that of the first film, and the other one is off by the same part.
+#[test]
+fn thicknesses_of_several_films_err_in_proportion() {
+    // Fits end within 1 % of a standard error: the change is larger.
+    let part = 0.03;
+    let lenses =
+        [30e-6, 60e-6].map(|thickness| Imagined::lens(Kind::LoadRadius, thickness, 1e-6, &LENS));
+    let fits = |factor: f64| {
+        let experiments = lenses.each_ref().map(|lens| {
+            let mut one = lens.measured(&lens.exact(), 1);
+            coated(&mut one).film_thickness *= factor;
+            one
+        });
+        let options = Options {
+            known: vec![Known {
+                quantity: THICKNESS,
+                error: part * 30e-6,
+            }],
+            ..Options::default()
+        };
+        fit::fit(Table::embedded(), &experiments, &lenses[0].free, &options).expect("sound")
+    };
+    let [below, here, above] = [1.0 - part, 1.0, 1.0 + part].map(fits);
+    for (i, estimate) in here.estimates.iter().enumerate() {
+        let expected = 0.5 * (above.estimates[i].value - below.estimates[i].value).abs();
+        let found = here.fixed_values[0].error_of(i);
+        let parameter = estimate.parameter;
+        assert!(
+            (found / expected - 1.0).abs() < 0.05,
+            "{parameter}: {found:e}, not {expected:e}"
+        );
+    }
+}
+
 #[test]
 fn an_error_that_cannot_be_known_is_refused() {
     let lens = Imagined::lens(Kind::LoadRadius, 30e-6, 1e-6, &LENS);

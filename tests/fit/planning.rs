@@ -162,7 +162,8 @@ fn plans_with_errors_of_the_radii_have_the_scatter_of_their_fits() {
     for (i, plan) in expected.estimates.iter().enumerate() {
         let off = |fit: &fit::Fit| {
             let found = &fit.estimates[i];
-            [found.value - plan.value, found.standard_error].map(|error| error / plan.standard_error)
+            [found.value - plan.value, found.standard_error]
+                .map(|error| error / plan.standard_error)
         };
         let squares: [f64; 2] = fits.iter().map(off).fold([0.0; 2], |sum, [off, error]| {
             [sum[0] + off * off, sum[1] + error * error]
@@ -170,7 +171,11 @@ fn plans_with_errors_of_the_radii_have_the_scatter_of_their_fits() {
         let [scatter, error] = squares.map(|sum| (sum / SEEDS as f64).sqrt());
         println!("{}: scatter {scatter:.2}, error {error:.2}", plan.parameter);
         // The scatter of 60 fits is known to 9 %.
-        assert!((0.75..1.25).contains(&scatter), "{}: {scatter}", plan.parameter);
+        assert!(
+            (0.75..1.25).contains(&scatter),
+            "{}: {scatter}",
+            plan.parameter
+        );
         assert!((0.95..1.05).contains(&error), "{}: {error}", plan.parameter);
     }
     for noise in [-1e-9, f64::NAN, f64::INFINITY] {

@@ -74,8 +74,10 @@ pub(super) fn accept(assigned: &[Assigned], slots: &[Slot], known: &[Known]) -> 
             return Err(Error::setting(name, *error, allowed));
         }
         let mut others = values.filter_map(|one| one.experiment.value_of(*quantity));
-        if let Some(other) = others.find(|value| *value != first) {
-            let allowed = "one for all measurements: an error of several values is not taken";
+        if let Some(other) = others.find(|value| *value != first)
+            && !is_scale
+        {
+            let allowed = "one for all measurements: several values err in proportion, as moduli and lengths may";
             return Err(Error::setting(name, other, allowed));
         }
     }

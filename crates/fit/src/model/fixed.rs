@@ -180,7 +180,7 @@ impl Experiment {
 
     /// Returns a value that a fit takes as given; `None` where there is none, and for the Poisson
     /// ratio of a rigid body.
-    pub(crate) fn value_of(&self, one: Fixed) -> Option<f64> {
+    pub fn value_of(&self, one: Fixed) -> Option<f64> {
         let substrate = self.bodies.base();
         let layer = |number: usize| match &self.bodies {
             Bodies::Layered(layered) => layered.layers.get(number.wrapping_sub(1)),

@@ -123,7 +123,8 @@ impl Loss {
     pub const SOFT_L1: Self = Self::SoftL1 { threshold: 1.0 };
 }
 
-/// The standard error of a value that the fit takes as given. All measurements have this value.
+/// The standard error of a value that the fit takes as given. Where measurements have different values, it is that of
+/// the first, and the others err in proportion: one factor, such as that of an ellipsometer, is off for all.
 ///
 /// The fit keeps the value, and its error passes on to the standard errors and the correlation of
 /// the values found: to the first order, independent of the noise and of other known values. A
@@ -132,7 +133,7 @@ impl Loss {
 pub struct Known {
     /// The value.
     pub quantity: Fixed,
-    /// Its standard error.
+    /// Its standard error, in SI units.
     pub error: f64,
 }
 

@@ -33,9 +33,14 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
     }
     for one in fit.fixed_values.iter().filter(|one| one.error.is_some()) {
         let error = one.error.unwrap_or(0.0);
-        // That of a zero has the prefix of the error.
-        let (unit, size) = scaled(one.quantity.unit(), one.value.abs().max(error));
-        let known = error / size;
+        let (unit, size) = if one.values.is_empty() {
+            // That of a zero has the prefix of the error.
+            scaled(one.quantity.unit(), one.value.abs().max(error))
+        } else {
+            // A part of each value.
+            ("%".to_owned(), 1e-2 * one.value)
+        };
+        let known = plain(error / size);
         let parts = names.iter().enumerate().map(|(i, name)| {
             let (unit, size) = scaled(fit.estimates[i].parameter.unit(), one.error_of(i));
             format!("{:.2} {unit} of {name}", one.error_of(i) / size)
@@ -50,12 +55,17 @@ pub fn write(out: &mut String, fit: &Fit, files: &[&str]) {
     }
 }
 
+/// Returns a number without the rounding of a factor.
+fn plain(value: f64) -> f64 {
+    (value * 1e9).round() / 1e9
+}
+
 /// Returns the change of a given value.
 fn step(one: &FixedValue) -> String {
     let relative = one.step / one.value;
     if one.quantity.is_poisson_ratio() {
-        let number = |value: f64| (value * 1e9).round() / 1e9;
-        return format!("{} -> {}", number(one.value), number(one.value + one.step));
+        let [from, to] = [one.value, one.value + one.step].map(plain);
+        return format!("{from} -> {to}");
     }
     if one.value == 0.0 {
         let (unit, size) = scaled(one.quantity.unit(), one.step);

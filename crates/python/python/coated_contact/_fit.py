@@ -69,8 +69,9 @@ def fit(
         Standard errors of values that are not free, in SI units, such as
         ``{"film_thickness": 1e-7}``; also ``sphere_radius``, ``substrate_modulus`` and
         ``substrate_poisson_ratio``. The fit keeps the values, and their errors add to the standard
-        errors and the correlation: to the first order, independent of one another. A prior of a
-        :class:`Free` instead lets the data move a free value.
+        errors and the correlation: to the first order, independent of one another. Where
+        experiments have different values, the error is that of the first, and the others err in
+        proportion. A prior of a :class:`Free` instead lets the data move a free value.
     fixed_values : bool
         Whether ``Fit.fixed_values`` tells what the values that are not free do to the result.
     allow : iterable of {"magnitudes", "left-out"}

@@ -106,7 +106,7 @@ impl KnownArguments {
                 || fixed(*value, self.layer()).parameter().is_some_and(starts)
                 || given
                     .iter()
-                    .any(|one| one.quantity == fixed(*value, self.layer()))
+                    .any(|one| one.value.is_some() && one.quantity == fixed(*value, self.layer()))
         };
         let mut missing = self.missing();
         missing.retain(|value| !is_known(value));

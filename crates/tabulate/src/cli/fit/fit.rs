@@ -119,11 +119,12 @@ pub struct Arguments {
     #[command(flatten)]
     reference: ReferenceArguments,
     /// Value and standard error of a quantity that is not free, in SI units or with units:
-    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio, beta. Can
-    /// be given several times. The fit keeps the value, and its error adds to the standard errors:
+    /// film-thickness=2e-6+-1e-7, also sphere-radius, substrate-modulus, substrate-poisson-ratio, beta. A
+    /// value that is given elsewhere is left out: film-thickness=+-3%, a part by which the values of all files err
+    /// together. Can be given several times. The fit keeps the value, and its error adds to the standard errors:
     /// to the first order, as one of several independent errors. --prior instead lets the data move
     /// a free value
-    #[arg(long = "known", value_name = "NAME=VALUE+-ERROR")]
+    #[arg(long = "known", value_name = "NAME=[VALUE]+-ERROR")]
     given: Vec<Given>,
     /// Standard deviation of a load (N) or penetration (m), or of a contact stiffness in per cent (1%): one number, or one for each file, separated by commas [default: that
     /// of a column of standard deviations, such as `load error [mN]`, or estimated from the
@@ -229,7 +230,7 @@ impl Arguments {
         let known = self.given.iter().find(|one| one.quantity == STIFFNESS);
         let own = values.iter().find(|one| one.quantity == STIFFNESS);
         let own = own.and_then(|one| one.values.get(file).or(one.values.first()));
-        let said = known.map(|one| one.value).or(own.copied());
+        let said = known.and_then(|one| one.value).or(own.copied());
         said.or(self.known.stiffness)
     }
 
@@ -323,11 +324,12 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
             {
                 bail!("--known {parameter}: {TWO_WORKS}");
             }
-            if i >= arguments.data.len() && experiment.set_fixed(*quantity, *value).is_err() {
+            let Some(value) = *value else { continue };
+            if i >= arguments.data.len() && experiment.set_fixed(*quantity, value).is_err() {
                 // A reference sample has no film.
                 continue;
             }
-            let set = experiment.set_fixed(*quantity, *value);
+            let set = experiment.set_fixed(*quantity, value);
             set.with_context(|| format!("--known {}={value:?}", quantity.name()))?;
         }
         // A flag stands for a column.
@@ -411,10 +413,11 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     let table = arguments.table.read_for_contacts()?;
     let table: &Table = &table;
+    let known = arguments.given.iter().map(|one| one.known(&experiments));
     let options = Options {
         loss: arguments.robust.unwrap_or(Loss::Squares),
         profile_level: arguments.intervals,
-        known: arguments.given.iter().map(Given::known).collect(),
+        known: known.collect::<Result<_, _>>()?,
         fixed_values: true,
         allow_left_out: allowed.contains(&Allowed::LeftOut),
         ..Options::default()

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use ::fit::report::UnitOf;
-use ::fit::{Error, Fixed, Free, LayerName, Parameter};
+use ::fit::{Error, Experiment, Fixed, Free, Known, LayerName, Parameter};
 use anyhow::{bail, ensure};
 use units::Dimension;
 
@@ -25,17 +25,40 @@ pub type Pair = (Parameter, [f64; 2]);
 #[derive(Clone, Debug, PartialEq)]
 pub struct Given {
     pub quantity: Fixed,
-    pub value: f64,
-    pub error: f64,
+    /// The value, unless a flag, --value or a file gives it.
+    pub value: Option<f64>,
+    error: GivenError,
+}
+
+/// A standard error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum GivenError {
+    Absolute(f64),
+    /// A part of the value.
+    Relative(f64),
 }
 
 impl Given {
-    /// Returns the error for a fit.
-    pub const fn known(&self) -> ::fit::Known {
-        ::fit::Known {
-            quantity: self.quantity,
-            error: self.error,
-        }
+    /// Returns the error for a fit of experiments.
+    pub fn known(&self, experiments: &[Experiment]) -> anyhow::Result<Known> {
+        let quantity = self.quantity;
+        let values = experiments.iter().filter_map(|one| one.value_of(quantity));
+        let values: Vec<f64> = values.collect();
+        let error = match (self.error, &values[..]) {
+            (GivenError::Absolute(error), [first, rest @ ..]) => {
+                let name = quantity.name();
+                ensure!(
+                    rest.iter().all(|value| value == first),
+                    "--known {name}: the files have different values, and {error:?} is the error of one: give a part of \
+                     the values in per cent, {name}=+-3%, by which all err together"
+                );
+                error
+            }
+            (GivenError::Relative(part), [first, ..]) => part * first.abs(),
+            // The fit refuses what no measurement has.
+            (GivenError::Absolute(error) | GivenError::Relative(error), []) => error,
+        };
+        Ok(Known { quantity, error })
     }
 
     /// Refuses a quantity to which a flag gives another value, or --value one for each file.
@@ -46,7 +69,10 @@ impl Given {
         [stiffness, beta]: [Option<f64>; 2],
         values: &[Values],
     ) -> anyhow::Result<()> {
-        let (name, known) = (self.quantity.name(), self.value);
+        let Some(known) = self.value else {
+            return Ok(());
+        };
+        let name = self.quantity.name();
         let of_bodies =
             Value::ALL.map(|value| (value.flag(), fixed(value, layer), system.given(value)));
         let of_cantilever = Fixed::Parameter(Parameter::Stiffness);
@@ -64,8 +90,8 @@ impl Given {
         }
         ensure!(
             values.iter().all(|one| one.quantity != self.quantity),
-            "--value {name} and --known {name}={known:?} give one quantity twice: leave one of them out; --known is one \
-             value for all files"
+            "--value {name} and --known {name}={known:?} give one quantity twice: leave the value out of --known, such \
+             as {name}=+-3%"
         );
         Ok(())
     }
@@ -75,7 +101,7 @@ impl FromStr for Given {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let how = "NAME=VALUE+-ERROR, such as film-thickness=2e-6+-1e-7";
+        let how = "NAME=VALUE+-ERROR, such as film-thickness=2e-6+-1e-7, or NAME=+-ERROR, such as film-thickness=+-3%";
         let (name, known) = named(text, how)?;
         let quantity = Fixed::parse(name).ok_or_else(|| {
             format!(
@@ -83,10 +109,17 @@ impl FromStr for Given {
                  substrate-poisson-ratio, beta or a parameter that is not free, such as film-thickness"
             )
         })?;
-        let [value, error] = with_error(known, quantity.dimension(), how)?;
+        let (value, error) = parts(known, how)?;
+        let dimension = quantity.dimension();
+        let is_given = !value.trim().is_empty();
+        let value = is_given.then(|| quantity::value(value, dimension));
+        let error = match error.trim().strip_suffix('%') {
+            Some(percent) => GivenError::Relative(quantity::number(percent.trim())? / 100.0),
+            None => GivenError::Absolute(read(error, dimension)?),
+        };
         Ok(Self {
             quantity,
-            value,
+            value: value.transpose()?,
             error,
         })
     }
@@ -130,9 +163,14 @@ pub fn prior(text: &str) -> Result<Pair, String> {
 }
 
 fn with_error(text: &str, dimension: Option<Dimension>, how: &str) -> Result<[f64; 2], String> {
-    let ends = text.split_once("+-").or_else(|| text.split_once('±'));
-    let (value, error) = ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))?;
+    let (value, error) = parts(text, how)?;
     Ok([quantity::value(value, dimension)?, read(error, dimension)?])
+}
+
+/// Splits `VALUE+-ERROR`.
+fn parts<'a>(text: &'a str, how: &str) -> Result<(&'a str, &'a str), String> {
+    let ends = text.split_once("+-").or_else(|| text.split_once('±'));
+    ends.ok_or_else(|| format!("{text:?} has no +-: write {how}"))
 }
 
 /// Reads a unit for the report, `NAME=UNIT`.
@@ -197,9 +235,30 @@ mod tests {
         );
         let bounds = bounds("film-modulus = 1e5..1e8");
         assert_eq!(bounds, Ok((Parameter::FilmModulus, [1e5, 1e8])));
-        let given = "sphere-radius=1e-3+-1e-5".parse::<Given>();
-        let of_given = |one: Given| (one.quantity, one.value, one.error);
-        assert_eq!(given.map(of_given), Ok((Fixed::SphereRadius, 1e-3, 1e-5)));
+        for (text, value, error) in [
+            (
+                "sphere-radius=1e-3+-1e-5",
+                Some(1e-3),
+                GivenError::Absolute(1e-5),
+            ),
+            (
+                "sphere-radius=1mm+-2 %",
+                Some(1e-3),
+                GivenError::Relative(0.02),
+            ),
+            ("sphere-radius=+-2%", None, GivenError::Relative(0.02)),
+        ] {
+            let given = text.parse::<Given>();
+            let quantity = Fixed::SphereRadius;
+            assert_eq!(
+                given,
+                Ok(Given {
+                    quantity,
+                    value,
+                    error
+                })
+            );
+        }
         for text in ["baseline=-1e-9+-2e-10", "baseline=-1e-9 ± 2e-10"] {
             assert_eq!(prior(text), Ok((Parameter::Baseline, [-1e-9, 2e-10])));
         }
